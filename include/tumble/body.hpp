@@ -1,0 +1,58 @@
+// Bodies and the shapes on them, as a user defines them.
+#pragma once
+
+#include <cstdint>
+
+#include "tumble/id.hpp"
+#include "tumble/math.hpp"
+#include "tumble/shape.hpp"
+
+namespace tumble {
+
+enum class BodyType : std::uint8_t {
+    static_body,     // never moves
+    kinematic_body,  // moves by its velocity alone, as if of infinite mass
+    dynamic_body,
+};
+
+struct BodyDef {
+    BodyType type = BodyType::dynamic_body;
+    Pose pose;                       // of the body's origin
+    Vec2 velocity;                   // of the centre of mass, m/s
+    float angular_velocity = 0.0f;   // rad/s
+    float linear_damping = 0.0f;     // 1/s: v / (1 + h c) in each sub-step
+    float angular_damping = 0.0f;    // 1/s
+    float gravity_scale = 1.0f;
+};
+
+// How a surface behaves in contact. Of two surfaces the friction is sqrt(f1 f2), the restitution the larger, the rolling
+// resistance the larger times the radius, the tangent speed the sum.
+struct SurfaceMaterial {
+    float density = 1.0f;             // kg/m^2
+    float friction = 0.6f;            // >= 0
+    float restitution = 0.0f;         // 0 to 1, applied above 1 m/s
+    float rolling_resistance = 0.0f;  // >= 0, of the shape's radius
+    float tangent_speed = 0.0f;       // m/s, conveyor belts; positive carries what lies on top to the left
+
+    friend constexpr bool operator==(const SurfaceMaterial&, const SurfaceMaterial&) = default;
+};
+
+struct ShapeDef {
+    Shape shape;  // in the body's coordinates
+    SurfaceMaterial material;
+};
+
+// What a body is doing at the end of a step.
+struct BodyState {
+    Pose pose;                      // of the body's origin
+    Vec2 velocity;                  // of the centre of mass, m/s
+    float angular_velocity = 0.0f;  // rad/s
+};
+
+struct BodyMass {
+    float mass = 0.0f;     // kg; 0 for static and kinematic bodies
+    Vec2 center;           // centre of mass, body coordinates
+    float inertia = 0.0f;  // about the centre of mass, kg m^2
+};
+
+}  // namespace tumble

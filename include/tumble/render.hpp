@@ -1,0 +1,81 @@
+// Frames without a display: a draw list made from a scene's world, drawn off-screen, written as PNG.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tumble/math.hpp"
+#include "tumble/scene.hpp"
+
+namespace tumble {
+
+// No off-screen context, no font, a shader that does not compile: what was tried and why it failed.
+class RenderError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;  // [height][width][4], top row first
+};
+
+struct Camera {
+    DVec2 center;         // world point in the middle of the frame
+    double height = 1.0;  // m of the world from the lower to the upper edge
+};
+
+// The scene's own camera; what it leaves open is chosen so that every moving body, and the ground below, is in view.
+Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio);
+
+// Draws frames of one size. Holds the off-screen context: use it from the thread that made it.
+class Renderer {
+public:
+    Renderer(int width, int height);  // 16 to 8192 each; throws RenderError
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    // Draws the world as it is now, with the scene's name and `time` (s) as text, into `image`, resized as needed.
+    void draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// Writes to a temporary name beside `file`, then renames. Throws FileError. The same image gives the same bytes.
+void write_png(const Image& image, const std::filesystem::path& file);
+
+// Encodes and writes PNG files on threads of its own, a bounded number in flight.
+class FrameWriter {
+public:
+    explicit FrameWriter(int threads);
+    ~FrameWriter();  // waits for what was submitted; errors are lost: call finish()
+    FrameWriter(const FrameWriter&) = delete;
+    FrameWriter& operator=(const FrameWriter&) = delete;
+
+    // An image to draw into: one that was written already if there is one.
+    Image take_image();
+
+    // Queues the image; waits while too many are queued. Throws the first FileError of earlier frames.
+    void submit(Image image, std::filesystem::path file);
+
+    // Waits for all; throws the first FileError. Returns the number of files and bytes written.
+    struct Written {
+        std::uint64_t files = 0;
+        std::uint64_t bytes = 0;
+        double encode_seconds = 0.0;  // summed over the threads
+    };
+    Written finish();
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tumble

@@ -1,0 +1,115 @@
+// Shapes: the convex hull of n >= 1 core vertices, grown by a radius.
+//
+// One type serves every pair: n = 1 is a circle, n = 2 a capsule (radius 0: a two-sided segment), n >= 3 a polygon,
+// rounded if its radius is positive. Cores are what GJK sees; radii are subtracted last.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tumble/math.hpp"
+
+namespace tumble {
+
+// The vertices of a polygon with more than Shape::kInlineVertices of them; immutable, shared between copies.
+struct LargePolygon {
+    std::vector<float> x;  // [n], counter-clockwise, starting at the lowest of the leftmost vertices
+    std::vector<float> y;  // [n]
+};
+
+// What taking the hull did to the points that were given. `kept + duplicate + collinear + interior` is their number.
+struct HullReport {
+    int kept = 0;
+    int duplicate = 0;  // within the weld distance of a kept vertex
+    int collinear = 0;  // on an edge, within the weld distance
+    int interior = 0;   // strictly inside the hull: the outline given was concave, or had stray points
+};
+
+class Shape {
+public:
+    static constexpr int kInlineVertices = 8;
+    static constexpr int kMaxVertices = 65535;
+
+    // An empty shape: no vertices. Queries answer `invalid` for it, a world refuses it.
+    Shape() = default;
+
+    int vertex_count() const noexcept { return count_; }
+    float radius() const noexcept { return radius_; }
+
+    // Core vertices in local coordinates, [vertex_count()], counter-clockwise for n >= 3. For n <= 8 the arrays behind
+    // go on to 8 entries, padded with vertex 0, so that lanes may read them all.
+    std::span<const float> x() const noexcept { return {large_ ? large_->x.data() : x_, size()}; }
+    std::span<const float> y() const noexcept { return {large_ ? large_->y.data() : y_, size()}; }
+    Vec2 vertex(int index) const noexcept {
+        const auto i = static_cast<std::size_t>(index);
+        return {x()[i], y()[i]};
+    }
+
+    // Null for n <= 8.
+    const LargePolygon* large() const noexcept { return large_.get(); }
+
+    // True if both have the same vertices in the same order and the same radius.
+    friend bool operator==(const Shape& a, const Shape& b) noexcept;
+
+    // The shape with exactly these core vertices: no hull, no welding, nothing checked but their number (more than
+    // kMaxVertices is std::invalid_argument). For parity tests and importers that hold a convex outline already;
+    // vertices that are not convex, counter-clockwise and finite make queries answer wrongly or `invalid`.
+    static Shape from_raw(std::span<const Vec2> vertices, float radius);
+
+private:
+    std::size_t size() const noexcept { return static_cast<std::size_t>(count_); }
+
+    std::int32_t count_ = 0;
+    float radius_ = 0.0f;
+    float x_[kInlineVertices] = {};
+    float y_[kInlineVertices] = {};
+    std::shared_ptr<const LargePolygon> large_;
+};
+
+// All factories throw std::invalid_argument, with the offending value printed, for what is not finite, for a negative
+// radius, and where they say so.
+
+Shape make_circle(float radius, Vec2 center = {});                    // radius 0: a point
+Shape make_capsule(Vec2 from, Vec2 to, float radius);                 // from == to gives a circle
+Shape make_segment(Vec2 from, Vec2 to);                               // a capsule without radius: two-sided
+
+// A box of outer size `size` (both > 0) whose corners are rounded by `radius` (at most half the smaller side): the core
+// is size - 2 radius. `angle` in radians turns it about its center.
+Shape make_box(Vec2 size, float radius = 0.0f, Vec2 center = {}, double angle = 0.0);
+
+// The convex hull of `points`, any number from 1 to 65 535, in any order; the radius grows it. Points closer than
+// kWeldTolerance times the extent are welded, vertices that near to an edge dropped; the report, if asked for, says
+// how many. The result may have 1 or 2 vertices (all points equal or on a line): a circle or a capsule.
+Shape make_polygon(std::span<const Vec2> points, float radius = 0.0f, HullReport* report = nullptr);
+
+// Relative to the larger side of the points' bounding box: a few ulp of float, far below any visible feature.
+inline constexpr float kWeldTolerance = 1e-6f;
+
+// Segments between consecutive points, [n - 1], or [n] if closed. Two points or more.
+std::vector<Shape> make_chain(std::span<const Vec2> points, bool loop);
+
+struct MassProperties {
+    double area = 0.0;     // m^2, of the core grown by the radius; 0 for a point or a segment
+    Vec2 center;           // centroid in local coordinates; of the core's mid-point if the area is 0
+    double inertia = 0.0;  // second moment of area about the centroid, m^4: times density gives kg m^2
+};
+
+// Exact formulas for polygon, edge strips and corner sectors, evaluated in double.
+MassProperties mass_properties(const Shape& shape);
+
+// The box around the shape at the pose, radius included, rounded outwards. Not finite input gives an empty box.
+Aabb bounds(const Shape& shape, const Pose& world_from_shape);
+
+// The larger and the smaller side of the local bounding box, radius included (m).
+struct Extent {
+    float larger = 0.0f;
+    float smaller = 0.0f;
+};
+Extent extent(const Shape& shape);
+
+// The distance of the farthest point of the shape, radius included, from the local point (m).
+float farthest_distance(const Shape& shape, Vec2 from);
+
+}  // namespace tumble

@@ -1,0 +1,87 @@
+// Sine, cosine and arc tangent by reduction and series, in plain double arithmetic without fused operations: the step,
+// the scene reader and the output files give the same bits wherever they run, which libm does not promise.
+#include "tumble/math.hpp"
+
+namespace tumble {
+
+namespace {
+
+// pi / 2 as the sum of a head of 33 bits and its tail: k * head is exact for |k| < 2^20 (Cody and Waite).
+constexpr double kHalfPiHead = 0x1.921fb544p+0;
+constexpr double kHalfPiTail = 0x1.0b4611a626331p-34;
+constexpr double kLargestAngle = 1e6;
+
+// Taylor series on [-pi/4, pi/4]; the first term left out is below 1e-19 and 3e-18.
+SinCos reduced_sin_cos(double x) {
+    const double z = x * x;
+    double sine = 1.0 / 355687428096000.0;  // 1 / 17!, signs alternate from here down
+    sine = z * sine - 1.0 / 1307674368000.0;
+    sine = z * sine + 1.0 / 6227020800.0;
+    sine = z * sine - 1.0 / 39916800.0;
+    sine = z * sine + 1.0 / 362880.0;
+    sine = z * sine - 1.0 / 5040.0;
+    sine = z * sine + 1.0 / 120.0;
+    sine = z * sine - 1.0 / 6.0;
+    double cosine = 1.0 / 20922789888000.0;  // 1 / 16!
+    cosine = z * cosine - 1.0 / 87178291200.0;
+    cosine = z * cosine + 1.0 / 479001600.0;
+    cosine = z * cosine - 1.0 / 3628800.0;
+    cosine = z * cosine + 1.0 / 40320.0;
+    cosine = z * cosine - 1.0 / 720.0;
+    cosine = z * cosine + 1.0 / 24.0;
+    return {x + x * (z * sine), 1.0 - (0.5 * z - z * (z * cosine))};
+}
+
+SinCos turn_by_quarters(SinCos v, long quarters) {
+    switch (quarters & 3) {
+        case 0: return v;
+        case 1: return {v.cos, -v.sin};
+        case 2: return {-v.sin, -v.cos};
+        default: return {-v.cos, v.sin};
+    }
+}
+
+Rotation to_rotation(SinCos v) { return {static_cast<float>(v.cos), static_cast<float>(v.sin)}; }
+
+}  // namespace
+
+SinCos sin_cos(double radians) {
+    if (!(std::abs(radians) <= kLargestAngle)) {
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        return {nan, nan};
+    }
+    const double quarters = std::nearbyint(radians * (2.0 / kPi));
+    const double reduced = (radians - quarters * kHalfPiHead) - quarters * kHalfPiTail;
+    return turn_by_quarters(reduced_sin_cos(reduced), static_cast<long>(quarters));
+}
+
+double arc_tangent(double y, double x) {
+    if (!std::isfinite(x) || !std::isfinite(y)) return std::numeric_limits<double>::quiet_NaN();
+    const double ax = std::abs(x), ay = std::abs(y);
+    const double larger = std::fmax(ax, ay);
+    if (larger == 0.0) return 0.0;
+    const double t = std::fmin(ax, ay) / larger;
+    // A quadratic guess g for atan(t), t in [0, 1], is within 0.0016 rad; the rest is the angle between (1, t) and
+    // (cos g, sin g), small enough for three terms of its series (the fourth is below 3e-21).
+    const double guess = t * (kPi / 4.0 + (1.0 - t) * (0.2447 + 0.0663 * t));
+    const SinCos g = sin_cos(guess);
+    const double rest = (t * g.cos - g.sin) / (g.cos + t * g.sin);
+    const double rest_sq = rest * rest;
+    double angle = guess + rest * (1.0 - rest_sq * (1.0 / 3.0 - rest_sq * (1.0 / 5.0)));
+    if (ay > ax) angle = kPi / 2.0 - angle;
+    if (x < 0.0) angle = kPi - angle;
+    return y < 0.0 ? -angle : angle;
+}
+
+Rotation make_rotation(double radians) { return to_rotation(sin_cos(radians)); }
+
+Rotation make_rotation_degrees(double degrees) {
+    const double turn = std::fmod(degrees, 360.0);
+    const double quarters = std::nearbyint(turn / 90.0);
+    const SinCos v = sin_cos((turn - 90.0 * quarters) * (kPi / 180.0));
+    return to_rotation(turn_by_quarters(v, std::isfinite(quarters) ? static_cast<long>(quarters) : 0));
+}
+
+double angle(Rotation q) { return arc_tangent(q.s, q.c); }
+
+}  // namespace tumble
