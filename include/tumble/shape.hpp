@@ -15,7 +15,7 @@ namespace tumble {
 
 // The vertices of a polygon with more than Shape::kInlineVertices of them; immutable, shared between copies.
 struct LargePolygon {
-    std::vector<float> x;  // [n], counter-clockwise, starting at the lowest of the leftmost vertices
+    std::vector<float> x;  // [n], counter-clockwise
     std::vector<float> y;  // [n]
 };
 
@@ -24,7 +24,7 @@ struct HullReport {
     int kept = 0;
     int duplicate = 0;  // within the weld distance of a kept vertex
     int collinear = 0;  // on an edge, within the weld distance
-    int interior = 0;   // strictly inside the hull: the outline given was concave, or had stray points
+    int interior = 0;   // farther inside the hull: the outline given was concave, or had stray points
 };
 
 class Shape {
@@ -37,6 +37,10 @@ public:
 
     int vertex_count() const noexcept { return count_; }
     float radius() const noexcept { return radius_; }
+
+    // The largest distance of a core vertex from the local origin, correct to a few ulp (m); not finite if a vertex is
+    // not. Error bounds of the narrow phase are relative to it.
+    double core_radius() const noexcept { return core_radius_; }
 
     // Core vertices in local coordinates, [vertex_count()], counter-clockwise for n >= 3. For n <= 8 the arrays behind
     // go on to 8 entries, padded with vertex 0, so that lanes may read them all.
@@ -63,6 +67,7 @@ private:
 
     std::int32_t count_ = 0;
     float radius_ = 0.0f;
+    double core_radius_ = 0.0;
     float x_[kInlineVertices] = {};
     float y_[kInlineVertices] = {};
     std::shared_ptr<const LargePolygon> large_;
@@ -76,18 +81,20 @@ Shape make_capsule(Vec2 from, Vec2 to, float radius);                 // from ==
 Shape make_segment(Vec2 from, Vec2 to);                               // a capsule without radius: two-sided
 
 // A box of outer size `size` (both > 0) whose corners are rounded by `radius` (at most half the smaller side): the core
-// is size - 2 radius. `angle` in radians turns it about its center.
+// is size - 2 radius, and a capsule or a circle where a side of it vanishes. `angle` in radians turns it about its
+// center. A box so far from the origin that its corners coincide in float is an error.
 Shape make_box(Vec2 size, float radius = 0.0f, Vec2 center = {}, double angle = 0.0);
 
-// The convex hull of `points`, any number from 1 to 65 535, in any order; the radius grows it. Points closer than
-// kWeldTolerance times the extent are welded, vertices that near to an edge dropped; the report, if asked for, says
-// how many. The result may have 1 or 2 vertices (all points equal or on a line): a circle or a capsule.
+// The convex hull of `points`, one or more, in any order; the radius grows it. It starts at the lowest of the leftmost
+// vertices. Points closer than kWeldTolerance times the extent are welded, vertices that near to an edge dropped, so
+// that no point lies farther outside than that; the report, if asked for, says how many. The result may have 1 or 2
+// vertices (all points equal or on a line): a circle or a capsule. More than 65 535 vertices after that: an error.
 Shape make_polygon(std::span<const Vec2> points, float radius = 0.0f, HullReport* report = nullptr);
 
 // Relative to the larger side of the points' bounding box: a few ulp of float, far below any visible feature.
 inline constexpr float kWeldTolerance = 1e-6f;
 
-// Segments between consecutive points, [n - 1], or [n] if closed. Two points or more.
+// Segments between consecutive points, [n - 1], or [n] if closed. Two points or more, else an error.
 std::vector<Shape> make_chain(std::span<const Vec2> points, bool loop);
 
 struct MassProperties {
@@ -109,7 +116,7 @@ struct Extent {
 };
 Extent extent(const Shape& shape);
 
-// The distance of the farthest point of the shape, radius included, from the local point (m).
+// The distance of the farthest point of the shape, radius included, from the local point (m), rounded upwards.
 float farthest_distance(const Shape& shape, Vec2 from);
 
 }  // namespace tumble

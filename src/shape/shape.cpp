@@ -1,0 +1,45 @@
+// Shape itself: vertices inline up to eight, shared beyond.
+#include "tumble/shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shape/validate.hpp"
+
+namespace tumble {
+
+bool operator==(const Shape& a, const Shape& b) noexcept {
+    return a.count_ == b.count_ && a.radius_ == b.radius_ && std::ranges::equal(a.x(), b.x()) &&
+           std::ranges::equal(a.y(), b.y());
+}
+
+Shape Shape::from_raw(std::span<const Vec2> vertices, float radius) {
+    require_vertex_count(vertices.size());
+    Shape shape;
+    shape.count_ = static_cast<std::int32_t>(vertices.size());
+    shape.radius_ = radius;
+    double farthest_sq = 0.0;
+    for (const Vec2 vertex : vertices) {
+        const double distance_sq = length_sq(DVec2(vertex));
+        if (!(distance_sq <= farthest_sq)) farthest_sq = distance_sq;  // written so that a NaN comes in...
+        if (std::isnan(farthest_sq)) break;                            // ...and stays
+    }
+    shape.core_radius_ = std::sqrt(farthest_sq);
+    if (vertices.size() > kInlineVertices) {
+        auto large = std::make_shared<LargePolygon>();
+        for (const Vec2 vertex : vertices) {
+            large->x.push_back(vertex.x);
+            large->y.push_back(vertex.y);
+        }
+        shape.large_ = std::move(large);
+        return shape;
+    }
+    for (std::size_t lane = 0; lane < kInlineVertices && !vertices.empty(); ++lane) {
+        const Vec2 vertex = vertices[lane < vertices.size() ? lane : 0];
+        shape.x_[lane] = vertex.x;
+        shape.y_[lane] = vertex.y;
+    }
+    return shape;
+}
+
+}  // namespace tumble
