@@ -6,10 +6,13 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "tumble/distance.hpp"
 #include "tumble/math.hpp"
+#include "tumble/shape.hpp"
 
 namespace tumble {
 
@@ -74,7 +77,19 @@ struct Drawing {
     void text(DVec2 at, std::string text, double size, Color color, TextAnchor anchor = TextAnchor::left);
 };
 
+// Text made safe inside SVG and HTML: & < > and quotes become entities.
+std::string escape_markup(std::string_view text);
+
 // A standalone SVG document; its numbers are rounded to 1/100 px. The same drawing gives the same bytes.
 std::string to_svg(const Drawing& drawing);
+
+// The two shapes at their poses with the witness points of the result, fitted into a panel of the given size.
+Drawing draw_pair(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                  const DistanceResult& result, int width, int height);
+
+// How GJK came to its answer: the pair, its Minkowski difference with the origin, one panel an iteration with the
+// simplex, the nearest point, the search direction and the support vertex found, and the bounds closing in.
+Drawing draw_trace(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                   const DistanceTrace& trace);
 
 }  // namespace tumble

@@ -41,20 +41,6 @@ std::string outline(double width, Color color) {
     return paint("stroke", color) + attribute("stroke-width", number(width)) + attribute("stroke-linejoin", "round");
 }
 
-std::string escape(std::string_view text) {
-    std::string escaped;
-    for (const char c : text) {
-        switch (c) {
-            case '&': escaped += "&amp;"; break;
-            case '<': escaped += "&lt;"; break;
-            case '>': escaped += "&gt;"; break;
-            case '"': escaped += "&quot;"; break;
-            default: escaped += c;
-        }
-    }
-    return escaped;
-}
-
 std::string element(const DrawnLine& line) {
     if (line.width <= 0.0) return "";
     return "<line" + attribute("x1", number(line.from.x)) + attribute("y1", number(line.from.y)) +
@@ -79,10 +65,24 @@ std::string element(const DrawnText& text) {
     constexpr std::array<std::string_view, 3> kAnchors = {"start", "middle", "end"};
     return "<text" + attribute("x", number(text.at.x)) + attribute("y", number(text.at.y)) +
            attribute("font-size", number(text.size)) + paint("fill", text.color) +
-           attribute("text-anchor", kAnchors[static_cast<std::size_t>(text.anchor)]) + ">" + escape(text.text) + "</text>\n";
+           attribute("text-anchor", kAnchors[static_cast<std::size_t>(text.anchor)]) + ">" + escape_markup(text.text) + "</text>\n";
 }
 
 }  // namespace
+
+std::string escape_markup(std::string_view text) {
+    std::string escaped;
+    for (const char c : text) {
+        switch (c) {
+            case '&': escaped += "&amp;"; break;
+            case '<': escaped += "&lt;"; break;
+            case '>': escaped += "&gt;"; break;
+            case '"': escaped += "&quot;"; break;
+            default: escaped += c;
+        }
+    }
+    return escaped;
+}
 
 std::string to_svg(const Drawing& drawing) {
     const std::string width = std::to_string(drawing.width), height = std::to_string(drawing.height);
