@@ -1,0 +1,44 @@
+// Eight float lanes on Eigen arrays, and the few operations that Eigen does not compile to packed code.
+//
+// Sums, products, quotients, min, max and sqrt of whole arrays are packed on every instruction set and give the same
+// bits on all of them (no contraction, exact square root). `(a < b).select(x, y)` is not packed: use select_less().
+// Reductions (.sum(), .dot()) depend on the width of a register and are forbidden in anything that reaches the state.
+// Name every step with its type: an `auto` would keep an expression alive beyond its operands.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tumble {
+
+inline constexpr int kLaneCount = 8;
+
+using Lanes = Eigen::Array<float, kLaneCount, 1>;
+
+namespace simd {
+
+// The widest register of the target that divides eight floats evenly: 8 with AVX, 4 with SSE2.
+using Packet = Eigen::internal::find_best_packet<float, kLaneCount>::type;
+inline constexpr int kPacketSize = Eigen::internal::unpacket_traits<Packet>::size;
+static_assert(kLaneCount % kPacketSize == 0);
+
+}  // namespace simd
+
+// For each lane: a < b ? x : y. A NaN in a or b selects y.
+inline Lanes select_less(const Lanes& a, const Lanes& b, const Lanes& x, const Lanes& y) {
+    using namespace Eigen::internal;
+    Lanes result;
+    for (int i = 0; i < kLaneCount; i += simd::kPacketSize) {
+        const simd::Packet mask = pcmp_lt(ploadu<simd::Packet>(a.data() + i), ploadu<simd::Packet>(b.data() + i));
+        pstoreu(result.data() + i,
+                pselect(mask, ploadu<simd::Packet>(x.data() + i), ploadu<simd::Packet>(y.data() + i)));
+    }
+    return result;
+}
+
+// Every lane limited to [-limit, limit], limit >= 0.
+inline Lanes clamp_magnitude(const Lanes& value, const Lanes& limit) {
+    const Lanes negative = -limit;
+    return value.max(negative).min(limit);
+}
+
+}  // namespace tumble

@@ -1,0 +1,40 @@
+// Rows of memory to lanes and back: eight records become one array of lanes per field by packed transpositions.
+//
+// With registers of 8 floats this is one 8 x 8 transposition, with 4 floats it is done in 4 x 4 tiles; the values are
+// moved, never computed with, so that any bits (flags, NaN) pass through unchanged.
+#pragma once
+
+#include "simd/lanes.hpp"
+
+namespace tumble {
+
+// Reads 8 consecutive floats at each of rows[kLaneCount]: fields[f] holds row r's float f in lane r.
+// Fields that the caller does not use cost nothing after inlining.
+inline void gather_rows(const float* const rows[kLaneCount], Lanes fields[8]) {
+    using namespace Eigen::internal;
+    constexpr int kTile = simd::kPacketSize;
+    for (int row = 0; row < kLaneCount; row += kTile) {
+        for (int field = 0; field < 8; field += kTile) {
+            PacketBlock<simd::Packet, kTile> tile;
+            for (int i = 0; i < kTile; ++i) tile.packet[i] = ploadu<simd::Packet>(rows[row + i] + field);
+            ptranspose(tile);
+            for (int i = 0; i < kTile; ++i) pstoreu(fields[field + i].data() + row, tile.packet[i]);
+        }
+    }
+}
+
+// Writes 4 consecutive floats to each of rows[kLaneCount]: row r gets lane r of fields[0..3]. Rows may coincide if
+// they get equal values.
+inline void scatter_rows(const Lanes fields[4], float* const rows[kLaneCount]) {
+    using namespace Eigen::internal;
+    alignas(32) float table[kLaneCount][4];
+    PacketBlock<simd::Packet, 4> tile;
+    for (int lane = 0; lane < kLaneCount; lane += simd::kPacketSize) {
+        for (int i = 0; i < 4; ++i) tile.packet[i] = ploadu<simd::Packet>(fields[i].data() + lane);
+        ptranspose(tile);  // for 8 floats a packet: two rows of four in each packet
+        for (int i = 0; i < 4; ++i) pstoreu(&table[lane][0] + i * simd::kPacketSize, tile.packet[i]);
+    }
+    for (int row = 0; row < kLaneCount; ++row) pstoreu(rows[row], ploadu<Packet4f>(table[row]));
+}
+
+}  // namespace tumble

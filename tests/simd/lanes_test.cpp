@@ -1,0 +1,95 @@
+// Lane helpers against one lane at a time in plain float.
+#include "simd/lanes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "simd/fma.hpp"
+#include "simd/transpose.hpp"
+
+using namespace tumble;
+
+namespace {
+
+Lanes random_lanes(std::mt19937& random) {
+    std::uniform_real_distribution<float> value(-2.0f, 2.0f);
+    Lanes lanes;
+    for (int i = 0; i < kLaneCount; ++i) lanes[i] = value(random);
+    return lanes;
+}
+
+}  // namespace
+
+TEST_CASE("select_less chooses lane by lane, and the second value for NaN") {
+    std::mt19937 random(1);
+    int chosen = 0;
+    for (int round = 0; round < 100; ++round) {
+        Lanes a = random_lanes(random);
+        const Lanes b = random_lanes(random), x = random_lanes(random), y = random_lanes(random);
+        a[round % kLaneCount] = std::numeric_limits<float>::quiet_NaN();
+        const Lanes result = select_less(a, b, x, y);
+        for (int i = 0; i < kLaneCount; ++i) {
+            CHECK(result[i] == (a[i] < b[i] ? x[i] : y[i]));
+            chosen += a[i] < b[i];
+        }
+    }
+    CHECK(chosen > 240);  // 30 to 70 % of 800
+    CHECK(chosen < 560);
+}
+
+TEST_CASE("select_less takes equal values as not less") {
+    const Lanes one = Lanes::Constant(1.0f), two = Lanes::Constant(2.0f), three = Lanes::Constant(3.0f);
+    CHECK(select_less(one, one, two, three)[5] == 3.0f);
+}
+
+TEST_CASE("clamp_magnitude limits both signs") {
+    std::mt19937 random(2);
+    for (int round = 0; round < 50; ++round) {
+        const Lanes value = random_lanes(random);
+        const Lanes result = clamp_magnitude(value, Lanes::Constant(1.0f));
+        for (int i = 0; i < kLaneCount; ++i) CHECK(result[i] == std::fmin(std::fmax(value[i], -1.0f), 1.0f));
+    }
+}
+
+TEST_CASE("rows gathered into lanes and scattered again are the same bits") {
+    alignas(32) float records[kLaneCount][8];
+    for (int row = 0; row < kLaneCount; ++row)
+        for (int field = 0; field < 8; ++field) records[row][field] = static_cast<float>(100 * row + field);
+    const unsigned pattern = 0x7fa12345u;  // a signalling NaN: arithmetic would change it
+    std::memcpy(&records[3][3], &pattern, sizeof pattern);
+    // Lanes in an order that is not memory's.
+    const int order[kLaneCount] = {5, 2, 7, 0, 3, 1, 6, 4};
+    const float* rows[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = records[order[lane]];
+    Lanes fields[8];
+    gather_rows(rows, fields);
+    for (int lane = 0; lane < kLaneCount; ++lane)
+        for (int field = 0; field < 8; ++field)
+            CHECK(std::memcmp(fields[field].data() + lane, &records[order[lane]][field], sizeof(float)) == 0);
+
+    alignas(32) float copies[kLaneCount][8] = {};
+    float* targets[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane) targets[lane] = copies[order[lane]];
+    scatter_rows(fields, targets);
+    for (int row = 0; row < kLaneCount; ++row) {
+        CHECK(std::memcmp(copies[row], records[row], 4 * sizeof(float)) == 0);
+        for (int field = 4; field < 8; ++field) CHECK(copies[row][field] == 0.0f);
+    }
+}
+
+TEST_CASE("a difference of products survives cancellation") {
+    // (1 + e)(1 - e) - 1 * 1 = -e^2, all lost in plain double arithmetic.
+    const double e = 0x1p-30;
+    CHECK((1 + e) * (1 - e) - 1.0 * 1.0 == 0.0);
+    CHECK(difference_of_products(1 + e, 1 - e, 1.0, 1.0) == -e * e);
+}
+
+TEST_CASE("the fused multiply-add rounds once") {
+    // 1 + 2^-12 squared is 1 + 2^-11 + 2^-24: the last term is below float's last place and lost by two roundings.
+    const float a = 1.0f + 0x1p-12f;
+    CHECK(fused_multiply_add(a, a, -1.0f) == 0x1p-11f + 0x1p-24f);
+}
