@@ -1,0 +1,51 @@
+#include "broad/pair_set.hpp"
+
+#include <utility>
+
+namespace tumble {
+
+// Multiplicative hashing by 2^64 / golden ratio, high bits folded down.
+std::size_t PairSet::home(std::uint64_t packed) const {
+    const std::uint64_t mixed = packed * 0x9e3779b97f4a7c15ull;
+    return static_cast<std::size_t>(mixed ^ (mixed >> 32)) & (slots_.size() - 1);
+}
+
+std::size_t PairSet::find_slot(std::uint64_t packed) const {
+    std::size_t slot = home(packed);
+    while (slots_[slot] != kEmpty && slots_[slot] != packed) slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+}
+
+bool PairSet::contains(ProxyPair pair) const { return !slots_.empty() && slots_[find_slot(pack(pair))] != kEmpty; }
+
+void PairSet::insert(ProxyPair pair) {
+    if (2 * (size_ + 1) > slots_.size()) grow();
+    slots_[find_slot(pack(pair))] = pack(pair);
+    ++size_;
+}
+
+void PairSet::grow() {
+    const std::vector<std::uint64_t> old = std::exchange(slots_, {});
+    slots_.assign(old.empty() ? 64 : 2 * old.size(), kEmpty);
+    for (const std::uint64_t packed : old)
+        if (packed != kEmpty) slots_[find_slot(packed)] = packed;
+}
+
+// Closes the gap by moving back each following entry whose home does not lie behind the gap: no tombstones.
+void PairSet::erase(ProxyPair pair) {
+    if (slots_.empty()) return;
+    std::size_t gap = find_slot(pack(pair));
+    if (slots_[gap] == kEmpty) return;
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t slot = (gap + 1) & mask; slots_[slot] != kEmpty; slot = (slot + 1) & mask) {
+        const std::size_t distance_from_home = (slot - home(slots_[slot])) & mask;
+        if (distance_from_home >= ((slot - gap) & mask)) {
+            slots_[gap] = slots_[slot];
+            gap = slot;
+        }
+    }
+    slots_[gap] = kEmpty;
+    --size_;
+}
+
+}  // namespace tumble

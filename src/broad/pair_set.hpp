@@ -1,0 +1,39 @@
+// A set of pairs of keys: open addressing with linear probing, asked for membership only and never iterated, so that
+// the order of its slots cannot reach any result.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tumble {
+
+// Two proxies whose boxes overlap, by their keys, a < b: pairs sort by a, then b.
+struct ProxyPair {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+
+    friend constexpr auto operator<=>(ProxyPair, ProxyPair) = default;
+};
+
+constexpr ProxyPair make_pair_of(std::uint32_t x, std::uint32_t y) { return x < y ? ProxyPair{x, y} : ProxyPair{y, x}; }
+
+class PairSet {
+public:
+    bool contains(ProxyPair pair) const;
+    void insert(ProxyPair pair);  // not contained before
+    void erase(ProxyPair pair);   // no effect if not contained
+    std::size_t size() const { return size_; }
+
+private:
+    static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
+    static std::uint64_t pack(ProxyPair pair) { return std::uint64_t{pair.a} << 32 | pair.b; }
+    std::size_t home(std::uint64_t packed) const;
+    std::size_t find_slot(std::uint64_t packed) const;  // of the pair, or the empty slot where it would go
+    void grow();
+
+    std::vector<std::uint64_t> slots_;  // a power of two, at most half full
+    std::size_t size_ = 0;
+};
+
+}  // namespace tumble

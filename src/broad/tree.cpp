@@ -1,0 +1,202 @@
+#include "broad/tree.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace tumble {
+
+namespace {
+
+void require(bool holds, const char* invariant, AabbTree::Node node) {
+    if (!holds) throw std::logic_error("AABB tree: node " + std::to_string(node) + ": " + invariant);
+}
+
+}  // namespace
+
+AabbTree::Node AabbTree::allocate() {
+    if (free_.empty()) {
+        nodes_.emplace_back();
+        free_.reserve(nodes_.capacity());
+        return static_cast<Node>(nodes_.size()) - 1;
+    }
+    const Node node = free_.back();
+    free_.pop_back();
+    at(node) = NodeData{};
+    return node;
+}
+
+void AabbTree::free(Node node) { free_.push_back(node); }
+
+AabbTree::Node AabbTree::insert(const Aabb& box, std::uint32_t key) {
+    const Node leaf = allocate();
+    at(leaf).box = box;
+    at(leaf).key = key;
+    attach(leaf);
+    ++leaf_count_;
+    return leaf;
+}
+
+void AabbTree::remove(Node leaf) {
+    detach(leaf);
+    free(leaf);
+    --leaf_count_;
+}
+
+void AabbTree::move(Node leaf, const Aabb& box) {
+    if (overlaps(at(leaf).box, box)) {
+        at(leaf).box = box;
+        refit_upwards(at(leaf).parent);
+        return;
+    }
+    detach(leaf);
+    at(leaf).box = box;
+    attach(leaf);
+}
+
+// Greedy descent. Pairing the box with `node` creates a parent of the merged perimeter; going on to a child costs what
+// the node grows by, and then at least what the child grows by (or its merged perimeter, if it is a leaf).
+AabbTree::Node AabbTree::best_sibling(const Aabb& box) const {
+    Node node = root_;
+    while (!at(node).is_leaf()) {
+        const float merged = perimeter(merge(at(node).box, box));
+        const float growth = merged - perimeter(at(node).box);
+        Node next = kNone;
+        float least = merged;
+        for (const Node child : at(node).child) {
+            float cost = growth + perimeter(merge(at(child).box, box));
+            if (!at(child).is_leaf()) cost -= perimeter(at(child).box);
+            if (cost < least) {
+                least = cost;
+                next = child;
+            }
+        }
+        if (next == kNone) break;
+        node = next;
+    }
+    return node;
+}
+
+void AabbTree::attach(Node leaf) {
+    if (root_ == kNone) {
+        root_ = leaf;
+        at(leaf).parent = kNone;
+        return;
+    }
+    const Node sibling = best_sibling(at(leaf).box);
+    const Node parent = allocate();
+    const Node grandparent = at(sibling).parent;
+    at(parent).parent = grandparent;
+    at(parent).child[0] = sibling;
+    at(parent).child[1] = leaf;
+    at(parent).box = merge(at(sibling).box, at(leaf).box);
+    at(sibling).parent = parent;
+    at(leaf).parent = parent;
+    replace_child(grandparent, sibling, parent);
+    refit_upwards(grandparent);
+}
+
+void AabbTree::detach(Node leaf) {
+    const Node parent = at(leaf).parent;
+    if (parent == kNone) {
+        root_ = kNone;
+        return;
+    }
+    const Node sibling = at(parent).child[at(parent).child[0] == leaf ? 1 : 0];
+    const Node grandparent = at(parent).parent;
+    at(sibling).parent = grandparent;
+    replace_child(grandparent, parent, sibling);
+    free(parent);
+    refit_upwards(grandparent);
+}
+
+void AabbTree::replace_child(Node parent, Node old_child, Node new_child) {
+    if (parent == kNone) {
+        root_ = new_child;
+    } else {
+        at(parent).child[at(parent).child[0] == old_child ? 0 : 1] = new_child;
+    }
+}
+
+// Boxes of ancestors follow their children until one does not change; above it nothing can.
+void AabbTree::refit_upwards(Node node) {
+    while (node != kNone) {
+        const Aabb box = merge(at(at(node).child[0]).box, at(at(node).child[1]).box);
+        const bool changed = box != at(node).box;
+        at(node).box = box;
+        rotate(node);
+        if (!changed) return;
+        node = at(node).parent;
+    }
+}
+
+// Swaps a child with a child of its sibling where that shortens the sibling's perimeter the most. The node's own box
+// stays as it is, so nothing above changes.
+void AabbTree::rotate(Node node) {
+    float best_gain = 0.0f;
+    int best_side = 0, best_grandchild = 0;
+    for (int side = 0; side < 2; ++side) {
+        const Node mover = at(node).child[side];
+        const Node sibling = at(node).child[1 - side];
+        if (at(sibling).is_leaf()) continue;
+        for (int grandchild = 0; grandchild < 2; ++grandchild) {
+            const Node stays = at(sibling).child[1 - grandchild];
+            const float gain = perimeter(at(sibling).box) - perimeter(merge(at(mover).box, at(stays).box));
+            if (gain > best_gain) {
+                best_gain = gain;
+                best_side = side;
+                best_grandchild = grandchild;
+            }
+        }
+    }
+    if (!(best_gain > 0.0f)) return;
+    const Node mover = at(node).child[best_side];
+    const Node sibling = at(node).child[1 - best_side];
+    const Node rises = at(sibling).child[best_grandchild];
+    at(node).child[best_side] = rises;
+    at(rises).parent = node;
+    at(sibling).child[best_grandchild] = mover;
+    at(mover).parent = sibling;
+    at(sibling).box = merge(at(at(sibling).child[0]).box, at(at(sibling).child[1]).box);
+}
+
+double AabbTree::cost() const {
+    double sum = 0.0;
+    for (Node node = root_; node != kNone;) {
+        const bool leaf = at(node).is_leaf();
+        if (!leaf) sum += static_cast<double>(perimeter(at(node).box));
+        node = leaf ? after_subtree(node) : at(node).child[0];
+    }
+    return sum;
+}
+
+void AabbTree::validate() const {
+    const std::size_t live = root_ == kNone ? 0 : validate_subtree(root_);
+    if (root_ != kNone) require(at(root_).parent == kNone, "the root has a parent", root_);
+    require(leaf_count_ == (live + 1) / 2, "the leaf count differs from the leaves reached", root_);
+    require(live + free_.size() == nodes_.size(), "nodes are lost: live and free ones are not all", root_);
+}
+
+// The number of nodes below and with `root`. Depth first with an explicit stack: a broken link cannot overflow it.
+std::size_t AabbTree::validate_subtree(Node root) const {
+    std::vector<Node> stack{root};
+    std::size_t count = 0;
+    while (!stack.empty()) {
+        const Node node = stack.back();
+        stack.pop_back();
+        require(node >= 0 && static_cast<std::size_t>(node) < nodes_.size(), "out of range", node);
+        require(++count <= nodes_.size(), "reached twice", node);
+        const NodeData& data = at(node);
+        if (data.is_leaf()) {
+            require(data.child[1] == kNone, "has one child", node);
+            continue;
+        }
+        for (const Node child : data.child) {
+            require(at(child).parent == node, "is not the parent of its child", node);
+            stack.push_back(child);
+        }
+        require(data.box == merge(at(data.child[0]).box, at(data.child[1]).box), "box is not its children's", node);
+    }
+    return count;
+}
+
+}  // namespace tumble

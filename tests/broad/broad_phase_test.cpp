@@ -1,0 +1,183 @@
+// The tree and the pair search against brute force over all boxes.
+#include "broad/broad_phase.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+using namespace tumble;
+
+namespace {
+
+class RandomBoxes {
+public:
+    explicit RandomBoxes(unsigned seed) : random_(seed) {}
+
+    Aabb next(float room = 20.0f) {
+        std::uniform_real_distribution<float> place(0.0f, room), side(0.1f, 2.0f);
+        const Vec2 lower{place(random_), place(random_)};
+        return {lower, lower + Vec2{side(random_), side(random_)}};
+    }
+
+    std::uint32_t below(std::uint32_t bound) { return std::uniform_int_distribution<std::uint32_t>(0, bound - 1)(random_); }
+
+private:
+    std::mt19937 random_;
+};
+
+std::vector<std::uint32_t> sorted_hits(const AabbTree& tree, const Aabb& box) {
+    std::vector<std::uint32_t> keys;
+    tree.query(box, [&](std::uint32_t key) { keys.push_back(key); });
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
+struct Proxy {
+    Aabb box;
+    Mobility mobility;
+};
+
+std::set<ProxyPair> all_overlaps(const std::map<std::uint32_t, Proxy>& proxies) {
+    std::set<ProxyPair> pairs;
+    for (const auto& [a, first] : proxies)
+        for (const auto& [b, second] : proxies)
+            if (a < b && overlaps(first.box, second.box) &&
+                (first.mobility == Mobility::moving || second.mobility == Mobility::moving))
+                pairs.insert({a, b});
+    return pairs;
+}
+
+bool accept_all(ProxyPair) { return true; }
+
+}  // namespace
+
+TEST_CASE("a query finds exactly the overlapping boxes through random edits") {
+    RandomBoxes boxes(1);
+    AabbTree tree;
+    std::map<std::uint32_t, Aabb> live;
+    std::map<std::uint32_t, AabbTree::Node> leaves;
+    int removed = 0, moved = 0;
+    for (std::uint32_t round = 0; round < 3000; ++round) {
+        const std::uint32_t key = boxes.below(300);
+        const Aabb box = boxes.next();
+        if (!live.contains(key)) {
+            leaves[key] = tree.insert(box, key);
+            live[key] = box;
+        } else if (boxes.below(3) == 0) {
+            tree.remove(leaves[key]);
+            live.erase(key);
+            ++removed;
+        } else {
+            // Half of the moves are short: refitted in place, not inserted anew.
+            const Aabb near{live[key].lower + Vec2{0.05f, -0.05f}, live[key].upper + Vec2{0.05f, -0.05f}};
+            live[key] = boxes.below(2) == 0 ? near : box;
+            tree.move(leaves[key], live[key]);
+            ++moved;
+        }
+        if (round % 50 == 0) tree.validate();
+        const Aabb asked = boxes.next();
+        std::vector<std::uint32_t> expected;
+        for (const auto& [other, other_box] : live)
+            if (overlaps(other_box, asked)) expected.push_back(other);
+        REQUIRE(sorted_hits(tree, asked) == expected);
+    }
+    CHECK(removed > 300);
+    CHECK(moved > 600);
+}
+
+TEST_CASE("boxes inserted in a row do not make a list of the tree") {
+    // Worst case for greedy insertion. With n boxes of perimeter 4 in a row a balanced tree costs about
+    // sum over levels of 2 n = 2 n log2 n; a list costs the sum of 2 k, about n^2.
+    constexpr int n = 1024;
+    AabbTree tree;
+    for (int i = 0; i < n; ++i) {
+        const auto x = static_cast<float>(i);
+        tree.insert({{x, 0.0f}, {x + 1.0f, 1.0f}}, static_cast<std::uint32_t>(i));
+    }
+    tree.validate();
+    CHECK(tree.cost() < 2.0 * (2.0 * n * 10.0));  // within twice the balanced tree's
+}
+
+TEST_CASE("pairs are those of brute force through random edits, each reported once") {
+    RandomBoxes boxes(2);
+    BroadPhase broad;
+    std::map<std::uint32_t, Proxy> live;
+    std::set<ProxyPair> known;
+    std::size_t reported = 0;
+    for (int round = 0; round < 400; ++round) {
+        for (int edit = 0; edit < 10; ++edit) {
+            const std::uint32_t key = boxes.below(150);
+            if (!live.contains(key)) {
+                live[key] = {boxes.next(), boxes.below(2) == 0 ? Mobility::fixed : Mobility::moving};
+                broad.add(key, live[key].box, live[key].mobility);
+            } else if (boxes.below(3) == 0) {
+                live.erase(key);
+                broad.remove(key);
+                std::erase_if(known, [&](ProxyPair pair) {
+                    if (pair.a != key && pair.b != key) return false;
+                    broad.forget(pair);
+                    return true;
+                });
+            } else {
+                live[key].box = boxes.next();
+                broad.move(key, live[key].box);
+            }
+        }
+        const std::vector<ProxyPair>& found = broad.find_new_pairs(accept_all);
+        REQUIRE(std::is_sorted(found.begin(), found.end()));
+        for (const ProxyPair pair : found) REQUIRE(known.insert(pair).second);
+        reported += found.size();
+        std::erase_if(known, [&](ProxyPair pair) {
+            if (broad.overlap(pair)) return false;
+            broad.forget(pair);
+            return true;
+        });
+        REQUIRE(known == all_overlaps(live));
+        REQUIRE(broad.known_count() == known.size());
+        broad.validate();
+    }
+    CHECK(reported > 1000);
+}
+
+TEST_CASE("a rejected pair is offered again when one of its proxies is touched") {
+    BroadPhase broad;
+    broad.add(0, {{0, 0}, {1, 1}}, Mobility::moving);
+    broad.add(1, {{0.5f, 0}, {1.5f, 1}}, Mobility::moving);
+    CHECK(broad.find_new_pairs([](ProxyPair) { return false; }).empty());
+    CHECK(broad.find_new_pairs(accept_all).empty());
+    broad.touch(1);
+    CHECK(broad.find_new_pairs(accept_all) == std::vector<ProxyPair>{{0, 1}});
+    broad.touch(0);
+    CHECK(broad.find_new_pairs(accept_all).empty());
+}
+
+TEST_CASE("boxes that touch in a point are a pair, fixed ones are not") {
+    BroadPhase broad;
+    broad.add(3, {{0, 0}, {1, 1}}, Mobility::fixed);
+    broad.add(1, {{1, 1}, {2, 2}}, Mobility::moving);
+    broad.add(2, {{0, 0}, {0.5f, 0.5f}}, Mobility::fixed);
+    CHECK(broad.find_new_pairs(accept_all) == std::vector<ProxyPair>{{1, 3}});
+}
+
+TEST_CASE("a pair set agrees with std::set through random edits") {
+    RandomBoxes random(3);
+    PairSet pairs;
+    std::set<ProxyPair> expected;
+    for (int round = 0; round < 20000; ++round) {
+        const ProxyPair pair = make_pair_of(random.below(40), 40 + random.below(40));
+        if (expected.contains(pair) && random.below(2) == 0) {
+            expected.erase(pair);
+            pairs.erase(pair);
+        } else if (expected.insert(pair).second) {
+            REQUIRE_FALSE(pairs.contains(pair));
+            pairs.insert(pair);
+        }
+        REQUIRE(pairs.size() == expected.size());
+        const ProxyPair asked = make_pair_of(random.below(40), 40 + random.below(40));
+        REQUIRE(pairs.contains(asked) == expected.contains(asked));
+    }
+}
