@@ -75,7 +75,7 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
 const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"math", {"math.hpp"}},
     {"simd", {"math.hpp"}},
-    {"shape", {"math.hpp", "shape.hpp"}},
+    {"shape", {"math.hpp", "shape.hpp", "outline.hpp"}},
     {"narrow", {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp"}},
     {"broad", {"math.hpp"}},
     {"dynamics",
