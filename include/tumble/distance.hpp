@@ -36,7 +36,8 @@ enum class DistanceStatus : std::uint8_t {
     separated,    // proved: lower > 0
     touching,     // the bounds straddle zero: the sign is below what double arithmetic can decide
     overlapping,  // proved: upper < 0
-    invalid,      // NaN or infinity in the input, or a shape without vertices; every number of the result is NaN
+    invalid,      // NaN or infinity in the input, a shape without vertices, or positions more than 2^500 m apart (or, for
+                  // points, less than 2^-480 m but not 0); every number of the result is NaN
 };
 
 // What proves the result to a checker in exact arithmetic. `direction` is any nonzero vector in world axes; with h the
@@ -88,7 +89,8 @@ struct DistanceTrace {
     DistanceResult result;
 };
 
-// The same query by the same loop, with every iteration recorded. Allocates.
+// The same query by the same loop, with every iteration recorded. The first support, towards the other shape, is the
+// simplex of the first step; the result counts it too. Allocates.
 DistanceTrace trace_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b);
 
 }  // namespace tumble

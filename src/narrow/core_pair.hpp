@@ -1,0 +1,75 @@
+// The two convex cores of a query, in world axes relative to A's position.
+//
+// Vertices are turned by their own rotation only and B's are shifted by the offset of the positions, so that swapping
+// the shapes negates every number exactly, and far from the origin nothing is lost but the rounding of the offset.
+#pragma once
+
+#include <cmath>
+
+#include "tumble/math.hpp"
+#include "tumble/shape.hpp"
+
+namespace tumble {
+
+// A core's vertices and its rotation, widened to double.
+struct Core {
+    const float* x;
+    const float* y;
+    int count;
+    double c;
+    double s;
+
+    // A vertex in world axes, relative to the body's position. Products of two floats are exact in double: each
+    // coordinate carries one rounding.
+    DVec2 point(int index) const {
+        const double px = x[index], py = y[index];
+        return {c * px - s * py, s * px + c * py};
+    }
+
+    // The edge from one vertex to another: as a difference of local coordinates it keeps its relative accuracy however
+    // short it is.
+    DVec2 edge(int from, int to) const {
+        const double ex = static_cast<double>(x[to]) - x[from], ey = static_cast<double>(y[to]) - y[from];
+        return {c * ex - s * ey, s * ex + c * ey};
+    }
+
+    int next(int index) const { return index + 1 < count ? index + 1 : 0; }
+    int previous(int index) const { return index > 0 ? index - 1 : count - 1; }
+};
+
+struct CorePair {
+    Core a;
+    Core b;
+    DVec2 offset;  // from A's position to B's
+    double scale;  // at least |qA| RA + |qB| RB + |offset|: what rounding is relative to
+};
+
+inline Core make_core(const Shape& shape, Rotation q) {
+    return {shape.x().data(), shape.y().data(), shape.vertex_count(), q.c, q.s};
+}
+
+// |q| R for the core radius R: |q| <= (1 + |q|^2) / 2, equal for unit rotations and without a root.
+inline double turned_radius(const Shape& shape, Rotation q) {
+    const double c = q.c, s = q.s;
+    return 0.5 * (1.0 + (c * c + s * s)) * shape.core_radius();
+}
+
+inline CorePair make_core_pair(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b) {
+    const DVec2 offset = world_from_b.position - world_from_a.position;
+    const double radii = turned_radius(a, world_from_a.rotation) + turned_radius(b, world_from_b.rotation);
+    return {make_core(a, world_from_a.rotation), make_core(b, world_from_b.rotation), offset, radii + length(offset)};
+}
+
+// Squares and their products must neither overflow nor vanish: 2^500 m, and 2^-480 m where nothing is larger.
+inline constexpr double kLargestScale = 0x1p500;
+inline constexpr double kSmallestScale = 0x1p-480;
+
+// False for NaN, infinity, a shape without vertices, a negative radius, and a scale out of range. NaN fails each test.
+inline bool is_valid(const CorePair& pair, const Shape& a, const Shape& b) {
+    const bool in_range = pair.scale <= kLargestScale && (pair.scale >= kSmallestScale || pair.offset == DVec2{});
+    const double radii = static_cast<double>(a.radius()) + b.radius();
+    return in_range && pair.a.count > 0 && pair.b.count > 0 && a.radius() >= 0.0f && b.radius() >= 0.0f &&
+           std::isfinite(radii);
+}
+
+}  // namespace tumble

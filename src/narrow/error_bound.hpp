@@ -1,0 +1,33 @@
+// How far rounding can carry the core distance: the one constant of the proof, by running error analysis.
+//
+// u = 2^-53, R = |qA| RA + |qB| RB, p the offset, S = R + |p| (CorePair::scale). Every input is float or double and
+// taken literally. First-order terms; the second-order ones are below u of them.
+//
+// A vertex w = (a - b) - p: a and b round once a coordinate (products of floats are exact), as do a - b, p, and w:
+//     |err w| <= u (RA + RB) + u |a - b| + u |p| + u |w| <= 3 u R + 2 u |p|.
+// Upper bound, |v| of a simplex. Moving its vertices by err w moves |v| by no more. Computed from the rounded vertices:
+//     a vertex: the length rounds by 2 u |w|; together at most 5 u S;
+//     an edge e: its difference (or the turned local one, below 3.9 u |e| and for |e| <= S / 16 only), the sum of the
+//     ends, two products and their difference give 3.5 u |w|; quotient and length of e 3 u |v|; together 9.5 u S.
+// Lower bound, -h / |d| for a direction d that is exact by definition, h the largest height d . w. A height is
+// dA . a + dB . b - d . p: turning d rounds by 2.42 u |d|, the dot product by 2 u |d| RA, and so for B; d . p and p by
+// 3 u |d| |p|; two sums by u |d| R + u |h|; quotient and length of d by 3 u |h|:
+//     5.42 u R + 3 u |p| + 4 u |v| <= 9.5 u S.
+// Depth, the largest of all -h / |d| over the faces: as the lower bound, and each d is an edge turned by 3.9 u at most,
+// with a lever of at most S: 13.4 u S. A triangle said to contain the origin has it within 6 u S of its rounded
+// vertices' hull (heights of its sides round by 3 u |w|, its tips' dot products by 2 u |w|): 9 u S.
+// All stay below 14 u S; 16 covers the rounding of S itself and of the bounds.
+#pragma once
+
+#include "narrow/core_pair.hpp"
+
+namespace tumble {
+
+inline constexpr double kUnitRoundoff = 0x1p-53;
+
+inline double error_bound(const CorePair& pair) { return 16.0 * kUnitRoundoff * pair.scale; }
+
+// GJK stops where a new support is no nearer to the origin than the simplex by more than the support's own rounding.
+inline double progress_bound(const CorePair& pair) { return 4.0 * kUnitRoundoff * pair.scale; }
+
+}  // namespace tumble

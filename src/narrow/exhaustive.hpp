@@ -1,0 +1,12 @@
+// The nearest simplex by looking at all: what answers when GJK stops without one.
+#pragma once
+
+#include "narrow/simplex.hpp"
+
+namespace tumble {
+
+// The edge or vertex of A - B nearest to the origin, over all pairs of a vertex and an edge; O(n m). The boundary of
+// A - B is among them, so that for separated cores this is the closest simplex.
+Simplex nearest_simplex(const CorePair& pair);
+
+}  // namespace tumble

@@ -1,0 +1,69 @@
+// The GJK loop [GJK88; seeds: the main algorithm]: for convex cores, in the plane, with any distance subalgorithm.
+#pragma once
+
+#include <limits>
+
+#include "narrow/error_bound.hpp"
+#include "narrow/simplex.hpp"
+
+namespace tumble {
+
+// What the loop ends with: the simplex nearest to the origin, and the support in its direction that says so.
+struct GjkResult {
+    Simplex simplex;
+    Closest closest;
+    double height = 0.0;  // the largest direction . w; meaningless if the simplex contains the origin
+    int iterations = 0;   // support pairs computed
+    bool reached_cap = false;
+};
+
+// Never reached in practice for n <= 8 (7 observed); each iteration strictly shortens v, so this bounds time only.
+inline int iteration_cap(const CorePair& pair) {
+    int cap = 32;
+    for (int doubled = 8; doubled < pair.a.count + pair.b.count; doubled *= 2) cap += 4;
+    return cap;
+}
+
+inline bool holds(const Simplex& simplex, VertexPair pair) {
+    for (int i = 0; i < simplex.count; ++i)
+        if (simplex.vertices[i].pair == pair) return true;
+    return false;
+}
+
+// True if the support is one of the simplex's vertices or no nearer to the origin than they are.
+inline bool has_converged(const CorePair& pair, const GjkResult& best, const MinkowskiVertex& support) {
+    if (holds(best.simplex, support.pair)) return true;
+    const DVec2 d = best.closest.direction;
+    const double progress = dot(d, support.w - best.simplex.vertices[0].w);
+    const double bound = progress_bound(pair);
+    return progress <= 0.0 || progress * progress <= bound * bound * length_sq(d);
+}
+
+inline void add(Simplex& simplex, const MinkowskiVertex& vertex) { simplex.vertices[simplex.count++] = vertex; }
+
+// `observe(simplex, closest, support)` sees each iteration before the support is added.
+template <typename SubAlgorithm, typename Observer>
+inline GjkResult run_gjk(const CorePair& pair, Simplex simplex, Observer&& observe) {
+    const int cap = iteration_cap(pair);
+    GjkResult best;
+    best.closest.distance_sq = std::numeric_limits<double>::infinity();
+    for (;;) {
+        const Closest closest = SubAlgorithm::reduce(pair, simplex);
+        if (!(closest.distance_sq < best.closest.distance_sq)) return best;  // rounding: the previous one was as near
+        best.simplex = simplex;
+        best.closest = closest;
+        if (closest.contains_origin) return best;
+        const MinkowskiSupport found = support(pair, closest.direction);
+        best.height = found.height;
+        ++best.iterations;
+        observe(simplex, closest, found);
+        if (has_converged(pair, best, found.vertex)) return best;
+        if (best.iterations >= cap) {
+            best.reached_cap = true;
+            return best;
+        }
+        add(simplex, found.vertex);
+    }
+}
+
+}  // namespace tumble

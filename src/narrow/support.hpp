@@ -1,0 +1,49 @@
+// Support mappings: the farthest vertex of a core, and of the Minkowski difference A - B, in a direction [GJK88].
+#pragma once
+
+#include "narrow/core_pair.hpp"
+#include "tumble/distance.hpp"
+
+namespace tumble {
+
+struct Support {
+    int index;
+    double height;  // direction . vertex, relative to the body's position
+};
+
+// Ties go to the lowest index. The direction is turned into the core's frame once instead of all vertices out of it.
+inline Support support(const Core& core, DVec2 direction) {
+    const double dx = core.c * direction.x + core.s * direction.y;
+    const double dy = core.c * direction.y - core.s * direction.x;
+    Support best{0, dx * core.x[0] + dy * core.y[0]};
+    for (int i = 1; i < core.count; ++i) {
+        const double height = dx * core.x[i] + dy * core.y[i];
+        best.index = height > best.height ? i : best.index;
+        best.height = height > best.height ? height : best.height;
+    }
+    return best;
+}
+
+// A vertex w = a - b of A - B, seen from the origin.
+struct MinkowskiVertex {
+    DVec2 w;
+    VertexPair pair;
+};
+
+inline MinkowskiVertex minkowski_vertex(const CorePair& pair, VertexPair at) {
+    return {(pair.a.point(at.a) - pair.b.point(at.b)) - pair.offset, at};
+}
+
+struct MinkowskiSupport {
+    MinkowskiVertex vertex;
+    double height;  // direction . w, from the supports' own heights
+};
+
+inline MinkowskiSupport support(const CorePair& pair, DVec2 direction) {
+    const Support a = support(pair.a, direction);
+    const Support b = support(pair.b, -direction);
+    const VertexPair at{static_cast<std::uint16_t>(a.index), static_cast<std::uint16_t>(b.index)};
+    return {minkowski_vertex(pair, at), (a.height + b.height) - dot(direction, pair.offset)};
+}
+
+}  // namespace tumble
