@@ -18,10 +18,9 @@ CoreDistance touching_points(const CorePair& pair, const GjkResult& gjk) {
 
 CoreDistance face_distance(const CorePair& pair, const Face& face) {
     const double inverse_length = 1.0 / length(face.direction);
-    const double height = support(pair, face.direction).height;  // of all vertices: the edge itself is turned by rounding
     CoreDistance result;
     result.distance = face.separation;
-    result.lower = std::min(face.separation, -height * inverse_length) - error_bound(pair);
+    result.lower = face.separation - error_bound(pair);
     result.upper = face.separation + error_bound(pair);
     result.direction = face.direction;
     result.normal = inverse_length * face.direction;

@@ -13,8 +13,10 @@
 // dA . a + dB . b - d . p: turning d rounds by 2.42 u |d|, the dot product by 2 u |d| RA, and so for B; d . p and p by
 // 3 u |d| |p|; two sums by u |d| R + u |h|; quotient and length of d by 3 u |h|:
 //     5.42 u R + 3 u |p| + 4 u |v| <= 9.5 u S.
-// Depth, the largest of all -h / |d| over the faces: as the lower bound, and each d is an edge turned by 3.9 u at most,
-// with a lever of at most S: 13.4 u S. A triangle said to contain the origin has it within 6 u S of its rounded
+// Depth, the largest of all -h / |d| over the faces, each d an edge turned by 3.9 u at most. Against the exact face the
+// lever of the turn is at most S: 13.4 u S. As a lower bound for that d, with the height of the edge's first end in
+// place of the largest: the lever is 2 RA (A's edge), and |v| <= 2 min(RA, RB) where cores overlap, which gives
+// 5.42 u R + 3 u |p| + 4 u |v| + 7.8 u RA <= 13.4 u S. A triangle said to contain the origin has it within 6 u S of its rounded
 // vertices' hull (heights of its sides round by 3 u |w|, its tips' dot products by 2 u |w|): 9 u S.
 // All stay below 14 u S; 16 covers the rounding of S itself and of the bounds.
 #pragma once
