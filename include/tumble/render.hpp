@@ -27,15 +27,22 @@ struct Image {
 struct Camera {
     DVec2 center;         // world point in the middle of the frame
     double height = 1.0;  // m of the world from the lower to the upper edge
+    BodyId follows;       // the body it moves with; default: none
+    DVec2 offset;         // then: the center seen from that body's position
 };
 
-// The scene's own camera; what it leaves open is chosen so that every moving body, and the ground below, is in view.
+// The scene's own camera; what it leaves open is chosen so that every moving body, the way down to the ground and, of
+// what never moves, at least the near part is in view. To be made from a world that was not stepped yet.
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio);
+
+// The camera where the body it follows is now; unchanged if it follows none, or one that is gone.
+Camera move_camera(Camera camera, const World& world);
 
 // Draws frames of one size. Holds the off-screen context: use it from the thread that made it.
 class Renderer {
 public:
-    Renderer(int width, int height);  // 16 to 8192 each; throws RenderError
+    // 16 to 8192 pixels each, else std::invalid_argument. Loads OSMesa and the font; throws RenderError.
+    Renderer(int width, int height);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;

@@ -1,0 +1,47 @@
+#include "render/draw_list.hpp"
+
+#include "render/grid.hpp"
+#include "render/marks.hpp"
+#include "render/palette.hpp"
+#include "render/shape_primitives.hpp"
+#include "render/style.hpp"
+
+namespace tumble::render {
+namespace {
+
+constexpr double kMarkOpacity = 0.75;
+
+// Of the shapes of one body all circles are marked, of the others only the first: one tick is enough to see it turn.
+bool has_mark(const Shape& shape, std::size_t index) { return index == 0 || shape.vertex_count() == 1; }
+
+}  // namespace
+
+void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world, const View& view) {
+    list.clear();
+    list.background = style::kBackground;
+    add_grid(list.grid, view);
+
+    const Palette palette(scene);
+    const double line_width = style::kSegment * view.detail();
+    std::vector<Paint> paints;
+    std::size_t ordinal = 0;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        const SceneInstance& body = world.bodies[i];
+        ordinal = i > 0 && world.bodies[i - 1].source == body.source ? ordinal + 1 : 0;
+        if (!world.world.is_valid(body.id)) continue;
+        const std::span<const ShapeId> shapes = world.world.shapes(body.id);
+        const Pose pose = world.world.state(body.id).pose;
+        const bool is_static = world.world.type(body.id) == BodyType::static_body;
+        paints.resize(shapes.size());
+        palette.paint_body(body.source, ordinal, paints);
+        for (std::size_t k = 0; k < shapes.size(); ++k) {
+            const Shape& shape = world.world.shape(shapes[k]);
+            add_shape(is_static ? list.ground : list.bodies, view, shape, pose, paints[k], line_width);
+            if (!is_static && has_mark(shape, k))
+                add_orientation_mark(list.details, view, shape, pose, faded(paints[k].outline, kMarkOpacity));
+        }
+    }
+    add_joints(list.details, view, world.world, world.joints);
+}
+
+}  // namespace tumble::render

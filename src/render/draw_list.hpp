@@ -1,0 +1,14 @@
+// From a scene's world to a draw list: what is drawn, where and in which colours. No GL, no text.
+#pragma once
+
+#include "render/primitives.hpp"
+#include "render/view.hpp"
+#include "tumble/scene.hpp"
+
+namespace tumble::render {
+
+// Replaces the list by the world as it is now: grid, static bodies, all others, orientation marks and joints, each in
+// the order of their ids. Bodies that were destroyed are left out.
+void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world, const View& view);
+
+}  // namespace tumble::render

@@ -1,0 +1,101 @@
+#include "render/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace tumble::render {
+namespace {
+
+constexpr double kNear = 0.5;          // how far beside what moves, of its size, the ground is of interest
+constexpr double kFarthestFall = 40.0; // how far below what moves, of its size, a ground is looked for
+constexpr double kGroundShown = 0.06;  // how much of a thick ground is shown below its top, of the size
+constexpr double kRoomForAll = 1.75;   // how much higher a frame may become to show all that never moves
+
+Box box_of(const Aabb& bounds) {
+    if (!is_finite(bounds.lower) || !is_finite(bounds.upper)) return {};
+    return {DVec2(bounds.lower), DVec2(bounds.upper)};
+}
+
+double larger_side(const Box& box) { return std::max(box.size().x, box.size().y); }
+
+// All places that a body can turn to about a point of its own.
+Box swept_box(const World& world, BodyId body, Vec2 pivot) {
+    double radius = 0.0;
+    for (const ShapeId shape : world.shapes(body))
+        radius = std::max(radius, double{farthest_distance(world.shape(shape), pivot)});
+    const DVec2 center = transform_point(world.state(body).pose, pivot);
+    if (!is_finite(center) || !std::isfinite(radius)) return {};
+    return {center - DVec2{radius, radius}, center + DVec2{radius, radius}};
+}
+
+Box moving_box(const World& world) {
+    Box box;
+    for (const BodyId body : world.bodies()) {
+        if (world.type(body) == BodyType::static_body) continue;
+        const BodyState state = world.state(body);
+        for (const ShapeId shape : world.shapes(body)) box.add(box_of(bounds(world.shape(shape), state.pose)));
+        if (state.angular_velocity != 0.0f) box.add(swept_box(world, body, world.mass(body).center));
+    }
+    // Rotors, swings and planks turn about their hinges.
+    for (const JointId id : world.joints()) {
+        const auto* hinge = std::get_if<RevoluteJointDef>(&world.joint(id));
+        if (!hinge) continue;
+        if (world.type(hinge->body_a) != BodyType::static_body)
+            box.add(swept_box(world, hinge->body_a, hinge->anchor_a));
+        if (world.type(hinge->body_b) != BodyType::static_body)
+            box.add(swept_box(world, hinge->body_b, hinge->anchor_b));
+    }
+    return box;
+}
+
+std::vector<Box> static_boxes(const World& world) {
+    std::vector<Box> boxes;
+    for (const BodyId body : world.bodies()) {
+        if (world.type(body) != BodyType::static_body) continue;
+        const Pose pose = world.state(body).pose;
+        for (const ShapeId shape : world.shapes(body))
+            if (const Box box = box_of(bounds(world.shape(shape), pose)); !box.is_empty()) boxes.push_back(box);
+    }
+    return boxes;
+}
+
+// What moves, grown downwards by what it may fall on and sidewards by what is near; of each thing only that part.
+Box with_ground(const Box& moving, std::vector<Box> grounds, bool falls) {
+    const double size = larger_side(moving);
+    const double left = moving.lower.x - kNear * size, right = moving.upper.x + kNear * size;
+    const double top = moving.upper.y + kNear * size;
+    const double bottom = moving.lower.y - (falls ? kFarthestFall : kNear) * size;
+    std::stable_sort(grounds.begin(), grounds.end(),
+                     [](const Box& a, const Box& b) { return a.upper.y > b.upper.y; });
+    Box box = moving;
+    for (const Box& ground : grounds) {
+        const bool is_near = ground.lower.x <= right && ground.upper.x >= left && ground.lower.y <= top &&
+                             ground.upper.y >= bottom;
+        if (!is_near) continue;
+        const bool is_below = ground.upper.y <= moving.lower.y;
+        const double shown_from = is_below ? ground.upper.y - kGroundShown * size : bottom;
+        box.add({{std::max(ground.lower.x, left), std::max(ground.lower.y, shown_from)},
+                 {std::min(ground.upper.x, right), std::min(ground.upper.y, top)}});
+        const bool stops_all = ground.lower.x <= moving.lower.x && ground.upper.x >= moving.upper.x;
+        if (is_below && stops_all) break;
+    }
+    return box;
+}
+
+}  // namespace
+
+Box interesting_box(const World& world, double aspect_ratio) {
+    const Box moving = moving_box(world);
+    const std::vector<Box> grounds = static_boxes(world);
+    Box all = moving;
+    for (const Box& ground : grounds) all.add(ground);
+    if (moving.is_empty()) return all;
+    const Box near = with_ground(moving, grounds, world.def().gravity.y < 0.0f);
+    const bool has_room = height_for(all.size(), aspect_ratio) <= kRoomForAll * height_for(near.size(), aspect_ratio);
+    return has_room ? all : near;
+}
+
+}  // namespace tumble::render

@@ -1,0 +1,121 @@
+#include "render/labels.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "render/grid.hpp"
+#include "render/style.hpp"
+
+namespace tumble::render {
+namespace {
+
+constexpr int kSmallestWidth = 240;  // of a frame with text, pixels
+constexpr int kSmallestHeight = 135;
+constexpr double kPlateOpacity = 0.82;
+constexpr double kPlatePadding = 8.0;  // pixels at 720 rows, as are all lengths below
+constexpr double kLineGap = 6.0;
+constexpr double kScaleBar = 70.0;     // the least length of the scale bar
+
+// Lengths in pixels from the frame's top left corner.
+struct Rectangle {
+    double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
+};
+
+// Seconds with two decimals, whatever the locale.
+std::string seconds(double time) {
+    char text[64];
+    const auto [end, error] = std::to_chars(text, text + sizeof text, time, std::chars_format::fixed, 2);
+    return error == std::errc{} ? std::string(text, end) + " s" : std::string();
+}
+
+class Labels {
+public:
+    Labels(DrawList& list, GlyphAtlas& atlas, const View& view) : list_(list), atlas_(atlas), view_(view) {}
+
+    double pixels(double at_720_rows) const { return at_720_rows * view_.detail(); }
+
+    // Text whose line, as high as its font, has that top left corner.
+    void text(std::string_view text, double size, double left, double top, Color color) {
+        // DejaVu Sans: the ascent is four fifths of ascent plus descent.
+        const int baseline = static_cast<int>(std::floor(top + 0.8 * size + 0.5));
+        atlas_.layout(text, size, left, baseline, view_.width, view_.height, color, list_.glyphs);
+    }
+
+    void plate(const Rectangle& r) {
+        const double pad = pixels(kPlatePadding);
+        box({r.left - pad, r.top - pad, r.width + 2.0 * pad, r.height + 2.0 * pad}, pad,
+            faded(style::kBackground, kPlateOpacity));
+    }
+
+    void box(const Rectangle& r, double radius, Color color) {
+        BoxInstance box;
+        box.x = static_cast<float>(r.left + 0.5 * r.width - 0.5 * view_.width);
+        box.y = static_cast<float>(0.5 * view_.height - r.top - 0.5 * r.height);
+        box.half_x = static_cast<float>(0.5 * r.width - radius);
+        box.half_y = static_cast<float>(0.5 * r.height - radius);
+        box.radius = static_cast<float>(radius);
+        box.paint = flat(color);
+        list_.labels.boxes.push_back(box);
+    }
+
+    double width(std::string_view text, double size) const { return atlas_.width(text, size); }
+
+private:
+    DrawList& list_;
+    GlyphAtlas& atlas_;
+    const View& view_;
+};
+
+// The title, shortened with an ellipsis until it fits.
+std::string fitted(const Labels& labels, std::string_view title, double size, double room) {
+    std::string text(title);
+    while (!text.empty() && labels.width(text, size) > room) {
+        std::size_t end = text.size();
+        if (text.ends_with("\u2026")) end -= std::string_view("\u2026").size();
+        while (end > 0 && (static_cast<unsigned char>(text[--end]) & 0xc0) == 0x80) continue;
+        text = text.substr(0, end) + (end > 0 ? "\u2026" : "");
+    }
+    return text;
+}
+
+void add_heading(Labels& labels, const View& view, std::string_view title, double time) {
+    const double margin = labels.pixels(style::kMargin);
+    const double title_size = labels.pixels(style::kTitleSize), text_size = labels.pixels(style::kTextSize);
+    const std::string name = fitted(labels, title, title_size, view.width - 2.0 * margin);
+    const std::string clock = seconds(time);
+    const double title_height = name.empty() ? 0.0 : title_size + labels.pixels(kLineGap);
+    labels.plate({margin, margin, std::max(labels.width(name, title_size), labels.width(clock, text_size)),
+                  title_height + text_size});
+    labels.text(name, title_size, margin, margin, style::kText);
+    labels.text(clock, text_size, margin, margin + title_height, style::kFaintText);
+}
+
+void add_scale_bar(Labels& labels, const View& view) {
+    const double margin = labels.pixels(style::kMargin), size = labels.pixels(style::kTextSize);
+    const double thickness = std::max(1.0, std::floor(labels.pixels(1.5) + 0.5)), tick = labels.pixels(kLineGap);
+    const RoundLength round = round_length_from(labels.pixels(kScaleBar) / view.scale);
+    const std::string text = to_string(round);
+    const double length = round.metres() * view.scale;
+    const double text_width = labels.width(text, size);
+    const Rectangle area{margin, view.height - margin - size, length + tick + text_width, size};
+    labels.plate(area);
+
+    const double bottom = std::floor(area.top + 0.5 * (size + tick));
+    labels.box({area.left, bottom - thickness, length, thickness}, 0.0, style::kFaintText);
+    for (const double left : {area.left, area.left + length - thickness})
+        labels.box({left, bottom - tick, thickness, tick - thickness}, 0.0, style::kFaintText);
+    labels.text(text, size, area.left + length + tick, area.top, style::kFaintText);
+}
+
+}  // namespace
+
+void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, std::string_view title, double time) {
+    if (view.width < kSmallestWidth || view.height < kSmallestHeight) return;
+    Labels labels(list, atlas, view);
+    add_heading(labels, view, title, time);
+    add_scale_bar(labels, view);
+}
+
+}  // namespace tumble::render

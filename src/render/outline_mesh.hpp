@@ -1,0 +1,23 @@
+// Convex shapes as triangles: those with too many vertices, or too large in the frame, for an instance.
+//
+// The outline is cut to the frame in double, then drawn as a strip that straddles it and a fan inside. Depth runs
+// across the strip, so that the same shader blends its edge as for instances, and no two triangles overlap.
+#pragma once
+
+#include <vector>
+
+#include "render/primitives.hpp"
+#include "render/view.hpp"
+#include "tumble/shape.hpp"
+
+namespace tumble::render {
+
+// Appends the triangles of the shape's part in view.
+void add_outline_mesh(std::vector<MeshVertex>& mesh, const View& view, const Shape& shape,
+                      const Pose& world_from_shape, Paint paint);
+
+// The shape's outline in pixels, counter-clockwise, arcs as chords at most a twentieth of a pixel off, points closer
+// than half a pixel left out.
+std::vector<DVec2> pixel_outline(const View& view, const Shape& shape, const Pose& world_from_shape);
+
+}  // namespace tumble::render

@@ -1,0 +1,87 @@
+// What a frame is made of: instances of a few kinds, grouped in layers, in pixels from the middle of the frame, y up.
+//
+// Plain data in the layout in which the canvas uploads it; built without GL.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "render/color.hpp"
+
+namespace tumble::render {
+
+struct CircleInstance {
+    float x = 0.0f, y = 0.0f;
+    float radius = 0.0f;
+    Paint paint;
+};
+
+// A rectangle grown by a radius: boxes, capsules (half_y = 0), lines.
+struct BoxInstance {
+    float x = 0.0f, y = 0.0f;            // center
+    float axis_x = 1.0f, axis_y = 0.0f;  // unit vector along the first side
+    float half_x = 0.0f, half_y = 0.0f;  // of the core, without the radius
+    float radius = 0.0f;
+    Paint paint;
+};
+
+// A convex polygon of 3 to 8 vertices grown by a radius, in the frame of a rectangle tight around its core.
+struct PolygonInstance {
+    static constexpr std::size_t kVertices = 8;
+
+    float x = 0.0f, y = 0.0f;            // center of the rectangle
+    float axis_x = 1.0f, axis_y = 0.0f;  // unit vector along its first side
+    float half_x = 0.0f, half_y = 0.0f;  // of the rectangle, without the radius
+    float radius = 0.0f;
+    std::array<float, 2 * kVertices> vertices{};  // x, y in turn; counter-clockwise, padded with vertex 0
+    Paint paint;
+};
+
+// A corner of a triangle; `depth` is the signed distance to the shape's edge, negative inside.
+struct MeshVertex {
+    float x = 0.0f, y = 0.0f;
+    float depth = 0.0f;
+    Paint paint;
+};
+
+// A rectangle of the glyph atlas on whole pixels.
+struct GlyphInstance {
+    float x = 0.0f, y = 0.0f;           // lower left corner
+    float width = 0.0f, height = 0.0f;  // pixels, of the frame and of the atlas alike
+    float atlas_x = 0.0f, atlas_y = 0.0f;
+    Color color;
+};
+
+// Drawn in the order of the members: what comes later covers what came before.
+struct Layer {
+    std::vector<MeshVertex> mesh;  // three to a triangle
+    std::vector<PolygonInstance> polygons;
+    std::vector<PolygonInstance> rounded_polygons;
+    std::vector<BoxInstance> boxes;
+    std::vector<CircleInstance> circles;
+
+    void clear() {
+        mesh.clear();
+        polygons.clear();
+        rounded_polygons.clear();
+        boxes.clear();
+        circles.clear();
+    }
+};
+
+struct DrawList {
+    Color background;
+    Layer grid;
+    Layer ground;   // static bodies
+    Layer bodies;   // all others
+    Layer details;  // orientation marks and joints
+    Layer labels;   // what lies under the text
+    std::vector<GlyphInstance> glyphs;
+
+    void clear() {
+        for (Layer* layer : {&grid, &ground, &bodies, &details, &labels}) layer->clear();
+        glyphs.clear();
+    }
+};
+
+}  // namespace tumble::render

@@ -1,0 +1,46 @@
+// The look of a frame: calm, light, the same in every scene. Lengths are pixels at 720 rows (see View::detail).
+#pragma once
+
+#include <array>
+
+#include "render/color.hpp"
+
+namespace tumble::render::style {
+
+inline constexpr Color kBackground{247, 248, 250};
+inline constexpr Color kMinorGrid{238, 240, 244};
+inline constexpr Color kMajorGrid{227, 231, 237};
+
+inline constexpr Color kStatic{203, 209, 218};
+inline constexpr Color kKinematic{136, 149, 171};
+inline constexpr Color kInk{36, 46, 62};         // what fills are darkened with to give their outlines
+inline constexpr double kOutlineInk = 0.42;     // how much of it
+inline constexpr double kInstanceShade = 0.10;  // how much lighter or darker repeated bodies are than each other
+
+// Fills of moving bodies, in the order in which names occur: neighbours differ in hue, all are of like lightness.
+inline constexpr std::array<Color, 8> kBodies{{
+    {104, 154, 211},  // blue
+    {240, 178, 92},   // amber
+    {98, 181, 165},   // teal
+    {228, 127, 108},  // coral
+    {150, 134, 202},  // violet
+    {148, 188, 106},  // green
+    {219, 139, 170},  // rose
+    {193, 164, 123},  // sand
+}};
+
+inline constexpr double kOutline = 1.5;       // width
+inline constexpr double kSegment = 2.5;       // width of a shape without area
+inline constexpr double kMark = 1.5;          // width of an orientation mark
+inline constexpr double kSmallestMark = 7.0;  // half the smaller extent of a shape below which it has none
+inline constexpr double kAnchor = 3.2;        // radius of a joint's anchor
+
+inline constexpr Color kJoint{74, 85, 104};
+inline constexpr Color kAnchorFill{250, 251, 252};
+inline constexpr Color kText{45, 55, 72};
+inline constexpr Color kFaintText{113, 124, 142};
+inline constexpr double kTitleSize = 19.0;
+inline constexpr double kTextSize = 14.0;
+inline constexpr double kMargin = 20.0;
+
+}  // namespace tumble::render::style
