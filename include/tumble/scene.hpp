@@ -17,6 +17,7 @@
 #include "tumble/body.hpp"
 #include "tumble/joint.hpp"
 #include "tumble/math.hpp"
+#include "tumble/shape.hpp"
 #include "tumble/world.hpp"
 
 namespace tumble {
@@ -76,28 +77,69 @@ struct SceneMaterial {
     std::string color;  // "#rgb" or "#rrggbb"; empty: chosen by type and name
 };
 
-// Geometry of a shape in body coordinates; angles in degrees.
-struct CircleGeometry { double radius = 0.0; DVec2 center; };
-struct CapsuleGeometry { DVec2 from, to; double radius = 0.0; };
-struct BoxGeometry { DVec2 size; double radius = 0.0; DVec2 center; double angle = 0.0; };
-struct PolygonGeometry { std::vector<DVec2> vertices; double radius = 0.0; };
-struct SegmentGeometry { DVec2 from, to; };
-struct ChainGeometry { std::vector<DVec2> points; bool loop = false; bool two_sided = false; };
-struct OutlineGeometry { std::vector<DVec2> points; };
+// Geometry of a shape in body coordinates; lengths in m, angles in degrees.
+struct CircleGeometry {
+    double radius = 0.0;
+    DVec2 center;
+};
+struct CapsuleGeometry {
+    DVec2 from;
+    DVec2 to;
+    double radius = 0.0;
+};
+struct BoxGeometry {
+    DVec2 size;           // outer, rounding included
+    double radius = 0.0;  // of the rounded corners
+    DVec2 center;
+    double angle = 0.0;
+};
+struct PolygonGeometry {
+    std::vector<DVec2> vertices;  // any order; their convex hull counts
+    double radius = 0.0;          // grows the hull
+};
+struct SegmentGeometry {
+    DVec2 from;
+    DVec2 to;
+};
+struct ChainGeometry {
+    std::vector<DVec2> points;
+    bool loop = false;
+    bool two_sided = false;  // else solid on the left of its direction
+};
+struct OutlineGeometry {
+    std::vector<DVec2> points;  // a simple polygon, concave or not
+};
+
+using ShapeGeometry = std::variant<CircleGeometry, CapsuleGeometry, BoxGeometry, PolygonGeometry, SegmentGeometry,
+                                   ChainGeometry, OutlineGeometry>;
 
 struct SceneShape {
-    std::variant<CircleGeometry, CapsuleGeometry, BoxGeometry, PolygonGeometry, SegmentGeometry, ChainGeometry,
-                 OutlineGeometry>
-        geometry;
-    std::string material;                // name of a material; empty: the default one
-    std::string custom;                  // JSON text, or empty
+    ShapeGeometry geometry;
+    std::string material;  // name of a material; empty: the default one
+    std::string custom;    // JSON text, or empty
 };
 
 // Repeaters copy a body, starting at its position; the copies are named name[0], name[1], ...
-struct GridRepeat { int columns = 1, rows = 1; DVec2 spacing{1.0, 1.0}; };      // row by row, upwards
-struct PyramidRepeat { int base = 1; DVec2 spacing{1.0, 1.0}; };                // lowest row first, centred above it
-struct RingRepeat { int count = 1; double radius = 1.0; bool turn = false; };   // about the position, from angle 0
-struct ScatterRepeat { int count = 1; DVec2 size{1.0, 1.0}; bool turn = false; };  // seeded, in a box about the position
+struct GridRepeat {  // row by row, upwards
+    int columns = 1;
+    int rows = 1;
+    DVec2 spacing{1.0, 1.0};
+};
+struct PyramidRepeat {  // lowest row first, each row centred above the one below and one shorter
+    int base = 1;
+    DVec2 spacing{1.0, 1.0};
+};
+struct RingRepeat {  // about the position, counter-clockwise from angle 0
+    int count = 1;
+    double radius = 1.0;
+    bool turn = false;  // each copy by its angle on the ring
+};
+struct ScatterRepeat {  // at random in a box about the position, drawn from the scene's seed
+    int count = 1;
+    DVec2 size{1.0, 1.0};
+    bool turn = false;        // each copy by a random angle
+    double separation = 0.0;  // least distance between the positions of two copies
+};
 
 using SceneRepeat = std::variant<GridRepeat, PyramidRepeat, RingRepeat, ScatterRepeat>;
 
@@ -118,16 +160,52 @@ struct SceneBody {
 
 enum class SceneJointType { revolute, distance };
 
+struct SceneJointLimits {
+    double lower = 0.0;  // degrees (revolute) or m (distance)
+    double upper = 0.0;
+};
+struct SceneJointMotor {
+    double speed = 0.0;       // degrees/s
+    double max_torque = 0.0;  // N m
+};
+struct SceneJointSpring {
+    double hertz = 0.0;
+    double damping_ratio = 0.0;
+};
+
 struct SceneJoint {
     SceneJointType type = SceneJointType::revolute;
     std::string name;
-    std::string body_a, body_b;                           // names
-    std::optional<DVec2> anchor;                          // world coordinates at load, for both bodies, or:
-    std::optional<std::pair<DVec2, DVec2>> anchors;       // body coordinates of each
-    std::optional<double> reference_angle;                // degrees; default: the angle at load
-    std::optional<double> length;                         // m, distance joints; default: the distance at load
+    std::string body_a, body_b;                      // names
+    std::optional<DVec2> anchor;                     // world coordinates at load, for both bodies, or:
+    std::optional<std::pair<DVec2, DVec2>> anchors;  // body coordinates of each
+    std::optional<double> reference_angle;           // degrees, revolute joints; default: the angle at load
+    std::optional<double> length;                    // m, distance joints; default: the distance at load
+    std::optional<SceneJointLimits> limits;
+    std::optional<SceneJointMotor> motor;  // revolute joints
+    std::optional<SceneJointSpring> spring;
+    std::optional<double> break_force;  // N
     bool collide_connected = false;
     std::string custom;
+};
+
+// Something that happens during the run, once (`at`) or again and again (`every`, from 0 `until` the end).
+struct SceneEvent {
+    std::optional<double> at;     // s
+    std::optional<double> every;  // s
+    std::optional<double> until;  // s
+    std::string body;
+    std::optional<DVec2> impulse;    // N s, at the centre of mass of `body`
+    std::optional<SceneBody> spawn;  // a new body
+};
+
+// A claim that `check` tests: exactly one of `at_rest_by`, `max_penetration` and `inside`.
+struct SceneExpectation {
+    std::optional<double> at_rest_by;       // s
+    std::optional<double> max_penetration;  // m
+    std::string body;
+    std::optional<std::pair<DVec2, DVec2>> inside;  // lower and upper corner of a box that holds the body's position
+    std::optional<double> at;                       // s; default: at the end
 };
 
 struct Scene {
@@ -139,22 +217,48 @@ struct Scene {
     std::vector<SceneMaterial> materials;
     std::vector<SceneBody> bodies;
     std::vector<SceneJoint> joints;
-    std::string custom;                  // JSON text, or empty
+    std::vector<SceneEvent> timeline;
+    std::vector<SceneExpectation> expect;
+    std::string custom;  // JSON text, or empty
+};
+
+// What a caller changes in a scene before it is read.
+struct LoadOptions {
+    std::vector<std::string> overrides;  // "/json/pointer=value" each; a value that is not JSON is taken as a string
+    std::optional<std::uint64_t> seed;   // replaces /world/seed
 };
 
 // Reads a scene. Throws FileError (not readable) or SceneError (not valid). Warnings, if asked for, are appended.
+// Wrong overrides are SceneErrors too: their diagnostics have the override in place of the file, and no line.
 Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* warnings = nullptr);
+Scene load_scene(const std::filesystem::path& file, const LoadOptions& options,
+                 std::vector<Diagnostic>* warnings = nullptr);
 Scene parse_scene(std::string_view text, const std::string& file_name, std::vector<Diagnostic>* warnings = nullptr);
+Scene parse_scene(std::string_view text, const std::string& file_name, const LoadOptions& options,
+                  std::vector<Diagnostic>* warnings = nullptr);
 
-// The canonical text: keys in the schema's order, defaults left out, shortest round-trip numbers.
+// What the scene asks for and this version keeps but does not simulate, a line each: "joint motors (2)".
+std::vector<std::string> ignored_features(const Scene& scene);
+
+// The canonical text: keys in the schema's order, defaults left out, shortest round-trip numbers. Throws
+// std::invalid_argument for a `custom` that is not JSON.
 std::string to_json(const Scene& scene);
 void save_scene(const Scene& scene, const std::filesystem::path& file);  // written aside, then renamed; throws FileError
 
 // The JSON schema (Draft-07) of format 1, as published in scenes/scene.schema.json.
 std::string scene_schema();
 
-// xxHash64 of the canonical text without name, description, custom and $schema: equal simulations, equal hashes.
+// xxHash64 of what is simulated, as canonical text: everything but $schema, name, description, camera, colours,
+// expectations and custom. Equal simulations, equal hashes.
 std::uint64_t scene_hash(const Scene& scene);
+
+// The shapes that a scene's shape stands for, in body coordinates: one, or several for chains and outlines. Throws
+// std::invalid_argument, with the value printed, for degenerate geometry.
+std::vector<Shape> make_shapes(const ShapeGeometry& geometry);
+
+// Reads one shape as scene files write it, {"box": {"size": [2, 1]}}, for a distance query: radii of 0 are allowed.
+// Throws SceneError; `source` stands where the file's name would.
+ShapeGeometry parse_geometry(std::string_view text, const std::string& source);
 
 // One body of the built world: which entry of Scene::bodies it came from, and its name after repeating
 // (empty for unnamed bodies, which are called body[i] in output, i counting the built bodies).

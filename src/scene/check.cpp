@@ -1,0 +1,184 @@
+// Each check names its rule; pointers are those of the file that the scene came from, or would be written to.
+#include "scene/check.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "scene/fields.hpp"
+#include "scene/geometry.hpp"
+#include "scene/json_text.hpp"
+#include "scene/joints.hpp"
+#include "scene/names.hpp"
+#include "scene/pointer.hpp"
+#include "scene/repeat.hpp"
+#include "scene/place.hpp"
+#include "scene/suggest.hpp"
+
+namespace tumble::scene {
+
+namespace {
+
+std::string at(const std::string& list, std::size_t index) { return list + '/' + std::to_string(index); }
+
+class Checker {
+public:
+    Checker(const Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
+
+    void run() {
+        bodies_unread_ = diagnostics_.has_errors_in("/bodies");
+        if (!check_counts()) return;
+        const BodyNames names(scene_);
+        for (std::size_t i = 0; i < scene_.bodies.size(); ++i) check_body(scene_.bodies[i], at("/bodies", i));
+        check_unique(names);
+        for (std::size_t i = 0; i < scene_.bodies.size(); ++i) check_places(i);
+        for (std::size_t i = 0; i < scene_.joints.size(); ++i) check_joint(scene_.joints[i], at("/joints", i), names);
+        for (std::size_t i = 0; i < scene_.timeline.size(); ++i) check_event(scene_.timeline[i], at("/timeline", i), names);
+        for (std::size_t i = 0; i < scene_.expect.size(); ++i) {
+            if (scene_.expect[i].inside) require_body(scene_.expect[i].body, at("/expect", i), "body", names);
+        }
+        if (!scene_.camera.follow.empty()) require_body(scene_.camera.follow, "/camera", "follow", names);
+    }
+
+private:
+    void error(const std::string& pointer, const std::string& message, const std::string& hint = "") {
+        diagnostics_.error(pointer, message, hint);
+    }
+
+    // The later checks count copies: false if there are too many to go on.
+    bool check_counts() {
+        std::int64_t total = 0;
+        for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+            const std::int64_t count = copy_count(scene_.bodies[i]);
+            total += std::max<std::int64_t>(count, 0);
+            if (count >= 0 && total <= kMaxBodies) continue;
+            error(at("/bodies", i), "makes " + std::to_string(total) + " bodies with those before; at most " +
+                                        std::to_string(kMaxBodies) + " are allowed");
+            return false;
+        }
+        return true;
+    }
+
+    void check_body(const SceneBody& body, const std::string& pointer) {
+        for (std::size_t i = 0; i < body.shapes.size(); ++i) check_shape(body.shapes[i], at(pointer + "/shapes", i));
+    }
+
+    void check_shape(const SceneShape& shape, const std::string& pointer) {
+        if (diagnostics_.has_errors_in(pointer)) return;
+        const std::string kind(alternative_name(shape.geometry));
+        try {
+            make_shapes(shape.geometry);
+            if (const auto* polygon = std::get_if<PolygonGeometry>(&shape.geometry))
+                report_hull(*polygon, pointer + "/polygon/vertices");
+        } catch (const std::invalid_argument& cause) {
+            error(pointer + '/' + kind, cause.what());
+        }
+        if (shape.material.empty() || find_material(scene_, shape.material) || diagnostics_.has_errors_in("/materials"))
+            return;
+        std::vector<std::string_view> names;
+        for (const SceneMaterial& material : scene_.materials) names.push_back(material.name);
+        error(pointer + "/material", "there is no material " + quoted(shape.material), suggestion(shape.material, names));
+    }
+
+    void report_hull(const PolygonGeometry& polygon, const std::string& pointer) {
+        HullReport report;
+        make_hull(polygon, &report);
+        if (report.interior > 0)
+            diagnostics_.warning(pointer, std::to_string(report.interior) + " of the vertices lie inside the hull and are left out",
+                                 "an outline keeps a concave shape");
+        if (report.duplicate + report.collinear > 0)
+            diagnostics_.warning(pointer, std::to_string(report.duplicate + report.collinear) +
+                                              " of the vertices are duplicate or on an edge and are left out");
+    }
+
+    void check_unique(const BodyNames& names) {
+        for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+            const SceneBody& body = scene_.bodies[i];
+            if (body.name.empty()) continue;
+            const std::string pointer = at("/bodies", i) + "/name";
+            const std::size_t first = *names.find_source(body.name);
+            if (first != i)
+                error(pointer, quoted(body.name) + " is the name of " + at("/bodies", first) + " already");
+            else if (!body.repeat && names.is_copy(body.name))
+                error(pointer, quoted(body.name) + " is the name of a copy of a repeated body");
+        }
+        std::set<std::string> joint_names;
+        for (std::size_t i = 0; i < scene_.joints.size(); ++i) {
+            const std::string& name = scene_.joints[i].name;
+            if (!name.empty() && !joint_names.insert(name).second)
+                error(at("/joints", i) + "/name", quoted(name) + " is the name of another joint already");
+        }
+    }
+
+    // Keeps the places, which joints need.
+    void check_places(std::size_t source) {
+        try {
+            const std::vector<PlacedBody> copies = place_copies(scene_, source);
+            placed_.insert(placed_.end(), copies.begin(), copies.end());
+        } catch (const std::invalid_argument& cause) {
+            error(at("/bodies", source) + "/repeat", cause.what());
+            placed_.resize(placed_.size() + static_cast<std::size_t>(copy_count(scene_.bodies[source])));
+        }
+    }
+
+    std::optional<std::size_t> require_body(const std::string& name, const std::string& pointer, const std::string& key,
+                                            const BodyNames& names) {
+        const std::optional<std::size_t> found = names.find(name);
+        if (!found && !bodies_unread_) {
+            if (name.empty())
+                error(pointer, "the key " + quoted(key) + " is missing: the name of a body");
+            else
+                error(pointer + '/' + key, "there is no body " + quoted(name), names.hint(name));
+        }
+        return found;
+    }
+
+    void check_joint(const SceneJoint& joint, const std::string& pointer, const BodyNames& names) {
+        if (diagnostics_.has_errors_in(pointer)) return;
+        check_joint_keys(joint, pointer);
+        const auto a = require_body(joint.body_a, pointer, "bodies/0", names);
+        const auto b = require_body(joint.body_b, pointer, "bodies/1", names);
+        if (!a || !b) return;
+        if (*a == *b) return error(pointer + "/bodies", "a joint needs two bodies, got " + quoted(joint.body_a) + " twice");
+        if (diagnostics_.has_errors_in(pointer) || bodies_unread_) return;
+        try {
+            make_joint(joint, placed_[*a], placed_[*b]);
+        } catch (const std::invalid_argument& cause) {
+            error(pointer, cause.what());
+        }
+    }
+
+    void check_joint_keys(const SceneJoint& joint, const std::string& pointer) {
+        const bool revolute = joint.type == SceneJointType::revolute;
+        const auto refuse = [&](bool present, const std::string& key, const std::string& reason) {
+            if (present) error(pointer + '/' + key, reason);
+        };
+        refuse(!revolute && joint.anchor.has_value(), "anchor", "a distance joint needs 'anchors', one in each body");
+        refuse(!revolute && joint.reference_angle.has_value(), "reference_angle", "belongs to revolute joints");
+        refuse(!revolute && joint.motor.has_value(), "motor", "belongs to revolute joints");
+        refuse(revolute && joint.length.has_value(), "length", "belongs to distance joints");
+        refuse(!revolute && joint.limits && joint.limits->lower < 0.0, "limits", "a distance is at least 0");
+        if (joint.anchor.has_value() == joint.anchors.has_value())
+            error(pointer, "needs one of the keys anchor, anchors");
+    }
+
+    void check_event(const SceneEvent& event, const std::string& pointer, const BodyNames& names) {
+        if (diagnostics_.has_errors_in(pointer)) return;
+        if (event.until && !event.every) error(pointer + "/until", "belongs to events with 'every'");
+        if (event.impulse) require_body(event.body, pointer, "body", names);
+        if (!event.spawn) return;
+        if (!event.body.empty()) error(pointer + "/body", "belongs to impulses");
+        check_body(*event.spawn, pointer + "/spawn");
+    }
+
+    const Scene& scene_;
+    Diagnostics& diagnostics_;
+    bool bodies_unread_ = false;      // names and places may be missing
+    std::vector<PlacedBody> placed_;  // [built bodies]
+};
+
+}  // namespace
+
+void check_scene(const Scene& scene, Diagnostics& diagnostics) { Checker(scene, diagnostics).run(); }
+
+}  // namespace tumble::scene

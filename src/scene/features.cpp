@@ -1,0 +1,48 @@
+// What a scene may say and this version does not simulate yet. A feature leaves this list when its room is built.
+#include <algorithm>
+
+#include "tumble/scene.hpp"
+
+namespace tumble {
+
+namespace {
+
+struct Ignored {
+    std::vector<std::string> lines;
+
+    void add(const std::string& feature, std::ptrdiff_t count) {
+        if (count > 0) lines.push_back(feature + " (" + std::to_string(count) + ")");
+    }
+};
+
+std::ptrdiff_t count_one_sided_chains(const Scene& scene) {
+    std::ptrdiff_t count = 0;
+    for (const SceneBody& body : scene.bodies) {
+        for (const SceneShape& shape : body.shapes) {
+            const ChainGeometry* chain = std::get_if<ChainGeometry>(&shape.geometry);
+            if (chain && !chain->two_sided) ++count;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+std::vector<std::string> ignored_features(const Scene& scene) {
+    Ignored ignored;
+    const auto joints_with = [&](auto SceneJoint::*member) {
+        return std::count_if(scene.joints.begin(), scene.joints.end(),
+                             [&](const SceneJoint& joint) { return (joint.*member).has_value(); });
+    };
+    ignored.add("timeline: events do not happen", std::ssize(scene.timeline));
+    ignored.add("expect: claims are not tested", std::ssize(scene.expect));
+    ignored.add("camera follow: the camera stands still", scene.camera.follow.empty() ? 0 : 1);
+    ignored.add("joint limits: joints move freely", joints_with(&SceneJoint::limits));
+    ignored.add("joint motors: joints move freely", joints_with(&SceneJoint::motor));
+    ignored.add("joint springs: joints are rigid", joints_with(&SceneJoint::spring));
+    ignored.add("joint break_force: joints hold", joints_with(&SceneJoint::break_force));
+    ignored.add("one-sided chains: solid on both sides", count_one_sided_chains(scene));
+    return ignored.lines;
+}
+
+}  // namespace tumble

@@ -1,0 +1,23 @@
+// From the bytes of a file to a JSON value: syntax, duplicate keys, depth and size, before anything is interpreted.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "scene/diagnostics.hpp"
+#include "scene/json.hpp"
+
+namespace tumble::scene {
+
+inline constexpr std::size_t kMaxFileBytes = 64u << 20;
+inline constexpr std::size_t kMaxDepth = 64;          // of nested arrays and objects; later passes recurse
+inline constexpr std::size_t kMaxKeysInObject = 4096;  // looking up a key is linear
+
+// Leaves out a UTF-8 byte-order mark: no column counts it.
+std::string_view without_byte_order_mark(std::string_view text);
+
+// The parsed value, // and /* */ comments allowed; nothing, with errors in `diagnostics`, if the text is not JSON, too
+// large or too deep. Duplicate keys are errors too, but the value is returned with the last of each.
+std::optional<Json> parse_json(std::string_view text, Diagnostics& diagnostics);
+
+}  // namespace tumble::scene

@@ -1,0 +1,18 @@
+// From a scene's joint to the world's, given where its bodies are at load.
+#pragma once
+
+#include "tumble/scene.hpp"
+
+namespace tumble::scene {
+
+// A body at load; the angle in degrees beside its rotation, because differences of angles stay exact in degrees.
+struct PlacedBody {
+    BodyId id;
+    Pose pose;
+    double angle = 0.0;
+};
+
+// Throws std::invalid_argument for a distance joint without length.
+JointDef make_joint(const SceneJoint& joint, const PlacedBody& a, const PlacedBody& b);
+
+}  // namespace tumble::scene

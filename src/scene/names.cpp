@@ -1,0 +1,62 @@
+// Names of copies are not stored: a name is taken apart, which stays cheap for a million copies.
+#include "scene/names.hpp"
+
+#include <charconv>
+
+#include "scene/repeat.hpp"
+#include "scene/suggest.hpp"
+
+namespace tumble::scene {
+
+BodyNames::BodyNames(const Scene& scene) {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const SceneBody& body = scene.bodies[i];
+        const std::size_t count = static_cast<std::size_t>(copy_count(body));
+        if (!body.name.empty()) sources_.emplace(body.name, Source{i, first, count, body.repeat.has_value()});
+        first += count;
+    }
+}
+
+std::optional<std::size_t> BodyNames::find(std::string_view name) const {
+    const auto exact = sources_.find(name);
+    if (exact != sources_.end() && !exact->second.repeated) return exact->second.first;
+    return find_copy(name);
+}
+
+std::optional<std::size_t> BodyNames::find_copy(std::string_view name) const {
+    const std::size_t bracket = name.rfind('[');
+    if (bracket == std::string_view::npos || name.back() != ']') return std::nullopt;
+    const auto repeated = sources_.find(name.substr(0, bracket));
+    if (repeated == sources_.end() || !repeated->second.repeated) return std::nullopt;
+    const std::string_view digits = name.substr(bracket + 1, name.size() - bracket - 2);
+    std::size_t copy = 0;
+    const std::from_chars_result parsed = std::from_chars(digits.data(), digits.data() + digits.size(), copy);
+    const bool is_canonical = parsed.ec == std::errc{} && std::to_string(copy) == digits;
+    if (!is_canonical || copy >= repeated->second.count) return std::nullopt;
+    return repeated->second.first + copy;
+}
+
+std::optional<std::size_t> BodyNames::find_source(std::string_view name) const {
+    const auto found = sources_.find(name);
+    if (found == sources_.end()) return std::nullopt;
+    return found->second.index;
+}
+
+std::string BodyNames::hint(std::string_view name) const {
+    const auto found = sources_.find(name.substr(0, name.rfind('[')));
+    if (found != sources_.end() && found->second.repeated) {
+        const std::string& base = found->first;
+        return "the copies are called " + base + "[0] to " + base + "[" + std::to_string(found->second.count - 1) + "]";
+    }
+    std::vector<std::string_view> names;
+    for (const auto& [known, source] : sources_) names.push_back(known);
+    return suggestion(name, names);
+}
+
+std::string copy_name(const SceneBody& body, std::size_t copy) {
+    if (body.name.empty() || !body.repeat) return body.name;
+    return body.name + '[' + std::to_string(copy) + ']';
+}
+
+}  // namespace tumble::scene

@@ -1,0 +1,48 @@
+// Which built body a name means: "crate", or "crate[3]" for a copy.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tumble/scene.hpp"
+
+namespace tumble::scene {
+
+class BodyNames {
+public:
+    // Counts the copies of every body; of two bodies with one name, the first counts.
+    explicit BodyNames(const Scene& scene);
+
+    // The index of a built body, counting copies, in the order in which they are built.
+    std::optional<std::size_t> find(std::string_view name) const;
+
+    // The entry of Scene::bodies that has this name, repeated or not.
+    std::optional<std::size_t> find_source(std::string_view name) const;
+
+    // Whether a copy of a repeated body has this name.
+    bool is_copy(std::string_view name) const { return find_copy(name).has_value(); }
+
+    // Why `name` names nothing, for a hint; may be empty.
+    std::string hint(std::string_view name) const;
+
+private:
+    struct Source {
+        std::size_t index = 0;
+        std::size_t first = 0;  // built body
+        std::size_t count = 0;
+        bool repeated = false;
+    };
+
+    std::optional<std::size_t> find_copy(std::string_view name) const;
+
+    std::map<std::string, Source, std::less<>> sources_;
+};
+
+// "crate[3]"; empty for an empty name.
+std::string copy_name(const SceneBody& body, std::size_t copy);
+
+}  // namespace tumble::scene

@@ -1,0 +1,15 @@
+// A pose for each copy: the one place where a scene's degrees become a rotation.
+#include "scene/place.hpp"
+
+#include "scene/repeat.hpp"
+
+namespace tumble::scene {
+
+std::vector<PlacedBody> place_copies(const Scene& scene, std::size_t source) {
+    std::vector<PlacedBody> placed;
+    for (const CopyPlace& place : copy_places(scene.bodies[source], scene.world.seed, source))
+        placed.push_back({{}, {place.position, make_rotation_degrees(place.angle)}, place.angle});
+    return placed;
+}
+
+}  // namespace tumble::scene

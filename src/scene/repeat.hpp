@@ -1,0 +1,25 @@
+// Repeaters: the places of the copies of a body.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tumble/scene.hpp"
+
+namespace tumble::scene {
+
+inline constexpr std::int64_t kMaxBodies = 1000000;  // of a scene, after repeating
+
+struct CopyPlace {
+    DVec2 position;      // world
+    double angle = 0.0;  // degrees
+};
+
+// 1 without a repeater.
+std::int64_t copy_count(const SceneBody& body);
+
+// The places of all copies, in order. `stream` tells the scatter repeaters of a scene apart. Throws
+// std::invalid_argument if a scatter repeater finds no room for a copy.
+std::vector<CopyPlace> copy_places(const SceneBody& body, std::uint64_t seed, std::uint64_t stream);
+
+}  // namespace tumble::scene

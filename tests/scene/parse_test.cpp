@@ -1,0 +1,40 @@
+// Reading: what is accepted becomes exactly what the file says.
+#include <doctest/doctest.h>
+
+#include "scene/example.hpp"
+#include "tumble/scene.hpp"
+
+using namespace tumble;
+
+TEST_CASE("the example of format 1 is read in full") {
+    std::vector<Diagnostic> warnings;
+    const Scene scene = parse_scene(test::kExample, "example.json", &warnings);
+    CHECK(warnings.empty());
+    CHECK(scene.name == "seesaw");
+    CHECK(scene.world.gravity == DVec2(0, -10));
+    CHECK(scene.camera.height == 12.0);
+    CHECK(scene.camera.follow == "ball");
+    REQUIRE(scene.materials.size() == 1);
+    CHECK(scene.materials[0].name == "ice");
+    CHECK(scene.materials[0].density == 0.9);
+    REQUIRE(scene.bodies.size() == 4);
+    CHECK(scene.bodies[0].type == BodyType::static_body);
+    CHECK(scene.bodies[2].angular_velocity == 90.0);
+    CHECK(scene.bodies[2].shapes.at(0).material == "ice");
+    CHECK(std::get<PyramidRepeat>(scene.bodies[3].repeat.value()).base == 5);
+    REQUIRE(scene.joints.size() == 1);
+    CHECK(scene.joints[0].body_b == "plank");
+    CHECK(scene.joints[0].limits.value().upper == 20.0);
+    CHECK(scene.joints[0].motor.value().max_torque == 50.0);
+    REQUIRE(scene.timeline.size() == 2);
+    CHECK(scene.timeline[1].spawn.value().shapes.size() == 1);
+    REQUIRE(scene.expect.size() == 3);
+    CHECK(scene.expect[2].inside.value().second == DVec2(1, 2));
+    CHECK(scene.custom == R"({"author": "anything a user wants to keep; also on bodies, shapes and joints"})");
+}
+
+TEST_CASE("what is kept but not simulated is named") {
+    const Scene scene = parse_scene(test::kExample, "example.json");
+    CHECK(ignored_features(scene).size() == 7);
+    CHECK(ignored_features(parse_scene(R"({"format": 1})", "least.json")).empty());
+}
