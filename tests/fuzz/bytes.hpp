@@ -1,0 +1,53 @@
+// Turns a fuzzer's bytes into values; zeros once they run out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "tumble/distance.hpp"
+
+namespace tumble::fuzz {
+
+class Bytes {
+public:
+    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+
+    // Any bit pattern of T: for floats also NaN, infinity and denormals.
+    template <class T>
+    T take() {
+        T value{};
+        const std::size_t count = size_ < sizeof(T) ? size_ : sizeof(T);
+        if (count > 0) std::memcpy(&value, data_, count);
+        data_ += count;
+        size_ -= count;
+        return value;
+    }
+
+    // A float that is often a small whole number, where ties and exact contacts live, and else any bit pattern.
+    float take_coordinate() {
+        const std::uint8_t kind = take<std::uint8_t>();
+        return kind < 200 ? static_cast<float>(static_cast<int>(kind) - 100) * 0.25f : take<float>();
+    }
+
+private:
+    const std::uint8_t* data_;
+    std::size_t size_;
+};
+
+inline Shape take_raw_shape(Bytes& bytes) {
+    const int count = bytes.take<std::uint8_t>() % 12;
+    Vec2 vertices[12];
+    for (Vec2& v : vertices) v = {bytes.take_coordinate(), bytes.take_coordinate()};
+    return Shape::from_raw({vertices, static_cast<std::size_t>(count)}, bytes.take_coordinate());
+}
+
+inline Pose take_pose(Bytes& bytes) {
+    const std::uint8_t kind = bytes.take<std::uint8_t>();
+    const DVec2 position = kind & 1 ? DVec2{bytes.take<double>(), bytes.take<double>()}
+                                    : DVec2{bytes.take_coordinate(), bytes.take_coordinate()};
+    if (kind & 2) return {position, {bytes.take<float>(), bytes.take<float>()}};
+    return {position, make_rotation_degrees(45.0 * (kind >> 2))};
+}
+
+}  // namespace tumble::fuzz

@@ -1,0 +1,49 @@
+// libFuzzer target over the query interface: any vertices, poses, radii and caches. A query ends, with a decided status;
+// bounds hold the distance; the trace repeats the query; swapping the shapes mirrors it.
+#include <cmath>
+#include <cstdlib>
+
+#include "bytes.hpp"
+
+using namespace tumble;
+
+namespace {
+
+void require(bool holds) {
+    if (!holds) std::abort();
+}
+
+bool is_all_nan(const DistanceResult& result) {
+    return std::isnan(result.distance) && std::isnan(result.lower) && std::isnan(result.upper);
+}
+
+bool same_bits_or_nan(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    fuzz::Bytes bytes(data, size);
+    const Shape a = fuzz::take_raw_shape(bytes), b = fuzz::take_raw_shape(bytes);
+    const Pose pose_a = fuzz::take_pose(bytes), pose_b = fuzz::take_pose(bytes);
+    SimplexCache cache;
+    cache.count = bytes.take<std::uint8_t>();
+    for (VertexPair& pair : cache.pairs) pair = {bytes.take<std::uint16_t>(), bytes.take<std::uint16_t>()};
+
+    const DistanceResult cold = distance(a, pose_a, b, pose_b);
+    if (cold.status == DistanceStatus::invalid) {
+        require(is_all_nan(cold));
+    } else {
+        require(cold.lower <= cold.upper);
+        require(cold.lower <= cold.distance && cold.distance <= cold.upper);
+        require((cold.status == DistanceStatus::separated) == (cold.lower > 0.0));
+        require((cold.status == DistanceStatus::overlapping) == (cold.upper < 0.0));
+    }
+    const DistanceResult swapped = distance(b, pose_b, a, pose_a);
+    require(swapped.status == cold.status);
+    require(same_bits_or_nan(swapped.distance, cold.distance));
+    const DistanceResult warm = distance(a, pose_a, b, pose_b, &cache);
+    require((warm.status == DistanceStatus::invalid) == (cold.status == DistanceStatus::invalid));
+    const DistanceTrace trace = trace_distance(a, pose_a, b, pose_b);
+    require(same_bits_or_nan(trace.result.distance, cold.distance));
+    return 0;
+}
