@@ -17,6 +17,9 @@
 
 namespace tumble {
 
+// Which of two shapes something belongs to.
+enum class Side : std::uint8_t { none, a, b };
+
 // A vertex of the Minkowski difference A - B, by its core vertices: w = a - b in world axes.
 struct VertexPair {
     std::uint16_t a = 0;
@@ -26,10 +29,13 @@ struct VertexPair {
 };
 
 // The simplex that a query ended with, to start the next query between the same shapes. Any content is safe: indices
-// are range-checked and a wrong hint costs iterations only.
+// are range-checked and a wrong hint costs iterations only. The reference edge is for manifolds alone: the edge that the
+// last one was clipped against.
 struct SimplexCache {
     std::array<VertexPair, 3> pairs{};
     std::uint8_t count = 0;
+    Side reference_side = Side::none;
+    std::uint16_t reference_edge = 0;  // by its first vertex
 };
 
 enum class DistanceStatus : std::uint8_t {

@@ -1,0 +1,76 @@
+// Contact points from the closest feature: one where corners meet, else the facing edge clipped against a reference edge.
+#include "tumble/manifold.hpp"
+
+#include "narrow/clip.hpp"
+#include "narrow/reference_edge.hpp"
+
+namespace tumble {
+
+namespace {
+
+// Hysteresis of the reference edge, as a part of the speculative distance: 0.4 mm of 2 cm.
+constexpr double kReferenceTolerance = 0.02;
+
+std::uint32_t feature_of(int vertex_a, int vertex_b) {
+    return static_cast<std::uint32_t>(vertex_a) << 16 | static_cast<std::uint32_t>(vertex_b);
+}
+
+Manifold corner_manifold(const CorePair& pair, const CoreDistance& core, double radius_a, double radius_b) {
+    const VertexPair at = core.pairs[0];
+    const double separation = core.distance - (radius_a + radius_b);
+    const DVec2 middle = pair.a.point(at.a) + (radius_a + 0.5 * separation) * core.normal;
+    Manifold manifold;
+    manifold.normal = to_float(core.normal);
+    manifold.point_count = 1;
+    manifold.points[0] = {to_float(middle), to_float(middle - pair.offset), static_cast<float>(separation),
+                          feature_of(at.a, at.b)};
+    return manifold;
+}
+
+struct Skins {
+    double reference;
+    double incident;
+};
+
+Manifold edge_manifold(const CorePair& pair, ReferenceEdge reference, Skins skins, double speculative_distance,
+                       double tolerance) {
+    const bool is_on_a = reference.side == Side::a;
+    const DVec2 shift = is_on_a ? pair.offset : -pair.offset;
+    const ClippedEdge edge = clip({is_on_a ? pair.a : pair.b, is_on_a ? pair.b : pair.a, shift, reference.edge, tolerance});
+    Manifold manifold;
+    manifold.normal = to_float(is_on_a ? edge.normal : -edge.normal);
+    for (int i = 0; i < edge.count; ++i) {
+        const ClippedPoint& point = edge.points[is_on_a ? i : edge.count - 1 - i];
+        const double separation = point.separation - (skins.reference + skins.incident);
+        if (separation > speculative_distance) continue;
+        const DVec2 middle = point.position - (skins.incident + 0.5 * separation) * edge.normal;
+        const Vec2 from_reference = to_float(middle), from_incident = to_float(middle - shift);
+        manifold.points[manifold.point_count++] = {
+            is_on_a ? from_reference : from_incident, is_on_a ? from_incident : from_reference,
+            static_cast<float>(separation),
+            is_on_a ? feature_of(point.reference_vertex, point.incident_vertex)
+                    : feature_of(point.incident_vertex, point.reference_vertex)};
+    }
+    return manifold;
+}
+
+}  // namespace
+
+Manifold collide(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                 double speculative_distance, SimplexCache& cache) noexcept {
+    const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
+    if (!is_valid(pair, a, b)) return {};
+    const auto ignore = [](const Simplex&, const Closest&, const MinkowskiSupport&) {};
+    const CoreDistance core = measure_cores<VoronoiRegions>(pair, &cache, ignore);
+    const double radius_a = a.radius(), radius_b = b.radius();
+    if (core.distance - (radius_a + radius_b) > speculative_distance) return {};
+    const double tolerance = kReferenceTolerance * speculative_distance;
+    const ReferenceEdge reference = choose_reference_edge(pair, core, cache, tolerance);
+    cache.reference_side = reference.side;
+    cache.reference_edge = static_cast<std::uint16_t>(reference.edge);
+    if (reference.side == Side::none) return corner_manifold(pair, core, radius_a, radius_b);
+    const Skins skins = reference.side == Side::a ? Skins{radius_a, radius_b} : Skins{radius_b, radius_a};
+    return edge_manifold(pair, reference, skins, speculative_distance, tolerance);
+}
+
+}  // namespace tumble
