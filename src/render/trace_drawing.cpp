@@ -22,6 +22,7 @@ constexpr int kStepColumns = 4;
 constexpr double kPlotHeight = 210.0;
 
 std::string number(double value) {
+    value += 0.0;  // no negative zero
     std::array<char, 32> buffer{};
     const auto [end, error] =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 5);
@@ -106,6 +107,14 @@ std::vector<DVec2> difference_view(const std::vector<DVec2>& outline) {
     return view;
 }
 
+void label_vertex(Panel& panel, DVec2 w, const std::vector<DVec2>& core, const std::string& label) {
+    panel.dot(w, 4.0, ink::kSimplex);
+    const DVec2 outwards = w - mean(core);
+    const double norm = std::max(length(outwards), 1e-300);
+    const double reach = label.size() > 2 ? 26.0 : 16.0;
+    panel.label(w, {reach * outwards.x / norm, 5.0 - 14.0 * outwards.y / norm}, label, 13.0, ink::kSimplex);
+}
+
 void draw_difference_panel(Drawing& drawing, PixelRect rect, const Pair& pair, const DistanceTrace& trace) {
     const double radius = double{pair.a.radius()} + double{pair.b.radius()};
     const std::vector<DVec2> core = pair.outline_difference(0.0), grown = pair.outline_difference(radius);
@@ -115,18 +124,16 @@ void draw_difference_panel(Drawing& drawing, PixelRect rect, const Pair& pair, c
     panel.fill(core, ink::kDifferenceFill, 2.0, ink::kDifference);
     draw_origin(panel, drawing);
     panel.label({}, {0.0, 24.0}, "origin", 12.0, ink::kText);
-    if (trace.steps.empty()) return;
-    const DVec2 nearest = trace.steps.back().closest;
+    if (trace.result.status == DistanceStatus::invalid) return;
+    const DVec2 nearest = -(trace.result.distance + radius) * trace.result.normal;
     panel.line({}, nearest, 2.0, ink::kAnswer);
+    if (!trace.steps.empty() && trace.steps[0].count == 1) label_vertex(panel, trace.steps[0].vertices[0], core, "start");
     for (std::size_t k = 0; k < trace.steps.size(); ++k) {
         const DVec2 w = trace.steps[k].support_vertex;
         const bool seen = std::any_of(trace.steps.begin(), trace.steps.begin() + static_cast<std::ptrdiff_t>(k),
                                       [w](const TraceStep& step) { return step.support_vertex == w; });
         if (seen) continue;
-        panel.dot(w, 4.0, ink::kSimplex);
-        const DVec2 outwards = w - mean(core);
-        const double norm = std::max(length(outwards), 1e-300);
-        panel.label(w, {16.0 * outwards.x / norm, 5.0 - 14.0 * outwards.y / norm}, std::to_string(k + 1), 13.0, ink::kSimplex);
+        if (k == 0 || !(w == trace.steps[0].vertices[0])) label_vertex(panel, w, core, std::to_string(k + 1));
     }
     panel.dot(nearest, 4.5, ink::kAnswer);
 }
@@ -143,6 +150,18 @@ void draw_step_panel(Drawing& drawing, PixelRect rect, const std::vector<DVec2>&
     panel.arrow(step.closest, step.direction, 36.0, ink::kAnswer);
     const DVec2 w = panel.to_pixels(step.support_vertex);
     drawing.disc(w, 7.0, kTransparent, 2.0, ink::kText);
+    draw_origin(panel, drawing);
+}
+
+// After the last support of overlapping cores: the simplex that holds the origin.
+void draw_enclosing_panel(Drawing& drawing, PixelRect rect, const std::vector<DVec2>& core, const TraceStep& last) {
+    Panel panel(drawing, rect, difference_view(core));
+    panel.frame("The simplex holds the origin: overlap");
+    panel.fill(core, ink::kDifferenceFill, 1.0, ink::kDifference);
+    std::vector<DVec2> simplex(last.vertices.begin(), last.vertices.begin() + last.count);
+    simplex.push_back(last.support_vertex);
+    panel.fill(simplex, ink::kSimplexFill, 3.0, ink::kSimplex);
+    for (const DVec2 w : simplex) panel.dot(w, 4.0, ink::kSimplex);
     draw_origin(panel, drawing);
 }
 
@@ -198,7 +217,9 @@ Drawing draw_pair(const Shape& a, const Pose& world_from_a, const Shape& b, cons
 Drawing draw_trace(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                    const DistanceTrace& trace) {
     const Pair pair(a, world_from_a, b, world_from_b);
-    const int rows = (static_cast<int>(trace.steps.size()) + kStepColumns - 1) / kStepColumns;
+    const bool encloses = trace.result.certificate.cores_overlap && !trace.steps.empty();
+    const int panels = static_cast<int>(trace.steps.size()) + (encloses ? 1 : 0);
+    const int rows = (panels + kStepColumns - 1) / kStepColumns;
     const double steps_top = 48.0 + kTopHeight + kGap + 28.0;
     const double plot_top = steps_top + rows * (kStepHeight + kGap);
     Drawing drawing;
@@ -216,10 +237,13 @@ Drawing draw_trace(const Shape& a, const Pose& world_from_a, const Shape& b, con
                  13.0, ink::kText);
     const std::vector<DVec2> core = pair.outline_difference(0.0);
     const double step_width = (kWidth - (kStepColumns + 1) * kGap) / kStepColumns;
-    for (std::size_t k = 0; k < trace.steps.size(); ++k) {
-        const int column = static_cast<int>(k) % kStepColumns, row = static_cast<int>(k) / kStepColumns;
+    for (int k = 0; k < panels; ++k) {
+        const int column = k % kStepColumns, row = k / kStepColumns;
         const PixelRect rect{kGap + column * (step_width + kGap), steps_top + row * (kStepHeight + kGap), step_width, kStepHeight};
-        draw_step_panel(drawing, rect, core, trace.steps[k], static_cast<int>(k) + 1);
+        if (k < static_cast<int>(trace.steps.size()))
+            draw_step_panel(drawing, rect, core, trace.steps[static_cast<std::size_t>(k)], k + 1);
+        else
+            draw_enclosing_panel(drawing, rect, core, trace.steps.back());
     }
     draw_bounds_plot(drawing, {kGap, plot_top, kWidth - 2.0 * kGap, kPlotHeight}, trace);
     return drawing;
