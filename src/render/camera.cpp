@@ -8,8 +8,9 @@
 namespace tumble {
 namespace {
 
-constexpr double kMargin = 1.14;        // of the fitted height
-constexpr double kEmptyHeight = 10.0;   // m, of a world in which nothing has a size
+constexpr double kMargin = 1.14;       // of the fitted height
+constexpr double kBelow = 0.3;         // share of the room to spare that is left below, where things fall down
+constexpr double kEmptyHeight = 10.0;  // m, of a world in which nothing has a size
 
 const SceneInstance* find_body(const SceneWorld& world, const std::string& name) {
     if (name.empty()) return nullptr;
@@ -32,14 +33,22 @@ Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ra
     const SceneInstance* const followed = find_body(world, scene.camera.follow);
 
     Camera camera;
-    const DVec2 default_center = box.is_empty() ? DVec2{} : box.center();
-    camera.center = scene.camera.center.value_or(followed ? world.world.state(followed->id).pose.position : default_center);
     if (followed) {
         camera.follows = followed->id;
-        camera.offset = camera.center - world.world.state(followed->id).pose.position;
+        camera.center = world.world.state(followed->id).pose.position;
+    } else if (!box.is_empty()) {
+        camera.center = box.center();
     }
+    if (scene.camera.center) camera.center = *scene.camera.center;
+    if (followed) camera.offset = camera.center - world.world.state(followed->id).pose.position;
+
     const double fitted = box.is_empty() ? 0.0 : kMargin * height_about(camera.center, box, aspect_ratio);
     camera.height = scene.camera.height.value_or(fitted > 0.0 ? fitted : kEmptyHeight);
+    const bool is_centered = !followed && !scene.camera.center && !box.is_empty();
+    if (is_centered && world.world.def().gravity.y < 0.0f) {
+        const double spare = std::max(0.0, camera.height - kMargin * box.size().y);
+        camera.center.y += (0.5 - kBelow) * spare;
+    }
     return camera;
 }
 

@@ -1,7 +1,8 @@
 #include "render/draw_list.hpp"
 
 #include "render/grid.hpp"
-#include "render/marks.hpp"
+#include "render/joint_marks.hpp"
+#include "render/orientation_mark.hpp"
 #include "render/palette.hpp"
 #include "render/shape_primitives.hpp"
 #include "render/style.hpp"
@@ -11,8 +12,8 @@ namespace {
 
 constexpr double kMarkOpacity = 0.75;
 
-// Of the shapes of one body all circles are marked, of the others only the first: one tick is enough to see it turn.
-bool has_mark(const Shape& shape, std::size_t index) { return index == 0 || shape.vertex_count() == 1; }
+// A body of several shapes shows which way it is turned by itself, unless they are circles.
+bool has_mark(const Shape& shape, std::size_t shape_count) { return shape_count == 1 || shape.vertex_count() == 1; }
 
 }  // namespace
 
@@ -37,7 +38,7 @@ void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world
         for (std::size_t k = 0; k < shapes.size(); ++k) {
             const Shape& shape = world.world.shape(shapes[k]);
             add_shape(is_static ? list.ground : list.bodies, view, shape, pose, paints[k], line_width);
-            if (!is_static && has_mark(shape, k))
+            if (!is_static && has_mark(shape, shapes.size()))
                 add_orientation_mark(list.details, view, shape, pose, faded(paints[k].outline, kMarkOpacity));
         }
     }

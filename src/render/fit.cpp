@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <variant>
 #include <vector>
 
 namespace tumble::render {
 namespace {
 
-constexpr double kNear = 0.5;          // how far beside what moves, of its size, the ground is of interest
-constexpr double kFarthestFall = 40.0; // how far below what moves, of its size, a ground is looked for
-constexpr double kGroundShown = 0.06;  // how much of a thick ground is shown below its top, of the size
-constexpr double kRoomForAll = 1.75;   // how much higher a frame may become to show all that never moves
+// Lengths here are shares of the larger side of what moves.
+constexpr double kNear = 0.5;           // things that end this near beside or above it are shown to their ends
+constexpr double kCut = 0.1;            // things that go on are shown this far
+constexpr double kGroundShown = 0.06;   // and a thick ground this far below its top
+constexpr double kFarthestFall = 40.0;  // how far below a ground is looked for
+constexpr double kRoomForAll = 1.75;    // how much higher a frame may become to show all that never moves
 
 Box box_of(const Aabb& bounds) {
     if (!is_finite(bounds.lower) || !is_finite(bounds.upper)) return {};
@@ -62,23 +63,31 @@ std::vector<Box> static_boxes(const World& world) {
     return boxes;
 }
 
-// What moves, grown downwards by what it may fall on and sidewards by what is near; of each thing only that part.
+// What moves, grown downwards by what it may fall on and sidewards by what is near.
 Box with_ground(const Box& moving, std::vector<Box> grounds, bool falls) {
     const double size = larger_side(moving);
-    const double left = moving.lower.x - kNear * size, right = moving.upper.x + kNear * size;
-    const double top = moving.upper.y + kNear * size;
-    const double bottom = moving.lower.y - (falls ? kFarthestFall : kNear) * size;
+    const DVec2 reach{kNear * size, kNear * size};
+    const Box near{moving.lower - DVec2{reach.x, falls ? kFarthestFall * size : reach.y}, moving.upper + reach};
+    // Where a thing's edge is shown: at its end if that is near, else a little beyond what moves.
+    const auto lower_end = [&](double end, double nearest, double edge) {
+        return end >= nearest ? end : std::max(end, edge - kCut * size);
+    };
+    const auto upper_end = [&](double end, double farthest, double edge) {
+        return end <= farthest ? end : std::min(end, edge + kCut * size);
+    };
     std::stable_sort(grounds.begin(), grounds.end(),
                      [](const Box& a, const Box& b) { return a.upper.y > b.upper.y; });
     Box box = moving;
     for (const Box& ground : grounds) {
-        const bool is_near = ground.lower.x <= right && ground.upper.x >= left && ground.lower.y <= top &&
-                             ground.upper.y >= bottom;
+        const bool is_near = ground.lower.x <= near.upper.x && ground.upper.x >= near.lower.x &&
+                             ground.lower.y <= near.upper.y && ground.upper.y >= near.lower.y;
         if (!is_near) continue;
         const bool is_below = ground.upper.y <= moving.lower.y;
-        const double shown_from = is_below ? ground.upper.y - kGroundShown * size : bottom;
-        box.add({{std::max(ground.lower.x, left), std::max(ground.lower.y, shown_from)},
-                 {std::min(ground.upper.x, right), std::min(ground.upper.y, top)}});
+        const double bottom = is_below ? std::max(ground.lower.y, ground.upper.y - kGroundShown * size)
+                                       : lower_end(ground.lower.y, moving.lower.y - reach.y, moving.lower.y);
+        box.add({{lower_end(ground.lower.x, near.lower.x, moving.lower.x), bottom},
+                 {upper_end(ground.upper.x, near.upper.x, moving.upper.x),
+                  upper_end(ground.upper.y, near.upper.y, moving.upper.y)}});
         const bool stops_all = ground.lower.x <= moving.lower.x && ground.upper.x >= moving.upper.x;
         if (is_below && stops_all) break;
     }

@@ -1,0 +1,42 @@
+#include "render/joint_marks.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "render/shape_primitives.hpp"
+#include "render/style.hpp"
+
+namespace tumble::render {
+namespace {
+
+constexpr double kAnchorMetres = 0.12;   // dots shrink with the scene once they would be larger than this
+constexpr double kSmallestAnchor = 0.8;  // pixels; smaller ones are left out
+
+void add_anchor(Layer& layer, const View& view, DVec2 at) {
+    const double radius = std::min(style::kAnchor * view.detail(), kAnchorMetres * view.scale);
+    if (radius < kSmallestAnchor || !view.sees(at, radius)) return;
+    layer.circles.push_back({static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(radius),
+                             {style::kAnchorFill, style::kJoint}});
+}
+
+}  // namespace
+
+void add_joints(Layer& layer, const View& view, const World& world, std::span<const JointId> joints) {
+    for (const JointId id : joints) {
+        if (!world.is_valid(id)) continue;
+        const auto [a, b] = std::visit(
+            [&](const auto& joint) {
+                return std::pair{transform_point(world.state(joint.body_a).pose, joint.anchor_a),
+                                 transform_point(world.state(joint.body_b).pose, joint.anchor_b)};
+            },
+            world.joint(id));
+        const DVec2 from = view.to_pixels(a), to = view.to_pixels(b);
+        if (length(to - from) > 2.0 * style::kAnchor * view.detail())
+            add_line(layer, view, from, to, style::kMark * view.detail(), style::kJoint);
+        add_anchor(layer, view, from);
+        if (length(to - from) > 1.0) add_anchor(layer, view, to);
+    }
+}
+
+}  // namespace tumble::render

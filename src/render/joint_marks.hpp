@@ -1,0 +1,15 @@
+// Joints, drawn discreetly on top of the bodies.
+#pragma once
+
+#include <span>
+
+#include "render/primitives.hpp"
+#include "render/view.hpp"
+#include "tumble/world.hpp"
+
+namespace tumble::render {
+
+// Appends the joints that still exist: a dot at each anchor, a line between the two where they are apart.
+void add_joints(Layer& layer, const View& view, const World& world, std::span<const JointId> joints);
+
+}  // namespace tumble::render
