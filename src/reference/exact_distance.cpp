@@ -84,10 +84,11 @@ int ExactDistance::compare(double x) const { return reference::compare(core_, ex
 
 double ExactDistance::minus(double x) const { return rounded_difference(core_, exact_sum({x, radius_a_, radius_b_})); }
 
-ExactDistance ExactDistance::without_radii() const {
-    ExactDistance core = *this;
-    core.radius_a_ = core.radius_b_ = 0.0;
-    return core;
+ExactDistance ExactDistance::with_radii(double radius_a, double radius_b) const {
+    ExactDistance other = *this;
+    other.radius_a_ = radius_a;
+    other.radius_b_ = radius_b;
+    return other;
 }
 
 }  // namespace tumble::reference

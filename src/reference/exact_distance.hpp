@@ -24,8 +24,8 @@ public:
     double minus(double x) const;
     double value() const { return minus(0.0); }
 
-    // The distance of the cores alone.
-    ExactDistance without_radii() const;
+    // The same cores with other radii (m).
+    ExactDistance with_radii(double radius_a, double radius_b) const;
 
     // True if a single pair of points is closest: separated cores, except edges that are exactly parallel and face
     // each other.

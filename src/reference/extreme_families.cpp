@@ -41,7 +41,14 @@ PairQuery make_huge(Random& random) {
     return grid_pair(random, exponent, exponent);
 }
 
-PairQuery make_huge_offset(Random& random) { return grid_pair(random, random.integer(-20, 100), random.integer(100, 1015)); }
+PairQuery make_huge_offset(Random& random) { return grid_pair(random, random.integer(-20, 100), random.integer(100, 490)); }
+
+// Beyond 2^500 m squares and their products leave the range of double, and queries refuse.
+PairQuery make_out_of_range(Random& random) {
+    PairQuery query = grid_pair(random, random.integer(-20, 100), 0);
+    query.pose_b.position += random.magnitude(502, 1020) * random.direction();
+    return query;
+}
 
 PairQuery make_not_finite(Random& random) {
     PairQuery query = grid_pair(random, -6, -6);
@@ -69,7 +76,9 @@ constexpr std::array kFamilies{
     PairFamily{"denormal", "shapes of denormal floats", seeded<make_denormal>},
     PairFamily{"tiny_offset", "offsets down to the smallest denormal double", seeded<make_tiny_offset>},
     PairFamily{"huge", "shapes up to the largest float", seeded<make_huge>},
-    PairFamily{"huge_offset", "positions whose squares leave the range of double", seeded<make_huge_offset>},
+    PairFamily{"huge_offset", "positions far outside the range of float", seeded<make_huge_offset>},
+    PairFamily{"out_of_range", "offsets whose fourth powers leave the range of double", seeded<make_out_of_range>, 0.1,
+               FamilyKind::invalid},
     PairFamily{"not_finite", "a NaN, an infinity or a shape without vertices", seeded<make_not_finite>, 0.1,
                FamilyKind::invalid},
 };

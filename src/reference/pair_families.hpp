@@ -16,7 +16,7 @@ namespace tumble::reference {
 enum class FamilyKind : std::uint8_t {
     exact,      // the exact distance
     large,      // more than 64 vertices: the answer's certificate, checked exactly
-    invalid,    // not finite: the answer must say so
+    invalid,    // not finite, or beyond what double can square: the answer must say so
 };
 
 struct PairFamily {
