@@ -1,5 +1,7 @@
 #include "narrow/faces.hpp"
 
+#include "narrow/error_bound.hpp"
+
 namespace tumble {
 
 namespace {
@@ -15,6 +17,37 @@ VertexPair make_pair_of(int a, int b) { return {static_cast<std::uint16_t>(a), s
 
 void keep_deeper(FoundFace& best, const FoundFace& other) {
     if (other.exists && (!best.exists || other.face.separation > best.face.separation)) best = other;
+}
+
+double height(const CorePair& pair, DVec2 direction, VertexPair at) {
+    return dot(direction, minkowski_vertex(pair, at).w);
+}
+
+// The next vertex of A - B around its outline, counter-clockwise for step 1: that of the two cores which falls less.
+VertexPair neighbour(const CorePair& pair, DVec2 direction, VertexPair at, int step) {
+    const auto beside = [step](const Core& core, int i) { return step > 0 ? core.next(i) : core.previous(i); };
+    const VertexPair along_a = make_pair_of(beside(pair.a, at.a), at.b), along_b = make_pair_of(at.a, beside(pair.b, at.b));
+    if (along_a == at) return along_b;
+    if (along_b == at) return along_a;
+    return height(pair, direction, along_a) >= height(pair, direction, along_b) ? along_a : along_b;
+}
+
+// Where edges of both cores are parallel, an edge and a support vertex are a part of the face only, and the origin may
+// lie above another part: walks there, as long as the outline stays level within the rounding of heights.
+void move_below_origin(const CorePair& pair, Face& face) {
+    const DVec2 along = perp(face.direction);  // from the first pair to the second
+    const double slack = progress_bound(pair) * length(face.direction);
+    const double level = height(pair, face.direction, face.pairs[0]) - slack;
+    const int step = dot(minkowski_vertex(pair, face.pairs[1]).w, along) < 0.0 ? 1 : -1;
+    const int far = step > 0 ? 1 : 0;
+    for (int steps = pair.a.count + pair.b.count; steps > 0; --steps) {
+        const VertexPair end = face.pairs[far];
+        if (step * dot(minkowski_vertex(pair, end).w, along) >= 0.0) return;
+        const VertexPair next = neighbour(pair, face.direction, end, step);
+        if (next == end || height(pair, face.direction, next) < level) return;
+        face.pairs[1 - far] = end;
+        face.pairs[far] = next;
+    }
 }
 
 }  // namespace
@@ -39,6 +72,7 @@ FoundFace deepest_face(const CorePair& pair) {
     FoundFace best;
     for (int edge = 0; edge < pair.a.count && pair.a.count > 1; ++edge) keep_deeper(best, face_of_a(pair, edge));
     for (int edge = 0; edge < pair.b.count && pair.b.count > 1; ++edge) keep_deeper(best, face_of_b(pair, edge));
+    if (best.exists) move_below_origin(pair, best.face);
     return best;
 }
 
