@@ -1,0 +1,46 @@
+// Queries between bodies of many shapes: the nearest pair of parts, found without asking for most pairs.
+//
+// A compound is a set of shapes at one pose. Pairs are visited in the order of what their bounding boxes allow, and no
+// further than the best answer so far: the boxes' signed distance is a lower bound of the shapes'.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "tumble/distance.hpp"
+#include "tumble/math.hpp"
+#include "tumble/shape.hpp"
+
+namespace tumble {
+
+struct CompoundDistance {
+    // Of the pair of parts with the least computed distance; of equal ones the lowest part_a, then part_b. Inside, it
+    // is the deepest overlap of two parts, not the way out of the whole compound.
+    DistanceResult nearest;
+    std::int32_t part_a = -1;
+    std::int32_t part_b = -1;
+    double lower = 0.0;  // the least exact signed distance of all pairs lies in [lower, upper]
+    double upper = 0.0;
+    DistanceStatus status = DistanceStatus::invalid;  // of [lower, upper]
+    std::int32_t queries = 0;                         // pairs that distance() was asked for
+};
+
+// The signed distance of two compounds. The same bits as the least of distance() over all pairs. `invalid`, with NaN and
+// no parts, if a compound has no shapes or one of its shapes or the pose is invalid. Takes O(n log n + n m) for n and m
+// parts, but with a few operations for most pairs; allocates only for more than 250 parts of both together.
+CompoundDistance compound_distance(std::span<const Shape> a, const Pose& world_from_a, std::span<const Shape> b,
+                                   const Pose& world_from_b);
+
+struct CompoundOverlap {
+    DistanceStatus status = DistanceStatus::invalid;
+    std::int32_t part_a = -1;  // the pair that decided: one that overlaps or, failing that, touches; -1 if separated
+    std::int32_t part_b = -1;
+    std::int32_t queries = 0;
+};
+
+// Whether any two parts overlap: `overlapping` with the first such pair in the order of visit, which is the same for
+// equal input; `touching` if none is proved to, but the sign of one could not be decided.
+CompoundOverlap compound_overlap(std::span<const Shape> a, const Pose& world_from_a, std::span<const Shape> b,
+                                 const Pose& world_from_b);
+
+}  // namespace tumble
