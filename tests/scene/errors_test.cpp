@@ -1,0 +1,165 @@
+// What is rejected, and how the errors read: place, pointer, message, caret, hint.
+#include <doctest/doctest.h>
+
+#include "scene/bad_scenes.hpp"
+#include "scene/example.hpp"
+#include "tumble/scene.hpp"
+
+using namespace tumble;
+
+namespace {
+
+std::vector<Diagnostic> errors_of(const std::string& text) {
+    try {
+        parse_scene(text, "scene.json");
+    } catch (const SceneError& error) {
+        return error.diagnostics;
+    }
+    return {};
+}
+
+// The only error of the text.
+Diagnostic error_of(const std::string& text) {
+    const std::vector<Diagnostic> errors = errors_of(text);
+    REQUIRE_MESSAGE(errors.size() == 1, text << " has " << errors.size() << " errors");
+    return errors[0];
+}
+
+}  // namespace
+
+TEST_CASE("each bad scene is rejected at its place with its reason") {
+    for (const test::BadScene& bad : test::kBadScenes) {
+        CAPTURE(bad.text);
+        const std::vector<Diagnostic> errors = errors_of(bad.text);
+        REQUIRE(!errors.empty());
+        CHECK(errors[0].pointer == bad.pointer);
+        CHECK_MESSAGE(errors[0].message.find(bad.message) != std::string::npos, errors[0].message);
+        CHECK(errors[0].line == 1);
+    }
+}
+
+TEST_CASE("an error reads as file, line, column, pointer, message, source line, caret and hint") {
+    const Diagnostic error = error_of("{\n  \"format\": 1,\n  \"world\": {\"substep\": 8}\n}");
+    CHECK(to_string(error) ==
+          "scene.json:3:13: /world/substep: unknown key \"substep\"\n"
+          "    \"world\": {\"substep\": 8}\n"
+          "              ^\n"
+          "  hint: did you mean 'substeps'?");
+}
+
+TEST_CASE("the column counts bytes and the caret counts characters") {
+    const Diagnostic error = error_of("{\"format\": 1, \"custom\": \"\xC3\xA9\xC3\xA9\", \"world\": 1}");
+    CHECK(error.column == 42);  // after 14 + 10 + 6 + 2 + 9 bytes
+    const std::string text = to_string(error);
+    const std::size_t caret = text.rfind('^') - text.rfind('\n');
+    CHECK(caret == 42);  // after a margin of two and two characters fewer than bytes
+}
+
+TEST_CASE("syntax errors tell the place, and a hint where one is due") {
+    struct Case {
+        std::string text;
+        int line, column;
+        std::string message, hint;
+    };
+    for (const Case& c : {
+             Case{"", 0, 0, "the file is empty", "least scene"},
+             Case{" \n", 1, 1, "the file is empty", "least scene"},
+             Case{"{\n  \"format\": 1,\n  \"bodies\": [", 3, 14, "unexpected end of input", ""},
+             Case{"{\"format\": 1,}", 1, 14, "unexpected '}'", "comma"},
+             Case{"{\"format\": NaN}", 1, 12, "invalid literal", "NaN"},
+             Case{"{\"format\": 1, \"world\": {\"gravity\": [0, -Infinity]}}", 1, 41, "invalid number", "Infinity"},
+             Case{"{'format': 1}", 1, 2, "invalid literal", "double quotes"},
+             Case{"{\"format\": 1e999}", 1, 12, "too large for a double, got 1e999", ""},
+             Case{"{\"format\": 1} x", 1, 15, "invalid literal", ""},
+             Case{"{\"format\": \"\xFF\"}", 1, 13, "ill-formed UTF-8", ""},
+             Case{"{\"format\" 1}", 1, 11, "expected ':'", ""},
+         }) {
+        CAPTURE(c.text);
+        const Diagnostic error = error_of(c.text);
+        CHECK(error.line == c.line);
+        CHECK(error.column == c.column);
+        CHECK_MESSAGE(error.message.find(c.message) != std::string::npos, error.message);
+        CHECK_MESSAGE(error.hint.find(c.hint) != std::string::npos, error.hint);
+    }
+}
+
+TEST_CASE("a byte-order mark and both kinds of comment are allowed, and no column counts the mark") {
+    CHECK(errors_of("\xEF\xBB\xBF{\"format\": 1} // end").empty());
+    CHECK(errors_of("/* a\n \"b\": { */ {\"format\": 1 // 2\n}").empty());
+    const Diagnostic error = error_of("\xEF\xBB\xBF{\"format\": 2}");
+    CHECK(error.column == 12);
+    CHECK(error.source_line == "{\"format\": 2}");
+}
+
+TEST_CASE("comments and strings full of brackets do not mislead the place of an error") {
+    const Diagnostic error = error_of(
+        "{\"format\": 1, // \"world\": {\n"
+        " \"custom\": {\"a\": \"}]\\\"{\", \"world\": [1, {}]}, /* } */\n"
+        " \"\\u0077orld\": {\"seed\": -1}}");
+    CHECK(error.pointer == "/world/seed");
+    CHECK(error.line == 3);
+    CHECK(error.column == 25);
+}
+
+TEST_CASE("all errors are reported in the order of the text, and at most 20") {
+    const std::vector<Diagnostic> three =
+        errors_of("{\"format\": 1,\n\"bodies\": [{\"angle\": \"x\"}],\n\"world\": {\"seed\": -1,\n\"gravity\": 0}}");
+    REQUIRE(three.size() == 3);
+    CHECK(three[0].line == 2);
+    CHECK(three[1].line == 3);
+    CHECK(three[2].line == 4);
+
+    std::string many = "{\"format\": 1, \"bodies\": [{}";
+    for (int i = 0; i < 100; ++i) many += ", {\"angle\": null}";
+    const std::vector<Diagnostic> twenty = errors_of(many + "]}");
+    CHECK(twenty.size() == 20);
+    CHECK(twenty.back().hint.find("more errors") != std::string::npos);
+}
+
+TEST_CASE("deep nesting is an error, not a crash") {
+    for (const std::string& open : {std::string(10000, '['), [] {
+                                        std::string objects;
+                                        for (int i = 0; i < 10000; ++i) objects += "{\"a\":";
+                                        return objects;
+                                    }()}) {
+        const Diagnostic error = error_of("{\"format\": 1, \"custom\": " + open);
+        CHECK(error.message == "nested deeper than 64 levels");
+    }
+}
+
+TEST_CASE("a file that is too long or has too many keys is an error") {
+    std::string keys = "{\"format\": 1, \"custom\": {\"k\": 0";
+    for (int i = 0; i < 5000; ++i) keys += ", \"k" + std::to_string(i) + "\": 0";
+    CHECK(error_of(keys + "}}").message == "an object with more than 4096 keys");
+    CHECK(error_of("{\"format\": 1}" + std::string(65u << 20, ' ')).message == "longer than 64 MiB");
+}
+
+TEST_CASE("a long line is shown around the caret only") {
+    const Diagnostic error = error_of("{\"format\": 1, \"custom\": \"" + std::string(1000, 'x') + "\", \"nam\": \"\"}");
+    CHECK(to_string(error).size() < 400);
+    CHECK(to_string(error).find("\"nam\"") != std::string::npos);
+}
+
+TEST_CASE("hints suggest what was meant") {
+    CHECK(error_of(test::with_shape(R"({"cirle": {"radius": 1}})")).hint == "did you mean 'circle'?");
+    CHECK(error_of(R"({"format": 1, "materials": {"ice": {"restituton": 1}}})").hint == "did you mean 'restitution'?");
+    CHECK(error_of(R"({"format": 1, "bodies": [{"type": "dynmaic"}]})").hint == "did you mean 'dynamic'?");
+    CHECK(error_of(test::with_joint(R"("type": "revolute", "bodies": ["a", "B"], "anchor": [0, 0])")).hint == "did you mean 'a'?");
+    CHECK(error_of(R"({"format": 1, "bodies": [{"name": "crate", "repeat": {"ring": {"count": 3}}}], "camera": {"follow": "crate"}})")
+              .hint == "the copies are called crate[0] to crate[2]");
+}
+
+TEST_CASE("an unreadable file is a FileError with path and reason") {
+    CHECK_THROWS_WITH_AS(load_scene("no/such/scene.json"), "no/such/scene.json: No such file or directory", FileError);
+    CHECK_THROWS_AS(load_scene("/"), FileError);
+}
+
+TEST_CASE("hulls that drop vertices are warnings") {
+    std::vector<Diagnostic> warnings;
+    parse_scene(test::with_shape(R"({"polygon": {"vertices": [[0, 0], [2, 0], [2, 2], [1, 0.5], [0, 2], [1, 0]]}})"),
+                "scene.json", &warnings);
+    REQUIRE(warnings.size() == 2);
+    CHECK(warnings[0].message == "1 of the vertices lie inside the hull and are left out");
+    CHECK(to_string(warnings[1]).find(": warning: 1 of the vertices are duplicate or on an edge") != std::string::npos);
+    CHECK(warnings[0].pointer == "/bodies/0/shapes/0/polygon/vertices");
+}
