@@ -1,0 +1,56 @@
+#include "narrow/cast_result.hpp"
+
+#include <limits>
+
+#include "narrow/error_bound.hpp"
+
+namespace tumble {
+
+namespace {
+
+// The point of A's core at the feature: on the edge between its two vertices, or the vertex.
+DVec2 core_point(const Core& a, const CastFeature& feature) {
+    const DVec2 from = a.point(feature.from.a);
+    return feature.from.a == feature.to.a ? from : from + feature.along * a.edge(feature.from.a, feature.to.a);
+}
+
+}  // namespace
+
+CastResult invalid_cast() {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {CastStatus::invalid, nan, nan, nan, {nan, nan}, {nan, nan}, 0, false};
+}
+
+bool is_valid_motion(DVec2 translation) {
+    return std::abs(translation.x) <= kLargestScale && std::abs(translation.y) <= kLargestScale;
+}
+
+CastPath make_path(const CorePair& pair, DVec2 translation, double reach) {
+    const double distance_to_go = length(translation);
+    const double error = 16.0 * kUnitRoundoff * (pair.scale + reach);
+    return {translation, distance_to_go >= kSmallestScale ? distance_to_go : 0.0, reach, error};
+}
+
+CastResult cast_result(const ClippedPath& clipped, const CastPath& path, const Core& a, double radius_a,
+                       DVec2 position_a) {
+    const double gap = clipped.start_distance - path.reach;
+    if (gap < -path.error) return overlapped(clipped.faces);
+    const bool is_at_target = gap <= path.error;
+    if (is_at_target ? !clipped.approaches : !(clipped.first.lower <= 1.0)) return missed(clipped.faces);
+    const CastFeature& feature = is_at_target ? clipped.start : clipped.first.feature;
+    CastResult result;
+    result.status = CastStatus::hit;
+    if (is_at_target) {
+        result.upper = 2.0 * path.error / clipped.start_rate;
+    } else {
+        result.fraction = std::fmin(clipped.first.fraction, 1.0);
+        result.lower = clipped.first.lower;
+        result.upper = clipped.first.upper;
+    }
+    result.normal = feature.normal;
+    result.point = position_a + (core_point(a, feature) + radius_a * feature.normal);
+    result.iterations = clipped.faces;
+    return result;
+}
+
+}  // namespace tumble
