@@ -17,13 +17,12 @@ CoreDistance touching_points(const CorePair& pair, const GjkResult& gjk) {
 }
 
 CoreDistance face_distance(const CorePair& pair, const Face& face) {
-    const double inverse_length = 1.0 / length(face.direction);
     CoreDistance result;
     result.distance = face.separation;
     result.lower = face.separation - error_bound(pair);
     result.upper = face.separation + error_bound(pair);
     result.direction = face.direction;
-    result.normal = inverse_length * face.direction;
+    result.normal = quotient(face.direction, length(face.direction));
     result.pairs[0] = face.pairs[0];
     result.pairs[1] = face.pairs[1];
     result.pair_count = 2;

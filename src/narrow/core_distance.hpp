@@ -24,16 +24,19 @@ struct CoreDistance {
     bool reached_cap = false;
 };
 
+// By division, so that a direction along an axis gives a normal of exactly 1.
+inline DVec2 quotient(DVec2 v, double divisor) { return {v.x / divisor, v.y / divisor}; }
+
 // GJK's answer, for cores that do not share a point.
 inline CoreDistance separated_cores(const CorePair& pair, const GjkResult& gjk) {
     const Closest& closest = gjk.closest;
-    const double inverse_length = 1.0 / length(closest.direction);
+    const double length_of_direction = length(closest.direction);
     CoreDistance result;
-    result.distance = closest.toward * inverse_length;
-    result.lower = std::min(result.distance, -gjk.height * inverse_length) - error_bound(pair);
+    result.distance = gjk.simplex.count == 1 ? length_of_direction : closest.toward / length_of_direction;
+    result.lower = std::min(result.distance, -gjk.height / length_of_direction) - error_bound(pair);
     result.upper = result.distance + error_bound(pair);
     result.direction = closest.direction;
-    result.normal = inverse_length * closest.direction;
+    result.normal = quotient(closest.direction, length_of_direction);
     result.pairs[0] = gjk.simplex.vertices[0].pair;
     result.pairs[1] = gjk.simplex.vertices[1].pair;
     result.pair_count = gjk.simplex.count;

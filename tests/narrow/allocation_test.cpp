@@ -1,0 +1,43 @@
+// The narrow phase does not allocate: every `new` of this program is counted.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "support/random_pairs.hpp"
+#include "tumble/manifold.hpp"
+
+namespace {
+
+long allocations = 0;
+
+void* counted(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+TEST_CASE("distance and collide do not allocate") {
+    using namespace tumble_test;
+    PairSource source(81);
+    double sum = 0.0;
+    for (int sample = 0; sample < 2000; ++sample) {
+        const Pair pair = sample % 2 ? source.near_pair() : source.pair();
+        tumble::SimplexCache cache;
+        const long before = allocations;
+        sum += measure(pair, &cache).distance;
+        sum += tumble::collide(pair.a, pair.pose_a, pair.b, pair.pose_b, 0.02, cache).point_count;
+        CHECK(allocations == before);
+    }
+    CHECK(allocations > 0);  // the shapes themselves: the counter counts
+    CHECK(sum != 0.0);
+}
