@@ -78,7 +78,8 @@ Palette::Palette(const Scene& scene) {
 }
 
 void Palette::paint_body(std::size_t source_index, std::size_t ordinal, std::span<Paint> shapes) const {
-    const Source& source = sources_[source_index];
+    const Source spawned{0, 0, style::kBodies[source_index % style::kBodies.size()], true};
+    const Source& source = source_index < sources_.size() ? sources_[source_index] : spawned;
     const std::span entries = std::span(shapes_).subspan(source.first_shape, source.shape_count);
     std::size_t others = shapes.size();
     for (const SceneShapeFill& entry : entries)

@@ -1,0 +1,95 @@
+// The encoder threads: all frames arrive, buffers go round, the first error stops the run.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "render/png.hpp"
+#include "render/temporary_folder.hpp"
+#include "tumble/render.hpp"
+
+using namespace tumble;
+
+namespace {
+
+void fill(Image& image, int size, int value) {
+    image.width = image.height = size;
+    image.rgba.assign(static_cast<std::size_t>(4 * size * size), static_cast<std::uint8_t>(value));
+}
+
+}  // namespace
+
+TEST_CASE("every frame submitted is written, whatever the number of threads") {
+    for (const int threads : {1, 3}) {
+        const TemporaryFolder folder;
+        FrameWriter writer(threads);
+        for (int i = 0; i < 40; ++i) {
+            Image image = writer.take_image();
+            fill(image, 32, i);
+            writer.submit(std::move(image), folder.path / (std::to_string(i) + ".png"));
+        }
+        const FrameWriter::Written written = writer.finish();
+        CHECK(written.files == 40);
+        std::uint64_t bytes = 0;
+        for (int i = 0; i < 40; ++i) {
+            const std::filesystem::path file = folder.path / (std::to_string(i) + ".png");
+            REQUIRE(std::filesystem::exists(file));
+            bytes += std::filesystem::file_size(file);
+            Image image;
+            fill(image, 32, i);
+            CHECK(std::filesystem::file_size(file) == render::encode_png(image).bytes().size());
+        }
+        CHECK(written.bytes == bytes);
+        CHECK(written.encode_seconds > 0.0);
+    }
+}
+
+TEST_CASE("image buffers are used again") {
+    const TemporaryFolder folder;
+    FrameWriter writer(2);
+    std::set<const std::uint8_t*> buffers;
+    for (int i = 0; i < 60; ++i) {
+        Image image = writer.take_image();
+        fill(image, 64, i);
+        buffers.insert(image.rgba.data());
+        writer.submit(std::move(image), folder.path / "x.png");
+    }
+    writer.finish();
+    // Two being encoded, three queued, one in hand; a spare one may lie between being queued and being taken.
+    CHECK(buffers.size() <= 8);
+}
+
+TEST_CASE("the first failure is reported, by submit or finish, and again") {
+    const TemporaryFolder folder;
+    FrameWriter writer(1);
+    Image image;
+    fill(image, 16, 0);
+    writer.submit(image, folder.path / "good.png");
+    writer.submit(image, folder.path / "missing" / "bad.png");
+    const auto submit_many = [&] {
+        for (int i = 0; i < 100; ++i) writer.submit(image, folder.path / "late.png");
+        writer.finish();
+    };
+    CHECK_THROWS_AS(submit_many(), FileError);
+    CHECK_THROWS_AS(writer.finish(), FileError);
+    CHECK_THROWS_AS(writer.submit(image, folder.path / "later.png"), FileError);
+    CHECK(std::filesystem::exists(folder.path / "good.png"));
+    CHECK_FALSE(std::filesystem::exists(folder.path / "later.png"));
+}
+
+TEST_CASE("a writer without threads is refused") {
+    CHECK_THROWS_AS(FrameWriter(0), std::invalid_argument);
+    CHECK_THROWS_AS(FrameWriter(-3), std::invalid_argument);
+}
+
+TEST_CASE("a writer that is not finished writes what was submitted before it goes") {
+    const TemporaryFolder folder;
+    {
+        FrameWriter writer(2);
+        Image image;
+        fill(image, 16, 9);
+        for (int i = 0; i < 5; ++i) writer.submit(image, folder.path / (std::to_string(i) + ".png"));
+    }
+    for (int i = 0; i < 5; ++i) CHECK(std::filesystem::exists(folder.path / (std::to_string(i) + ".png")));
+}

@@ -1,0 +1,66 @@
+// Draws single primitives, white on black, and measures what came out.
+#pragma once
+
+#include <cstdint>
+
+#include "render/canvas.hpp"
+#include "render/shape_primitives.hpp"
+
+namespace tumble::render {
+
+inline constexpr Color kWhite{255, 255, 255};
+inline constexpr Color kBlack{0, 0, 0};
+
+class PixelCanvas {
+public:
+    PixelCanvas(int width, int height)
+        : width_(width),
+          height_(height),
+          atlas_(find_font(font_candidates())),
+          canvas_(make_osmesa_context(), width, height) {}
+
+    // A view of the frame with that many pixels a metre, the origin in the middle.
+    View view(double scale) const { return {{}, scale, width_, height_}; }
+
+    Image draw(const DrawList& list) {
+        Image image;
+        canvas_.draw(list, atlas_, 2.0, image);
+        return image;
+    }
+
+    Image draw(const Layer& layer) {
+        DrawList list;
+        list.background = kBlack;
+        list.bodies = layer;
+        return draw(list);
+    }
+
+    Image draw_shape(const Shape& shape, const Pose& pose, double scale) {
+        Layer layer;
+        add_shape(layer, view(scale), shape, pose, flat(kWhite), 3.0);
+        return draw(layer);
+    }
+
+    GlyphAtlas& atlas() { return atlas_; }
+
+private:
+    int width_;
+    int height_;
+    GlyphAtlas atlas_;
+    Canvas canvas_;
+};
+
+inline Color pixel(const Image& image, int column, int row) {
+    const std::size_t at = 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                                static_cast<std::size_t>(column));
+    return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2], image.rgba[at + 3]};
+}
+
+// The area covered, in pixels: white counts 1, black 0.
+inline double coverage(const Image& image) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) sum += image.rgba[i] / 255.0;
+    return sum;
+}
+
+}  // namespace tumble::render

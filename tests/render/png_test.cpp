@@ -1,0 +1,137 @@
+// PNG files: what was drawn comes back, byte for byte the same each time, and a failure leaves nothing behind.
+#include "render/png.hpp"
+
+#include <doctest/doctest.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#include <stb_image.h>
+
+#include "render/temporary_folder.hpp"
+#include "tumble/scene.hpp"
+
+using namespace tumble;
+
+namespace {
+
+Image test_image(int width, int height) {
+    Image image{width, height, {}};
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column)
+            for (const int value : {column * 7, row * 5, column ^ row, 255})
+                image.rgba.push_back(static_cast<std::uint8_t>(value));
+    return image;
+}
+
+std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::size_t file_count(const std::filesystem::path& folder) {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
+}
+
+std::string message_of_failed_write(const Image& image, const std::filesystem::path& file) {
+    try {
+        write_png(image, file);
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("a PNG file decodes to the image") {
+    const TemporaryFolder folder;
+    for (const auto& [width, height] : {std::pair{1, 1}, std::pair{33, 7}, std::pair{320, 180}}) {
+        const Image image = test_image(width, height);
+        write_png(image, folder.path / "frame.png");
+        int read_width = 0, read_height = 0, channels = 0;
+        const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+            stbi_load((folder.path / "frame.png").c_str(), &read_width, &read_height, &channels, 4), &stbi_image_free);
+        REQUIRE(pixels);
+        CHECK(read_width == width);
+        CHECK(read_height == height);
+        CHECK(channels == 3);
+        CHECK(std::equal(image.rgba.begin(), image.rgba.end(), pixels.get()));
+    }
+    CHECK(file_count(folder.path) == 1);  // the last replaced those before, and no temporary file is left
+}
+
+TEST_CASE("the same image gives the same bytes") {
+    const TemporaryFolder folder;
+    const Image image = test_image(200, 100);
+    write_png(image, folder.path / "a.png");
+    write_png(test_image(10, 10), folder.path / "between.png");
+    write_png(image, folder.path / "b.png");
+    CHECK(read_bytes(folder.path / "a.png") == read_bytes(folder.path / "b.png"));
+    CHECK(read_bytes(folder.path / "a.png").size() == render::write_png_file(image, folder.path / "c.png"));
+}
+
+TEST_CASE("an image whose buffer does not fit its size is refused") {
+    const TemporaryFolder folder;
+    Image image = test_image(8, 8);
+    image.rgba.pop_back();
+    CHECK_THROWS_WITH_AS(write_png(image, folder.path / "x.png"), "not an image: 8x8 with 255 bytes",
+                         std::invalid_argument);
+    CHECK_THROWS_AS(write_png(Image{}, folder.path / "x.png"), std::invalid_argument);
+    CHECK(file_count(folder.path) == 0);
+}
+
+TEST_CASE("a folder that does not exist is named") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "missing" / "x.png";
+    const std::string message = message_of_failed_write(test_image(8, 8), file);
+    CHECK(message.find(file.string()) != std::string::npos);
+    CHECK(message.find("No such file or directory") != std::string::npos);
+}
+
+TEST_CASE("a file that may not grow gives an error, keeps the old file and leaves no temporary one") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "x.png";
+    write_png(test_image(8, 8), file);
+    const std::vector<std::uint8_t> before = read_bytes(file);
+
+    rlimit old_limit{};
+    REQUIRE(getrlimit(RLIMIT_FSIZE, &old_limit) == 0);
+    rlimit limit = old_limit;
+    limit.rlim_cur = 1000;  // less than the image below takes
+    auto* const old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    REQUIRE(setrlimit(RLIMIT_FSIZE, &limit) == 0);
+    const std::string message = message_of_failed_write(test_image(300, 300), file);
+    REQUIRE(setrlimit(RLIMIT_FSIZE, &old_limit) == 0);
+    std::signal(SIGXFSZ, old_handler);
+
+    CHECK(message.find(file.string()) != std::string::npos);
+    CHECK(message.find("File too large") != std::string::npos);
+    CHECK(read_bytes(file) == before);
+    CHECK(file_count(folder.path) == 1);
+}
+
+TEST_CASE("a full disk gives an error that says so") {
+    const TemporaryFolder folder;
+    const std::filesystem::path disk = folder.path / "disk";
+    std::filesystem::create_directory(disk);
+    if (mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=16k") != 0) {
+        MESSAGE("skipped: mounting a small file system is not permitted here");
+        return;
+    }
+    const std::string message = message_of_failed_write(test_image(300, 300), disk / "x.png");
+    const std::size_t left = file_count(disk);
+    umount(disk.c_str());
+    CHECK(message.find("No space left on device") != std::string::npos);
+    CHECK(left == 0);
+}
