@@ -1,6 +1,6 @@
 #include "html.hpp"
 
-namespace tumble {
+namespace tumble::tools {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::string HtmlPage::str() const {
            std::string(kStyle) + "</style>\n</head>\n<body>\n" + body_ + "</body>\n</html>\n";
 }
 
-}  // namespace tumble
+}  // namespace tumble::tools

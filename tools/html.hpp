@@ -9,7 +9,7 @@
 
 #include "tumble/drawing.hpp"
 
-namespace tumble {
+namespace tumble::tools {
 
 struct HtmlCell {
     std::string text;
@@ -38,4 +38,4 @@ private:
     std::string body_;
 };
 
-}  // namespace tumble
+}  // namespace tumble::tools

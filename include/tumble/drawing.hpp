@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -75,9 +76,10 @@ std::string escape_markup(std::string_view text);
 // A standalone SVG document; its numbers are rounded to 1/100 px. The same drawing gives the same bytes.
 std::string to_svg(const Drawing& drawing);
 
-// The two shapes at their poses with the witness points of the result, fitted into a panel of the given size.
+// The two shapes at their poses with the witness points of the result, beside a view of the contact; the rings mark
+// other points of the world, such as another engine's witness points.
 Drawing draw_pair(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
-                  const DistanceResult& result, int width, int height);
+                  const DistanceResult& result, std::span<const DVec2> rings = {});
 
 // How GJK came to its answer: the pair, its Minkowski difference with the origin, one panel an iteration with the
 // simplex, the nearest point, the search direction and the support vertex found, and the bounds closing in.

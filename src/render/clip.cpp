@@ -36,9 +36,9 @@ std::vector<DVec2> cut(const std::vector<DVec2>& polygon, const HalfPlane& side)
 
 }  // namespace
 
-bool clip_segment(const View& view, double width, DVec2& from, DVec2& to) {
+bool clip_segment(const View& view, double margin, DVec2& from, DVec2& to) {
     double enter = 0.0, leave = 1.0;
-    for (const HalfPlane& side : grown_frame(view, kClipMargin + width).sides) {
+    for (const HalfPlane& side : grown_frame(view, margin).sides) {
         const double out_from = side.outside(from), out_to = side.outside(to);
         if (out_from > 0.0 && out_to > 0.0) return false;
         if (out_from > 0.0) enter = std::max(enter, out_from / (out_from - out_to));
@@ -51,8 +51,8 @@ bool clip_segment(const View& view, double width, DVec2& from, DVec2& to) {
     return true;
 }
 
-std::vector<DVec2> clip_polygon(const View& view, std::vector<DVec2> polygon) {
-    for (const HalfPlane& side : grown_frame(view, kClipMargin).sides) polygon = cut(polygon, side);
+std::vector<DVec2> clip_polygon(const View& view, double margin, std::vector<DVec2> polygon) {
+    for (const HalfPlane& side : grown_frame(view, margin).sides) polygon = cut(polygon, side);
     return polygon;
 }
 

@@ -99,7 +99,7 @@ std::vector<DVec2> pixel_outline(const View& view, const Shape& shape, const Pos
 
 void add_outline_mesh(std::vector<MeshVertex>& mesh, const View& view, const Shape& shape, const Pose& pose,
                       Paint paint) {
-    const std::vector<DVec2> outline = clip_polygon(view, pixel_outline(view, shape, pose));
+    const std::vector<DVec2> outline = clip_polygon(view, kClipMargin, pixel_outline(view, shape, pose));
     if (outline.size() < 3) return;
     const std::vector<DVec2> mitre = mitres(outline);
     const double inner = std::min(style::kOutline * view.detail() + kOuterDepth, depth_of_middle(outline));

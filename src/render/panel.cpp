@@ -2,25 +2,27 @@
 
 #include <algorithm>
 
-namespace tumble {
+#include "render/clip.hpp"
 
-Panel::Panel(Drawing& drawing, PixelRect rect, std::span<const DVec2> points) : drawing_(drawing), rect_(rect) {
+namespace tumble::render {
+
+Panel::Panel(Drawing& drawing, PixelRect rect, std::span<const DVec2> points)
+    : drawing_(drawing), rect_(rect), middle_{rect.left + 0.5 * rect.width, rect.top + 0.5 * rect.height} {
     constexpr double kMargin = 0.12;  // of the panel, on each side
     DVec2 lower = points.front(), upper = points.front();
     for (const DVec2 p : points) {
         lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
         upper = {std::max(upper.x, p.x), std::max(upper.y, p.y)};
     }
-    center_ = lower + 0.5 * (upper - lower);
-    const double inner_width = (1.0 - 2.0 * kMargin) * rect.width, inner_height = (1.0 - 2.0 * kMargin) * rect.height;
-    const double across = upper.x - lower.x, up = upper.y - lower.y;
-    scale_ = std::min(across > 0.0 ? inner_width / across : 1e300, up > 0.0 ? inner_height / up : 1e300);
-    if (scale_ == 1e300) scale_ = 1.0;
+    const DVec2 size = upper - lower;
+    const double inner = 1.0 - 2.0 * kMargin;
+    const double per_pixel = std::max(size.x / (inner * rect.width), size.y / (inner * rect.height));
+    view_ = {lower + 0.5 * size, per_pixel > 0.0 ? 1.0 / per_pixel : 1.0, static_cast<int>(rect.width), static_cast<int>(rect.height)};
 }
 
 DVec2 Panel::to_pixels(DVec2 point) const {
-    return {rect_.left + 0.5 * rect_.width + scale_ * (point.x - center_.x),
-            rect_.top + 0.5 * rect_.height - scale_ * (point.y - center_.y)};
+    const DVec2 up = view_.to_pixels(point);
+    return middle_ + DVec2{up.x, -up.y};
 }
 
 void Panel::frame(const std::string& title) {
@@ -31,17 +33,28 @@ void Panel::frame(const std::string& title) {
 }
 
 void Panel::fill(std::span<const DVec2> outline, Color fill, double outline_width, Color color) {
+    if (outline.size() == 1) dot(outline[0], 2.0, color);
+    if (outline.size() == 2) line(outline[0], outline[1], outline_width, color);
+    if (outline.size() < 3) return;
     std::vector<DVec2> pixels;
-    for (const DVec2 p : outline) pixels.push_back(to_pixels(p));
-    if (pixels.size() == 1) drawing_.disc(pixels[0], 2.0, color);
-    if (pixels.size() == 2) drawing_.line(pixels[0], pixels[1], outline_width, color);
+    for (const DVec2 p : outline) pixels.push_back(view_.to_pixels(p));
+    pixels = clip_polygon(view_, 0.0, std::move(pixels));
+    for (DVec2& p : pixels) p = middle_ + DVec2{p.x, -p.y};
     if (pixels.size() >= 3) drawing_.polygon(std::move(pixels), fill, outline_width, color);
 }
 
-void Panel::dot(DVec2 at, double radius_px, Color color) { drawing_.disc(to_pixels(at), radius_px, color); }
+void Panel::dot(DVec2 at, double radius_px, Color color) {
+    if (view_.sees(view_.to_pixels(at), 0.0)) drawing_.disc(to_pixels(at), radius_px, color);
+}
+
+void Panel::ring(DVec2 at, double radius_px, Color color) {
+    if (view_.sees(view_.to_pixels(at), 0.0)) drawing_.disc(to_pixels(at), radius_px, kTransparent, 1.5, color);
+}
 
 void Panel::line(DVec2 from, DVec2 to, double width_px, Color color) {
-    drawing_.line(to_pixels(from), to_pixels(to), width_px, color);
+    DVec2 start = view_.to_pixels(from), end = view_.to_pixels(to);
+    if (!clip_segment(view_, 0.0, start, end)) return;
+    drawing_.line(middle_ + DVec2{start.x, -start.y}, middle_ + DVec2{end.x, -end.y}, width_px, color);
 }
 
 void Panel::dashed(DVec2 from, DVec2 to, double width_px, Color color) {
@@ -56,6 +69,7 @@ void Panel::arrow(DVec2 from, DVec2 direction, double length_px, Color color) {
 }
 
 void Panel::label(DVec2 at, DVec2 offset_px, const std::string& text, double size, Color color) {
+    if (!view_.sees(view_.to_pixels(at), 0.0)) return;
     drawing_.text(to_pixels(at) + offset_px, text, size, color, TextAnchor::middle);
 }
 
@@ -68,4 +82,4 @@ DVec2 world_support(const Shape& shape, const Pose& world_from_shape, DVec2 dire
     return best;
 }
 
-}  // namespace tumble
+}  // namespace tumble::render

@@ -1,13 +1,15 @@
-// A rectangle of a drawing that shows part of a plane: maps its coordinates (y up) to pixels (y down).
+// A rectangle of a drawing that shows part of a plane: maps its coordinates (y up) to pixels (y down), and cuts what is
+// outside of it.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
+#include "render/view.hpp"
 #include "tumble/drawing.hpp"
 
-namespace tumble {
+namespace tumble::render {
 
 struct PixelRect {
     double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
@@ -19,11 +21,12 @@ public:
     Panel(Drawing& drawing, PixelRect rect, std::span<const DVec2> points);
 
     DVec2 to_pixels(DVec2 point) const;
-    double to_pixels(double length) const { return scale_ * length; }
 
     void frame(const std::string& title);
+    // The outline is convex; what lies outside of the rectangle is cut off, of lines too.
     void fill(std::span<const DVec2> outline, Color fill, double outline_width, Color color);
     void dot(DVec2 at, double radius_px, Color color);
+    void ring(DVec2 at, double radius_px, Color color);
     void line(DVec2 from, DVec2 to, double width_px, Color color);
     void dashed(DVec2 from, DVec2 to, double width_px, Color color);
     void arrow(DVec2 from, DVec2 direction, double length_px, Color color);  // direction of any length
@@ -32,8 +35,8 @@ public:
 private:
     Drawing& drawing_;
     PixelRect rect_;
-    DVec2 center_;       // plane coordinates shown in the middle
-    double scale_ = 1.0;  // px per unit
+    View view_;
+    DVec2 middle_;  // of the rectangle, where the view's pixels count from
 };
 
 // The outline of a convex set as its support points over a full turn of directions, each pushed out by `radius` along
@@ -69,4 +72,4 @@ inline constexpr Color kSimplexFill{0, 137, 123, 64};
 inline constexpr Color kAnswer{198, 40, 40};
 }  // namespace ink
 
-}  // namespace tumble
+}  // namespace tumble::render

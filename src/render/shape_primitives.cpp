@@ -120,7 +120,7 @@ TightBox tight_box(const Shape& shape) {
 }
 
 void add_line(Layer& layer, const View& view, DVec2 from, DVec2 to, double width, Color color) {
-    if (!clip_segment(view, width, from, to)) return;
+    if (!clip_segment(view, kClipMargin + width, from, to)) return;
     const DVec2 along = to - from;
     const double size = length(along);
     const DVec2 axis = size > 0.0 ? (1.0 / size) * along : DVec2{1.0, 0.0};

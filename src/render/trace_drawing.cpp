@@ -12,6 +12,8 @@
 
 namespace tumble {
 
+using namespace render;
+
 namespace {
 
 constexpr int kWidth = 1280;
@@ -78,20 +80,37 @@ void draw_shape(Panel& panel, const std::vector<DVec2>& outline, const std::vect
     panel.label(mean(outline), {0.0, 7.0}, letter, 20.0, line);
 }
 
-void draw_pair_panel(Drawing& drawing, PixelRect rect, const Pair& pair, const DistanceResult& result) {
-    const std::vector<DVec2> a = pair.outline_a(pair.a.radius()), b = pair.outline_b(pair.b.radius());
-    std::vector<DVec2> all = a;
-    all.insert(all.end(), b.begin(), b.end());
-    Panel panel(drawing, rect, all);
-    panel.frame("The shapes, with their closest (or deepest) points");
-    draw_shape(panel, a, pair.outline_a(0.0), pair.a.radius(), ink::kShapeAFill, ink::kShapeA, "A");
-    draw_shape(panel, b, pair.outline_b(0.0), pair.b.radius(), ink::kShapeBFill, ink::kShapeB, "B");
+void draw_shapes(Panel& panel, const Pair& pair, const DistanceResult& result) {
+    draw_shape(panel, pair.outline_a(pair.a.radius()), pair.outline_a(0.0), pair.a.radius(), ink::kShapeAFill, ink::kShapeA, "A");
+    draw_shape(panel, pair.outline_b(pair.b.radius()), pair.outline_b(0.0), pair.b.radius(), ink::kShapeBFill, ink::kShapeB, "B");
     if (result.status == DistanceStatus::invalid) return;
     const DVec2 point_a = result.point_a - pair.origin, point_b = result.point_b - pair.origin;
     panel.line(point_a, point_b, 2.0, ink::kAnswer);
     panel.dot(point_a, 4.5, ink::kShapeA);
     panel.dot(point_b, 4.5, ink::kShapeB);
     panel.arrow(point_a, result.normal, 42.0, ink::kAnswer);
+}
+
+void draw_pair_panel(Drawing& drawing, PixelRect rect, const Pair& pair, const DistanceResult& result) {
+    std::vector<DVec2> all = pair.outline_a(pair.a.radius());
+    const std::vector<DVec2> b = pair.outline_b(pair.b.radius());
+    all.insert(all.end(), b.begin(), b.end());
+    Panel panel(drawing, rect, all);
+    panel.frame("The shapes, with their closest (or deepest) points");
+    draw_shapes(panel, pair, result);
+}
+
+// The surroundings of the contact: a few times the distance, but no less than a thousandth of the smaller shape.
+void draw_contact_panel(Drawing& drawing, PixelRect rect, const Pair& pair, const DistanceResult& result,
+                        std::span<const DVec2> rings) {
+    const double smaller = std::min(extent(pair.a).larger, extent(pair.b).larger);
+    const double reach = std::max(4.0 * std::abs(result.distance), 1e-3 * smaller);
+    const DVec2 middle = 0.5 * ((result.point_a - pair.origin) + (result.point_b - pair.origin));
+    const std::array<DVec2, 2> corners = {middle - DVec2{reach, reach}, middle + DVec2{reach, reach}};
+    Panel panel(drawing, rect, corners);
+    panel.frame("At the contact, " + number(2.0 * reach) + " m high");
+    draw_shapes(panel, pair, result);
+    for (const DVec2 ring : rings) panel.ring(ring - pair.origin, 8.0, ink::kText);
 }
 
 void draw_origin(Panel& panel, Drawing& drawing) {
@@ -205,12 +224,15 @@ std::string summary(const DistanceResult& result) {
 }  // namespace
 
 Drawing draw_pair(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
-                  const DistanceResult& result, int width, int height) {
+                  const DistanceResult& result, std::span<const DVec2> rings) {
     Drawing drawing;
-    drawing.width = width;
-    drawing.height = height;
+    drawing.width = kWidth;
+    drawing.height = static_cast<int>(kTopHeight + 2.0 * kGap);
     const Pair pair(a, world_from_a, b, world_from_b);
-    draw_pair_panel(drawing, {0.0, 0.0, static_cast<double>(width), static_cast<double>(height)}, pair, result);
+    const double half = 0.5 * (kWidth - 3.0 * kGap);
+    draw_pair_panel(drawing, {kGap, kGap, half, kTopHeight}, pair, result);
+    if (result.status != DistanceStatus::invalid)
+        draw_contact_panel(drawing, {2.0 * kGap + half, kGap, half, kTopHeight}, pair, result, rings);
     return drawing;
 }
 
