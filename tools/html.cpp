@@ -11,6 +11,7 @@ p { max-width: 62rem; }
 table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; margin: .8rem 0; }
 th { text-align: left; border-bottom: 2px solid #b0bec5; padding: .3rem .9rem .3rem 0; vertical-align: bottom; }
 td { border-bottom: 1px solid #e0e6ea; padding: .25rem .9rem .25rem 0; }
+td.number { white-space: nowrap; }
 th.number, td.number { text-align: right; } .alarm { color: #c62828; font-weight: bold; }
 .scroll { overflow-x: auto; }
 figure { margin: 1rem 0; } figure svg { max-width: 100%; height: auto; border: 1px solid #e0e6ea; }

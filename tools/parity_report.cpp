@@ -1,0 +1,207 @@
+#include "parity_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <span>
+#include <vector>
+
+#include "html.hpp"
+#include "parity_plots.hpp"
+#include "reference/pair_families.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+using reference::ParityCase;
+using reference::ParityResult;
+using reference::ParityRow;
+
+// Digits in groups of three, as people read them.
+std::string grouped(std::uint64_t count) {
+    std::string digits = std::to_string(count);
+    for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, " ");
+    return digits;
+}
+
+std::string short_number(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", value);
+    return text.data();
+}
+
+double mean_iterations(std::uint64_t sum, const ParityRow& row) {
+    return row.comparisons == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(row.comparisons);
+}
+
+HtmlCell count_cell(std::uint64_t count, bool is_alarm = false) {
+    return {.text = grouped(count), .is_number = true, .is_alarm = is_alarm && count > 0};
+}
+
+HtmlCell number_cell(double value) { return {.text = short_number(value), .is_number = true}; }
+
+void add_summary(HtmlPage& page, const ParityResult& result, const std::string& what) {
+    const ParityRow total = result.total();
+    page.paragraph(what + ", seed " + std::to_string(result.seed) + ": each distance was computed by tumble and by Box2D's b2Distance (" +
+                   grouped(total.comparisons) + " comparisons, shapes with radii once without and once with them), and " +
+                   grouped(total.checked_exactly) + " of them were decided by exact arithmetic, in " +
+                   short_number(result.seconds) + " s.");
+    page.paragraph("Wrong answers of tumble: " + grouped(total.ours_wrong) + ". Wrong answers of b2Distance: " +
+                   grouped(total.box2d_wrong) + " (" + grouped(total.box2d_wrong_flag) + " by the overlap flag, " +
+                   grouped(total.box2d_wrong_distance) + " by the distance). Neither wrong, yet apart: " +
+                   grouped(total.ill_conditioned) + " ill-conditioned inputs.");
+}
+
+void add_definitions(HtmlPage& page) {
+    page.heading("What counts as wrong");
+    page.paragraph("tumble promises bounds: it is wrong if the exact signed distance lies outside of its [lower, upper], or if its status "
+                   "(separated, touching, overlapping) contradicts the exact sign. b2Distance promises a float: it is wrong if its distance "
+                   "is off by more than 4 eps S, S being the largest world coordinate of the pair and eps = 1.19e-7, or if it says overlap "
+                   "where the exact distance is positive, or the other way round. A pair is ill-conditioned if the engines differ by more than "
+                   "that and neither is wrong. Every pair over the tolerance is checked exactly, as are the first pairs of each family and a "
+                   "seeded share of the rest.");
+    page.paragraph("Why b2Distance fails where it does: it works in float and in world coordinates, so that all it sees of a pair S metres from "
+                   "the origin is rounded to eps S, 1 mm at 10 km; where the gap is smaller than that, the overlap flag is a coin toss. "
+                   "Its tests for progress and for a zero direction are absolute lengths, which small shapes fall below. And its normal and "
+                   "witness points come from a difference of rounded points. tumble works in double relative to one shape, has no absolute "
+                   "length in any query, and subtracts the radii last.");
+}
+
+void add_family_table(HtmlPage& page, const ParityResult& result) {
+    page.heading("Family by family");
+    const std::vector<std::string> header = {"family", "pairs", "comparisons", "checked exactly", "tumble wrong", "Box2D wrong", "by flag",
+                                             "by distance", "ill-conditioned", "max error tumble (m)", "max error Box2D (m)",
+                                             "Box2D (eps S)", "iterations tumble", "Box2D", "max tumble", "max Box2D"};
+    std::vector<std::vector<HtmlCell>> rows;
+    for (const ParityRow& row : result.families)
+        rows.push_back({{.text = row.name}, count_cell(row.pairs), count_cell(row.comparisons), count_cell(row.checked_exactly),
+                        count_cell(row.ours_wrong + row.ours_witness_wrong, true), count_cell(row.box2d_wrong, true),
+                        count_cell(row.box2d_wrong_flag), count_cell(row.box2d_wrong_distance), count_cell(row.ill_conditioned),
+                        number_cell(row.max_error_ours_m), number_cell(row.max_error_box2d_m), number_cell(row.max_error_box2d_eps),
+                        number_cell(mean_iterations(row.iterations_ours, row)), number_cell(mean_iterations(row.iterations_box2d, row)),
+                        count_cell(static_cast<std::uint64_t>(row.max_iterations_ours)),
+                        count_cell(static_cast<std::uint64_t>(row.max_iterations_box2d))});
+    page.table(header, rows);
+}
+
+void add_family_descriptions(HtmlPage& page, const ParityResult& result) {
+    std::vector<std::vector<HtmlCell>> rows;
+    for (const ParityRow& row : result.families)
+        if (const reference::PairFamily* family = reference::find_pair_family(row.name))
+            rows.push_back({{.text = row.name}, {.text = std::string(family->description)}});
+    if (rows.empty()) return;
+    const std::vector<std::string> header = {"family", "what its pairs are"};
+    page.table(header, rows);
+}
+
+void add_case(HtmlPage& page, const ParityCase& sample) {
+    std::string caption = sample.family + ", pair " + std::to_string(sample.index) + ": exact " + short_number(sample.exact) +
+                          " m; tumble off by " + short_number(sample.error_ours_m) + " m";
+    std::vector<DVec2> rings;
+    if (sample.box2d) {
+        caption += "; Box2D says " + short_number(sample.box2d->distance) + " m, off by " + short_number(sample.error_box2d_m) + " m (" +
+                   short_number(sample.error_box2d_eps) + " eps S)";
+        rings = {sample.box2d->point_a, sample.box2d->point_b};
+    }
+    caption += sample.reason.empty() ? "." : "; " + sample.reason + ".";
+    if (!rings.empty()) caption += " Rings: Box2D's witness points.";
+    page.figure(draw_pair(sample.query.a, sample.query.pose_a, sample.query.b, sample.query.pose_b, sample.ours, rings), caption);
+    page.begin_details("the input in hexadecimal floats");
+    page.preformatted(to_hex(sample.query));
+    page.end_details();
+}
+
+void add_failures(HtmlPage& page, const ParityResult& result) {
+    const ParityRow total = result.total();
+    if (total.ours_failures.empty()) return;
+    page.heading("Where tumble is wrong");
+    for (const ParityRow& row : result.families)
+        for (const ParityCase& sample : row.ours_failures) add_case(page, sample);
+}
+
+// The worst drawable case of each family in which Box2D is wrong: shapes that float cannot tell from points make no picture.
+void add_worst_cases(HtmlPage& page, const ParityResult& result) {
+    page.heading("Where Box2D is wrong: the worst of each family");
+    for (const ParityRow& row : result.families) {
+        const auto is_shown = [](const ParityCase& sample) {
+            return sample.culprit == reference::Culprit::box2d && sample.ours.status != DistanceStatus::invalid;
+        };
+        const auto worst = std::find_if(row.worst_box2d.begin(), row.worst_box2d.end(), is_shown);
+        if (worst != row.worst_box2d.end()) add_case(page, *worst);
+    }
+}
+
+}  // namespace
+
+void write_parity_json(JsonWriter& json, const ParityResult& result) {
+    const ParityRow total = result.total();
+    json.open_object()
+        .member("pairs", result.pairs)
+        .member("seed", result.seed)
+        .member("checked_exactly", total.checked_exactly)
+        .key("families")
+        .open_array();
+    for (const ParityRow& row : result.families)
+        json.open_object()
+            .member("name", row.name)
+            .member("pairs", row.pairs)
+            .member("comparisons", row.comparisons)
+            .member("checked_exactly", row.checked_exactly)
+            .member("ours_wrong", row.ours_wrong + row.ours_witness_wrong)
+            .member("box2d_wrong", row.box2d_wrong)
+            .member("box2d_wrong_flag", row.box2d_wrong_flag)
+            .member("box2d_wrong_distance", row.box2d_wrong_distance)
+            .member("box2d_witness_wrong", row.box2d_witness_wrong)
+            .member("box2d_refused", row.box2d_refused)
+            .member("ill_conditioned", row.ill_conditioned)
+            .member("max_error_ours_m", row.max_error_ours_m)
+            .member("max_error_box2d_m", row.max_error_box2d_m)
+            .member("max_error_box2d_eps", row.max_error_box2d_eps)
+            .member("iterations_ours", mean_iterations(row.iterations_ours, row))
+            .member("iterations_box2d", mean_iterations(row.iterations_box2d, row))
+            .member("max_iterations_ours", row.max_iterations_ours)
+            .member("max_iterations_box2d", row.max_iterations_box2d)
+            .close_object();
+    json.close_array()
+        .member("ours_wrong", total.ours_wrong + total.ours_witness_wrong)
+        .member("box2d_wrong", total.box2d_wrong)
+        .member("seconds", result.seconds)
+        .close_object();
+}
+
+std::string parity_table(const ParityResult& result) {
+    std::array<char, 192> line{};
+    std::string table;
+    const auto add = [&](const ParityRow& row) {
+        std::snprintf(line.data(), line.size(), "%-22s %10llu %10llu %6llu %8llu %8llu %11.3g %11.3g %6.2f %6.2f\n", row.name.c_str(),
+                      static_cast<unsigned long long>(row.pairs), static_cast<unsigned long long>(row.checked_exactly),
+                      static_cast<unsigned long long>(row.ours_wrong + row.ours_witness_wrong),
+                      static_cast<unsigned long long>(row.box2d_wrong), static_cast<unsigned long long>(row.ill_conditioned),
+                      row.max_error_ours_m, row.max_error_box2d_m, mean_iterations(row.iterations_ours, row),
+                      mean_iterations(row.iterations_box2d, row));
+        table += line.data();
+    };
+    table += "                                     checked  wrong:    wrong      ill-  max error m:             iterations:\n";
+    table += "family                      pairs    exactly   ours    Box2D  condit.        ours       Box2D   ours  Box2D\n";
+    for (const ParityRow& row : result.families) add(row);
+    ParityRow total = result.total();
+    total.name = "total";
+    add(total);
+    return table;
+}
+
+std::string parity_page(const ParityResult& result, const std::string& what) {
+    HtmlPage page("Parity with b2Distance");
+    add_summary(page, result, what);
+    page.figure(draw_error_histograms(result.families),
+                "Errors of both engines by family, in one axis. tumble's are of the comparisons checked exactly; bars are square roots of counts.");
+    add_failures(page, result);
+    add_definitions(page);
+    add_family_table(page, result);
+    add_family_descriptions(page, result);
+    add_worst_cases(page, result);
+    return page.str();
+}
+
+}  // namespace tumble::tools
