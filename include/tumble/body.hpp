@@ -23,6 +23,7 @@ struct BodyDef {
     float linear_damping = 0.0f;     // 1/s: v / (1 + h c) in each sub-step
     float angular_damping = 0.0f;    // 1/s
     float gravity_scale = 1.0f;
+    bool allow_fast_rotation = false;  // more than an eighth of a turn a step; for round things
 };
 
 // How a surface behaves in contact. Of two surfaces the friction is sqrt(f1 f2), the restitution the larger, the rolling

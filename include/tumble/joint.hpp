@@ -30,4 +30,10 @@ struct DistanceJointDef {
 
 using JointDef = std::variant<RevoluteJointDef, DistanceJointDef>;
 
+// What a joint did to body B in the last sub-step, and opposite to body A.
+struct JointReaction {
+    Vec2 force;           // at the anchor, world axes, N
+    float torque = 0.0f;  // N m
+};
+
 }  // namespace tumble

@@ -91,7 +91,11 @@ public:
     BodyId body(ShapeId id) const;
     const JointDef& joint(JointId id) const;
 
-    // Contact points of the last step, in order of shape ids. Computed on the call: O(contacts).
+    // The force with which the joint held its bodies in the last step.
+    JointReaction reaction(JointId id) const;
+
+    // Contact points of the last step, in order of shape ids: gaps and places as the step found them, impulses as it
+    // left them. Computed on the call: O(contacts).
     std::vector<ContactPoint> contacts() const;
 
     // xxHash64 of pose and velocity of the live bodies in id order, as little-endian bytes: equal worlds, equal hashes.

@@ -25,6 +25,9 @@ public:
     // Asks about this proxy again in the next search, although its box is the same (a filter changed).
     void touch(std::uint32_t key);
 
+    // True if a proxy was added, moved or touched since the last search: without it, no pair can have come or gone.
+    bool has_moved() const { return !asked_.empty(); }
+
     const Aabb& box(std::uint32_t key) const { return proxies_[key].box; }
     bool overlap(ProxyPair pair) const { return overlaps(box(pair.a), box(pair.b)); }
 

@@ -1,0 +1,64 @@
+// Every tuning constant of the stepper, with unit, reason, and what breaks if it changes.
+//
+// The values are those that today's soft-step engines agree on (Box2D 3.x, Rapier), so that scenes behave alike;
+// lengths are relative to the shapes, so that a world of 2 cm things behaves like one of 2 m things.
+#pragma once
+
+#include <algorithm>
+
+#include "tumble/math.hpp"
+
+namespace tumble {
+
+// Contact softness, Hz and damping ratio. Stiff enough to hide the sag F / (m w^2), soft enough for the sub-step: the
+// frequency is further limited to kContactHertzPerSubstep / h. Higher: stacks jitter. Lower: they sink visibly.
+inline constexpr float kContactHertz = 30.0f;
+inline constexpr float kContactDampingRatio = 10.0f;
+inline constexpr float kContactHertzPerSubstep = 0.125f;
+
+// Against a static body contacts are this much stiffer: it cannot give way, so that there is no risk of jitter.
+inline constexpr float kStaticStiffening = 2.0f;
+
+// The fastest that overlap is pushed out, m/s. Higher: bodies created inside each other explode. Lower: a fast impact
+// stays visibly sunk in for several steps.
+inline constexpr float kPushOutSpeed = 3.0f;
+
+// Joint softness. Higher than contacts, as joints are never to open visibly; over 0.25 / h it would not be stable.
+inline constexpr float kJointHertz = 60.0f;
+inline constexpr float kJointDampingRatio = 2.0f;
+inline constexpr float kJointHertzPerSubstep = 0.25f;
+
+// Approach speed below which a contact does not bounce, m/s. Lower: resting bodies hop for ever, as one sub-step of
+// gravity is read as an approach. Higher: slow bounces stick.
+inline constexpr float kRestitutionThreshold = 1.0f;
+
+// Contacts begin at this gap (m; part of the smaller extent): bodies are stopped before they touch, not pushed out
+// afterwards. Larger: ghost contacts at corners that would be missed. Smaller: impacts sink in first.
+inline constexpr float kSpeculativeDistance = 0.02f;
+inline constexpr float kSpeculativePart = 0.1f;
+
+// How much larger a box in the tree is than its shape (m; part of the smaller extent). Larger: more pairs to look at.
+// Smaller: the tree is updated more often.
+inline constexpr float kAabbMargin = 0.05f;
+inline constexpr float kAabbMarginPart = 0.125f;
+
+// Speed limit, m/s: 6.7 m in a step at 60 Hz. Beyond, float deltas and the tree lose their meaning.
+inline constexpr float kMaxSpeed = 400.0f;
+
+// Rotation limit a step, rad: an eighth of a turn. More breaks the linearisation of contacts within the step, and
+// continuous collision. A body may be allowed more (wheels, projectiles: round things).
+inline constexpr float kMaxRotation = static_cast<float>(0.25 * kPi);
+
+// Colours of the constraint graph: those of contacts between moving bodies, and of contacts with one that is not
+// dynamic. The latter are solved last in each pass, which makes the ground win. Together at most 24: with more, the
+// last colours hold too few contacts to fill lanes. What finds no colour is solved alone in a lane group.
+inline constexpr int kDynamicColors = 16;
+inline constexpr int kStaticColors = 8;
+
+constexpr float speculative_distance(float smaller_extent) {
+    return std::min(kSpeculativeDistance, kSpeculativePart * smaller_extent);
+}
+
+constexpr float aabb_margin(float smaller_extent) { return std::min(kAabbMargin, kAabbMarginPart * smaller_extent); }
+
+}  // namespace tumble

@@ -1,0 +1,53 @@
+// A pair of shapes whose boxes overlap, with its manifold and the impulses that warm the next step.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "broad/pair_set.hpp"
+#include "tumble/body.hpp"
+#include "tumble/manifold.hpp"
+
+namespace tumble {
+
+// The impulses of one manifold point, N s, accumulated over the last sub-step.
+struct PointImpulse {
+    float normal = 0.0f;
+    float tangent = 0.0f;  // along the tangent, the normal turned clockwise
+};
+
+struct Contact {
+    ProxyPair shapes;            // by index, a < b: the order of contacts
+    std::uint32_t body_a = 0;    // by index
+    std::uint32_t body_b = 0;
+    Manifold manifold;           // anchors from the bodies' origins
+    PointImpulse impulses[2];    // by manifold point
+    float rolling_impulse = 0.0f;
+    SimplexCache cache;
+    // Of the pair, mixed once when it is found.
+    float speculative_distance = 0.0f;
+    float radius_a = 0.0f;  // of the shapes' rounding, m
+    float radius_b = 0.0f;
+    float friction = 0.0f;
+    float restitution = 0.0f;
+    float rolling_resistance = 0.0f;  // m
+    float tangent_speed = 0.0f;       // m/s
+};
+
+// The tangent of a contact normal: with B on top of A it points to the right.
+constexpr Vec2 contact_tangent(Vec2 normal) { return -perp(normal); }
+
+inline float mix_friction(const SurfaceMaterial& a, const SurfaceMaterial& b) {
+    return std::sqrt(a.friction * b.friction);
+}
+constexpr float mix_restitution(const SurfaceMaterial& a, const SurfaceMaterial& b) {
+    return a.restitution > b.restitution ? a.restitution : b.restitution;
+}
+constexpr float mix_rolling_resistance(const SurfaceMaterial& a, const SurfaceMaterial& b) {
+    return a.rolling_resistance > b.rolling_resistance ? a.rolling_resistance : b.rolling_resistance;
+}
+constexpr float mix_tangent_speed(const SurfaceMaterial& a, const SurfaceMaterial& b) {
+    return a.tangent_speed + b.tangent_speed;
+}
+
+}  // namespace tumble

@@ -1,0 +1,74 @@
+// Eight contact constraints side by side, as the solver sees them: every quantity is an array of lanes.
+//
+// Contact points are kept by their offsets from the centres of mass in the contact's own frame: `along` = r . n and
+// `across` = r x n. They are all the geometry there is: with the tangent t = -perp(n), r x t = -(r . n), and the
+// offset turned by (c, s) has the normal component c along + s across.
+//
+// Unused lanes are neutral: the static body against itself, with zero masses. There is no second, scalar kernel.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dynamics/constraint_graph.hpp"
+#include "dynamics/softness.hpp"
+#include "dynamics/solver_body.hpp"
+#include "simd/lanes.hpp"
+
+namespace tumble {
+
+struct ContactBlockPoint {
+    Lanes along_a, across_a;  // m
+    Lanes along_b, across_b;
+    Lanes separation;         // at the start of the step, m
+    Lanes normal_mass;        // effective, kg; 0 for a point that is not there
+    Lanes normal_impulse;     // N s, of the present sub-step
+    Lanes tangent_mass;
+    Lanes tangent_impulse;
+    Lanes approach_speed;     // normal velocity before the step, negative if approaching; with restitution only
+    Lanes largest_impulse;    // over the step; with restitution only
+};
+
+struct ContactBlock {
+    std::uint32_t body_a[kLaneCount];  // solver bodies
+    std::uint32_t body_b[kLaneCount];
+    Lanes normal_x, normal_y;          // from A to B
+    Lanes inv_mass_a, inv_mass_b, inv_inertia_a, inv_inertia_b;
+    ContactBlockPoint points[2];
+    Lanes friction;
+    Softness softness;
+    // The rest is read only if one of the lanes has it.
+    bool has_radius;
+    bool has_restitution;
+    bool has_tangent_speed;
+    bool has_rolling_resistance;
+    Lanes radius_a, radius_b;  // of the shapes' rounding, m
+    Lanes restitution;
+    Lanes tangent_speed;
+    Lanes rolling_resistance;  // m
+    Lanes rolling_mass;        // kg m^2
+    Lanes rolling_impulse;     // N m s
+};
+
+// Fills one block per block of the graph from manifolds and bodies.
+void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
+                      float h, std::vector<ContactBlock>& blocks);
+
+// Takes the impulses back, so that they warm the next step.
+void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph,
+                    std::span<Contact> contacts);
+
+// Applies the impulses of the last sub-step again.
+void warm_start_contacts(std::span<const ContactBlock> blocks, std::span<SolverBody> bodies);
+
+// Normal impulses with the soft bias that removes overlap.
+void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h);
+
+// Normal impulses without the bias, which take its velocity away again; friction and rolling resistance.
+void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h);
+
+// Bounces: once after the sub-steps, where an impulse stopped an approach.
+void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies);
+
+}  // namespace tumble

@@ -1,0 +1,139 @@
+// From contacts to blocks and back: the only place where lanes are filled one by one.
+#include <algorithm>
+
+#include "dynamics/contact_block.hpp"
+
+namespace tumble {
+
+namespace {
+
+// A block of neutral lanes.
+ContactBlock make_neutral_block() {
+    ContactBlock block;
+    const Lanes zero = Lanes::Zero();
+    std::fill_n(block.body_a, kLaneCount, kStaticSolverBody);
+    std::fill_n(block.body_b, kLaneCount, kStaticSolverBody);
+    for (Lanes* lanes : {&block.normal_x, &block.normal_y, &block.inv_mass_a, &block.inv_mass_b, &block.inv_inertia_a,
+                         &block.inv_inertia_b, &block.friction, &block.radius_a, &block.radius_b, &block.restitution, &block.tangent_speed,
+                         &block.rolling_resistance, &block.rolling_mass, &block.rolling_impulse})
+        *lanes = zero;
+    for (ContactBlockPoint& point : block.points)
+        for (Lanes* lanes : {&point.along_a, &point.across_a, &point.along_b, &point.across_b, &point.separation,
+                             &point.normal_mass, &point.normal_impulse, &point.tangent_mass, &point.tangent_impulse,
+                             &point.approach_speed, &point.largest_impulse})
+            *lanes = zero;
+    block.has_radius = block.has_restitution = block.has_tangent_speed = block.has_rolling_resistance = false;
+    return block;
+}
+
+void fill_lane(ContactBlock& block, int lane, const Contact& contact, const BodyFrame& a, const BodyFrame& b) {
+    block.body_a[lane] = a.solver_body;
+    block.body_b[lane] = b.solver_body;
+    const Vec2 normal = contact.manifold.normal;
+    block.normal_x[lane] = normal.x;
+    block.normal_y[lane] = normal.y;
+    block.inv_mass_a[lane] = a.inv_mass;
+    block.inv_mass_b[lane] = b.inv_mass;
+    block.inv_inertia_a[lane] = a.inv_inertia;
+    block.inv_inertia_b[lane] = b.inv_inertia;
+    block.friction[lane] = contact.friction;
+    block.radius_a[lane] = contact.radius_a;
+    block.radius_b[lane] = contact.radius_b;
+    block.restitution[lane] = contact.restitution;
+    block.tangent_speed[lane] = contact.tangent_speed;
+    block.rolling_resistance[lane] = contact.rolling_resistance;
+    block.rolling_impulse[lane] = contact.rolling_impulse;
+    block.has_radius |= contact.radius_a > 0.0f || contact.radius_b > 0.0f;
+    block.has_restitution |= contact.restitution > 0.0f;
+    block.has_tangent_speed |= contact.tangent_speed != 0.0f;
+    block.has_rolling_resistance |= contact.rolling_resistance > 0.0f;
+    for (int i = 0; i < contact.manifold.point_count; ++i) {
+        const ManifoldPoint& from = contact.manifold.points[i];
+        const Vec2 arm_a = from.anchor_a - a.center_offset;
+        const Vec2 arm_b = from.anchor_b - b.center_offset;
+        ContactBlockPoint& to = block.points[i];
+        to.along_a[lane] = dot(arm_a, normal);
+        to.across_a[lane] = cross(arm_a, normal);
+        to.along_b[lane] = dot(arm_b, normal);
+        to.across_b[lane] = cross(arm_b, normal);
+        to.separation[lane] = from.separation;
+        to.normal_impulse[lane] = contact.impulses[i].normal;
+        to.tangent_impulse[lane] = contact.impulses[i].tangent;
+        to.normal_mass[lane] = 1.0f;  // a mark until set_masses()
+    }
+}
+
+// 1 / (1/m_A + 1/m_B + r_A^2/I_A + r_B^2/I_B), zero where the point is not there.
+Lanes effective_mass(const ContactBlock& block, const Lanes& arm_a, const Lanes& arm_b, const Lanes& is_there) {
+    const Lanes linear = block.inv_mass_a + block.inv_mass_b;
+    const Lanes angular = block.inv_inertia_a * arm_a * arm_a + block.inv_inertia_b * arm_b * arm_b;
+    const Lanes inverse = linear + angular;
+    const Lanes zero = Lanes::Zero();
+    return select_less(zero, is_there * inverse, is_there / inverse, zero);
+}
+
+void set_masses(ContactBlock& block) {
+    for (ContactBlockPoint& point : block.points) {
+        const Lanes is_there = point.normal_mass;
+        point.normal_mass = effective_mass(block, point.across_a, point.across_b, is_there);
+        point.tangent_mass = effective_mass(block, point.along_a, point.along_b, is_there);
+    }
+    const Lanes inertia = block.inv_inertia_a + block.inv_inertia_b;
+    const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
+    block.rolling_mass = select_less(zero, inertia, one / inertia, zero);
+}
+
+// The velocities at which points meet, before gravity or any impulse of this step.
+void set_approach_speeds(ContactBlock& block, const BodyStore& bodies) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        const SolverBody& a = bodies.solver_bodies[block.body_a[lane]];
+        const SolverBody& b = bodies.solver_bodies[block.body_b[lane]];
+        const Vec2 normal{block.normal_x[lane], block.normal_y[lane]};
+        const float linear = dot(b.velocity - a.velocity, normal);
+        for (ContactBlockPoint& point : block.points)
+            point.approach_speed[lane] = linear + b.angular_velocity * point.across_b[lane] -
+                                         a.angular_velocity * point.across_a[lane];
+    }
+}
+
+}  // namespace
+
+void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
+                      float h, std::vector<ContactBlock>& blocks) {
+    const Softness softness = contact_softness(h), static_softness = static_contact_softness(h);
+    const ContactBlock neutral = make_neutral_block();
+    blocks.resize(graph.block_count());
+    for (std::size_t index = 0; index < blocks.size(); ++index) {
+        ContactBlock& block = blocks[index];
+        block = neutral;
+        bool is_static = false;  // of all lanes alike, by the colours
+        for (int lane = 0; lane < kLaneCount; ++lane) {
+            const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
+            if (contact == ConstraintGraph::kNoContact) continue;
+            const BodyFrame& a = bodies.frames[contacts[contact].body_a];
+            const BodyFrame& b = bodies.frames[contacts[contact].body_b];
+            fill_lane(block, lane, contacts[contact], a, b);
+            is_static = a.inv_mass == 0.0f || b.inv_mass == 0.0f;
+        }
+        block.softness = is_static ? static_softness : softness;
+        set_masses(block);
+        if (block.has_restitution) set_approach_speeds(block, bodies);
+    }
+}
+
+void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph,
+                    std::span<Contact> contacts) {
+    for (std::size_t index = 0; index < blocks.size(); ++index) {
+        const ContactBlock& block = blocks[index];
+        for (int lane = 0; lane < kLaneCount; ++lane) {
+            const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
+            if (contact == ConstraintGraph::kNoContact) continue;
+            for (int i = 0; i < contacts[contact].manifold.point_count; ++i)
+                contacts[contact].impulses[i] = {block.points[i].normal_impulse[lane],
+                                                 block.points[i].tangent_impulse[lane]};
+            contacts[contact].rolling_impulse = block.rolling_impulse[lane];
+        }
+    }
+}
+
+}  // namespace tumble

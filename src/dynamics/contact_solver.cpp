@@ -1,0 +1,238 @@
+// The contact kernel: projected Gauss-Seidel over blocks of eight contacts, soft in the biased pass, rigid otherwise.
+//
+// Velocities are handled in the contact's frame: the relative normal velocity of the centres of mass and the two
+// angular velocities follow each impulse, and the linear velocities are updated once at the end of a block.
+#include "dynamics/contact_block.hpp"
+#include "simd/transpose.hpp"
+
+namespace tumble {
+
+namespace {
+
+// The bodies of one side of a block.
+struct BodyLanes {
+    Lanes velocity_x, velocity_y, angular_velocity, flags;
+    Lanes delta_x, delta_y, delta_c, delta_s;
+};
+
+BodyLanes gather(std::span<const SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
+    const float* rows[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
+    Lanes f[8];
+    gather_rows(rows, f);
+    return {f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]};
+}
+
+// Lanes of the static body, and several of one kinematic body, write back what they read: their masses are zero.
+void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
+    float* rows[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
+    const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
+    scatter_rows(fields, rows);
+}
+
+// The two bodies of each lane while their block is solved.
+struct BlockState {
+    BodyLanes a, b;
+    Lanes normal_velocity;   // of B's centre against A's
+    Lanes tangent_velocity;
+    Lanes normal_impulse;    // applied in this pass, not yet in the linear velocities
+    Lanes tangent_impulse;
+};
+
+BlockState load(const ContactBlock& block, std::span<const SolverBody> bodies) {
+    BlockState state;
+    state.a = gather(bodies, block.body_a);
+    state.b = gather(bodies, block.body_b);
+    const Lanes x = state.b.velocity_x - state.a.velocity_x;
+    const Lanes y = state.b.velocity_y - state.a.velocity_y;
+    state.normal_velocity = x * block.normal_x + y * block.normal_y;
+    state.tangent_velocity = x * block.normal_y - y * block.normal_x;
+    state.normal_impulse = Lanes::Zero();
+    state.tangent_impulse = Lanes::Zero();
+    return state;
+}
+
+void finish(const ContactBlock& block, BlockState& state, std::span<SolverBody> bodies) {
+    const Lanes x = state.normal_impulse * block.normal_x + state.tangent_impulse * block.normal_y;
+    const Lanes y = state.normal_impulse * block.normal_y - state.tangent_impulse * block.normal_x;
+    state.a.velocity_x -= block.inv_mass_a * x;
+    state.a.velocity_y -= block.inv_mass_a * y;
+    state.b.velocity_x += block.inv_mass_b * x;
+    state.b.velocity_y += block.inv_mass_b * y;
+    scatter_velocities(state.a, bodies, block.body_a);
+    scatter_velocities(state.b, bodies, block.body_b);
+}
+
+Lanes normal_velocity(const ContactBlockPoint& point, const BlockState& state) {
+    return state.normal_velocity + state.b.angular_velocity * point.across_b -
+           state.a.angular_velocity * point.across_a;
+}
+
+Lanes tangent_velocity(const ContactBlockPoint& point, const BlockState& state) {
+    return state.tangent_velocity - state.b.angular_velocity * point.along_b +
+           state.a.angular_velocity * point.along_a;
+}
+
+void apply_normal(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse, BlockState& state) {
+    state.normal_impulse += impulse;
+    state.normal_velocity += (block.inv_mass_a + block.inv_mass_b) * impulse;
+    state.a.angular_velocity -= block.inv_inertia_a * point.across_a * impulse;
+    state.b.angular_velocity += block.inv_inertia_b * point.across_b * impulse;
+}
+
+void apply_tangent(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse, BlockState& state) {
+    state.tangent_impulse += impulse;
+    state.tangent_velocity += (block.inv_mass_a + block.inv_mass_b) * impulse;
+    state.a.angular_velocity += block.inv_inertia_a * point.along_a * impulse;
+    state.b.angular_velocity -= block.inv_inertia_b * point.along_b * impulse;
+}
+
+void apply_rolling(const ContactBlock& block, const Lanes& impulse, BlockState& state) {
+    state.a.angular_velocity -= block.inv_inertia_a * impulse;
+    state.b.angular_velocity += block.inv_inertia_b * impulse;
+}
+
+// How far the centres have come nearer along the normal since the start of the step, negative for nearer.
+Lanes center_shift(const ContactBlock& block, const BlockState& state) {
+    const Lanes x = state.b.delta_x - state.a.delta_x;
+    const Lanes y = state.b.delta_y - state.a.delta_y;
+    return x * block.normal_x + y * block.normal_y;
+}
+
+// The separation now, from anchors fixed on the bodies: s0 + (dp_B - dp_A + (R(dq_B) - 1) r_B - (R(dq_A) - 1) r_A) . n
+//
+// The anchors are those of the cores: the rounding stays between them along the normal while the bodies turn. Anchors
+// on the surface would lift a rolling ball by r (1 - cos) in every step, so that it lost its grip.
+Lanes current_separation(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& shift,
+                         const BlockState& state) {
+    const Lanes one = Lanes::Ones();
+    Lanes along_a = point.along_a, along_b = point.along_b;
+    if (block.has_radius) {
+        along_a -= block.radius_a;
+        along_b += block.radius_b;
+    }
+    const Lanes turn_a = (state.a.delta_c - one) * along_a + state.a.delta_s * point.across_a;
+    const Lanes turn_b = (state.b.delta_c - one) * along_b + state.b.delta_s * point.across_b;
+    return point.separation + shift + (turn_b - turn_a);
+}
+
+void track_largest(const ContactBlock& block, ContactBlockPoint& point) {
+    if (block.has_restitution) point.largest_impulse = point.largest_impulse.max(point.normal_impulse);
+}
+
+// new = max(0, old - m (mass_scale v + bias) - impulse_scale old). Gaps are speculative: rigid, and closed in one
+// sub-step at the fastest. Overlap is removed softly and no faster than the push-out speed; the bias holds the mass
+// scale already.
+void solve_normal_soft(const ContactBlock& block, ContactBlockPoint& point, const Lanes& shift, float inv_h,
+                       BlockState& state) {
+    const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
+    const Lanes separation = current_separation(block, point, shift, state);
+    const Lanes gap = separation.max(zero), overlap = separation.min(zero);
+    const Lanes push = (overlap * (block.softness.mass_scale * block.softness.bias_rate)).max(-kPushOutSpeed);
+    const Lanes bias = gap * inv_h + push;
+    const Lanes mass_scale = select_less(zero, separation, one, Lanes::Constant(block.softness.mass_scale));
+    const Lanes impulse_scale = select_less(zero, separation, zero, Lanes::Constant(block.softness.impulse_scale));
+    const Lanes old_impulse = point.normal_impulse;
+    const Lanes wanted = old_impulse - point.normal_mass * (mass_scale * normal_velocity(point, state) + bias) -
+                         impulse_scale * old_impulse;
+    point.normal_impulse = wanted.max(zero);
+    track_largest(block, point);
+    const Lanes change = point.normal_impulse - old_impulse;
+    apply_normal(block, point, change, state);
+}
+
+void solve_normal_rigid(const ContactBlock& block, ContactBlockPoint& point, const Lanes& shift, float inv_h,
+                        BlockState& state) {
+    const Lanes zero = Lanes::Zero();
+    const Lanes gap = current_separation(block, point, shift, state).max(zero);
+    const Lanes old_impulse = point.normal_impulse;
+    const Lanes wanted = old_impulse - point.normal_mass * (normal_velocity(point, state) + gap * inv_h);
+    point.normal_impulse = wanted.max(zero);
+    track_largest(block, point);
+    const Lanes change = point.normal_impulse - old_impulse;
+    apply_normal(block, point, change, state);
+}
+
+// Coulomb friction against the normal impulse; a belt's surface moves by itself.
+void solve_friction(const ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
+    Lanes slip = tangent_velocity(point, state);
+    if (block.has_tangent_speed) slip += block.tangent_speed;
+    const Lanes old_impulse = point.tangent_impulse;
+    const Lanes wanted = old_impulse - point.tangent_mass * slip;
+    point.tangent_impulse = clamp_magnitude(wanted, block.friction * point.normal_impulse);
+    const Lanes change = point.tangent_impulse - old_impulse;
+    apply_tangent(block, point, change, state);
+}
+
+// A torque against rolling, at most resistance times the normal impulse.
+void solve_rolling(ContactBlock& block, BlockState& state) {
+    const Lanes roll = state.b.angular_velocity - state.a.angular_velocity;
+    const Lanes normal_impulse = block.points[0].normal_impulse + block.points[1].normal_impulse;
+    const Lanes old_impulse = block.rolling_impulse;
+    const Lanes wanted = old_impulse - block.rolling_mass * roll;
+    block.rolling_impulse = clamp_magnitude(wanted, block.rolling_resistance * normal_impulse);
+    const Lanes change = block.rolling_impulse - old_impulse;
+    apply_rolling(block, change, state);
+}
+
+// Restores e times the approach speed where an impulse stopped an approach fast enough.
+void solve_restitution(const ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
+    const Lanes zero = Lanes::Zero();
+    const Lanes bounce_mass =
+        select_less(point.approach_speed, Lanes::Constant(-kRestitutionThreshold), point.normal_mass, zero);
+    const Lanes mass = select_less(zero, point.largest_impulse, bounce_mass, zero);
+    const Lanes old_impulse = point.normal_impulse;
+    const Lanes wanted =
+        old_impulse - mass * (normal_velocity(point, state) + block.restitution * point.approach_speed);
+    point.normal_impulse = wanted.max(zero);
+    track_largest(block, point);
+    const Lanes change = point.normal_impulse - old_impulse;
+    apply_normal(block, point, change, state);
+}
+
+}  // namespace
+
+void warm_start_contacts(std::span<const ContactBlock> blocks, std::span<SolverBody> bodies) {
+    for (const ContactBlock& block : blocks) {
+        BlockState state = load(block, bodies);
+        for (const ContactBlockPoint& point : block.points) {
+            apply_normal(block, point, point.normal_impulse, state);
+            apply_tangent(block, point, point.tangent_impulse, state);
+        }
+        if (block.has_rolling_resistance) apply_rolling(block, block.rolling_impulse, state);
+        finish(block, state, bodies);
+    }
+}
+
+void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h) {
+    for (ContactBlock& block : blocks) {
+        BlockState state = load(block, bodies);
+        const Lanes shift = center_shift(block, state);
+        for (ContactBlockPoint& point : block.points) solve_friction(block, point, state);
+        for (ContactBlockPoint& point : block.points) solve_normal_soft(block, point, shift, inv_h, state);
+        finish(block, state, bodies);
+    }
+}
+
+void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h) {
+    for (ContactBlock& block : blocks) {
+        BlockState state = load(block, bodies);
+        const Lanes shift = center_shift(block, state);
+        for (ContactBlockPoint& point : block.points) solve_friction(block, point, state);
+        if (block.has_rolling_resistance) solve_rolling(block, state);
+        for (ContactBlockPoint& point : block.points) solve_normal_rigid(block, point, shift, inv_h, state);
+        finish(block, state, bodies);
+    }
+}
+
+void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies) {
+    for (ContactBlock& block : blocks) {
+        if (!block.has_restitution) continue;
+        BlockState state = load(block, bodies);
+        for (ContactBlockPoint& point : block.points) solve_restitution(block, point, state);
+        finish(block, state, bodies);
+    }
+}
+
+}  // namespace tumble

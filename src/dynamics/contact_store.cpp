@@ -1,0 +1,40 @@
+#include "dynamics/contact_store.hpp"
+
+#include "dynamics/constants.hpp"
+#include "dynamics/shape_store.hpp"
+
+namespace tumble {
+
+Contact make_contact(ProxyPair pair, const ShapeStore& shapes) {
+    const ShapeRecord& a = shapes[pair.a];
+    const ShapeRecord& b = shapes[pair.b];
+    Contact contact;
+    contact.shapes = pair;
+    contact.body_a = a.body;
+    contact.body_b = b.body;
+    contact.speculative_distance = speculative_distance(std::min(a.smaller_extent, b.smaller_extent));
+    contact.radius_a = a.shape.radius();
+    contact.radius_b = b.shape.radius();
+    contact.friction = mix_friction(a.material, b.material);
+    contact.restitution = mix_restitution(a.material, b.material);
+    contact.rolling_resistance =
+        mix_rolling_resistance(a.material, b.material) * std::max(a.shape.radius(), b.shape.radius());
+    contact.tangent_speed = mix_tangent_speed(a.material, b.material);
+    return contact;
+}
+
+void collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
+    const Manifold manifold =
+        collide(shapes[contact.shapes.a].shape, bodies.frames[contact.body_a].pose, shapes[contact.shapes.b].shape,
+                bodies.frames[contact.body_b].pose, contact.speculative_distance, contact.cache);
+    PointImpulse impulses[2];
+    for (int i = 0; i < manifold.point_count; ++i)
+        for (int old = 0; old < contact.manifold.point_count; ++old)
+            if (contact.manifold.points[old].feature == manifold.points[i].feature) impulses[i] = contact.impulses[old];
+    contact.impulses[0] = impulses[0];
+    contact.impulses[1] = impulses[1];
+    if (manifold.point_count == 0) contact.rolling_impulse = 0.0f;
+    contact.manifold = manifold;
+}
+
+}  // namespace tumble

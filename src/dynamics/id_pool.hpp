@@ -1,0 +1,56 @@
+// Hands out ids: indices with a generation that tells an index's former owners from its present one.
+//
+// A released index may be taken again at once, the last one first; its generation has gone up, so that old ids are
+// recognised as stale.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tumble/id.hpp"
+
+namespace tumble {
+
+template <class IdType>
+class IdPool {
+public:
+    IdType acquire() {
+        std::uint32_t index = static_cast<std::uint32_t>(generations_.size());
+        if (free_.empty()) {
+            generations_.push_back(0);
+        } else {
+            index = free_.back();
+            free_.pop_back();
+        }
+        const IdType id{index, generations_[index]};
+        live_.insert(std::lower_bound(live_.begin(), live_.end(), id), id);
+        return id;
+    }
+
+    // The id becomes stale; its index is handed out again only after recycle().
+    void release(IdType id) {
+        ++generations_[id.index];
+        live_.erase(std::lower_bound(live_.begin(), live_.end(), id));
+    }
+    void recycle(std::uint32_t index) { free_.push_back(index); }
+
+    bool is_live(IdType id) const {
+        return id.index < generations_.size() && generations_[id.index] == id.generation &&
+               std::binary_search(live_.begin(), live_.end(), id);
+    }
+
+    // The id that lives, or will live, at an index.
+    IdType at(std::uint32_t index) const { return {index, generations_[index]}; }
+
+    std::span<const IdType> live() const { return live_; }  // sorted
+
+private:
+    std::vector<std::uint32_t> generations_;  // by index, of its present or next owner
+    std::vector<std::uint32_t> free_;
+    std::vector<IdType> live_;
+};
+
+}  // namespace tumble

@@ -1,0 +1,75 @@
+#include "dynamics/integrate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/constants.hpp"
+
+namespace tumble {
+
+namespace {
+
+// Rotation composed and made unit again in double, so that the rounding to float is the only error of a step.
+Rotation turned(Rotation delta, Rotation q) {
+    const double c = double{delta.c} * q.c - double{delta.s} * q.s;
+    const double s = double{delta.s} * q.c + double{delta.c} * q.s;
+    const double scale = 1.0 / std::sqrt(c * c + s * s);
+    return {static_cast<float>(scale * c), static_cast<float>(scale * s)};
+}
+
+}  // namespace
+
+void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, float step_duration) {
+    const float max_spin = kMaxRotation / step_duration;
+    for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
+        SolverBody& body = bodies.solver_bodies[i];
+        if (!(body.flags & kDynamicBody)) continue;
+        const MovingBody& moving = bodies.moving[i];
+        const float linear_decay = 1.0f / (1.0f + h * moving.linear_damping);
+        const float angular_decay = 1.0f / (1.0f + h * moving.angular_damping);
+        Vec2 velocity = linear_decay * (body.velocity + (h * moving.gravity_scale) * gravity);
+        float spin = angular_decay * body.angular_velocity;
+        if (length_sq(velocity) > kMaxSpeed * kMaxSpeed) velocity = (kMaxSpeed / length(velocity)) * velocity;
+        if (!(body.flags & kUnlimitedSpin)) spin = std::clamp(spin, -max_spin, max_spin);
+        body.velocity = velocity;
+        body.angular_velocity = spin;
+    }
+}
+
+void integrate_positions(BodyStore& bodies, float h) {
+    for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
+        SolverBody& body = bodies.solver_bodies[i];
+        body.delta_position += h * body.velocity;
+        body.delta_rotation = compose(small_rotation(h * body.angular_velocity), body.delta_rotation);
+    }
+}
+
+void finalize_poses(BodyStore& bodies) {
+    for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
+        SolverBody& body = bodies.solver_bodies[i];
+        const std::uint32_t index = bodies.moving[i].body;
+        BodyFrame& frame = bodies.frames[index];
+        frame.center += DVec2(body.delta_position);
+        if (body.delta_rotation != Rotation{}) {
+            frame.pose.rotation = turned(body.delta_rotation, frame.pose.rotation);
+            frame.center_offset = rotate(frame.pose.rotation, bodies.records[index].mass.center);
+        }
+        frame.pose.position = frame.center - DVec2(frame.center_offset);
+        body.delta_position = {};
+        body.delta_rotation = {};
+    }
+}
+
+std::uint32_t find_diverged(const BodyStore& bodies) {
+    std::uint32_t first = kNoBody;
+    for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
+        const SolverBody& body = bodies.solver_bodies[i];
+        const BodyFrame& frame = bodies.frames[bodies.moving[i].body];
+        const bool finite = is_finite(body.velocity) && std::isfinite(body.angular_velocity) &&
+                            is_finite(frame.center) && std::isfinite(frame.pose.rotation.c + frame.pose.rotation.s);
+        if (!finite) first = std::min(first, bodies.moving[i].body);
+    }
+    return first;
+}
+
+}  // namespace tumble

@@ -1,0 +1,55 @@
+// What every joint knows of its two bodies: the frame of a point constraint, and how impulses act on them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "dynamics/body_store.hpp"
+#include "dynamics/softness.hpp"
+#include "tumble/joint.hpp"
+
+namespace tumble {
+
+// What all joints share in a step.
+struct JointContext {
+    float h = 0.0f;  // sub-step, s
+    float inv_h = 0.0f;
+    Softness softness;
+};
+
+// Bodies and anchors of a joint during a step. Arms are in world axes at the start of the step.
+struct JointBodies {
+    std::uint32_t a = kStaticSolverBody;  // solver bodies
+    std::uint32_t b = kStaticSolverBody;
+    float inv_mass_a = 0.0f, inv_mass_b = 0.0f;
+    float inv_inertia_a = 0.0f, inv_inertia_b = 0.0f;
+    Vec2 arm_a, arm_b;       // from the centres of mass to the anchors
+    Vec2 center_difference;  // of B's centre from A's
+
+    static JointBodies make(const BodyFrame& a, Vec2 anchor_a, const BodyFrame& b, Vec2 anchor_b) {
+        JointBodies bodies{a.solver_body, b.solver_body, a.inv_mass, b.inv_mass, a.inv_inertia, b.inv_inertia,
+                           rotate(a.pose.rotation, anchor_a) - a.center_offset,
+                           rotate(b.pose.rotation, anchor_b) - b.center_offset, to_float(b.center - a.center)};
+        return bodies;
+    }
+
+    // Arms now, turned with the bodies.
+    Vec2 current_arm_a(std::span<const SolverBody> all) const { return rotate(all[a].delta_rotation, arm_a); }
+    Vec2 current_arm_b(std::span<const SolverBody> all) const { return rotate(all[b].delta_rotation, arm_b); }
+
+    // From A's anchor to B's, now.
+    Vec2 current_separation(std::span<const SolverBody> all) const {
+        return center_difference + (all[b].delta_position - all[a].delta_position) +
+               (current_arm_b(all) - current_arm_a(all));
+    }
+
+    // An impulse on B at its arm, and its opposite on A. Bodies of no inverse mass stay as they are.
+    void apply(Vec2 impulse, Vec2 current_a, Vec2 current_b, std::span<SolverBody> all) const {
+        all[a].velocity -= inv_mass_a * impulse;
+        all[a].angular_velocity -= inv_inertia_a * cross(current_a, impulse);
+        all[b].velocity += inv_mass_b * impulse;
+        all[b].angular_velocity += inv_inertia_b * cross(current_b, impulse);
+    }
+};
+
+}  // namespace tumble

@@ -1,0 +1,64 @@
+#include "dynamics/shape_store.hpp"
+
+#include "dynamics/constants.hpp"
+
+namespace tumble {
+
+namespace {
+
+Aabb enlarged(const Aabb& box, float smaller_extent) {
+    const float margin = aabb_margin(smaller_extent);
+    return {box.lower - Vec2{margin, margin}, box.upper + Vec2{margin, margin}};
+}
+
+}  // namespace
+
+ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def, const BodyFrame& frame, BroadPhase& broad) {
+    const ShapeId id = ids.acquire();
+    if (id.index == records_.size()) records_.emplace_back();
+    const float smaller = extent(def.shape).smaller;
+    records_[id.index] = {def.shape, def.material, body, smaller, true};
+    const bool fixed = frame.type == BodyType::static_body;
+    const Aabb box = bounds(def.shape, frame.pose);
+    broad.add(id.index, fixed ? box : enlarged(box, smaller), fixed ? Mobility::fixed : Mobility::moving);
+    return id;
+}
+
+void ShapeStore::destroy(ShapeId id, BroadPhase& broad) {
+    broad.remove(id.index);
+    records_[id.index] = ShapeRecord{};
+    ids.release(id);
+    destroyed_.push_back(id.index);
+}
+
+void ShapeStore::forget_destroyed() {
+    for (const std::uint32_t index : destroyed_) ids.recycle(index);
+    destroyed_.clear();
+}
+
+void ShapeStore::update_proxy(std::uint32_t shape, const Pose& world_from_body, BroadPhase& broad) const {
+    const ShapeRecord& record = records_[shape];
+    const Aabb box = bounds(record.shape, world_from_body);
+    if (!contains(broad.box(shape), box)) broad.move(shape, enlarged(box, record.smaller_extent));
+}
+
+BodyMass body_mass(BodyType type, const std::vector<ShapeId>& shapes, const ShapeStore& store) {
+    if (type != BodyType::dynamic_body) return {};
+    double mass = 0.0, inertia = 0.0;  // inertia about the body's origin until the centre is known
+    DVec2 moment;
+    for (const ShapeId id : shapes) {
+        const ShapeRecord& record = store[id.index];
+        const MassProperties part = mass_properties(record.shape);
+        const double part_mass = static_cast<double>(record.material.density) * part.area;
+        const DVec2 center(part.center);
+        mass += part_mass;
+        moment += part_mass * center;
+        inertia += static_cast<double>(record.material.density) * part.inertia + part_mass * length_sq(center);
+    }
+    if (!(mass > 0.0)) return {1.0f, {}, 0.0f};
+    const DVec2 center = (1.0 / mass) * moment;
+    inertia -= mass * length_sq(center);
+    return {static_cast<float>(mass), to_float(center), static_cast<float>(inertia)};
+}
+
+}  // namespace tumble

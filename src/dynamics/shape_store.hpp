@@ -1,0 +1,48 @@
+// Shapes on bodies, and their proxies in the broad phase: a shape's index is its key there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "broad/broad_phase.hpp"
+#include "dynamics/body_store.hpp"
+#include "dynamics/id_pool.hpp"
+#include "tumble/body.hpp"
+#include "tumble/shape.hpp"
+
+namespace tumble {
+
+struct ShapeRecord {
+    Shape shape;  // body coordinates
+    SurfaceMaterial material;
+    std::uint32_t body = 0;        // index
+    float smaller_extent = 0.0f;   // m
+    bool is_live = false;
+};
+
+class ShapeStore {
+public:
+    ShapeId create(std::uint32_t body, const ShapeDef& def, const BodyFrame& frame, BroadPhase& broad);
+
+    // The index is not used again before forget_destroyed(): until then contacts may still name it.
+    void destroy(ShapeId id, BroadPhase& broad);
+    bool has_destroyed() const { return !destroyed_.empty(); }
+    void forget_destroyed();
+
+    // Follows the body: enlarges the proxy's box if the shape has left it.
+    void update_proxy(std::uint32_t shape, const Pose& world_from_body, BroadPhase& broad) const;
+
+    const ShapeRecord& operator[](std::uint32_t index) const { return records_[index]; }
+    std::size_t capacity() const { return records_.size(); }
+
+    IdPool<ShapeId> ids;
+
+private:
+    std::vector<ShapeRecord> records_;  // by shape index
+    std::vector<std::uint32_t> destroyed_;
+};
+
+// The mass of a body from its shapes: zero unless dynamic, 1 kg that does not turn if the shapes weigh nothing.
+BodyMass body_mass(BodyType type, const std::vector<ShapeId>& shapes, const ShapeStore& store);
+
+}  // namespace tumble

@@ -1,0 +1,40 @@
+// Soft constraints: a spring and damper given by frequency and damping ratio, integrated implicitly over a sub-step.
+//
+// The impulse is - mass * (mass_scale * (relative velocity + bias_rate * error)) - impulse_scale * (impulse so far)
+// [Catto 2011, "Soft Constraints"; Catto 2024, "Solver2D"]. Unconditionally stable; rigid is {0, 1, 0}.
+#pragma once
+
+#include <algorithm>
+
+#include "dynamics/constants.hpp"
+
+namespace tumble {
+
+struct Softness {
+    float bias_rate = 0.0f;      // 1/s
+    float mass_scale = 1.0f;     // part of the rigid impulse
+    float impulse_scale = 0.0f;  // of the accumulated impulse, taken back
+};
+
+inline Softness make_softness(float hertz, float damping_ratio, float h) {
+    const float omega = 2.0f * static_cast<float>(kPi) * hertz;
+    const float a1 = 2.0f * damping_ratio + h * omega;
+    const float a2 = h * omega * a1;
+    const float a3 = 1.0f / (1.0f + a2);
+    return {omega / a1, a2 * a3, a3};
+}
+
+inline Softness contact_softness(float h) {
+    return make_softness(std::min(kContactHertz, kContactHertzPerSubstep / h), kContactDampingRatio, h);
+}
+
+inline Softness static_contact_softness(float h) {
+    const float hertz = std::min(kContactHertz, kContactHertzPerSubstep / h);
+    return make_softness(kStaticStiffening * hertz, kContactDampingRatio, h);
+}
+
+inline Softness joint_softness(float h) {
+    return make_softness(std::min(kJointHertz, kJointHertzPerSubstep / h), kJointDampingRatio, h);
+}
+
+}  // namespace tumble

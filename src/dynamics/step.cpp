@@ -1,0 +1,121 @@
+// The stages of a step, in the order in which it runs them.
+#include <chrono>
+
+#include "dynamics/integrate.hpp"
+#include "dynamics/simulation.hpp"
+
+namespace tumble {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+float substep_duration(const Simulation& simulation) {
+    return simulation.settings.duration / static_cast<float>(simulation.settings.substeps);
+}
+
+JointContext joint_context(const Simulation& simulation) {
+    const float h = substep_duration(simulation);
+    return {h, 1.0f / h, joint_softness(h)};
+}
+
+bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {
+    for (const JointId id : simulation.bodies.records[body_a].joints) {
+        const JointDef& def = simulation.joints.def(id);
+        const std::uint32_t a = joint_body_a(def).index, b = joint_body_b(def).index;
+        if ((a == body_b || b == body_b) && !collides_connected(def)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void step(Simulation& simulation) {
+    const Clock::time_point start = Clock::now();
+    find_pairs(simulation);
+    simulation.times.pairs_ms = milliseconds_since(start);
+
+    const Clock::time_point narrow_start = Clock::now();
+    collide_pairs(simulation);
+    simulation.times.narrow_ms = milliseconds_since(narrow_start);
+
+    const Clock::time_point solve_start = Clock::now();
+    prepare_constraints(simulation);
+    for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation);
+    bounce(simulation);
+    store_results(simulation);
+    finalize_poses(simulation.bodies);
+    simulation.times.solve_ms = milliseconds_since(solve_start);
+
+    if (find_diverged(simulation.bodies) == kNoBody) update_proxies(simulation);
+    simulation.times.total_ms = milliseconds_since(start);
+}
+
+bool may_collide(const Simulation& simulation, ProxyPair shapes) {
+    const std::uint32_t a = simulation.shapes[shapes.a].body, b = simulation.shapes[shapes.b].body;
+    if (a == b || !(simulation.bodies.is_dynamic(a) || simulation.bodies.is_dynamic(b))) return false;
+    return !joined_without_contact(simulation, a, b);
+}
+
+// New pairs come from boxes that have moved; pairs go when their boxes have parted, which only such a box can cause.
+void find_pairs(Simulation& simulation) {
+    const bool moved = simulation.broad.has_moved();
+    const std::vector<ProxyPair>& new_pairs =
+        simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); });
+    if (!moved && !simulation.shapes.has_destroyed() && !simulation.filters_changed) return;
+    simulation.contacts.update(new_pairs, simulation.shapes, [&](const Contact& contact) {
+        const bool live = simulation.shapes[contact.shapes.a].is_live && simulation.shapes[contact.shapes.b].is_live;
+        const bool keep = live && simulation.broad.overlap(contact.shapes) &&
+                          !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
+        if (!keep) simulation.broad.forget(contact.shapes);
+        return keep;
+    });
+    simulation.shapes.forget_destroyed();
+    simulation.filters_changed = false;
+}
+
+void collide_pairs(Simulation& simulation) {
+    for (Contact& contact : simulation.contacts.all())
+        collide_contact(contact, simulation.bodies, simulation.shapes);
+}
+
+void prepare_constraints(Simulation& simulation) {
+    simulation.graph.build(simulation.contacts.all(), simulation.bodies);
+    prepare_contacts(simulation.contacts.all(), simulation.bodies, simulation.graph, substep_duration(simulation),
+                     simulation.blocks);
+    simulation.joints.prepare(simulation.bodies);
+}
+
+void run_substep(Simulation& simulation) {
+    const JointContext context = joint_context(simulation);
+    const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
+    integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, simulation.settings.duration);
+    simulation.joints.warm_start(bodies);
+    warm_start_contacts(simulation.blocks, bodies);
+    simulation.joints.solve(context, true, bodies);
+    solve_contacts(simulation.blocks, bodies, context.inv_h);
+    integrate_positions(simulation.bodies, context.h);
+    simulation.joints.solve(context, false, bodies);
+    relax_contacts(simulation.blocks, bodies, context.inv_h);
+}
+
+void bounce(Simulation& simulation) { apply_restitution(simulation.blocks, simulation.bodies.solver_bodies); }
+
+void store_results(Simulation& simulation) {
+    store_impulses(simulation.blocks, simulation.graph, simulation.contacts.all());
+    simulation.joints.store(joint_context(simulation));
+}
+
+void update_proxies(Simulation& simulation) {
+    for (std::size_t i = 1; i < simulation.bodies.moving.size(); ++i) {
+        const std::uint32_t body = simulation.bodies.moving[i].body;
+        for (const ShapeId shape : simulation.bodies.records[body].shapes)
+            simulation.shapes.update_proxy(shape.index, simulation.bodies.frames[body].pose, simulation.broad);
+    }
+}
+
+}  // namespace tumble
