@@ -1,0 +1,14 @@
+// Contacts as a user sees them: ids, world points and impulses.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/simulation.hpp"
+#include "tumble/world.hpp"
+
+namespace tumble {
+
+// The contact points of the last step in order of shape ids, without those of shapes destroyed since.
+std::vector<ContactPoint> report_contacts(const Simulation& simulation);
+
+}  // namespace tumble

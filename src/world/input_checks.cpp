@@ -1,0 +1,98 @@
+#include "world/input_checks.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace tumble {
+
+namespace {
+
+// A rotation given by cosine and sine may have this much less or more than unit length: far more than rounding to
+// float leaves, far less than a mistake.
+constexpr double kUnitTolerance = 1e-4;
+
+// Shortest decimal that reads back as the same number.
+std::string print(double value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    return {text, end};
+}
+
+std::string print(float value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    return {text, end};
+}
+
+std::string print(Vec2 v) { return "(" + print(v.x) + ", " + print(v.y) + ")"; }
+std::string print(DVec2 v) { return "(" + print(v.x) + ", " + print(v.y) + ")"; }
+
+template <class Value>
+void require(bool holds, const char* what, const char* expected, Value value) {
+    if (!holds) throw std::invalid_argument(std::string(what) + " must be " + expected + ", got " + print(value));
+}
+
+void require_not_negative(float value, const char* what) {
+    require(std::isfinite(value) && value >= 0.0f, what, "finite and not negative", value);
+}
+
+void check(const RevoluteJointDef& def) {
+    require(std::isfinite(def.reference_angle), "joint reference_angle", "finite", def.reference_angle);
+}
+
+void check(const DistanceJointDef& def) {
+    require(std::isfinite(def.length) && def.length > 0.0f, "joint length", "finite and greater than 0", def.length);
+}
+
+}  // namespace
+
+void check(const WorldDef& def) {
+    require(is_finite(def.gravity), "gravity", "finite", def.gravity);
+    require(std::isfinite(def.steps_per_second) && def.steps_per_second > 0.0f, "steps_per_second",
+            "finite and greater than 0", def.steps_per_second);
+    if (def.substeps < 1)
+        throw std::invalid_argument("substeps must be at least 1, got " + std::to_string(def.substeps));
+}
+
+void check(const BodyDef& def) {
+    require(is_finite(def.pose.position), "body position", "finite", def.pose.position);
+    const Rotation q = def.pose.rotation;
+    const double length = std::sqrt(double{q.c} * q.c + double{q.s} * q.s);
+    require(std::abs(length - 1.0) <= kUnitTolerance, "body rotation (cosine, sine)", "of length 1", Vec2{q.c, q.s});
+    check_velocity(def.velocity, def.angular_velocity);
+    require_not_negative(def.linear_damping, "body linear_damping");
+    require_not_negative(def.angular_damping, "body angular_damping");
+    require(std::isfinite(def.gravity_scale), "body gravity_scale", "finite", def.gravity_scale);
+}
+
+void check(const ShapeDef& def) {
+    if (def.shape.vertex_count() < 1) throw std::invalid_argument("shape must have at least 1 vertex, got 0");
+    require_not_negative(def.shape.radius(), "shape radius");
+    for (int i = 0; i < def.shape.vertex_count(); ++i)
+        require(is_finite(def.shape.vertex(i)), "shape vertex", "finite", def.shape.vertex(i));
+    require_not_negative(def.material.density, "shape density");
+    require_not_negative(def.material.friction, "shape friction");
+    const float restitution = def.material.restitution;
+    require(restitution >= 0.0f && restitution <= 1.0f, "shape restitution", "between 0 and 1", restitution);
+    require_not_negative(def.material.rolling_resistance, "shape rolling_resistance");
+    require(std::isfinite(def.material.tangent_speed), "shape tangent_speed", "finite", def.material.tangent_speed);
+}
+
+void check(const JointDef& def) {
+    std::visit(
+        [](const auto& kind) {
+            require(is_finite(kind.anchor_a), "joint anchor_a", "finite", kind.anchor_a);
+            require(is_finite(kind.anchor_b), "joint anchor_b", "finite", kind.anchor_b);
+            check(kind);
+        },
+        def);
+}
+
+void check_velocity(Vec2 velocity, float angular_velocity) {
+    require(is_finite(velocity), "body velocity", "finite", velocity);
+    require(std::isfinite(angular_velocity), "body angular_velocity", "finite", angular_velocity);
+}
+
+}  // namespace tumble

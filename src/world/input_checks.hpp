@@ -1,0 +1,16 @@
+// Refuses what a caller must not pass: std::invalid_argument that names the value and says what was expected.
+#pragma once
+
+#include "tumble/body.hpp"
+#include "tumble/joint.hpp"
+#include "tumble/world.hpp"
+
+namespace tumble {
+
+void check(const WorldDef& def);
+void check(const BodyDef& def);
+void check(const ShapeDef& def);
+void check(const JointDef& def);  // its numbers; whether the bodies live is the world's to say
+void check_velocity(Vec2 velocity, float angular_velocity);
+
+}  // namespace tumble

@@ -1,0 +1,105 @@
+#include "world/validate.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace tumble {
+
+namespace {
+
+void require(bool holds, const char* invariant, std::size_t index) {
+    if (!holds) throw std::logic_error("world: " + std::string(invariant) + " (index " + std::to_string(index) + ")");
+}
+
+void validate_bodies(const BodyStore& bodies) {
+    require(bodies.moving.size() == bodies.solver_bodies.size(), "solver bodies have no partner", bodies.moving.size());
+    require(bodies.solver_bodies[kStaticSolverBody].velocity == Vec2{}, "the static body moves", 0);
+    std::size_t moving = 1;
+    for (const BodyId id : bodies.ids.live()) {
+        const BodyFrame& frame = bodies.frames[id.index];
+        const bool is_static = frame.type == BodyType::static_body;
+        require(is_static == (frame.solver_body == kStaticSolverBody), "a body is moved that must not be", id.index);
+        require((frame.inv_mass > 0.0f) == bodies.is_dynamic(id.index), "a mass does not fit the type", id.index);
+        if (is_static) continue;
+        ++moving;
+        require(frame.solver_body < bodies.moving.size(), "a solver body is out of range", id.index);
+        require(bodies.moving[frame.solver_body].body == id.index, "a solver body belongs to another", id.index);
+    }
+    require(moving == bodies.moving.size(), "solver bodies are not those of the moving bodies", moving);
+}
+
+void validate_shapes(const Simulation& simulation) {
+    std::size_t owned = 0;
+    for (const BodyId body : simulation.bodies.ids.live()) {
+        for (const ShapeId id : simulation.bodies.records[body.index].shapes) {
+            ++owned;
+            require(simulation.shapes.ids.is_live(id), "a body has a shape that is gone", body.index);
+            require(simulation.shapes[id.index].body == body.index, "a shape belongs to another body", id.index);
+            const Aabb box = bounds(simulation.shapes[id.index].shape, simulation.bodies.frames[body.index].pose);
+            require(contains(simulation.broad.box(id.index), box), "a proxy's box does not hold its shape", id.index);
+        }
+    }
+    require(owned == simulation.shapes.ids.live().size(), "shapes without a body", owned);
+}
+
+void validate_joints(const Simulation& simulation) {
+    for (const JointId id : simulation.joints.ids.live()) {
+        const JointDef& def = simulation.joints.def(id);
+        for (const BodyId body : {joint_body_a(def), joint_body_b(def)}) {
+            require(simulation.bodies.ids.is_live(body), "a joint holds a body that is gone", id.index);
+            const std::vector<JointId>& joints = simulation.bodies.records[body.index].joints;
+            require(std::count(joints.begin(), joints.end(), id) == 1, "a body does not know its joint", id.index);
+        }
+    }
+    std::size_t listed = 0;
+    for (const BodyId body : simulation.bodies.ids.live())
+        listed += simulation.bodies.records[body.index].joints.size();
+    require(listed == 2 * simulation.joints.ids.live().size(), "bodies list joints that are gone", listed);
+}
+
+void validate_contacts(const Simulation& simulation) {
+    const std::vector<Contact>& contacts = simulation.contacts.all();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Contact& contact = contacts[i];
+        require(contact.shapes.a < contact.shapes.b, "a contact's shapes are out of order", i);
+        require(i == 0 || contacts[i - 1].shapes < contact.shapes, "contacts are out of order", i);
+        require(simulation.broad.knows(contact.shapes), "a contact's pair is not known", i);
+        const ShapeRecord& a = simulation.shapes[contact.shapes.a];
+        const ShapeRecord& b = simulation.shapes[contact.shapes.b];
+        if (!a.is_live || !b.is_live) continue;  // dropped by the next step
+        require(a.body == contact.body_a && b.body == contact.body_b, "a contact names a wrong body", i);
+        require(contact.manifold.point_count >= 0 && contact.manifold.point_count <= 2, "manifold points", i);
+        for (int point = 0; point < contact.manifold.point_count; ++point)
+            require(contact.impulses[point].normal >= 0.0f, "a contact pulls", i);
+    }
+    require(simulation.broad.known_count() == contacts.size(), "known pairs are not the contacts", contacts.size());
+}
+
+// The graph is that of the last step: bodies that came later have no contacts in it.
+void validate_blocks(const Simulation& simulation) {
+    require(simulation.blocks.size() == simulation.graph.block_count(), "blocks are not the graph's", 0);
+    for (std::size_t i = 0; i < simulation.blocks.size(); ++i) {
+        std::vector<std::uint32_t> written;
+        for (int lane = 0; lane < kLaneCount; ++lane) {
+            const ContactBlock& block = simulation.blocks[i];
+            if (block.inv_mass_a[lane] > 0.0f) written.push_back(block.body_a[lane]);
+            if (block.inv_mass_b[lane] > 0.0f) written.push_back(block.body_b[lane]);
+        }
+        std::sort(written.begin(), written.end());
+        require(std::adjacent_find(written.begin(), written.end()) == written.end(), "a block shares a body", i);
+    }
+}
+
+}  // namespace
+
+void validate(const Simulation& simulation) {
+    simulation.broad.validate();
+    validate_bodies(simulation.bodies);
+    validate_shapes(simulation);
+    validate_joints(simulation);
+    validate_contacts(simulation);
+    validate_blocks(simulation);
+}
+
+}  // namespace tumble

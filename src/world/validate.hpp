@@ -1,0 +1,11 @@
+// Walks every invariant that the stores promise each other; for tests and for hunting defects.
+#pragma once
+
+#include "dynamics/simulation.hpp"
+
+namespace tumble {
+
+// Throws std::logic_error that names the first invariant broken.
+void validate(const Simulation& simulation);
+
+}  // namespace tumble

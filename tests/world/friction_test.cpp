@@ -1,0 +1,100 @@
+// Friction, rolling resistance and belts against Coulomb's law.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/worlds.hpp"
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+constexpr double kGravity = 10.0;
+constexpr double kH = 1.0 / 240.0;
+constexpr double kDegree = kPi / 180.0;
+
+// A flat box on a slope that falls to the right; how far it has slid along it after `steps`.
+double slide(double slope, float friction, int steps) {
+    World world;
+    const SurfaceMaterial material{.friction = friction};
+    add_static(world, {}, make_box({100.0f, 2.0f}), material, -slope);
+    const DVec2 up{std::sin(slope), std::cos(slope)}, down{std::cos(slope), -std::sin(slope)};
+    const BodyId box = add_dynamic(world, 1.25 * up, make_box({2.0f, 0.5f}), material, -slope);
+    run(world, steps);
+    return dot(world.state(box).pose.position - 1.25 * up, down);
+}
+
+}  // namespace
+
+TEST_CASE("a box slips at the angle whose tangent is the friction, within half a degree") {
+    for (const float friction : {0.2f, 0.6f, 1.0f}) {
+        const double critical = std::atan(friction);
+        // Below: it may creep by what the soft contact gives way when it settles, a fraction of a millimetre.
+        CHECK(std::abs(slide(critical - 0.5 * kDegree, friction, 120)) < 0.001);
+        // Above: it slides by (a t^2) / 2 with a = g (sin - mu cos); friction begins a step late at most (1/60 of 2 s,
+        // twice over), so 4 % is allowed.
+        const double slope = critical + 0.5 * kDegree;
+        const double expected = kGravity * (std::sin(slope) - friction * std::cos(slope)) * 4.0 / 2.0;
+        CHECK(slide(slope, friction, 120) == doctest::Approx(expected).epsilon(0.04));
+    }
+}
+
+TEST_CASE("the friction of a pair is the root of the product") {
+    World world;
+    add_floor(world, {.friction = 0.9f});
+    const BodyId box = add_dynamic(world, {0.0, 0.25}, make_box({2.0f, 0.5f}), {.friction = 0.4f});
+    world.set_velocity(box, {4.0f, 0.0f}, 0.0f);
+    run(world, 30);
+    // sqrt(0.36) = 0.6: after half a second 4 - 0.6 g / 2 = 1 m/s are left.
+    CHECK(world.state(box).velocity.x == doctest::Approx(1.0).epsilon(0.02));
+}
+
+TEST_CASE("a sliding box stops after v^2 / (2 mu g)") {
+    World world;
+    add_floor(world, {.friction = 0.5f});
+    const BodyId box = add_dynamic(world, {0.0, 0.125}, make_box({4.0f, 0.25f}), {.friction = 0.5f});
+    world.set_velocity(box, {5.0f, 0.0f}, 0.0f);
+    run(world, 120);
+    // The scheme moves with the velocity at the end of each sub-step: v h / 2 less, and one sub-step more or less.
+    const double expected = 25.0 / (2.0 * 0.5 * kGravity);
+    CHECK(std::abs(world.state(box).pose.position.x - expected) < 5.0 * kH * 1.5);
+    CHECK(std::abs(world.state(box).velocity.x) < 1e-4);
+}
+
+TEST_CASE("a rolling ball stops after 3 v^2 / (4 c g) under the rolling resistance c") {
+    World world;
+    constexpr float c = 0.1f, v = 2.0f, radius = 0.5f;
+    add_floor(world);
+    const BodyId ball = add_dynamic(world, {0.0, radius}, make_circle(radius), {.rolling_resistance = c});
+    world.set_velocity(ball, {v, 0.0f}, -v / radius);
+    // The torque c r m g slows a disc (I = m r^2 / 2) that rolls without slipping by a = (2/3) c g: v / a = 3 s.
+    run(world, 240);
+    const double expected = 3.0 * v * v / (4.0 * c * kGravity);
+    CHECK(world.state(ball).pose.position.x == doctest::Approx(expected).epsilon(0.01));
+    CHECK(std::abs(world.state(ball).angular_velocity) < 1e-3);
+}
+
+TEST_CASE("a ball without rolling resistance rolls on for ever") {
+    World world;
+    add_floor(world);
+    const BodyId ball = add_dynamic(world, {0.0, 0.5}, make_circle(0.5f));
+    world.set_velocity(ball, {2.0f, 0.0f}, -4.0f);
+    run(world, 600);
+    CHECK(world.state(ball).velocity.x == doctest::Approx(2.0).epsilon(0.001));
+}
+
+TEST_CASE("a belt carries to the left at its tangent speed, whichever body was made first") {
+    for (const bool belt_first : {true, false}) {
+        World world;
+        const SurfaceMaterial belt{.tangent_speed = 2.0f};
+        if (belt_first) add_floor(world, belt);
+        const BodyId box = add_dynamic(world, {0.0, 0.125}, make_box({2.0f, 0.25f}));
+        if (!belt_first) add_floor(world, belt);
+        run(world, 12);
+        // Speeding up at mu g = 6 m/s^2 for 0.2 s.
+        CHECK(world.state(box).velocity.x == doctest::Approx(-1.2).epsilon(0.1));
+        run(world, 108);
+        CHECK(world.state(box).velocity.x == doctest::Approx(-2.0).epsilon(0.001));
+    }
+}
