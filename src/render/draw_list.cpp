@@ -1,5 +1,8 @@
 #include "render/draw_list.hpp"
 
+#include <variant>
+
+#include "render/chain_band.hpp"
 #include "render/grid.hpp"
 #include "render/joint_marks.hpp"
 #include "render/orientation_mark.hpp"
@@ -10,10 +13,17 @@
 namespace tumble::render {
 namespace {
 
-constexpr double kMarkOpacity = 0.75;
+constexpr double kMarkOpacity = 0.6;
 
 // A body of several shapes shows which way it is turned by itself, unless they are circles.
 bool has_mark(const Shape& shape, std::size_t shape_count) { return shape_count == 1 || shape.vertex_count() == 1; }
+
+void add_chain_bands(std::vector<MeshVertex>& mesh, const View& view, const SceneBody& body, const Pose& pose,
+                     Color color) {
+    for (const SceneShape& shape : body.shapes)
+        if (const auto* chain = std::get_if<ChainGeometry>(&shape.geometry); chain && !chain->two_sided)
+            add_chain_band(mesh, view, chain->points, chain->loop, pose, color);
+}
 
 }  // namespace
 
@@ -35,6 +45,8 @@ void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world
         const bool is_static = world.world.type(body.id) == BodyType::static_body;
         paints.resize(shapes.size());
         palette.paint_body(body.source, ordinal, paints);
+        if (is_static && !paints.empty() && body.source < scene.bodies.size())
+            add_chain_bands(list.ground.mesh, view, scene.bodies[body.source], pose, paints.front().outline);
         for (std::size_t k = 0; k < shapes.size(); ++k) {
             const Shape& shape = world.world.shape(shapes[k]);
             add_shape(is_static ? list.ground : list.bodies, view, shape, pose, paints[k], line_width);

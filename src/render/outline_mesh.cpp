@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/clip.hpp"
+#include "render/mitre.hpp"
 #include "render/style.hpp"
 
 namespace tumble::render {
@@ -12,15 +13,7 @@ namespace {
 
 constexpr double kChordError = 0.05;   // pixels
 constexpr double kLeastSpacing = 0.5;  // pixels
-constexpr double kLongestMitre = 4.0;  // of the offset, at sharp corners
 constexpr double kOuterDepth = 1.0;    // pixels outside, where nothing is covered any more
-
-// The outward unit normal of the edge from a to b of a counter-clockwise outline.
-DVec2 outward_normal(DVec2 a, DVec2 b) {
-    const DVec2 edge = b - a;
-    const double size = length(edge);
-    return size > 0.0 ? (-1.0 / size) * perp(edge) : DVec2{};
-}
 
 // Appends the arc about `center` from one direction (radians) through `turn` more.
 void append_arc(std::vector<DVec2>& outline, DVec2 center, double radius, double from, double turn) {
@@ -43,8 +36,8 @@ std::vector<DVec2> rounded(const std::vector<DVec2>& core, double radius) {
         return outline;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const DVec2 before = outward_normal(core[(i + count - 1) % count], core[i]);
-        const DVec2 after = outward_normal(core[i], core[(i + 1) % count]);
+        const DVec2 before = right_normal(core[(i + count - 1) % count], core[i]);
+        const DVec2 after = right_normal(core[i], core[(i + 1) % count]);
         const double from = arc_tangent(before.y, before.x);
         const double turn = count == 2 ? kPi : arc_tangent(cross(before, after), dot(before, after));
         append_arc(outline, core[i], radius, from, std::max(turn, 0.0));
@@ -60,19 +53,6 @@ std::vector<DVec2> thinned(const std::vector<DVec2>& outline) {
     return kept;
 }
 
-// For each vertex the vector that moves it outwards by one pixel from both its edges.
-std::vector<DVec2> mitres(const std::vector<DVec2>& outline) {
-    const std::size_t count = outline.size();
-    std::vector<DVec2> result(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const DVec2 before = outward_normal(outline[(i + count - 1) % count], outline[i]);
-        const DVec2 after = outward_normal(outline[i], outline[(i + 1) % count]);
-        const DVec2 sum = before + after;  // its length is 2 cos(half the turn), the mitre's 1 / cos(half the turn)
-        result[i] = (2.0 / std::max(length_sq(sum), 4.0 / (kLongestMitre * kLongestMitre))) * sum;
-    }
-    return result;
-}
-
 // How far the outline can be moved inwards before it turns inside out: the least distance of the mean of its points
 // from an edge.
 double depth_of_middle(const std::vector<DVec2>& outline) {
@@ -82,7 +62,7 @@ double depth_of_middle(const std::vector<DVec2>& outline) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const DVec2 next = outline[(i + 1) % outline.size()];
-        least = std::min(least, dot(outward_normal(outline[i], next), next - middle));
+        least = std::min(least, dot(right_normal(outline[i], next), next - middle));
     }
     return least;
 }
@@ -101,7 +81,7 @@ void add_outline_mesh(std::vector<MeshVertex>& mesh, const View& view, const Sha
                       Paint paint) {
     const std::vector<DVec2> outline = clip_polygon(view, kClipMargin, pixel_outline(view, shape, pose));
     if (outline.size() < 3) return;
-    const std::vector<DVec2> mitre = mitres(outline);
+    const std::vector<DVec2> mitre = mitres(outline, true);
     const double inner = std::min(style::kOutline * view.detail() + kOuterDepth, depth_of_middle(outline));
     if (inner < kOuterDepth) paint = flat(paint.fill);  // too small for an outline of its own
 

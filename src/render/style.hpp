@@ -31,6 +31,9 @@ inline constexpr std::array<Color, 8> kBodies{{
 
 inline constexpr double kOutline = 1.5;       // width
 inline constexpr double kSegment = 2.5;       // width of a shape without area
+inline constexpr double kBand = 22.0;         // of the solid side of a chain,
+inline constexpr double kBandMetres = 0.6;    // but no wider than this in the world
+inline constexpr double kBandOpacity = 0.4;   // at the line
 inline constexpr double kMark = 1.5;          // width of an orientation mark
 inline constexpr double kSmallestMark = 7.0;  // half the smaller extent of a shape below which it has none
 inline constexpr double kAnchor = 3.2;        // radius of a joint's anchor
