@@ -1,0 +1,228 @@
+// R.U.B.E. exports (b2dJson, Chris Campbell): world, bodies, fixtures and joints of a Box2D scene, to a scene of ours.
+//
+// What a scene has no place for is noted, once per feature, with a count. The result is read back as a scene file
+// before it is returned: an import can always be saved and loaded.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "scene/diagnostics.hpp"
+#include "scene/files.hpp"
+#include "scene/input.hpp"
+#include "scene/json_text.hpp"
+#include "scene/rube_joints.hpp"
+#include "scene/rube_shapes.hpp"
+#include "scene/rube_values.hpp"
+#include "tumble/scene.hpp"
+
+namespace tumble {
+
+namespace scene {
+
+namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+constexpr double kMassTolerance = 1e-3;     // relative: exports carry mass data to about 1e-4
+constexpr double kInertiaTolerance = 1e-2;  // relative
+
+// A JavaScript file that assigns the scene to a variable, "var name = {...};": the wrapper becomes blanks, so that
+// positions stay those of the file.
+std::string without_javascript(std::string_view text) {
+    std::string result(text);
+    const std::size_t open = result.find('{');
+    const std::size_t equals = result.find('=');
+    const std::size_t close = result.find_last_not_of("; \t\r\n");
+    if (open == std::string::npos || equals >= open || close == std::string::npos || result[close] != '}') return result;
+    const auto blank = [](char& c) { c = c == '\n' ? '\n' : ' '; };
+    std::for_each(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(open), blank);
+    std::for_each(result.begin() + static_cast<std::ptrdiff_t>(close) + 1, result.end(), blank);
+    return result;
+}
+
+class RubeImporter {
+public:
+    explicit RubeImporter(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    ImportedScene import(const Json& document) {
+        RubeObject world(document, "", diagnostics_);
+        read_world(world);
+        std::vector<RubeObject> bodies = world.list("body");
+        for (RubeObject& body : bodies) read_body(body);
+        for (RubeObject& joint : world.list("joint")) read_joint(joint, bodies.size());
+        name_joints();
+        world.note_unread("world", notes_);
+        return {std::move(scene_), notes_.take()};
+    }
+
+private:
+    void read_world(RubeObject& world) {
+        scene_.world.gravity = world.vector("gravity");
+        scene_.world.sleeping = world.flag("allowSleep");
+        scene_.world.continuous = world.flag("continuousPhysics");
+        const double rate = world.number("stepsPerSecond");
+        if (rate > 0.0) scene_.world.steps_per_second = rate;
+        if (world.has("velocityIterations") || world.has("positionIterations")) notes_.add("numbers of solver iterations");
+        if (world.flag("subStepping")) notes_.add("sub-stepping of continuous physics");
+        if (!world.flag("warmStarting", true)) notes_.add("warm starting switched off");
+        if (!world.flag("autoClearForces", true)) notes_.add("forces that are not cleared");
+        if (world.has("image")) notes_.add("images", static_cast<int>(world.list("image").size()));
+        if (const std::string properties = world.raw("customProperties"); !properties.empty())
+            scene_.custom = "{\"customProperties\": " + properties + "}";
+        world.skip({"velocityIterations", "positionIterations", "image"});
+    }
+
+    void read_body(RubeObject& body) {
+        SceneBody result;
+        const double type = body.number("type");
+        if (type != 0.0 && type != 1.0 && type != 2.0)
+            diagnostics_.error(body.pointer_to("type"), "must be 0, 1 or 2, got " + number_text(type));
+        result.type = type == 2.0 ? BodyType::dynamic_body : type == 1.0 ? BodyType::kinematic_body : BodyType::static_body;
+        result.position = body.vector("position");
+        result.angle = std::remainder(body.number("angle") * kDegrees, 360.0);
+        result.velocity = body.vector("linearVelocity");
+        result.angular_velocity = body.number("angularVelocity") * kDegrees;
+        result.linear_damping = body.number("linearDamping");
+        result.angular_damping = body.number("angularDamping");
+        result.gravity_scale = body.number("gravityScale", 1.0);
+        read_name(body, result);
+        const bool active = body.flag("active", true);
+        for (const RubeObject& fixture : body.list("fixture"))
+            if (const std::optional<RubeFixture> read = read_rube_fixture(fixture, notes_); read && active)
+                result.shapes.push_back({read->geometry, material_of(read->surface), read->custom});
+        note_body(body, result, active);
+        body.note_unread("body", notes_);
+        active_.push_back(active);
+        scene_.bodies.push_back(std::move(result));
+    }
+
+    // Names are unique in a scene; the first body keeps a name that several have.
+    void read_name(RubeObject& body, SceneBody& result) {
+        Json custom = Json::object();
+        const std::string name = body.text("name");
+        result.name = name;
+        for (int number = 2; !result.name.empty() && !names_.insert(result.name).second; ++number)
+            result.name = name + "_" + std::to_string(number);
+        if (result.name != name) notes_.add("body names that occurred before, numbered");
+        if (const std::string properties = body.raw("customProperties"); !properties.empty())
+            result.custom = "{\"customProperties\": " + properties + "}";
+    }
+
+    void note_body(RubeObject& body, SceneBody& result, bool active) {
+        const bool awake = body.flag("awake"), may_sleep = body.flag("allowSleep", true);
+        const bool bullet = body.flag("bullet"), fixed = body.flag("fixedRotation");
+        const double mass = body.number("massData-mass"), inertia = body.number("massData-I");
+        body.skip({"massData-center"});
+        if (!active) {
+            notes_.add("inactive bodies, left without shapes");
+            result.type = BodyType::static_body;
+        }
+        if (result.type != BodyType::dynamic_body) return;
+        if (!awake) notes_.add("bodies that start asleep");
+        if (!may_sleep) notes_.add("bodies that may not sleep");
+        if (bullet) notes_.add("bullet bodies");
+        if (fixed) notes_.add("bodies that may not turn");
+        if (differs_in_mass(result, mass > 0.0 ? mass : 1.0, fixed ? 0.0 : inertia))
+            notes_.add("masses that are not those of the shapes");
+    }
+
+    // Inertia is about the body's origin, and counts only if it is positive.
+    bool differs_in_mass(const SceneBody& body, double mass, double inertia) const {
+        double shapes_mass = 0.0, shapes_inertia = 0.0;
+        for (const SceneShape& shape : body.shapes) {
+            const double density = surfaces_.at(shape.material).density;
+            for (const Shape& part : make_shapes(shape.geometry)) {
+                const MassProperties properties = mass_properties(part);
+                shapes_mass += density * properties.area;
+                shapes_inertia += density * (properties.inertia + properties.area * length_sq(DVec2(properties.center)));
+            }
+        }
+        if (std::abs(shapes_mass - mass) > kMassTolerance * mass) return true;
+        return inertia > 0.0 && std::abs(shapes_inertia - inertia) > kInertiaTolerance * inertia;
+    }
+
+    // The name of the material with this surface.
+    std::string material_of(const RubeSurface& surface) {
+        for (const auto& [name, known] : surfaces_)
+            if (known == surface) return name;
+        SceneMaterial material;
+        material.name = "surface_" + std::to_string(scene_.materials.size() + 1);
+        material.density = surface.density;
+        material.friction = surface.friction;
+        material.restitution = surface.restitution;
+        surfaces_[material.name] = surface;
+        scene_.materials.push_back(material);
+        return material.name;
+    }
+
+    void read_joint(RubeObject& joint, std::size_t body_count) {
+        const auto name_of = [this](std::size_t index) { return name_body(index); };
+        std::optional<SceneJoint> result = read_rube_joint(joint, body_count, name_of, notes_);
+        if (!result) return;
+        const bool active = is_active(result->body_a) && is_active(result->body_b);
+        if (!active) return notes_.add("joints of inactive bodies, left out");
+        scene_.joints.push_back(std::move(*result));
+    }
+
+    // Joints go by name: a body without one gets one.
+    std::string name_body(std::size_t index) {
+        std::string& name = scene_.bodies[index].name;
+        for (int number = 0; name.empty(); ++number) {
+            std::string candidate = "body_" + std::to_string(index) + (number > 0 ? "_" + std::to_string(number) : "");
+            if (names_.insert(candidate).second) name = candidate;
+        }
+        return name;
+    }
+
+    bool is_active(const std::string& name) const {
+        const auto found = std::find_if(scene_.bodies.begin(), scene_.bodies.end(),
+                                        [&](const SceneBody& body) { return body.name == name; });
+        return active_[static_cast<std::size_t>(found - scene_.bodies.begin())];
+    }
+
+    void name_joints() {
+        std::set<std::string> names;
+        for (SceneJoint& joint : scene_.joints) {
+            const std::string name = joint.name;
+            for (int number = 2; !joint.name.empty() && !names.insert(joint.name).second; ++number)
+                joint.name = name + "_" + std::to_string(number);
+            if (joint.name != name) notes_.add("joint names that occurred before, numbered");
+        }
+    }
+
+    Diagnostics& diagnostics_;
+    RubeNotes notes_;
+    Scene scene_;
+    std::set<std::string> names_;
+    std::map<std::string, RubeSurface> surfaces_;  // by the name of their material
+    std::vector<bool> active_;                     // [bodies]
+};
+
+}  // namespace
+
+}  // namespace scene
+
+ImportedScene import_rube(const std::filesystem::path& file) {
+    const std::string content = scene::read_file(file, scene::kMaxFileBytes);
+    const std::string text = scene::without_javascript(scene::without_byte_order_mark(content));
+    scene::Diagnostics diagnostics(file.string(), text);
+    ImportedScene imported;
+    if (const std::optional<scene::Json> document = scene::parse_json(text, diagnostics)) {
+        if (document->is_object() && document->contains("metaworld")) {
+            diagnostics.error("/metaworld", "this is a project of the R.U.B.E. editor, not an export",
+                              "open it in the editor, export the scene as JSON, and import that file",
+                              scene::Diagnostics::At::key);
+        } else if (document->is_object() && !document->contains("body") && !document->contains("gravity")) {
+            diagnostics.error("", "this is no R.U.B.E. export: it has neither \"body\" nor \"gravity\"");
+        } else {
+            imported = scene::RubeImporter(diagnostics).import(*document);
+        }
+    }
+    diagnostics.finish(nullptr);
+    imported.scene.name = file.stem().string();
+    imported.scene.description = "Imported from the R.U.B.E. export " + file.filename().string() + ".";
+    imported.scene = parse_scene(to_json(imported.scene), file.string() + " (as imported)");
+    return imported;
+}
+
+}  // namespace tumble
