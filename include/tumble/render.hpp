@@ -27,8 +27,8 @@ struct Image {
 struct Camera {
     DVec2 center;         // world point in the middle of the frame
     double height = 1.0;  // m of the world from the lower to the upper edge
-    BodyId follows;       // the body it moves with; default: none
-    DVec2 offset;         // then: the center seen from that body's position
+    BodyId follows{};     // the body it moves with; default: none
+    DVec2 offset{};       // then: the center seen from that body's position
 };
 
 // The scene's own camera; what it leaves open is chosen so that every moving body, the way down to the ground and, of

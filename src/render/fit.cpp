@@ -12,6 +12,7 @@ namespace {
 constexpr double kNear = 0.5;           // things that end this near beside or above it are shown to their ends
 constexpr double kCut = 0.1;            // things that go on are shown this far
 constexpr double kGroundShown = 0.06;   // and a thick ground this far below its top
+constexpr double kSunk = 0.02;          // a ground that reaches this far into what lies on it is still below it
 constexpr double kFarthestFall = 40.0;  // how far below a ground is looked for
 constexpr double kRoomForAll = 1.75;    // how much higher a frame may become to show all that never moves
 
@@ -82,7 +83,7 @@ Box with_ground(const Box& moving, std::vector<Box> grounds, bool falls) {
         const bool is_near = ground.lower.x <= near.upper.x && ground.upper.x >= near.lower.x &&
                              ground.lower.y <= near.upper.y && ground.upper.y >= near.lower.y;
         if (!is_near) continue;
-        const bool is_below = ground.upper.y <= moving.lower.y;
+        const bool is_below = ground.upper.y <= moving.lower.y + kSunk * size;
         const double bottom = is_below ? std::max(ground.lower.y, ground.upper.y - kGroundShown * size)
                                        : lower_end(ground.lower.y, moving.lower.y - reach.y, moving.lower.y);
         box.add({{lower_end(ground.lower.x, near.lower.x, moving.lower.x), bottom},

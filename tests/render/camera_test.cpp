@@ -1,0 +1,121 @@
+// Where the camera looks when the scene does not say: at what moves, large, with the ground below it.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "render/hand_made_scene.hpp"
+#include "tumble/render.hpp"
+
+using namespace tumble;
+
+namespace {
+
+constexpr double kAspect = 16.0 / 9.0;
+
+// Whether the frame holds the box, and with how much of its height to spare at least.
+struct Framing {
+    double left, right, bottom, top;
+
+    Framing(const Camera& camera, double aspect)
+        : left(camera.center.x - 0.5 * aspect * camera.height),
+          right(camera.center.x + 0.5 * aspect * camera.height),
+          bottom(camera.center.y - 0.5 * camera.height),
+          top(camera.center.y + 0.5 * camera.height) {}
+
+    bool holds(DVec2 lower, DVec2 upper) const {
+        return left <= lower.x && upper.x <= right && bottom <= lower.y && upper.y <= top;
+    }
+};
+
+HandMadeScene pyramid(DVec2 origin) {
+    HandMadeScene s;
+    s.add_static("ground", origin + DVec2{0.0, -1.0}, make_box({200.0f, 2.0f}));
+    for (int row = 0; row < 10; ++row)
+        for (int i = 0; i < 10 - row; ++i)
+            s.add_dynamic("crate", origin + DVec2{i - 4.5 + 0.5 * row, row + 0.5}, make_box({1.0f, 1.0f}));
+    return s;
+}
+
+}  // namespace
+
+TEST_CASE("a long ground does not shrink the pyramid on it") {
+    for (const DVec2 origin : {DVec2{}, DVec2{10000.0, -3000.0}}) {
+        HandMadeScene s = pyramid(origin);
+        const Camera camera = make_camera(s.scene, s.built, kAspect);
+        const Framing frame(camera, kAspect);
+        CHECK(frame.holds(origin + DVec2{-5.0, -0.3}, origin + DVec2{5.0, 10.0}));
+        CHECK(camera.height < 13.0);  // the pyramid is 10 m high
+    }
+}
+
+TEST_CASE("a level that fits is shown whole") {
+    HandMadeScene s;
+    s.add_static("floor", {0.0, -0.5}, make_box({14.0f, 1.0f}));
+    s.add_static("left wall", {-6.5, 3.0}, make_box({1.0f, 6.0f}));
+    s.add_static("right wall", {6.5, 3.0}, make_box({1.0f, 6.0f}));
+    s.add_dynamic("ball", {0.0, 5.0}, make_circle(0.5f));
+    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({-7.0, -1.0}, {7.0, 6.0}));
+}
+
+TEST_CASE("the way down to the ground is in view, but not the abyss below the first one that stops everything") {
+    HandMadeScene s;
+    s.add_dynamic("crate", {0.0, 20.0}, make_box({2.0f, 2.0f}));
+    s.add_static("ground", {0.0, -500.0}, make_box({1000.0f, 1000.0f}));
+    s.add_static("cellar", {0.0, -50.0}, make_box({1000.0f, 1.0f}));
+    const Camera camera = make_camera(s.scene, s.built, kAspect);
+    const Framing frame(camera, kAspect);
+    CHECK(frame.holds({-1.0, 0.0}, {1.0, 21.0}));
+    CHECK(frame.bottom > -10.0);
+}
+
+TEST_CASE("a turning beam stays in view all the way round") {
+    HandMadeScene s;
+    const BodyId post = s.add_static("post", {0.0, 0.0}, make_circle(0.1f));
+    const BodyId beam = s.add_dynamic("beam", {0.0, 0.0}, make_box({10.0f, 0.5f}));
+    s.built.joints.push_back(s.built.world.create_joint(RevoluteJointDef{post, beam, {}, {}}));
+    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({-5.0, -5.0}, {5.0, 5.0}));
+}
+
+TEST_CASE("what the scene says about the camera is taken as it is") {
+    HandMadeScene s = pyramid({});
+    s.scene.camera.center = DVec2{3.0, 4.0};
+    s.scene.camera.height = 7.5;
+    const Camera camera = make_camera(s.scene, s.built, kAspect);
+    CHECK(camera.center == DVec2{3.0, 4.0});
+    CHECK(camera.height == 7.5);
+    s.scene.camera.height.reset();
+    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({-5.0, -0.3}, {5.0, 10.0}));
+}
+
+TEST_CASE("a camera that follows a body keeps its offset from it") {
+    HandMadeScene s = pyramid({});
+    const BodyId ball = s.add_dynamic("ball", {20.0, 3.0}, make_circle(0.5f));
+    s.scene.camera.follow = "ball";
+    CHECK(make_camera(s.scene, s.built, kAspect).center == DVec2{20.0, 3.0});
+    s.scene.camera.center = DVec2{18.0, 5.0};
+    const Camera start = make_camera(s.scene, s.built, kAspect);
+    CHECK(start.center == DVec2{18.0, 5.0});
+    s.built.world.set_velocity(ball, {6.0f, 0.0f}, 0.0f);
+    for (int i = 0; i < 10; ++i) s.built.world.step();
+    const DVec2 now = s.built.world.state(ball).pose.position;
+    CHECK(now.x > 20.5);
+    const Camera moved = move_camera(start, s.built.world);
+    CHECK(length(moved.center - (now + DVec2{-2.0, 2.0})) < 1e-12);
+    CHECK(moved.height == start.height);
+    s.built.world.destroy_body(ball);
+    CHECK(move_camera(start, s.built.world).center == start.center);
+}
+
+TEST_CASE("worlds without anything that moves, or without anything, have a camera") {
+    HandMadeScene s;
+    const Camera nothing = make_camera(s.scene, s.built, kAspect);
+    CHECK(nothing.height > 0.0);
+    CHECK(nothing.center == DVec2{});
+    s.add_static("wall", {7.0, 8.0}, make_box({4.0f, 2.0f}));
+    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({5.0, 7.0}, {9.0, 9.0}));
+    HandMadeScene point;
+    point.add_dynamic("point", {1.0, 2.0}, make_circle(0.0f));
+    const Camera camera = make_camera(point.scene, point.built, kAspect);
+    CHECK(camera.height > 0.0);
+    CHECK(std::isfinite(camera.height));
+}

@@ -1,0 +1,202 @@
+// The draw list of hand-made worlds, without any GL: what kind, where, how large, in which layer.
+#include "render/draw_list.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "render/grid.hpp"
+#include "render/hand_made_scene.hpp"
+#include "render/style.hpp"
+#include "render/utf8.hpp"
+
+using namespace tumble;
+using namespace tumble::render;
+
+namespace {
+
+// 10 pixels a metre, the world point (100, 50) in the middle of 640 x 360.
+const View kView{{100.0, 50.0}, 10.0, 640, 360};
+
+DrawList build(const HandMadeScene& s, const View& view = kView) {
+    DrawList list;
+    build_draw_list(list, s.scene, s.built, view);
+    return list;
+}
+
+std::vector<Vec2> regular_polygon(int count) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < count; ++i) {
+        const SinCos direction = sin_cos(2.0 * kPi * i / count);
+        points.push_back({static_cast<float>(direction.cos), static_cast<float>(direction.sin)});
+    }
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("each shape becomes one instance of its kind at its place in pixels") {
+    HandMadeScene s;
+    s.add_dynamic("circle", {101.0, 52.0}, make_circle(0.5f));
+    s.add_dynamic("box", {98.0, 50.0}, make_box({2.0f, 1.0f}, 0.1f), 90.0);
+    s.add_dynamic("capsule", {100.0, 49.0}, make_capsule({-1.0f, 0.0f}, {1.0f, 0.0f}, 0.25f));
+    s.add_dynamic("triangle", {103.0, 50.0}, make_polygon(regular_polygon(3)));
+    s.add_dynamic("rounded", {106.0, 50.0}, make_polygon(regular_polygon(6), 0.2f));
+    const DrawList list = build(s);
+
+    REQUIRE(list.bodies.circles.size() == 1);
+    const CircleInstance& circle = list.bodies.circles[0];
+    CHECK(circle.x == 10.0f);
+    CHECK(circle.y == 20.0f);
+    CHECK(circle.radius == 5.0f);
+
+    REQUIRE(list.bodies.boxes.size() == 2);
+    const BoxInstance& box = list.bodies.boxes[0];  // in the order of the bodies
+    CHECK(box.x == doctest::Approx(-20.0));
+    CHECK(box.y == doctest::Approx(0.0));
+    CHECK(box.radius == doctest::Approx(1.0));
+    // The core is 1.8 x 0.8 m; turned by 90 degrees its longer side points up or down.
+    const bool first_is_longer = box.half_x > box.half_y;
+    CHECK(std::max(box.half_x, box.half_y) == doctest::Approx(9.0));
+    CHECK(std::min(box.half_x, box.half_y) == doctest::Approx(4.0));
+    CHECK(std::abs(first_is_longer ? box.axis_y : box.axis_x) == doctest::Approx(1.0));
+
+    const BoxInstance& capsule = list.bodies.boxes[1];
+    CHECK(capsule.x == doctest::Approx(0.0));
+    CHECK(capsule.y == doctest::Approx(-10.0));
+    CHECK(capsule.half_x == doctest::Approx(10.0));
+    CHECK(capsule.half_y == 0.0f);
+    CHECK(capsule.radius == doctest::Approx(2.5));
+
+    CHECK(list.bodies.polygons.size() == 1);
+    REQUIRE(list.bodies.rounded_polygons.size() == 1);
+    CHECK(list.bodies.rounded_polygons[0].radius == doctest::Approx(2.0));
+    CHECK(list.bodies.mesh.empty());
+    CHECK(list.ground.boxes.empty());
+}
+
+TEST_CASE("a polygon's vertices are where the body puts them") {
+    HandMadeScene s;
+    const std::vector<Vec2> corners{{-1.0f, -0.5f}, {1.5f, -0.5f}, {0.25f, 2.0f}};
+    const BodyId id = s.add_dynamic("triangle", {103.0, 47.0}, make_polygon(corners), 33.0);
+    const DrawList list = build(s);
+    REQUIRE(list.bodies.polygons.size() == 1);
+    const PolygonInstance& polygon = list.bodies.polygons[0];
+    const Pose pose = s.built.world.state(id).pose;
+    for (std::size_t i = 0; i < PolygonInstance::kVertices; ++i) {
+        const double x = polygon.vertices[2 * i], y = polygon.vertices[2 * i + 1];
+        const DVec2 drawn{polygon.x + x * polygon.axis_x - y * polygon.axis_y,
+                          polygon.y + x * polygon.axis_y + y * polygon.axis_x};
+        double nearest = 1e9;
+        for (const Vec2 corner : corners)
+            nearest = std::min(nearest, length(drawn - kView.to_pixels(transform_point(pose, corner))));
+        CHECK(nearest < 1e-4);
+        CHECK(std::abs(x) <= polygon.half_x * 1.0001);
+        CHECK(std::abs(y) <= polygon.half_y * 1.0001);
+    }
+}
+
+TEST_CASE("static bodies are grey and lie below, with more than eight vertices shapes become a mesh") {
+    HandMadeScene s;
+    s.add_static("ground", {100.0, 40.0}, make_box({50.0f, 2.0f}));
+    s.add_static("wheel", {100.0, 50.0}, make_polygon(regular_polygon(9)));
+    s.add_dynamic("disc", {105.0, 50.0}, make_polygon(regular_polygon(30)));
+    const DrawList list = build(s);
+    REQUIRE(list.ground.boxes.size() == 1);
+    CHECK(list.ground.boxes[0].paint.fill == style::kStatic);
+    // Two triangles an edge for the strip, n - 2 inside.
+    CHECK(list.ground.mesh.size() == 3 * (2 * 9 + 7));
+    CHECK(list.bodies.mesh.size() == 3 * (2 * 30 + 28));
+}
+
+TEST_CASE("what is out of view or destroyed is left out") {
+    HandMadeScene s;
+    s.add_dynamic("seen", {131.0, 50.0}, make_circle(0.5f));
+    s.add_dynamic("just outside", {133.0, 50.0}, make_circle(0.5f));
+    s.add_dynamic("box above", {100.0, 70.0}, make_box({1.0f, 1.0f}));
+    s.add_dynamic("triangle below", {100.0, 30.0}, make_polygon(regular_polygon(3)));
+    s.add_dynamic("30-gon far left", {0.0, 50.0}, make_polygon(regular_polygon(30)));
+    s.add_dynamic("segment", {200.0, 50.0}, make_segment({-1.0f, 0.0f}, {1.0f, 0.0f}));
+    const BodyId gone = s.add_dynamic("gone", {100.0, 50.0}, make_circle(0.5f));
+    s.built.world.destroy_body(gone);
+    const DrawList list = build(s);
+    CHECK(list.bodies.circles.size() == 1);
+    CHECK(list.bodies.boxes.empty());
+    CHECK(list.bodies.polygons.empty());
+    CHECK(list.bodies.mesh.empty());
+}
+
+TEST_CASE("a radius shows how a circle is turned, and is left out on tiny ones") {
+    HandMadeScene s;
+    s.add_dynamic("ball", {100.0, 50.0}, make_circle(2.0f), 90.0);
+    const DrawList list = build(s);
+    REQUIRE(list.details.boxes.size() == 1);
+    const BoxInstance& mark = list.details.boxes[0];
+    CHECK(std::abs(mark.axis_y) == doctest::Approx(1.0));
+    CHECK(mark.x == doctest::Approx(0.0));
+    CHECK(mark.y > 5.0f);  // between the middle and the rim, 20 pixels up
+    CHECK(mark.y < 15.0f);
+    View far = kView;
+    far.scale = 2.0;
+    CHECK(build(s, far).details.boxes.empty());
+}
+
+TEST_CASE("a joint has a dot where it holds, and a line between anchors that are apart") {
+    HandMadeScene s;
+    const BodyId a = s.add_dynamic("a", {98.0, 50.0}, make_circle(0.2f));
+    const BodyId b = s.add_dynamic("b", {102.0, 50.0}, make_circle(0.2f));
+    s.built.joints.push_back(s.built.world.create_joint(RevoluteJointDef{a, b, {2.0f, 0.0f}, {-2.0f, 0.0f}}));
+    const DrawList hinge = build(s);
+    REQUIRE(hinge.details.circles.size() == 1);
+    CHECK(hinge.details.circles[0].x == doctest::Approx(0.0));
+    CHECK(hinge.details.boxes.empty());
+
+    s.built.joints.push_back(s.built.world.create_joint(DistanceJointDef{a, b, {}, {}, 4.0f}));
+    const DrawList rod = build(s);
+    CHECK(rod.details.circles.size() == 3);
+    REQUIRE(rod.details.boxes.size() == 1);
+    CHECK(rod.details.boxes[0].half_x == doctest::Approx(20.0));
+}
+
+TEST_CASE("grid lines lie on whole pixels at round coordinates, also far from the origin") {
+    for (const double x : {0.0, 123456.7}) {
+        Layer layer;
+        const View view{{x, 0.3}, 37.0, 641, 360};
+        add_grid(layer, view);
+        REQUIRE(layer.boxes.size() > 10);
+        for (const BoxInstance& line : layer.boxes) {
+            if (line.half_x != 0.5f) continue;
+            CHECK(line.x == std::floor(line.x));  // 641 columns: the middle of the frame is the middle of a pixel
+            // 360 rows, half the detail of 720: lines at least 18 pixels apart, so every 50 cm.
+            const double steps = view.to_world({line.x, 0.0}).x / 0.5;
+            CHECK(std::abs(steps - std::round(steps)) * 0.5 < 0.51 / view.scale);
+        }
+    }
+}
+
+TEST_CASE("round lengths are 1, 2 or 5 times a power of ten, the least that is long enough") {
+    CHECK(round_length_from(1.0).metres() == 1.0);
+    CHECK(round_length_from(1.01).metres() == 2.0);
+    CHECK(round_length_from(2.3).metres() == 5.0);
+    CHECK(round_length_from(5.1).metres() == 10.0);
+    CHECK(round_length_from(0.001).metres() == 0.001);
+    CHECK(round_length_from(0.0003).metres() == 0.0005);
+    CHECK(round_length_from(1e3).metres() == 1e3);
+    CHECK(to_string(round_length_from(0.4)) == "50 cm");
+    CHECK(to_string(round_length_from(17.0)) == "20 m");
+    CHECK(to_string(round_length_from(900.0)) == "1 km");
+    CHECK(to_string(round_length_from(0.004)) == "5 mm");
+}
+
+TEST_CASE("text is read as UTF-8, with a replacement for what is not") {
+    const auto read = [](std::string_view text) {
+        std::u32string points;
+        while (!text.empty()) points += take_code_point(text);
+        return points;
+    };
+    CHECK(read("a\u00e9\u4e2d\U0001F600") == U"a\u00e9\u4e2d\U0001F600");
+    CHECK(read("\xc3") == U"\ufffd");
+    CHECK(read("\xe4\xb8x") == U"\ufffd\ufffdx");
+    CHECK(read("\x80 \xff") == U"\ufffd \ufffd");
+}

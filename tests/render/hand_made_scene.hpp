@@ -1,0 +1,40 @@
+// Scenes with their worlds, built by hand: what the draw list and the camera see, without files.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tumble/scene.hpp"
+
+namespace tumble {
+
+struct HandMadeScene {
+    Scene scene;
+    SceneWorld built;
+
+    BodyId add(std::string name, BodyType type, DVec2 position, const std::vector<Shape>& shapes, double degrees = 0.0) {
+        SceneBody body;
+        body.name = name;
+        body.type = type;
+        body.shapes.resize(shapes.size());
+        scene.bodies.push_back(body);
+        BodyDef def;
+        def.type = type;
+        def.pose = {position, make_rotation_degrees(degrees)};
+        const BodyId id = built.world.create_body(def);
+        for (const Shape& shape : shapes) built.world.add_shape(id, {shape, {}});
+        built.bodies.push_back({id, scene.bodies.size() - 1, std::move(name)});
+        return id;
+    }
+
+    BodyId add_static(std::string name, DVec2 position, const Shape& shape) {
+        return add(std::move(name), BodyType::static_body, position, {shape});
+    }
+
+    BodyId add_dynamic(std::string name, DVec2 position, const Shape& shape, double degrees = 0.0) {
+        return add(std::move(name), BodyType::dynamic_body, position, {shape}, degrees);
+    }
+};
+
+}  // namespace tumble

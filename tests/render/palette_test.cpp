@@ -1,0 +1,110 @@
+// Colours: parsing, mixing, and who gets which.
+#include "render/palette.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <set>
+#include <vector>
+
+#include "render/style.hpp"
+
+using namespace tumble;
+using namespace tumble::render;
+
+namespace {
+
+SceneBody body(const char* name, BodyType type, std::vector<SceneShape> shapes) {
+    SceneBody body;
+    body.name = name;
+    body.type = type;
+    body.shapes = std::move(shapes);
+    return body;
+}
+
+SceneShape circle(const char* material = "") { return {CircleGeometry{1.0, {}}, material, ""}; }
+
+Color fill_of(const Palette& palette, std::size_t source, std::size_t ordinal = 0) {
+    std::array<Paint, 1> paint;
+    palette.paint_body(source, ordinal, paint);
+    return paint[0].fill;
+}
+
+}  // namespace
+
+TEST_CASE("colours are read with three or six digits, and nothing else is one") {
+    CHECK(parse_color("#9bd") == Color{0x99, 0xbb, 0xdd});
+    CHECK(parse_color("#12aBcD") == Color{0x12, 0xab, 0xcd});
+    for (const char* wrong : {"", "#", "9bd", "#9b", "#9bdd", "#12345", "#12345g", "#-12", "#1234567"})
+        CHECK_FALSE(parse_color(wrong).has_value());
+}
+
+TEST_CASE("mixing goes from one colour to the other") {
+    const Color a{0, 100, 255, 255}, b{255, 200, 0, 55};
+    CHECK(mix(a, b, 0.0) == a);
+    CHECK(mix(a, b, 1.0) == b);
+    CHECK(mix(a, b, 0.5) == Color{128, 150, 128, 155});
+}
+
+TEST_CASE("a material's colour goes before the palette's, and static bodies are grey") {
+    Scene scene;
+    scene.materials.push_back({.name = "ice", .color = "#123456"});
+    scene.materials.push_back({.name = "plain", .color = ""});
+    scene.bodies = {body("ground", BodyType::static_body, {circle()}),
+                    body("floe", BodyType::static_body, {circle("ice")}),
+                    body("ball", BodyType::dynamic_body, {circle("ice")}),
+                    body("stone", BodyType::dynamic_body, {circle("plain")})};
+    const Palette palette(scene);
+    CHECK(fill_of(palette, 0) == style::kStatic);
+    CHECK(fill_of(palette, 1) == Color{0x12, 0x34, 0x56});
+    CHECK(fill_of(palette, 2, 5) == Color{0x12, 0x34, 0x56});  // also for the sixth copy: not shaded
+    CHECK(fill_of(palette, 3) == style::kBodies[1]);           // the second name among those that move
+}
+
+TEST_CASE("names take the palette's colours in turn, and numbered names share one") {
+    Scene scene;
+    for (const char* name : {"crate", "crate_2", "ball", "", "", "crate[7]"})
+        scene.bodies.push_back(body(name, BodyType::dynamic_body, {circle()}));
+    const Palette palette(scene);
+    CHECK(fill_of(palette, 0) == style::kBodies[0]);
+    CHECK(fill_of(palette, 1) == style::kBodies[0]);
+    CHECK(fill_of(palette, 2) == style::kBodies[1]);
+    CHECK(fill_of(palette, 3) == style::kBodies[2]);
+    CHECK(fill_of(palette, 4) == style::kBodies[3]);
+    CHECK(fill_of(palette, 5) == style::kBodies[0]);
+    CHECK(fill_of(palette, 99) == style::kBodies[3]);  // spawned later
+}
+
+TEST_CASE("copies of a body differ a little in lightness, the same in every run") {
+    Scene scene;
+    scene.bodies.push_back(body("crate", BodyType::dynamic_body, {circle()}));
+    std::set<int> greens;
+    for (std::size_t i = 0; i < 20; ++i) {
+        const Color fill = fill_of(Palette(scene), 0, i);
+        CHECK(fill == fill_of(Palette(scene), 0, i));
+        CHECK(std::abs(fill.g - style::kBodies[0].g) <= 20);
+        greens.insert(fill.g);
+    }
+    CHECK(greens.size() >= 6);
+}
+
+TEST_CASE("each built shape finds the material of the scene's shape it came from") {
+    Scene scene;
+    scene.materials.push_back({.name = "a", .color = "#aa0000"});
+    scene.materials.push_back({.name = "b", .color = "#00bb00"});
+    scene.materials.push_back({.name = "c", .color = "#0000cc"});
+    const std::vector<DVec2> points{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}};
+    scene.bodies.push_back(body("mixed", BodyType::dynamic_body,
+                                {{ChainGeometry{points, false, false}, "a", ""},
+                                 {OutlineGeometry{points}, "b", ""},
+                                 circle("c")}));
+    // A chain of four points gives three segments; of six shapes the outline must be two.
+    std::array<Paint, 6> paints;
+    Palette(scene).paint_body(0, 0, paints);
+    const Color a{0xaa, 0, 0}, b{0, 0xbb, 0}, c{0, 0, 0xcc};
+    const Color expected[] = {a, a, a, b, b, c};
+    for (std::size_t i = 0; i < 6; ++i) {
+        CHECK(paints[i].fill == expected[i]);
+        CHECK(paints[i].outline == outline_of(expected[i]));
+    }
+}

@@ -1,0 +1,94 @@
+// Whole frames: the same bytes in every run, readable text, and clear errors.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/glyph_atlas.hpp"
+#include "render/hand_made_scene.hpp"
+#include "render/pixels.hpp"
+#include "render/style.hpp"
+#include "tumble/render.hpp"
+
+using namespace tumble;
+
+namespace {
+
+HandMadeScene playground() {
+    HandMadeScene s;
+    s.scene.name = "playground";
+    s.add_static("ground", {0.0, -1.0}, make_box({40.0f, 2.0f}));
+    s.add_dynamic("crate", {-2.0, 0.5}, make_box({1.0f, 1.0f}, 0.05f));
+    s.add_dynamic("ball", {2.0, 1.0}, make_circle(1.0f), 30.0);
+    return s;
+}
+
+Image frame(Renderer& renderer, const HandMadeScene& s, double time = 0.5) {
+    Image image;
+    renderer.draw(s.scene, s.built, {{0.0, 1.0}, 9.0}, time, image);
+    return image;
+}
+
+}  // namespace
+
+TEST_CASE("a frame shows bodies where they are, on the background, with opaque pixels") {
+    const HandMadeScene s = playground();
+    Renderer renderer(640, 360);  // 40 pixels a metre, the world point (0, 1) in the middle
+    const Image image = frame(renderer, s);
+    REQUIRE(image.width == 640);
+    REQUIRE(image.height == 360);
+    REQUIRE(image.rgba.size() == 640 * 360 * 4);
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) REQUIRE(image.rgba[i] == 255);
+    using render::pixel;
+    CHECK(pixel(image, 320 - 80, 180 + 20) == render::style::kBodies[0]);       // the crate
+    CHECK(pixel(image, 320 + 80 - 20, 180 + 10) == render::style::kBodies[1]);  // the ball, beside its mark
+    CHECK(pixel(image, 600, 180 + 60) == render::style::kStatic);               // 0.5 m below the ground's top
+}
+
+TEST_CASE("frames repeat byte for byte, in one renderer and in another") {
+    const HandMadeScene s = playground();
+    Renderer first(320, 180);
+    const Image image = frame(first, s);
+    CHECK(frame(first, s).rgba == image.rgba);
+    Renderer second(320, 180);
+    CHECK(frame(second, s).rgba == image.rgba);
+    CHECK(frame(first, s, 0.75).rgba != image.rgba);  // the clock is in the frame
+    Renderer moved = std::move(second);
+    CHECK(frame(moved, s).rgba == image.rgba);
+}
+
+TEST_CASE("frames of the least and of odd sizes can be drawn, with names of any length") {
+    HandMadeScene s = playground();
+    s.scene.name = std::string(300, 'W') + "\u00e9\xff";
+    for (const auto& [width, height] : {std::pair{16, 16}, std::pair{333, 201}, std::pair{240, 135}}) {
+        Renderer renderer(width, height);
+        CHECK(frame(renderer, s).rgba.size() == static_cast<std::size_t>(4 * width * height));
+    }
+}
+
+TEST_CASE("sizes and cameras out of range are refused with the value") {
+    CHECK_THROWS_WITH_AS(Renderer(15, 100), "the width of a frame must be 16 to 8192 pixels, got 15",
+                         std::invalid_argument);
+    CHECK_THROWS_WITH_AS(Renderer(100, 8193), "the height of a frame must be 16 to 8192 pixels, got 8193",
+                         std::invalid_argument);
+    const HandMadeScene s = playground();
+    Renderer renderer(64, 64);
+    Image image;
+    CHECK_THROWS_AS(renderer.draw(s.scene, s.built, {{0.0, 0.0}, 0.0}, 0.0, image), std::invalid_argument);
+    CHECK_THROWS_AS(renderer.draw(s.scene, s.built, {{0.0, std::nan("")}, 1.0}, 0.0, image), std::invalid_argument);
+}
+
+TEST_CASE("a missing font is an error that names the package and the places searched") {
+    const std::filesystem::path nowhere[] = {"/nowhere/A.ttf", "/nowhere/B.ttf"};
+    try {
+        render::find_font(nowhere);
+        FAIL("no error");
+    } catch (const RenderError& error) {
+        const std::string message = error.what();
+        CHECK(message.find("fonts-dejavu-core") != std::string::npos);
+        CHECK(message.find("/nowhere/A.ttf") != std::string::npos);
+        CHECK(message.find("/nowhere/B.ttf") != std::string::npos);
+    }
+    CHECK_THROWS_AS(render::GlyphAtlas(__FILE__), RenderError);
+}
