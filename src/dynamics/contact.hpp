@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "broad/pair_set.hpp"
+#include "dynamics/recycling.hpp"
 #include "tumble/body.hpp"
 #include "tumble/manifold.hpp"
 
@@ -23,6 +24,7 @@ struct Contact {
     Manifold manifold;           // anchors from the bodies' origins
     PointImpulse impulses[2];    // by manifold point
     float rolling_impulse = 0.0f;
+    ManifoldReference reference; // the last full collision
     SimplexCache cache;
     // Of the pair, mixed once when it is found.
     float speculative_distance = 0.0f;

@@ -15,7 +15,7 @@ struct BodyLanes {
     Lanes delta_x, delta_y, delta_c, delta_s;
 };
 
-BodyLanes gather(std::span<const SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
+TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
     const float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
     Lanes f[8];
@@ -24,7 +24,7 @@ BodyLanes gather(std::span<const SolverBody> bodies, const std::uint32_t index[k
 }
 
 // Lanes of the static body, and several of one kinematic body, write back what they read: their masses are zero.
-void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
+TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
     const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
@@ -40,7 +40,7 @@ struct BlockState {
     Lanes tangent_impulse;
 };
 
-BlockState load(const ContactBlock& block, std::span<const SolverBody> bodies) {
+TUMBLE_LANE_FUNCTION BlockState load(const ContactBlock& block, std::span<const SolverBody> bodies) {
     BlockState state;
     state.a = gather(bodies, block.body_a);
     state.b = gather(bodies, block.body_b);
@@ -53,7 +53,7 @@ BlockState load(const ContactBlock& block, std::span<const SolverBody> bodies) {
     return state;
 }
 
-void finish(const ContactBlock& block, BlockState& state, std::span<SolverBody> bodies) {
+TUMBLE_LANE_FUNCTION void finish(const ContactBlock& block, BlockState& state, std::span<SolverBody> bodies) {
     const Lanes x = state.normal_impulse * block.normal_x + state.tangent_impulse * block.normal_y;
     const Lanes y = state.normal_impulse * block.normal_y - state.tangent_impulse * block.normal_x;
     state.a.velocity_x -= block.inv_mass_a * x;
@@ -64,37 +64,37 @@ void finish(const ContactBlock& block, BlockState& state, std::span<SolverBody> 
     scatter_velocities(state.b, bodies, block.body_b);
 }
 
-Lanes normal_velocity(const ContactBlockPoint& point, const BlockState& state) {
+TUMBLE_LANE_FUNCTION Lanes normal_velocity(const ContactBlockPoint& point, const BlockState& state) {
     return state.normal_velocity + state.b.angular_velocity * point.across_b -
            state.a.angular_velocity * point.across_a;
 }
 
-Lanes tangent_velocity(const ContactBlockPoint& point, const BlockState& state) {
+TUMBLE_LANE_FUNCTION Lanes tangent_velocity(const ContactBlockPoint& point, const BlockState& state) {
     return state.tangent_velocity - state.b.angular_velocity * point.along_b +
            state.a.angular_velocity * point.along_a;
 }
 
-void apply_normal(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse, BlockState& state) {
+TUMBLE_LANE_FUNCTION void apply_normal(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse, BlockState& state) {
     state.normal_impulse += impulse;
     state.normal_velocity += (block.inv_mass_a + block.inv_mass_b) * impulse;
     state.a.angular_velocity -= block.inv_inertia_a * point.across_a * impulse;
     state.b.angular_velocity += block.inv_inertia_b * point.across_b * impulse;
 }
 
-void apply_tangent(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse, BlockState& state) {
+TUMBLE_LANE_FUNCTION void apply_tangent(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse, BlockState& state) {
     state.tangent_impulse += impulse;
     state.tangent_velocity += (block.inv_mass_a + block.inv_mass_b) * impulse;
     state.a.angular_velocity += block.inv_inertia_a * point.along_a * impulse;
     state.b.angular_velocity -= block.inv_inertia_b * point.along_b * impulse;
 }
 
-void apply_rolling(const ContactBlock& block, const Lanes& impulse, BlockState& state) {
+TUMBLE_LANE_FUNCTION void apply_rolling(const ContactBlock& block, const Lanes& impulse, BlockState& state) {
     state.a.angular_velocity -= block.inv_inertia_a * impulse;
     state.b.angular_velocity += block.inv_inertia_b * impulse;
 }
 
 // How far the centres have come nearer along the normal since the start of the step, negative for nearer.
-Lanes center_shift(const ContactBlock& block, const BlockState& state) {
+TUMBLE_LANE_FUNCTION Lanes center_shift(const ContactBlock& block, const BlockState& state) {
     const Lanes x = state.b.delta_x - state.a.delta_x;
     const Lanes y = state.b.delta_y - state.a.delta_y;
     return x * block.normal_x + y * block.normal_y;
@@ -104,7 +104,7 @@ Lanes center_shift(const ContactBlock& block, const BlockState& state) {
 //
 // The anchors are those of the cores: the rounding stays between them along the normal while the bodies turn. Anchors
 // on the surface would lift a rolling ball by r (1 - cos) in every step, so that it lost its grip.
-Lanes current_separation(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& shift,
+TUMBLE_LANE_FUNCTION Lanes current_separation(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& shift,
                          const BlockState& state) {
     const Lanes one = Lanes::Ones();
     Lanes along_a = point.along_a, along_b = point.along_b;
@@ -117,14 +117,14 @@ Lanes current_separation(const ContactBlock& block, const ContactBlockPoint& poi
     return point.separation + shift + (turn_b - turn_a);
 }
 
-void track_largest(const ContactBlock& block, ContactBlockPoint& point) {
+TUMBLE_LANE_FUNCTION void track_largest(const ContactBlock& block, ContactBlockPoint& point) {
     if (block.has_restitution) point.largest_impulse = point.largest_impulse.max(point.normal_impulse);
 }
 
 // new = max(0, old - m (mass_scale v + bias) - impulse_scale old). Gaps are speculative: rigid, and closed in one
 // sub-step at the fastest. Overlap is removed softly and no faster than the push-out speed; the bias holds the mass
 // scale already.
-void solve_normal_soft(const ContactBlock& block, ContactBlockPoint& point, const Lanes& shift, float inv_h,
+TUMBLE_LANE_FUNCTION void solve_normal_soft(const ContactBlock& block, ContactBlockPoint& point, const Lanes& shift, float inv_h,
                        BlockState& state) {
     const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
     const Lanes separation = current_separation(block, point, shift, state);
@@ -142,7 +142,7 @@ void solve_normal_soft(const ContactBlock& block, ContactBlockPoint& point, cons
     apply_normal(block, point, change, state);
 }
 
-void solve_normal_rigid(const ContactBlock& block, ContactBlockPoint& point, const Lanes& shift, float inv_h,
+TUMBLE_LANE_FUNCTION void solve_normal_rigid(const ContactBlock& block, ContactBlockPoint& point, const Lanes& shift, float inv_h,
                         BlockState& state) {
     const Lanes zero = Lanes::Zero();
     const Lanes gap = current_separation(block, point, shift, state).max(zero);
@@ -155,7 +155,7 @@ void solve_normal_rigid(const ContactBlock& block, ContactBlockPoint& point, con
 }
 
 // Coulomb friction against the normal impulse; a belt's surface moves by itself.
-void solve_friction(const ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
+TUMBLE_LANE_FUNCTION void solve_friction(const ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
     Lanes slip = tangent_velocity(point, state);
     if (block.has_tangent_speed) slip += block.tangent_speed;
     const Lanes old_impulse = point.tangent_impulse;
@@ -166,7 +166,7 @@ void solve_friction(const ContactBlock& block, ContactBlockPoint& point, BlockSt
 }
 
 // A torque against rolling, at most resistance times the normal impulse.
-void solve_rolling(ContactBlock& block, BlockState& state) {
+TUMBLE_LANE_FUNCTION void solve_rolling(ContactBlock& block, BlockState& state) {
     const Lanes roll = state.b.angular_velocity - state.a.angular_velocity;
     const Lanes normal_impulse = block.points[0].normal_impulse + block.points[1].normal_impulse;
     const Lanes old_impulse = block.rolling_impulse;
@@ -177,7 +177,7 @@ void solve_rolling(ContactBlock& block, BlockState& state) {
 }
 
 // Restores e times the approach speed where an impulse stopped an approach fast enough.
-void solve_restitution(const ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
+TUMBLE_LANE_FUNCTION void solve_restitution(const ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
     const Lanes zero = Lanes::Zero();
     const Lanes bounce_mass =
         select_less(point.approach_speed, Lanes::Constant(-kRestitutionThreshold), point.normal_mass, zero);
@@ -209,7 +209,6 @@ void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
     for (ContactBlock& block : blocks) {
         BlockState state = load(block, bodies);
         const Lanes shift = center_shift(block, state);
-        for (ContactBlockPoint& point : block.points) solve_friction(block, point, state);
         for (ContactBlockPoint& point : block.points) solve_normal_soft(block, point, shift, inv_h, state);
         finish(block, state, bodies);
     }

@@ -23,10 +23,9 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes) {
     return contact;
 }
 
-void collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
-    const Manifold manifold =
-        collide(shapes[contact.shapes.a].shape, bodies.frames[contact.body_a].pose, shapes[contact.shapes.b].shape,
-                bodies.frames[contact.body_b].pose, contact.speculative_distance, contact.cache);
+namespace {
+
+void carry_impulses_over(Contact& contact, const Manifold& manifold) {
     PointImpulse impulses[2];
     for (int i = 0; i < manifold.point_count; ++i)
         for (int old = 0; old < contact.manifold.point_count; ++old)
@@ -34,7 +33,22 @@ void collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
     contact.impulses[0] = impulses[0];
     contact.impulses[1] = impulses[1];
     if (manifold.point_count == 0) contact.rolling_impulse = 0.0f;
+}
+
+}  // namespace
+
+void collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
+    const ShapeRecord& a = shapes[contact.shapes.a];
+    const ShapeRecord& b = shapes[contact.shapes.b];
+    const Pose& pose_a = bodies.frames[contact.body_a].pose;
+    const Pose& pose_b = bodies.frames[contact.body_b].pose;
+    const float tolerance = kRecyclingPart * contact.speculative_distance;
+    if (recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold)) return;
+    const Manifold manifold =
+        collide(a.shape, pose_a, b.shape, pose_b, contact.speculative_distance, contact.cache);
+    carry_impulses_over(contact, manifold);
     contact.manifold = manifold;
+    contact.reference = {manifold, pose_a.rotation, pose_b.rotation, pose_b.position - pose_a.position, true};
 }
 
 }  // namespace tumble

@@ -17,7 +17,7 @@ ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def, const BodyFr
     const ShapeId id = ids.acquire();
     if (id.index == records_.size()) records_.emplace_back();
     const float smaller = extent(def.shape).smaller;
-    records_[id.index] = {def.shape, def.material, body, smaller, true};
+    records_[id.index] = {def.shape, def.material, body, smaller, farthest_distance(def.shape, {}), true};
     const bool fixed = frame.type == BodyType::static_body;
     const Aabb box = bounds(def.shape, frame.pose);
     broad.add(id.index, fixed ? box : enlarged(box, smaller), fixed ? Mobility::fixed : Mobility::moving);

@@ -17,6 +17,7 @@ struct ShapeRecord {
     SurfaceMaterial material;
     std::uint32_t body = 0;        // index
     float smaller_extent = 0.0f;   // m
+    float reach = 0.0f;            // of the farthest point from the body's origin, m
     bool is_live = false;
 };
 

@@ -8,6 +8,10 @@
 
 #include <Eigen/Core>
 
+// For functions of lanes in inner loops: they are worth it only if their lanes stay in registers, and the compiler's
+// own estimate leaves the larger ones out of line.
+#define TUMBLE_LANE_FUNCTION [[gnu::always_inline]] inline
+
 namespace tumble {
 
 inline constexpr int kLaneCount = 8;
@@ -24,7 +28,7 @@ static_assert(kLaneCount % kPacketSize == 0);
 }  // namespace simd
 
 // For each lane: a < b ? x : y. A NaN in a or b selects y.
-inline Lanes select_less(const Lanes& a, const Lanes& b, const Lanes& x, const Lanes& y) {
+TUMBLE_LANE_FUNCTION Lanes select_less(const Lanes& a, const Lanes& b, const Lanes& x, const Lanes& y) {
     using namespace Eigen::internal;
     Lanes result;
     for (int i = 0; i < kLaneCount; i += simd::kPacketSize) {
@@ -36,7 +40,7 @@ inline Lanes select_less(const Lanes& a, const Lanes& b, const Lanes& x, const L
 }
 
 // Every lane limited to [-limit, limit], limit >= 0.
-inline Lanes clamp_magnitude(const Lanes& value, const Lanes& limit) {
+TUMBLE_LANE_FUNCTION Lanes clamp_magnitude(const Lanes& value, const Lanes& limit) {
     const Lanes negative = -limit;
     return value.max(negative).min(limit);
 }

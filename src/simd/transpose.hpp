@@ -10,7 +10,7 @@ namespace tumble {
 
 // Reads 8 consecutive floats at each of rows[kLaneCount]: fields[f] holds row r's float f in lane r.
 // Fields that the caller does not use cost nothing after inlining.
-inline void gather_rows(const float* const rows[kLaneCount], Lanes fields[8]) {
+TUMBLE_LANE_FUNCTION void gather_rows(const float* const rows[kLaneCount], Lanes fields[8]) {
     using namespace Eigen::internal;
     constexpr int kTile = simd::kPacketSize;
     for (int row = 0; row < kLaneCount; row += kTile) {
@@ -25,7 +25,7 @@ inline void gather_rows(const float* const rows[kLaneCount], Lanes fields[8]) {
 
 // Writes 4 consecutive floats to each of rows[kLaneCount]: row r gets lane r of fields[0..3]. Rows may coincide if
 // they get equal values.
-inline void scatter_rows(const Lanes fields[4], float* const rows[kLaneCount]) {
+TUMBLE_LANE_FUNCTION void scatter_rows(const Lanes fields[4], float* const rows[kLaneCount]) {
     using namespace Eigen::internal;
     alignas(32) float table[kLaneCount][4];
     PacketBlock<simd::Packet, 4> tile;
