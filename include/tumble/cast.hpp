@@ -47,7 +47,7 @@ CastResult cast_shape(const Shape& a, const Pose& world_from_a, const Shape& b, 
 
 // Whether B touches A anywhere on its way by `translation` relative to A: GJK on B and the hull of all that A covers
 // when it makes the opposite way instead. Cheaper than a cast for large polygons, and says no more than yes or no:
-// `touching` if the difference is below what double arithmetic can decide. No allocation.
+// `touching` where the sign is below what double arithmetic can decide (16 u of sizes, offset and way). No allocation.
 DistanceStatus swept_overlap(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                              DVec2 translation) noexcept;
 
