@@ -35,11 +35,25 @@ private:
     std::size_t size_;
 };
 
-inline Shape take_raw_shape(Bytes& bytes) {
-    const int count = bytes.take<std::uint8_t>() % 12;
+struct FuzzedShape {
+    Shape shape;
+    bool is_convex = false;  // made by the factory: what distance() promises must hold
+};
+
+// Either the hull of the points, or the points as they are, which need not be convex nor finite.
+inline FuzzedShape take_shape(Bytes& bytes) {
+    const std::uint8_t kind = bytes.take<std::uint8_t>();
+    const std::size_t count = (kind >> 1) % 12;
     Vec2 vertices[12];
-    for (Vec2& v : vertices) v = {bytes.take_coordinate(), bytes.take_coordinate()};
-    return Shape::from_raw({vertices, static_cast<std::size_t>(count)}, bytes.take_coordinate());
+    bool is_finite_shape = count > 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        vertices[i] = {bytes.take_coordinate(), bytes.take_coordinate()};
+        is_finite_shape = is_finite_shape && is_finite(vertices[i]);
+    }
+    const float radius = bytes.take_coordinate();
+    const bool hull = (kind & 1) != 0 && is_finite_shape && std::isfinite(radius) && radius >= 0.0f;
+    if (hull) return {make_polygon({vertices, count}, radius), true};
+    return {Shape::from_raw({vertices, count}, radius), false};
 }
 
 inline Pose take_pose(Bytes& bytes) {
