@@ -27,10 +27,10 @@ MeasuredFace measure(const ChainFace& chain, const CastPath& path) {
 }
 
 CastFeature feature_of(const MeasuredFace& face, double along) {
-    return {face.normal, face.chain.from.pair, face.chain.to.pair, along};
+    return {face.normal, face.chain.from.pair(), face.chain.to.pair(), along};
 }
 
-CastFeature feature_of(const MinkowskiVertex& vertex, DVec2 normal) { return {normal, vertex.pair, vertex.pair, 0.0}; }
+CastFeature feature_of(const MinkowskiVertex& vertex, DVec2 normal) { return {normal, vertex.pair(), vertex.pair(), 0.0}; }
 
 // Contacts found so far: the first of all, and the first that is certain to exist.
 class FirstContact {

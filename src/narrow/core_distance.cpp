@@ -11,7 +11,7 @@ CoreDistance touching_points(const CorePair& pair, const GjkResult& gjk) {
     result.lower = -error_bound(pair);
     result.upper = error_bound(pair);
     result.direction = result.normal = {1.0, 0.0};
-    result.pairs[0] = gjk.simplex.vertices[0].pair;
+    result.pairs[0] = gjk.simplex.vertices[0].pair();
     result.pair_count = 1;
     return result;
 }
@@ -52,7 +52,7 @@ CoreDistance touching_cores(const CorePair& pair, const GjkResult& gjk, const Co
 
 }  // namespace
 
-CoreDistance unseparated_cores(const CorePair& pair, const GjkResult& gjk) {
+CoreDistance unseparated_cores(const CorePair& pair, GjkResult gjk) {
     const FoundFace deepest = deepest_face(pair);
     CoreDistance result;
     if (!deepest.exists) {
@@ -66,7 +66,7 @@ CoreDistance unseparated_cores(const CorePair& pair, const GjkResult& gjk) {
     return result;
 }
 
-GjkResult exhaustive_search(const CorePair& pair, const GjkResult& stopped) {
+GjkResult exhaustive_search(const CorePair& pair, GjkResult stopped) {
     GjkResult result = stopped;
     result.simplex = nearest_simplex(pair);
     result.closest = VoronoiRegions::reduce(pair, result.simplex);

@@ -44,17 +44,18 @@ struct CorePair {
     double scale;  // at least |qA| RA + |qB| RB + |offset|: what rounding is relative to
 };
 
-inline Core make_core(const Shape& shape, Rotation q) {
+[[gnu::always_inline]] inline Core make_core(const Shape& shape, Rotation q) {
     return {shape.x().data(), shape.y().data(), shape.vertex_count(), q.c, q.s};
 }
 
 // |q| R for the core radius R: |q| <= (1 + |q|^2) / 2, equal for unit rotations and without a root.
-inline double turned_radius(const Shape& shape, Rotation q) {
+[[gnu::always_inline]] inline double turned_radius(const Shape& shape, Rotation q) {
     const double c = q.c, s = q.s;
     return 0.5 * (1.0 + (c * c + s * s)) * shape.core_radius();
 }
 
-inline CorePair make_core_pair(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b) {
+[[gnu::always_inline]] inline CorePair make_core_pair(const Shape& a, const Pose& world_from_a, const Shape& b,
+                                                      const Pose& world_from_b) {
     const DVec2 offset = world_from_b.position - world_from_a.position;
     const double radii = turned_radius(a, world_from_a.rotation) + turned_radius(b, world_from_b.rotation);
     return {make_core(a, world_from_a.rotation), make_core(b, world_from_b.rotation), offset, radii + length(offset)};
@@ -65,7 +66,7 @@ inline constexpr double kLargestScale = 0x1p500;
 inline constexpr double kSmallestScale = 0x1p-480;
 
 // False for NaN, infinity, a shape without vertices, a negative radius, and a scale out of range. NaN fails each test.
-inline bool is_valid(const CorePair& pair, const Shape& a, const Shape& b) {
+[[gnu::always_inline]] inline bool is_valid(const CorePair& pair, const Shape& a, const Shape& b) {
     const bool in_range = pair.scale <= kLargestScale && (pair.scale >= kSmallestScale || pair.offset == DVec2{});
     const double radii = static_cast<double>(a.radius()) + b.radius();
     return in_range && pair.a.count > 0 && pair.b.count > 0 && a.radius() >= 0.0f && b.radius() >= 0.0f &&

@@ -18,32 +18,40 @@ struct GjkResult {
 };
 
 // Never reached in practice for n <= 8 (7 observed); each iteration strictly shortens v, so this bounds time only.
-inline int iteration_cap(const CorePair& pair) {
+[[gnu::always_inline]] inline int iteration_cap(const CorePair& pair) {
     int cap = 32;
     for (int doubled = 8; doubled < pair.a.count + pair.b.count; doubled *= 2) cap += 4;
     return cap;
 }
 
-inline bool holds(const Simplex& simplex, VertexPair pair) {
-    for (int i = 0; i < simplex.count; ++i)
-        if (simplex.vertices[i].pair == pair) return true;
-    return false;
+// For a reduced simplex that does not contain the origin: one vertex or two.
+[[gnu::always_inline]] inline bool holds(const Simplex& simplex, std::uint32_t key) {
+    return simplex.vertices[0].key == key || (simplex.count == 2 && simplex.vertices[1].key == key);
 }
 
 // True if the support is one of the simplex's vertices or no nearer to the origin than they are.
-inline bool has_converged(const CorePair& pair, const GjkResult& best, const MinkowskiVertex& support) {
-    if (holds(best.simplex, support.pair)) return true;
+[[gnu::always_inline]] inline bool has_converged(const CorePair& pair, const GjkResult& best,
+                                                 const MinkowskiVertex& support) {
+    if (holds(best.simplex, support.key)) return true;
     const DVec2 d = best.closest.direction;
     const double progress = dot(d, support.w - best.simplex.vertices[0].w);
     const double bound = progress_bound(pair);
     return progress <= 0.0 || progress * progress <= bound * bound * length_sq(d);
 }
 
-inline void add(Simplex& simplex, const MinkowskiVertex& vertex) { simplex.vertices[simplex.count++] = vertex; }
+// By constant indices, as everywhere in the loop: the simplex then lives in registers, which is also why the hot
+// functions are inlined by force.
+[[gnu::always_inline]] inline void add(Simplex& simplex, const MinkowskiVertex& vertex) {
+    if (simplex.count == 1)
+        simplex.vertices[1] = vertex;
+    else
+        simplex.vertices[2] = vertex;
+    ++simplex.count;
+}
 
 // `observe(simplex, closest, support)` sees each iteration before the support is added.
 template <typename SubAlgorithm, typename Observer>
-inline GjkResult run_gjk(const CorePair& pair, Simplex simplex, Observer&& observe) {
+[[gnu::always_inline]] inline GjkResult run_gjk(const CorePair& pair, Simplex simplex, Observer&& observe) {
     const int cap = iteration_cap(pair);
     GjkResult best;
     best.closest.distance_sq = std::numeric_limits<double>::infinity();

@@ -2,10 +2,10 @@
 
 namespace tumble {
 
-DVec2 short_edge_between(const CorePair& pair, const MinkowskiVertex& from, const MinkowskiVertex& to) {
-    if (from.pair.b == to.pair.b) return pair.a.edge(from.pair.a, to.pair.a);
-    if (from.pair.a == to.pair.a) return -pair.b.edge(from.pair.b, to.pair.b);
-    return to.w - from.w;
+DVec2 short_edge_between(const CorePair& pair, VertexPair from, VertexPair to) {
+    if (from.b == to.b) return pair.a.edge(from.a, to.a);
+    if (from.a == to.a) return -pair.b.edge(from.b, to.b);
+    return minkowski_vertex(pair, to).w - minkowski_vertex(pair, from).w;
 }
 
 }  // namespace tumble

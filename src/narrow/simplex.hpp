@@ -12,22 +12,25 @@ struct Simplex {
 
 // Where the origin lies as seen from a reduced simplex. The nearest point is v = -(toward / |d|^2) d.
 struct Closest {
-    DVec2 direction;                // d, from the simplex to the origin: -w of a vertex, a perpendicular of an edge
-    double toward = 0.0;            // -d . w of the simplex, not negative: |v| = toward / |d|
-    double distance_sq = 0.0;       // |v|^2
-    bool contains_origin = false;   // v = 0: a triangle around the origin, or the origin on an edge or a vertex
+    DVec2 direction;               // d, from the simplex to the origin: -w of a vertex, a perpendicular of an edge
+    double toward = 0.0;           // -d . w of the simplex, not negative: |v| = toward / |d|
+    double distance_sq = 0.0;      // |v|^2
+    bool contains_origin = false;  // v = 0: a triangle around the origin, or the origin on an edge or a vertex
 };
 
-inline Closest closest_at_origin() { return {{}, 0.0, 0.0, true}; }
+[[gnu::always_inline]] inline Closest closest_at_origin() {
+    return {{}, 0.0, 0.0, true};
+}
 
-inline Closest closest_on_vertex(const MinkowskiVertex& vertex) {
+[[gnu::always_inline]] inline Closest closest_on_vertex(const MinkowskiVertex& vertex) {
     const double distance_sq = length_sq(vertex.w);
     return {-vertex.w, distance_sq, distance_sq, distance_sq == 0.0};
 }
 
 // For an origin between the ends. The height of the origin over the line is taken from the edge's middle, so that
 // exchanging the ends negates it exactly.
-inline Closest closest_on_edge(const MinkowskiVertex& from, const MinkowskiVertex& to, DVec2 edge) {
+[[gnu::always_inline]] inline Closest closest_on_edge(const MinkowskiVertex& from, const MinkowskiVertex& to,
+                                                      DVec2 edge) {
     const double twice_height = cross(from.w + to.w, edge);
     const DVec2 direction = twice_height < 0.0 ? -perp(edge) : perp(edge);
     const double toward = 0.5 * std::abs(twice_height);
@@ -36,13 +39,15 @@ inline Closest closest_on_edge(const MinkowskiVertex& from, const MinkowskiVerte
 
 // An edge between vertices of one polygon that is short against the scale: the difference of its rounded ends would
 // turn it, so it is taken from the local coordinates.
-DVec2 short_edge_between(const CorePair& pair, const MinkowskiVertex& from, const MinkowskiVertex& to);
+// By indices: taking the address of a vertex would keep the loop's simplex out of registers.
+DVec2 short_edge_between(const CorePair& pair, VertexPair from, VertexPair to);
 
-inline DVec2 edge_between(const CorePair& pair, const MinkowskiVertex& from, const MinkowskiVertex& to) {
+[[gnu::always_inline]] inline DVec2 edge_between(const CorePair& pair, const MinkowskiVertex& from,
+                                                 const MinkowskiVertex& to) {
     constexpr double kShortEdge = 0x1p-4;  // of the scale; beyond it the turn is below 2^7 ulp
     const DVec2 edge = to.w - from.w;
     if (length_sq(edge) >= kShortEdge * kShortEdge * pair.scale * pair.scale) return edge;
-    return short_edge_between(pair, from, to);
+    return short_edge_between(pair, from.pair(), to.pair());
 }
 
 }  // namespace tumble

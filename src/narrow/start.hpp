@@ -5,27 +5,31 @@
 
 namespace tumble {
 
-inline bool is_in_range(const CorePair& pair, VertexPair at) { return at.a < pair.a.count && at.b < pair.b.count; }
+[[gnu::always_inline]] inline bool is_in_range(const CorePair& pair, VertexPair at) {
+    return at.a < pair.a.count && at.b < pair.b.count;
+}
 
 // Empty for a cache that is empty or does not fit the shapes. A stale one costs iterations only.
-inline Simplex simplex_of_cache(const CorePair& pair, const SimplexCache& cache) {
+[[gnu::always_inline]] inline Simplex simplex_of_cache(const CorePair& pair, const SimplexCache& cache) {
     Simplex simplex;
-    if (cache.count > 3) return simplex;
-    for (int i = 0; i < cache.count; ++i) {
-        const VertexPair at = cache.pairs[static_cast<std::size_t>(i)];
-        if (!is_in_range(pair, at)) return {};
-        simplex.vertices[simplex.count++] = minkowski_vertex(pair, at);
-    }
+    const int count = cache.count;
+    if (count == 0 || count > 3 || !is_in_range(pair, cache.pairs[0])) return simplex;
+    if (count > 1 && !is_in_range(pair, cache.pairs[1])) return simplex;
+    if (count > 2 && !is_in_range(pair, cache.pairs[2])) return simplex;
+    simplex.vertices[0] = minkowski_vertex(pair, cache.pairs[0]);
+    if (count > 1) simplex.vertices[1] = minkowski_vertex(pair, cache.pairs[1]);
+    if (count > 2) simplex.vertices[2] = minkowski_vertex(pair, cache.pairs[2]);
+    simplex.count = count;
     return simplex;
 }
 
-inline void store(const Simplex& simplex, SimplexCache& cache) {
-    for (int i = 0; i < simplex.count; ++i) cache.pairs[static_cast<std::size_t>(i)] = simplex.vertices[i].pair;
+[[gnu::always_inline]] inline void store(const Simplex& simplex, SimplexCache& cache) {
+    cache.pairs = {simplex.vertices[0].pair(), simplex.vertices[1].pair(), simplex.vertices[2].pair()};
     cache.count = static_cast<std::uint8_t>(simplex.count);
 }
 
 // The support in the direction from A's position to B's: nearer than an arbitrary vertex, and as symmetric.
-inline Simplex first_simplex(const CorePair& pair) {
+[[gnu::always_inline]] inline Simplex first_simplex(const CorePair& pair) {
     Simplex simplex;
     simplex.vertices[0] = support(pair, pair.offset).vertex;
     simplex.count = 1;

@@ -12,7 +12,7 @@ struct Support {
 };
 
 // Ties go to the lowest index. The direction is turned into the core's frame once instead of all vertices out of it.
-inline Support support(const Core& core, DVec2 direction) {
+[[gnu::always_inline]] inline Support support(const Core& core, DVec2 direction) {
     const double dx = core.c * direction.x + core.s * direction.y;
     const double dy = core.c * direction.y - core.s * direction.x;
     Support best{0, dx * core.x[0] + dy * core.y[0]};
@@ -27,11 +27,13 @@ inline Support support(const Core& core, DVec2 direction) {
 // A vertex w = a - b of A - B, seen from the origin.
 struct MinkowskiVertex {
     DVec2 w;
-    VertexPair pair;
+    std::uint32_t key;  // both indices in one register
+
+    VertexPair pair() const { return {static_cast<std::uint16_t>(key >> 16), static_cast<std::uint16_t>(key)}; }
 };
 
-inline MinkowskiVertex minkowski_vertex(const CorePair& pair, VertexPair at) {
-    return {(pair.a.point(at.a) - pair.b.point(at.b)) - pair.offset, at};
+[[gnu::always_inline]] inline MinkowskiVertex minkowski_vertex(const CorePair& pair, VertexPair at) {
+    return {(pair.a.point(at.a) - pair.b.point(at.b)) - pair.offset, static_cast<std::uint32_t>(at.a) << 16 | at.b};
 }
 
 struct MinkowskiSupport {
@@ -39,7 +41,7 @@ struct MinkowskiSupport {
     double height;  // direction . w, from the supports' own heights
 };
 
-inline MinkowskiSupport support(const CorePair& pair, DVec2 direction) {
+[[gnu::always_inline]] inline MinkowskiSupport support(const CorePair& pair, DVec2 direction) {
     const Support a = support(pair.a, direction);
     const Support b = support(pair.b, -direction);
     const VertexPair at{static_cast<std::uint16_t>(a.index), static_cast<std::uint16_t>(b.index)};

@@ -16,12 +16,12 @@ public:
         TraceStep step;
         step.count = static_cast<std::uint8_t>(simplex.count);
         for (std::size_t i = 0; i < step.count; ++i) {
-            step.simplex[i] = simplex.vertices[i].pair;
+            step.simplex[i] = simplex.vertices[i].pair();
             step.vertices[i] = simplex.vertices[i].w;
         }
         step.closest = (-closest.toward / length_sq(closest.direction)) * closest.direction;
         step.direction = closest.direction;
-        step.support = support.vertex.pair;
+        step.support = support.vertex.pair();
         step.support_vertex = support.vertex.w;
         lower_ = std::max(lower_, -support.height / length_of_direction - error_bound(pair_));
         step.lower = lower_;
