@@ -1,0 +1,106 @@
+// `tumble distance`: the signed distance of two shapes, once or for each line of standard input.
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "command.hpp"
+#include "console.hpp"
+#include "distance_query.hpp"
+#include "input_error.hpp"
+#include "output_file.hpp"
+#include "tumble/distance.hpp"
+#include "tumble/drawing.hpp"
+#include "tumble/scene.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct Options {
+    std::string a, b;
+    bool from_input = false;
+    std::filesystem::path trace;  // empty: not drawn
+    bool force = false;
+};
+
+DistanceResult answer(const DistanceQuery& query) {
+    return tumble::distance(query.a, query.a_pose, query.b, query.b_pose);
+}
+
+void draw_iterations(const DistanceQuery& query, const Options& options) {
+    const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose);
+    OutputFile file(options.trace, options.force);
+    file.write(to_svg(draw_trace(query.a, query.a_pose, query.b, query.b_pose, trace)));
+    file.commit();
+}
+
+ExitCode answer_arguments(const Command& command, const Options& options) {
+    const DistanceQuery query = parse_query_arguments(options.a, options.b);
+    const DistanceResult result = answer(query);
+    if (!options.trace.empty()) draw_iterations(query, options);
+    if (!command.json) {
+        write_output(answer_text(result));
+        return ExitCode::ok;
+    }
+    JsonWriter json;
+    write_answer(json, query, result);
+    write_output(json.text() + "\n");
+    return ExitCode::ok;
+}
+
+void write_line_error(JsonWriter& json, const std::string& message, std::uint64_t line) {
+    json.clear();
+    json.open_object().member("error", message).member("line", line).close_object();
+}
+
+// A line that is no query is answered by its error, and the next one is read.
+ExitCode answer_lines() {
+    std::ios::sync_with_stdio(false);
+    ExitCode code = ExitCode::ok;
+    JsonWriter json(JsonWriter::Layout::compact);
+    std::string line;
+    for (std::uint64_t number = 1; std::getline(std::cin, line); ++number) {
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        json.clear();
+        try {
+            const DistanceQuery query = parse_query_line(line);
+            write_answer(json, query, answer(query));
+        } catch (const InputError& error) {
+            write_line_error(json, error.what(), number);
+            code = ExitCode::invalid_input;
+        } catch (const SceneError& error) {
+            const Diagnostic& first = error.diagnostics.front();
+            write_line_error(json, first.file + first.pointer + ": " + first.message, number);
+            code = ExitCode::invalid_input;
+        }
+        write_output(json.text());
+        write_output("\n");
+    }
+    return code;
+}
+
+ExitCode run(const Command& command, const Options& options) {
+    if (!options.trace.empty() && (options.from_input || options.trace.extension() != ".svg"))
+        throw CLI::ValidationError("--trace", "expected a file F.svg, for one query, got " + options.trace.string());
+    if (options.from_input) return answer_lines();
+    if (options.a.empty() || options.b.empty())
+        throw CLI::RequiredError("A and B, two shapes as JSON, or --stdin,");
+    return answer_arguments(command, options);
+}
+
+}  // namespace
+
+void add_distance(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& distance = add_subcommand(app, command, "distance", "The signed distance of two convex shapes");
+    distance.add_option("A", options->a, R"(A shape, as in {"circle": {"radius": 1}, "pose": {"position": [2, 0]}})");
+    distance.add_option("B", options->b, "Another");
+    distance.add_flag("--stdin", options->from_input, "A query a line on standard input, an answer a line out");
+    distance.add_option("--trace", options->trace, "Draw the iterations of the one query")->type_name("F.svg");
+    distance.add_flag("--force", options->force, "Replace the drawing if it exists");
+    distance.callback([&command, options] { command.action = [&command, options] { return run(command, *options); }; });
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,29 @@
+// A distance query and its answer as text.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "json_writer.hpp"
+#include "tumble/distance.hpp"
+
+namespace tumble::tools {
+
+struct DistanceQuery {
+    Shape a, b;
+    Pose a_pose, b_pose;
+};
+
+// From a line of `distance --stdin`: {"a": SHAPE, "b": SHAPE, "a_pose": POSE, "b_pose": POSE}. Throws InputError or SceneError.
+DistanceQuery parse_query_line(std::string_view line);
+
+// From the two arguments of `distance A B`: each a SHAPE with an optional key "pose". Throws InputError or SceneError.
+DistanceQuery parse_query_arguments(std::string_view a, std::string_view b);
+
+// The object that scripts rely on.
+void write_answer(JsonWriter& json, const DistanceQuery& query, const DistanceResult& result);
+
+// A few lines for a terminal.
+std::string answer_text(const DistanceResult& result);
+
+}  // namespace tumble::tools

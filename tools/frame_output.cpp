@@ -1,0 +1,49 @@
+#include "frame_output.hpp"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "run_folder.hpp"
+#include "stopwatch.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+int encoder_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+
+double aspect_ratio(FrameSize size) { return static_cast<double>(size.width) / size.height; }
+
+}  // namespace
+
+FrameOutput::FrameOutput(const Scene& scene, const SceneWorld& world, const RunOptions& options,
+                         const FrameSchedule& schedule)
+    : scene_(scene),
+      folder_(options.folder),
+      schedule_(schedule),
+      renderer_(options.size.width, options.size.height),
+      camera_(make_camera(scene, world, aspect_ratio(options.size))),
+      writer_(encoder_threads()) {}
+
+void FrameOutput::draw_due(const SceneWorld& world) {
+    const Stopwatch watch;
+    const std::uint64_t step = world.world.step_count();
+    const double time = static_cast<double>(step) / schedule_.steps_per_second;
+    while (next_frame_ < schedule_.frame_count() && schedule_.step_of_frame(next_frame_) == step) {
+        camera_ = move_camera(camera_, world.world);
+        Image image = writer_.take_image();
+        renderer_.draw(scene_, world, camera_, time, image);
+        writer_.submit(std::move(image), frame_file(folder_, next_frame_));
+        ++next_frame_;
+    }
+    render_seconds_ += watch.seconds();
+}
+
+WrittenFiles FrameOutput::finish() {
+    const FrameWriter::Written written = writer_.finish();
+    encode_seconds_ = written.encode_seconds;
+    return {"frames", frame_file(folder_, 0), written.files, written.bytes};
+}
+
+}  // namespace tumble::tools

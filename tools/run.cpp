@@ -1,0 +1,41 @@
+// `tumble run`: simulate a scene, render its frames, write what was asked for.
+#include <filesystem>
+#include <memory>
+
+#include "command.hpp"
+#include "console.hpp"
+#include "run_options.hpp"
+#include "run_report.hpp"
+#include "scene_options.hpp"
+#include "simulation.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct Options {
+    SceneOptions scene;
+    RunOptions run;
+};
+
+ExitCode run(const Command& command, const Options& options) {
+    const Scene scene = read_scene(options.scene);
+    RunOptions settings = options.run;
+    if (settings.folder.empty())
+        settings.folder = std::filesystem::path("out") / file_name_of(scene, options.scene.file);
+    const RunReport report = simulate(scene, settings);
+    write_output(command.json ? to_json(report) : to_text(report));
+    return report.complete ? ExitCode::ok : ExitCode::interrupted;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& run_app = add_subcommand(app, command, "run", "Simulate a scene, render its frames, write its data");
+    add_scene_options(run_app, options->scene);
+    add_run_options(run_app, options->run);
+    run_app.callback([&command, options] { command.action = [&command, options] { return run(command, *options); }; });
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,58 @@
+#include "run_options.hpp"
+
+#include <charconv>
+#include <string_view>
+#include <system_error>
+
+namespace tumble::tools {
+
+namespace {
+
+constexpr int kMinSize = 16;  // pixels, the renderer's bounds
+constexpr int kMaxSize = 8192;
+constexpr double kMaxRate = 1e5;      // frames/s
+
+bool parse_side(std::string_view text, int& pixels) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), pixels);
+    return error == std::errc{} && end == text.data() + text.size() && pixels >= kMinSize && pixels <= kMaxSize;
+}
+
+FrameSize parse_size(const std::string& text) {
+    FrameSize size;
+    const std::size_t cross = text.find('x');
+    if (cross != std::string::npos && parse_side(std::string_view(text).substr(0, cross), size.width) &&
+        parse_side(std::string_view(text).substr(cross + 1), size.height))
+        return size;
+    throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, each from " + std::to_string(kMinSize) + " to " +
+                                             std::to_string(kMaxSize) + " pixels, got " + text);
+}
+
+}  // namespace
+
+void add_size_option(CLI::App& subcommand, FrameSize& size) {
+    subcommand
+        .add_option_function<std::string>(
+            "--size", [&size](const std::string& text) { size = parse_size(text); }, "Frame size in pixels")
+        ->type_name("WxH")
+        ->default_str("1280x720");
+}
+
+void add_run_options(CLI::App& subcommand, RunOptions& options) {
+    subcommand.add_option("-o,--output", options.folder, "Folder for the results, default out/<scene name>")
+        ->type_name("DIR");
+    subcommand.add_option("--duration", options.duration, "Simulated seconds, default the scene's")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, kMaxDuration));
+    subcommand.add_option("--fps", options.frames_per_second, "Frames per simulated second")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(CLI::Range(1e-3, kMaxRate));
+    add_size_option(subcommand, options.size);
+    subcommand.add_flag("--no-frames", options.no_frames, "Simulate only");
+    subcommand.add_option("--trajectory", options.trajectory, "Write pose and velocity of each body after each step")
+        ->type_name("F.csv");
+    subcommand.add_option("--hashes", options.hashes, "Write the state hash after each step")->type_name("F.csv");
+    subcommand.add_flag("--force", options.force, "Replace what an earlier run left in the folder");
+}
+
+}  // namespace tumble::tools

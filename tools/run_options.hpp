@@ -1,0 +1,36 @@
+// What `run` and its relatives can be told about a simulation.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace tumble::tools {
+
+inline constexpr double kMaxDuration = 1e6;  // s: 11 days of simulated time
+
+struct FrameSize {
+    int width = 1280;
+    int height = 720;
+};
+
+struct RunOptions {
+    std::filesystem::path folder;         // receives frames/ and summary.json
+    std::optional<double> duration;       // s; default: the scene's
+    double frames_per_second = 60.0;
+    FrameSize size;
+    bool no_frames = false;
+    bool force = false;                   // replace what an earlier run left
+    std::filesystem::path trajectory;     // empty: not written
+    std::filesystem::path hashes;         // empty: not written
+};
+
+// --size WxH
+void add_size_option(CLI::App& subcommand, FrameSize& size);
+
+// -o, --duration, --fps, --size, --no-frames, --trajectory, --hashes, --force
+void add_run_options(CLI::App& subcommand, RunOptions& options);
+
+}  // namespace tumble::tools

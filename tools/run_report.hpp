@@ -1,0 +1,41 @@
+// What a run has to say at its end: summary.json, and the same for people.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tumble::tools {
+
+// Files that a run wrote, all of one kind.
+struct WrittenFiles {
+    std::string kind;               // "frames", "trajectory", "hashes"
+    std::filesystem::path path;     // of the first
+    std::uint64_t count = 0;
+    std::uint64_t bytes = 0;        // of all
+};
+
+struct RunReport {
+    std::string scene_name;
+    std::uint64_t scene_hash = 0;
+    std::uint64_t seed = 0;
+    double dt = 0.0;              // s a step
+    std::uint64_t steps = 0;      // done
+    double simulate_seconds = 0.0;  // wall clock
+    double render_seconds = 0.0;    // drawing and waiting for the encoder
+    double encode_seconds = 0.0;    // summed over the encoder's threads
+    double total_seconds = 0.0;
+    std::size_t bodies = 0;
+    int contacts = 0;             // at the end
+    std::uint64_t state_hash = 0;
+    std::vector<WrittenFiles> files;
+    bool complete = false;
+};
+
+std::string to_json(const RunReport& report);
+
+// A few lines for a terminal.
+std::string to_text(const RunReport& report);
+
+}  // namespace tumble::tools

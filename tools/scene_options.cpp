@@ -1,0 +1,37 @@
+#include "scene_options.hpp"
+
+#include <cctype>
+
+#include "console.hpp"
+
+namespace tumble::tools {
+
+void add_scene_options(CLI::App& subcommand, SceneOptions& options) {
+    subcommand.add_option("SCENE", options.file, "Scene file")->required();
+    subcommand.add_option("--set", options.changes.overrides, "Change a value of the scene; may be given again")
+        ->type_name("/json/pointer=value")
+        ->allow_extra_args(false);
+    subcommand.add_option("--seed", options.changes.seed, "Seed in place of the scene's")->type_name("N");
+}
+
+Scene read_scene(const SceneOptions& options) {
+    std::vector<Diagnostic> warnings;
+    Scene scene = load_scene(options.file, options.changes, &warnings);
+    for (const Diagnostic& warning : warnings) narrate(to_string(warning) + "\n");
+    for (const std::string& feature : ignored_features(scene))
+        report_warning(options.file + ": not simulated yet: " + feature);
+    return scene;
+}
+
+std::string file_name_of(const Scene& scene, const std::filesystem::path& scene_file) {
+    std::string name = scene.name.empty() ? scene_file.stem().string() : scene.name;
+    for (char& character : name) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(character)) != 0 || character == '_' ||
+                           character == '-' || character == '.';
+        if (!plain) character = '_';
+    }
+    if (name.starts_with('.')) name.front() = '_';
+    return name;
+}
+
+}  // namespace tumble::tools

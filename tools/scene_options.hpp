@@ -1,0 +1,28 @@
+// The arguments of every subcommand that reads a scene, and reading it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+
+#include "tumble/scene.hpp"
+
+namespace tumble::tools {
+
+struct SceneOptions {
+    std::string file;
+    LoadOptions changes;
+};
+
+// SCENE, --set and --seed.
+void add_scene_options(CLI::App& subcommand, SceneOptions& options);
+
+// Reads the scene with its changes, and says its warnings and what of it is not simulated. Throws FileError or
+// SceneError.
+Scene read_scene(const SceneOptions& options);
+
+// The scene's name as a file name: its letters, digits, '.', '_' and '-'; of the file if it has no name.
+std::string file_name_of(const Scene& scene, const std::filesystem::path& scene_file);
+
+}  // namespace tumble::tools

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# Installs what tumble needs from Debian's packages: the one place that lists them. Installs only what is missing, says
+# what and why, and says nothing if all is there.
+#   tools/setup.sh build   to build and run tumble (the default)
+#   tools/setup.sh test    to run its tests
+#   tools/setup.sh all     both
+set -euo pipefail
+
+# PACKAGE:WHY, one a line.
+build_packages=(
+    'g++:the compiler, C++20'
+    'cmake:configures the build, 3.25 or newer'
+    'ninja-build:runs the build'
+    'libeigen3-dev:lanes of 8 numbers in the solver, small linear algebra'
+    'nlohmann-json3-dev:reads scene files'
+    'libcli11-dev:reads the command line'
+    'libxxhash-dev:state and scene hashes'
+    'libosmesa6-dev:draws frames without a display'
+    'libgl-dev:types and constants of OpenGL'
+    'libstb-dev:writes PNG files and text in frames'
+    'libdeflate-dev:compresses PNG files quickly'
+    'fonts-dejavu-core:the font of the text in frames'
+    'libbox2d-dev:the engine that bench compares with'
+    'libgmp-dev:exact arithmetic to check distances with'
+)
+test_packages=(
+    'doctest-dev:the test framework'
+    'librapidcheck-dev:random tests that shrink their failures'
+    'libvalijson-dev:checks the published scene schema'
+    'clang-14:the second compiler: must give the same state hashes'
+    'shellcheck:checks these scripts'
+)
+
+say() { echo "setup: $*" >&2; }
+die() { say "$@"; exit 1; }
+
+case ${1-build} in
+    build) wanted=("${build_packages[@]}") ;;
+    test) wanted=("${test_packages[@]}") ;;
+    all) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
+    *) echo "usage: ${0##*/} [build|test|all]" >&2; exit 2 ;;
+esac
+
+if ! type -P dpkg-query apt-get > /dev/null; then
+    say "this is not Debian or one of its children, so nothing can be installed for you. tumble needs"
+    printf '  %s\n' "${wanted[@]/:/: }" >&2
+    die "(names as in Debian 12). Install them, then: cmake --preset release && cmake --build --preset release"
+fi
+
+is_installed() { [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2> /dev/null) == installed ]]; }
+
+missing=()
+for entry in "${wanted[@]}"; do
+    package=${entry%%:*}
+    is_installed "$package" && continue
+    ((${#missing[@]})) || say "missing from this machine:"
+    printf '  %-20s %s\n' "$package" "${entry#*:}" >&2
+    missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+as_root=()
+if ((EUID != 0)); then
+    type -P sudo > /dev/null || die "installing needs root, and there is no sudo here. As root, run:
+  apt-get install --no-install-recommends ${missing[*]}"
+    as_root=(sudo)
+fi
+install_packages() {
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get install --yes --quiet --quiet --no-install-recommends "${missing[@]}" >&2
+}
+say "installing them with apt-get"
+"${as_root[@]}" apt-get update --quiet --quiet >&2 || say "could not refresh the package lists; trying with those at hand"
+install_packages || die "apt-get could not install: ${missing[*]}"

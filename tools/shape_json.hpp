@@ -1,0 +1,21 @@
+// Shapes and poses as JSON in distance queries. Coordinates and rotations are rounded to float, positions stay double.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+#include "tumble/math.hpp"
+#include "tumble/shape.hpp"
+
+namespace tumble::tools {
+
+// A shape as in scene files, but its radius may be 0 and it must be one convex piece. `source` names it in messages.
+// Throws SceneError or InputError.
+Shape parse_shape(const nlohmann::json& shape, const std::string& source);
+
+// {"position": [x, y], "angle": degrees} or {"position": [x, y], "rotation": [c, s]}; each part may be left out.
+// Throws InputError.
+Pose parse_pose(const nlohmann::json& pose, const std::string& source);
+
+}  // namespace tumble::tools

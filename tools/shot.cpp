@@ -1,0 +1,77 @@
+// `tumble shot`: one frame of a scene.
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "command.hpp"
+#include "console.hpp"
+#include "json_writer.hpp"
+#include "output_file.hpp"
+#include "run_options.hpp"
+#include "scene_options.hpp"
+#include "tumble/render.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct Options {
+    SceneOptions scene;
+    double time = 0.0;
+    std::filesystem::path file;
+    FrameSize size;
+    bool force = false;
+};
+
+void report_shot(const Command& command, const Options& options, const World& world, double time) {
+    if (!command.json) {
+        write_output(options.file.string() + "\n");
+        return;
+    }
+    JsonWriter json;
+    json.open_object().member("file", options.file.string()).member("step", world.step_count()).member("time", time);
+    json.member("state_hash", to_hex(world.state_hash())).close_object();
+    write_output(json.text() + "\n");
+}
+
+ExitCode shoot(const Command& command, const Options& options) {
+    const Scene scene = read_scene(options.scene);
+    refuse_to_overwrite(options.file, options.force);
+    SceneWorld built = build_world(scene);
+    const double aspect_ratio = static_cast<double>(options.size.width) / options.size.height;
+    const Camera camera = make_camera(scene, built, aspect_ratio);
+    Renderer renderer(options.size.width, options.size.height);
+
+    const auto step_count = static_cast<std::uint64_t>(std::llround(options.time * scene.world.steps_per_second));
+    Progress progress("step", step_count);
+    for (std::uint64_t step = 0; step < step_count; ++step) {
+        built.world.step();
+        progress.show(step + 1);
+    }
+    const double time = static_cast<double>(step_count) / scene.world.steps_per_second;
+    Image image;
+    renderer.draw(scene, built, move_camera(camera, built.world), time, image);
+    create_folder_of(options.file);
+    write_png(image, options.file);
+    report_shot(command, options, built.world, time);
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_shot(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& shot = add_subcommand(app, command, "shot", "Render one frame of a scene");
+    add_scene_options(shot, options->scene);
+    shot.add_option("--at", options->time, "Simulated second of the frame")
+        ->type_name("T")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, kMaxDuration));
+    shot.add_option("-o,--output", options->file, "PNG file to write")->type_name("F.png")->required();
+    add_size_option(shot, options->size);
+    shot.add_flag("--force", options->force, "Replace the file if it exists");
+    shot.callback([&command, options] { command.action = [&command, options] { return shoot(command, *options); }; });
+}
+
+}  // namespace tumble::tools

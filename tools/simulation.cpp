@@ -1,0 +1,126 @@
+#include "simulation.hpp"
+
+#include <optional>
+
+#include "console.hpp"
+#include "frame_output.hpp"
+#include "frame_schedule.hpp"
+#include "interrupt.hpp"
+#include "run_folder.hpp"
+#include "step_files.hpp"
+#include "stopwatch.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+// One run, from its open files to its report.
+class Simulation {
+public:
+    Simulation(const Scene& scene, const RunOptions& options);
+
+    void run();
+    void write_summary();
+    const RunReport& report() const noexcept { return report_; }
+
+private:
+    void record_step();
+    void close_files();
+    void update_report();
+
+    const RunOptions& options_;
+    FrameSchedule schedule_;
+    SceneWorld world_;
+    std::optional<TrajectoryFile> trajectory_;
+    std::optional<HashFile> hashes_;
+    std::optional<OutputFile> summary_;
+    std::optional<FrameOutput> frames_;
+    Stopwatch watch_;
+    RunReport report_;
+};
+
+FrameSchedule make_schedule(const Scene& scene, const RunOptions& options) {
+    return {options.duration.value_or(scene.world.duration), options.frames_per_second, scene.world.steps_per_second};
+}
+
+Simulation::Simulation(const Scene& scene, const RunOptions& options)
+    : options_(options), schedule_(make_schedule(scene, options)), world_(build_world(scene)) {
+    report_.scene_name = scene.name;
+    report_.scene_hash = scene_hash(scene);
+    report_.seed = scene.world.seed;
+    report_.dt = 1.0 / scene.world.steps_per_second;
+    const bool with_frames = !options.no_frames;
+    if (with_frames && schedule_.repeats_frames())
+        report_warning("more frames than steps a second: some frames repeat the one before");
+    prepare_run_folder(options.folder, with_frames, options.force);
+    summary_.emplace(summary_file(options.folder), options.force);
+    if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, options.force, world_);
+    if (!options.hashes.empty()) hashes_.emplace(options.hashes, options.force);
+    if (with_frames) frames_.emplace(scene, world_, options, schedule_);
+}
+
+void Simulation::run() {
+    const std::uint64_t step_count = schedule_.step_count();
+    Progress progress("step", step_count);
+    record_step();
+    for (std::uint64_t step = 0; step < step_count && !is_interrupted(); ++step) {
+        const Stopwatch watch;
+        world_.world.step();
+        report_.simulate_seconds += watch.seconds();
+        record_step();
+        progress.show(step + 1);
+    }
+    close_files();
+    report_.complete = world_.world.step_count() == step_count;
+}
+
+void Simulation::record_step() {
+    if (trajectory_) trajectory_->record(world_);
+    if (hashes_) hashes_->record(world_.world);
+    if (frames_) frames_->draw_due(world_);
+}
+
+void Simulation::close_files() {
+    if (frames_) report_.files.push_back(frames_->finish());
+    if (trajectory_) report_.files.push_back({"trajectory", options_.trajectory, 1, trajectory_->file().commit()});
+    if (hashes_) report_.files.push_back({"hashes", options_.hashes, 1, hashes_->file().commit()});
+}
+
+void Simulation::update_report() {
+    report_.steps = world_.world.step_count();
+    report_.bodies = world_.bodies.size();
+    report_.contacts = world_.world.counters().contacts;
+    report_.state_hash = world_.world.state_hash();
+    if (frames_) {
+        report_.render_seconds = frames_->render_seconds();
+        report_.encode_seconds = frames_->encode_seconds();
+    }
+    report_.total_seconds = watch_.seconds();
+}
+
+void Simulation::write_summary() {
+    update_report();
+    summary_->write(to_json(report_));
+    summary_->commit();
+}
+
+}  // namespace
+
+RunReport simulate(const Scene& scene, const RunOptions& options) {
+    catch_interrupts();
+    Simulation simulation(scene, options);
+    try {
+        simulation.run();
+    } catch (...) {
+        try {
+            simulation.write_summary();
+        } catch (const FileError&) {
+            // What stopped the run matters more than the summary that could not be written either.
+        }
+        throw;
+    }
+    simulation.write_summary();
+    return simulation.report();
+}
+
+}  // namespace tumble::tools

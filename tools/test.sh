@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything with warnings as errors, and runs all tests:
+#   1. g++, release, this machine's instruction set: every test
+#   2. clang, debug, the baseline instruction set: must build, and give the same state hash after each step
+#   3. address and undefined-behaviour sanitizers: the tests that feed the binary bad input
+set -euo pipefail
+
+project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+cd -- "$project"
+jobs=${TUMBLE_JOBS:-2}
+
+say() { printf 'test: %s (%d s)\n' "$*" "$SECONDS" >&2; }
+
+# build PRESET TARGET...
+build() {
+    local preset=$1
+    shift
+    cmake --preset "$preset" -DTUMBLE_WERROR=ON > "build/$preset.log" 2>&1 || { cat "build/$preset.log" >&2; return 1; }
+    cmake --build --preset "$preset" --parallel "$jobs" --target "$@"
+}
+
+# write_hashes PRESET SCENE SECONDS: prints the file with a line a step.
+write_hashes() {
+    local folder=build/hashes/$2-$1
+    "build/$1/tools/tumble" run "scenes/$2.json" --duration "$3" --no-frames --force -o "$folder" \
+        --hashes "$folder/hashes.csv" > /dev/null
+    echo "$folder/hashes.csv"
+}
+
+# compare_hashes SCENE SECONDS
+compare_hashes() {
+    local ours theirs
+    ours=$(write_hashes ci "$@")
+    theirs=$(write_hashes debug "$@")
+    cmp -- "$ours" "$theirs" || { say "$1: the state hashes of the two builds differ: $ours, $theirs"; return 1; }
+    say "$1: equal state hashes over $2 s, $(wc -l < "$ours") lines"
+}
+
+mkdir -p build
+tools/setup.sh all
+say "building with g++, release"
+build ci all
+say "running all tests"
+ctest --preset ci --parallel "$jobs"
+say "building with clang, debug, baseline instruction set"
+build debug tumble_cli
+compare_hashes pyramid 5
+compare_hashes mixed_rain 5
+say "building with sanitizers"
+build sanitize tumble_cli test_tools
+ctest --preset sanitize -L tools
+say "all tests passed"

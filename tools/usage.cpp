@@ -1,0 +1,20 @@
+// What `tumble` says when it is given nothing to do.
+#include "command.hpp"
+#include "console.hpp"
+#include "places.hpp"
+
+namespace tumble::tools {
+
+ExitCode print_usage() {
+    write_output(
+        "tumble simulates 2D physics scenes, renders their frames off-screen and proves contact distances.\n"
+        "  tumble run SCENE [-o DIR]       simulate and render into DIR; shot SCENE --at T -o F.png: one frame\n"
+        "  tumble demo [NAME]              run a shipped scene; demo --list: which there are\n"
+        "  tumble validate SCENE...        every error of a scene; schema: its JSON schema; import FILE -o SCENE\n"
+        "  tumble distance A B             the signed distance of two shapes, with its proof\n"
+        "Try: " +
+        command_to_type() + " demo\n");
+    return ExitCode::ok;
+}
+
+}  // namespace tumble::tools
