@@ -1,0 +1,126 @@
+// What a user can do wrong, and the exit code and message that answer it.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "process.hpp"
+
+using tumble::test::Answer;
+using tumble::test::Folder;
+using tumble::test::tumble;
+
+namespace {
+
+std::string body_scene(const std::string& shape) {
+    return R"({"format": 1, "name": "bad", "bodies": [{"name": "a", "shapes": [)" + shape + "]}]}";
+}
+
+// Runs a scene with this text, without frames.
+Answer run_text(const std::string& text) {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", text);
+    return tumble({"run", scene, "--no-frames", "-o", (folder / "out").string()});
+}
+
+void check_invalid(const std::string& text, const std::string& expected_message) {
+    CAPTURE(text);
+    const Answer answer = run_text(text);
+    CHECK(answer.code == 3);
+    CHECK(answer.out.empty());
+    CHECK_MESSAGE(answer.err.find("scene.json:") != std::string::npos, answer.err);
+    CHECK_MESSAGE(answer.err.find(expected_message) != std::string::npos, answer.err);
+}
+
+}  // namespace
+
+TEST_CASE("a scene that cannot be read as format 1 ends with exit code 3 and its place") {
+    check_invalid("", "scene.json:1:1");
+    check_invalid(R"({"format": 1, "bodies": [)", "scene.json:1:");
+    check_invalid(R"({"format": 1, "bodys": []})", "bodies");
+    check_invalid(R"({"format": 1, "name": "a", "name": "b", "bodies": []})", "name");
+    check_invalid(R"({"format": 1, "bodies": [{"position": [NaN, 0], "shapes": [{"circle": {"radius": 1}}]}]})", ":1:");
+    check_invalid(R"({"format": 1, "bodies": [{"position": [1e999, 0], "shapes": [{"circle": {"radius": 1}}]}]})", ":1:");
+    check_invalid(body_scene(R"({"polygon": {"vertices": [[0, 0], [1, 0]]}})"), "/bodies/0/shapes/0/polygon");
+    check_invalid(body_scene(R"({"circle": {"radius": -1}})"), "/bodies/0/shapes/0/circle/radius");
+    check_invalid(R"({"format": 1, "bodies": [{"name": "a", "shapes": [{"circle": {"radius": 1}}]}],
+                      "joints": [{"type": "revolute", "bodies": ["a", "gone"], "anchor": [0, 0]}]})",
+                  "gone");
+}
+
+TEST_CASE("an invalid scene is refused before anything is written") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", body_scene(R"({"circle": {"radius": -1}})"));
+    CHECK(tumble({"run", scene, "-o", (folder / "out").string(), "--hashes", (folder / "h.csv").string()}).code == 3);
+    CHECK_FALSE(std::filesystem::exists(folder / "out"));
+    CHECK_FALSE(std::filesystem::exists(folder / "h.csv"));
+}
+
+TEST_CASE("all errors of a scene are reported, by validate as by run") {
+    const Folder folder;
+    const std::string scene = folder.write(
+        "scene.json", body_scene(R"({"circle": {"radius": -1}}, {"box": {"size": [1]}}, {"capsul": {}})"));
+    const Answer answer = tumble({"validate", scene});
+    CHECK(answer.code == 3);
+    for (const char* pointer : {"/shapes/0", "/shapes/1", "/shapes/2"}) {
+        CAPTURE(pointer);
+        CHECK_MESSAGE(answer.err.find(pointer) != std::string::npos, answer.err);
+    }
+}
+
+TEST_CASE("a missing scene ends with exit code 4 and its name") {
+    for (const char* command : {"run", "validate"}) {
+        const Answer answer = tumble({command, "no/such/scene.json"});
+        CHECK(answer.code == 4);
+        CHECK(answer.err.find("no/such/scene.json") != std::string::npos);
+    }
+}
+
+TEST_CASE("a folder that cannot be written ends with exit code 4 and its name") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", tumble::test::small_scene());
+    const std::string file = folder.write("file", "");
+    for (const std::string& place : {file + "/out", std::string("/proc/tumble")}) {
+        CAPTURE(place);
+        const Answer answer = tumble({"run", scene, "-o", place});
+        CHECK(answer.code == 4);
+        CHECK_MESSAGE(answer.err.find(place) != std::string::npos, answer.err);
+    }
+    const Answer answer = tumble({"run", scene, "--no-frames", "-o", (folder / "out").string(), "--hashes", file + "/h"});
+    CHECK(answer.code == 4);
+}
+
+TEST_CASE("wrong usage ends with exit code 2") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", tumble::test::small_scene());
+    const std::vector<std::vector<std::string>> wrong = {
+        {"flap"},
+        {"run"},
+        {"run", scene, "--no-such-option"},
+        {"run", scene, "--size", "1280"},
+        {"run", scene, "--size", "1x1"},
+        {"run", scene, "--duration", "-1"},
+        {"run", scene, "--duration", "nan"},
+        {"run", scene, "--fps", "0"},
+        {"shot", scene},
+        {"demo", "no_such_demo"},
+        {"demo", "../no_such_demo"},
+        {"distance", R"({"circle": {"radius": 1}})"},
+    };
+    for (const std::vector<std::string>& arguments : wrong) {
+        CAPTURE(arguments.back());
+        const Answer answer = tumble(arguments);
+        CHECK(answer.code == 2);
+        CHECK(answer.out.empty());
+        CHECK(answer.err.find("error") != std::string::npos);
+    }
+}
+
+TEST_CASE("with --json an error is one document on standard output") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", body_scene(R"({"circle": {"radius": -1}})"));
+    const Answer answer = tumble({"run", scene, "--json"});
+    CHECK(answer.code == 3);
+    CHECK(answer.out.find(R"("exit_code": 3)") != std::string::npos);
+    CHECK(answer.out.find(R"("pointer": "/bodies/0/shapes/0/circle/radius")") != std::string::npos);
+}

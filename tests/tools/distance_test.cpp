@@ -1,0 +1,84 @@
+// Distance queries by the command line.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "process.hpp"
+
+using nlohmann::json;
+using tumble::test::Answer;
+using tumble::test::Process;
+using tumble::test::tumble;
+using tumble::test::tumble_command;
+
+TEST_CASE("the distance of two circles is that of their centres less their radii") {
+    // Centres (0, 0) and (3, 4), 5 apart; radii 1 and 0.5.
+    const Answer answer = tumble({"distance", R"({"circle": {"radius": 1}})",
+                                  R"({"circle": {"radius": 0.5}, "pose": {"position": [3, 4]}})", "--json"});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const json result = json::parse(answer.out);
+    CHECK(result["status"] == "separated");
+    CHECK(result["distance"].get<double>() == doctest::Approx(3.5).epsilon(1e-14));
+    CHECK(result["lower"].get<double>() <= 3.5);
+    CHECK(result["upper"].get<double>() >= 3.5);
+    CHECK(result["point_a"][0].get<double>() == doctest::Approx(0.6).epsilon(1e-14));
+    CHECK(result["point_a"][1].get<double>() == doctest::Approx(0.8).epsilon(1e-14));
+    CHECK(result["point_b"][0].get<double>() == doctest::Approx(2.7).epsilon(1e-14));
+    CHECK(result["normal"][1].get<double>() == doctest::Approx(0.8).epsilon(1e-14));
+    CHECK(result["b_pose"]["position"] == json({3, 4}));
+    CHECK(result["b_pose"]["rotation"] == json({1, 0}));
+    CHECK(result["certificate"]["pairs"] == json({{0, 0}}));
+    CHECK(result.contains("iterations"));
+}
+
+TEST_CASE("poses are taken by angle or by rotation, and quarter turns are exact") {
+    const std::string box = R"({"box": {"size": [2, 1]}})";
+    const auto distance_to = [&](const std::string& pose) {
+        const Answer answer = tumble({"distance", box, R"({"box": {"size": [2, 1]}, "pose": )" + pose + "}", "--json"});
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        return json::parse(answer.out)["distance"].get<double>();
+    };
+    CHECK(distance_to(R"({"position": [4, 0]})") == 2.0);
+    CHECK(distance_to(R"({"position": [4, 0], "angle": 90})") == 2.5);
+    CHECK(distance_to(R"({"position": [4, 0], "rotation": [0, 1]})") == 2.5);
+    CHECK(distance_to(R"({"position": [1.5, 0]})") == -0.5);
+}
+
+TEST_CASE("a query that is wrong says where, with exit code 3") {
+    const std::string circle = R"({"circle": {"radius": 1}})";
+    for (const std::string& wrong : {std::string("{"), std::string("[]"), std::string(R"({"circle": {}})"),
+                                     std::string(R"({"circle": {"radius": -1}})"),
+                                     std::string(R"({"circle": {"radius": 1}, "pose": {"position": [0]}})"),
+                                     std::string(R"({"circle": {"radius": 1}, "pose": {"angel": 3}})"),
+                                     std::string(R"({"circle": {"radius": 1}, "pose": {"angle": 3, "rotation": [1, 0]}})"),
+                                     std::string(R"({"chain": {"points": [[0, 0], [1, 0], [2, 0]]}})")}) {
+        CAPTURE(wrong);
+        const Answer answer = tumble({"distance", circle, wrong});
+        CHECK(answer.code == 3);
+        CHECK(answer.err.find('B') != std::string::npos);
+    }
+}
+
+TEST_CASE("lines of queries give lines of answers, and a bad line does not end the run") {
+    const std::string input =
+        "{\"a\": {\"circle\": {\"radius\": 1}}, \"b\": {\"circle\": {\"radius\": 0}}, \"b_pose\": {\"position\": [3, 0]}}\n"
+        "{\"a\": {\"circle\": {\"radius\": 1}}}\n"
+        "\n"
+        "nonsense\n"
+        "{\"a\": {\"circle\": {\"radius\": 1}}, \"b\": {\"circle\": {\"radius\": 1}}, \"a_pose\": {\"position\": [0, 9]}}\n";
+    const Answer answer = Process(tumble_command({"distance", "--stdin"}), ".", input).wait();
+    CHECK(answer.code == 3);
+    std::vector<json> lines;
+    std::istringstream text(answer.out);
+    for (std::string line; std::getline(text, line);) lines.push_back(json::parse(line));
+    REQUIRE(lines.size() == 4);
+    CHECK(lines[0]["distance"] == 2);
+    CHECK(lines[1]["line"] == 2);
+    CHECK(lines[1].contains("error"));
+    CHECK(lines[2]["line"] == 4);
+    CHECK(lines[3]["distance"] == 7);
+}

@@ -1,0 +1,121 @@
+// Runs that end early: by a signal, or by a full disk. What is left is whole.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <sys/mount.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "process.hpp"
+
+namespace fs = std::filesystem;
+using tumble::test::Answer;
+using tumble::test::Folder;
+using tumble::test::Process;
+using tumble::test::read_text;
+
+namespace {
+
+// Every PNG ends with the same 12 bytes: an empty chunk IEND and its checksum.
+bool is_whole_png(const fs::path& file) {
+    const std::string end("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+    const std::string bytes = read_text(file);
+    return bytes.starts_with("\x89PNG") && bytes.ends_with(end);
+}
+
+// Checks that the folder holds whole frames and no temporary file; returns the number of frames.
+int check_frames(const fs::path& folder) {
+    int frames = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        CAPTURE(entry.path().string());
+        CHECK(is_whole_png(entry.path()));
+        ++frames;
+    }
+    return frames;
+}
+
+void wait_for(const fs::path& file, const Process& process) {
+    while (!fs::exists(file) && process.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+void check_interruption(int signal) {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", tumble::test::small_scene());
+    const fs::path out = folder / "out";
+    Process process(tumble::test::tumble_command({"run", scene, "--duration", "100000", "--size", "320x180", "-o",
+                                                  out.string(), "--hashes", (folder / "hashes.csv").string()}));
+    wait_for(out / "frames/frame_000003.png", process);
+    process.send_signal(signal);
+    const Answer answer = process.wait();
+    CHECK_MESSAGE(answer.code == 130, answer.err);
+    const nlohmann::json summary = nlohmann::json::parse(read_text(out / "summary.json"));
+    CHECK(summary["complete"] == false);
+    CHECK(check_frames(out / "frames") == summary["files"][0]["count"].get<int>());
+    // A line for each step that was done, the initial state, and the header.
+    const std::string hashes = read_text(folder / "hashes.csv");
+    CHECK(std::count(hashes.begin(), hashes.end(), '\n') == summary["steps"].get<int>() + 2);
+}
+
+// A file system of its own that is soon full; none if this process may not mount.
+class SmallDisk {
+public:
+    explicit SmallDisk(const fs::path& folder) : folder_(folder) {
+        fs::create_directories(folder);
+        mounted_ = mount("tmpfs", folder.c_str(), "tmpfs", MS_NOSUID | MS_NODEV, "size=256k") == 0;
+    }
+    ~SmallDisk() {
+        if (mounted_) umount(folder_.c_str());
+    }
+    SmallDisk(const SmallDisk&) = delete;
+    SmallDisk& operator=(const SmallDisk&) = delete;
+
+    bool is_mounted() const { return mounted_; }
+
+private:
+    fs::path folder_;
+    bool mounted_ = false;
+};
+
+}  // namespace
+
+TEST_CASE("Ctrl-C finishes the current frame and says that the run is not complete") {
+    check_interruption(SIGINT);
+    check_interruption(SIGTERM);
+}
+
+TEST_CASE("a full disk ends a run with exit code 4 and leaves no half-written file") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", tumble::test::small_scene());
+    const SmallDisk disk(folder / "disk");
+    if (!disk.is_mounted()) {
+        MESSAGE("not tested: this user may not mount a small file system: " << std::strerror(errno));
+        return;
+    }
+    const fs::path out = folder / "disk/out";
+    const Answer frames = tumble::test::tumble({"run", scene, "--duration", "100", "--size", "640x360", "-o", out.string()});
+    CHECK(frames.code == 4);
+    CHECK_MESSAGE(frames.err.find("No space left") != std::string::npos, frames.err);
+    CHECK(check_frames(out / "frames") > 0);
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder / "disk"))
+        CHECK(entry.path().extension() != ".partial");
+
+    fs::remove_all(out);
+    const Answer trajectory =
+        tumble::test::tumble({"run", scene, "--no-frames", "--duration", "100", "-o", (folder / "out").string(),
+                              "--trajectory", (folder / "disk/trajectory.csv").string()});
+    CHECK(trajectory.code == 4);
+    CHECK(trajectory.err.find("trajectory.csv") != std::string::npos);
+    CHECK(fs::is_empty(folder / "disk"));
+}
+
+TEST_CASE("standard output that cannot be written is exit code 4") {
+    Process process(tumble::test::tumble_command({"schema"}), ".", "", "/dev/full");
+    CHECK(process.wait().code == 4);
+}

@@ -1,0 +1,63 @@
+// Runs the tumble binary as a user's script would, and keeps what it said.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tumble::test {
+
+struct Answer {
+    int code = -1;  // exit code, or 128 + the signal that ended the process
+    std::string out;
+    std::string err;
+};
+
+// A process that was started and is still to be waited for.
+class Process {
+public:
+    // `output` names a file that takes standard output in place of the pipe; `input` is standard input, else empty.
+    explicit Process(const std::vector<std::string>& command, const std::filesystem::path& working_folder = ".",
+                     const std::string& input = {}, const std::string& output = {});
+    ~Process();
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+
+    void send_signal(int signal) const;
+    bool is_running() const;
+    Answer wait();
+
+private:
+    int id_ = -1;
+    bool waited_ = false;
+    std::filesystem::path folder_;  // holds what the process reads and writes
+};
+
+Answer run(const std::vector<std::string>& command, const std::filesystem::path& working_folder = ".");
+
+// The binary under test with these arguments.
+Answer tumble(std::vector<std::string> arguments);
+std::vector<std::string> tumble_command(std::vector<std::string> arguments);
+
+// A new empty folder of this test's own, removed at the end.
+class Folder {
+public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    std::string write(const std::string& name, const std::string& text) const;  // returns the whole path
+
+private:
+    std::filesystem::path path_;
+};
+
+std::string read_text(const std::filesystem::path& file);
+
+// A scene of a few bodies over a ground.
+std::string small_scene();
+
+}  // namespace tumble::test

@@ -1,0 +1,175 @@
+// The files that a run promises.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "process.hpp"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using tumble::test::Answer;
+using tumble::test::Folder;
+using tumble::test::read_text;
+using tumble::test::tumble;
+
+namespace {
+
+std::vector<std::string> lines_of(const fs::path& file) {
+    std::vector<std::string> lines;
+    std::istringstream text(read_text(file));
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    return lines;
+}
+
+std::size_t count_files(const fs::path& folder) {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+std::string small_scene_file(const Folder& folder) { return folder.write("small.json", tumble::test::small_scene()); }
+
+}  // namespace
+
+TEST_CASE("five seconds at 60 frames a second are 301 frames") {
+    const Folder folder;
+    const fs::path out = folder / "out";
+    const Answer answer = tumble({"run", TUMBLE_SOURCE_DIR "/scenes/pyramid.json", "--duration", "5", "--fps", "60",
+                                  "--size", "64x36", "-o", out.string()});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    CHECK(count_files(out / "frames") == 301);
+    CHECK(fs::exists(out / "frames/frame_000000.png"));
+    CHECK(fs::exists(out / "frames/frame_000300.png"));
+    CHECK(answer.out.find("state hash") != std::string::npos);
+}
+
+TEST_CASE("the summary has every key that scripts rely on, and --json prints the same document") {
+    const Folder folder;
+    const fs::path out = folder / "out";
+    const Answer answer =
+        tumble({"run", small_scene_file(folder), "--json", "--duration", "1", "--no-frames", "-o", out.string()});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const json summary = json::parse(answer.out);
+    CHECK(summary == json::parse(read_text(out / "summary.json")));
+    for (const char* key : {"version", "scene_hash", "seed", "dt", "steps", "wall_s", "bodies", "contacts",
+                            "state_hash", "files", "complete"}) {
+        CAPTURE(key);
+        CHECK(summary.contains(key));
+    }
+    for (const char* key : {"simulate", "render", "encode", "total"}) CHECK(summary["wall_s"].contains(key));
+    CHECK(summary["steps"] == 60);
+    CHECK(summary["dt"].get<double>() == 1.0 / 60.0);
+    CHECK(summary["bodies"] == 3);
+    CHECK(summary["complete"] == true);
+    CHECK(summary["state_hash"].get<std::string>().size() == 16);
+    CHECK_FALSE(fs::exists(out / "frames"));
+}
+
+TEST_CASE("two runs give the same hash after each step, another seed or scene another scene hash") {
+    const Folder folder;
+    const std::string scene = small_scene_file(folder);
+    for (const char* name : {"a", "b"})
+        REQUIRE(tumble({"run", scene, "--no-frames", "--duration", "2", "-o", (folder / name).string(), "--hashes",
+                        (folder / (std::string(name) + ".csv")).string()})
+                    .code == 0);
+    const std::vector<std::string> lines = lines_of(folder / "a.csv");
+    CHECK(lines == lines_of(folder / "b.csv"));
+    REQUIRE(lines.size() == 122);  // the header, the initial state, 120 steps
+    CHECK(lines[0] == "step,hash");
+    CHECK(lines[1].starts_with("0,"));
+    CHECK(lines[121].starts_with("120,"));
+    CHECK(lines[1].substr(2) != lines[2].substr(2));
+    const json summary = json::parse(read_text(folder / "a" / "summary.json"));
+    CHECK(lines.back() == "120," + summary["state_hash"].get<std::string>());
+}
+
+TEST_CASE("a trajectory has a line for each body and step") {
+    const Folder folder;
+    const fs::path file = folder / "sub/trajectory.csv";
+    REQUIRE(tumble({"run", small_scene_file(folder), "--no-frames", "--duration", "0.5", "-o",
+                    (folder / "out").string(), "--trajectory", file.string()})
+                .code == 0);
+    const std::vector<std::string> lines = lines_of(file);
+    REQUIRE(lines.size() == 1 + 31 * 3);
+    CHECK(lines[0] == "step,time,body,x,y,angle,vx,vy,omega");
+    CHECK(lines[1] == "0,0,ground,0,-0.5,0,0,0,0");
+    CHECK(lines[2] == "0,0,ball,0,3,0,1,0,0");
+    CHECK(lines[3].starts_with("0,0,body[2],0.2,5,0.523598"));
+    CHECK(lines[4].starts_with("1,0.016666666666666666,ground,"));
+}
+
+TEST_CASE("a run without -o goes to out/<scene name>") {
+    const Folder folder;
+    small_scene_file(folder);
+    const Answer answer = tumble::test::run(
+        tumble::test::tumble_command({"run", "small.json", "--duration", "0", "--size", "32x32"}), folder.path());
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    CHECK(fs::exists(folder / "out/small/summary.json"));
+    CHECK(count_files(folder / "out/small/frames") == 1);
+}
+
+TEST_CASE("nothing is overwritten silently") {
+    const Folder folder;
+    const std::string scene = small_scene_file(folder);
+    const std::string out = (folder / "out").string();
+    const std::vector<std::string> base = {"run", scene, "--size", "32x32", "-o", out, "--duration"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), base.begin(), base.end());
+        return tumble(more);
+    };
+    REQUIRE(with({"0.1"}).code == 0);
+    CHECK(count_files(folder / "out/frames") == 7);
+    const std::string before = read_text(folder / "out/summary.json");
+    const Answer refused = with({"0.05"});
+    CHECK(refused.code == 4);
+    CHECK(refused.err.find("--force") != std::string::npos);
+    CHECK(read_text(folder / "out/summary.json") == before);
+    folder.write("out/notes.txt", "mine");
+    CHECK(with({"0.05", "--force"}).code == 0);
+    CHECK(count_files(folder / "out/frames") == 4);  // no frame of the longer run is left
+    CHECK(fs::exists(folder / "out/notes.txt"));
+    const std::string precious = folder.write("h.csv", "mine");
+    CHECK(tumble({"run", scene, "--no-frames", "-o", (folder / "b").string(), "--hashes", precious}).code == 4);
+    CHECK(read_text(precious) == "mine");
+}
+
+TEST_CASE("more frames than steps repeat frames, with a warning") {
+    const Folder folder;
+    const Answer answer = tumble({"run", small_scene_file(folder), "--fps", "240", "--duration", "0.05", "--size",
+                                  "64x36", "-o", (folder / "out").string()});
+    CHECK(answer.code == 0);
+    CHECK(answer.err.find("warning") != std::string::npos);
+    CHECK(count_files(folder / "out/frames") == 13);
+    // Frame 2 shows step round(2 x 60 / 240) = 1, as frame 3 does.
+    CHECK(read_text(folder / "out/frames/frame_000002.png") == read_text(folder / "out/frames/frame_000003.png"));
+}
+
+TEST_CASE("a shot is the frame of a run at that time") {
+    const Folder folder;
+    const std::string scene = small_scene_file(folder);
+    REQUIRE(tumble({"run", scene, "--duration", "0.5", "--size", "160x90", "-o", (folder / "out").string()}).code == 0);
+    const std::string file = (folder / "new/shot.png").string();
+    const Answer answer = tumble({"shot", scene, "--at", "0.5", "--size", "160x90", "-o", file});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    CHECK(read_text(file) == read_text(folder / "out/frames/frame_000030.png"));
+    CHECK(tumble({"shot", scene, "-o", file}).code == 4);
+    CHECK(tumble({"shot", scene, "-o", file, "--force"}).code == 0);
+}
+
+TEST_CASE("--set and --seed change the scene that is read") {
+    const Folder folder;
+    const Answer answer =
+        tumble({"run", small_scene_file(folder), "--no-frames", "--json", "-o", (folder / "out").string(), "--set",
+                "/world/steps_per_second=30", "--set", "/world/duration=2", "--seed", "77"});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const json summary = json::parse(answer.out);
+    CHECK(summary["steps"] == 60);
+    CHECK(summary["seed"] == 77);
+    CHECK(tumble({"run", (folder / "small.json").string(), "--no-frames", "-o", (folder / "b").string(), "--set",
+                  "/world/substeps=0"})
+              .code == 3);
+}

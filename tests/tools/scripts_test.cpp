@@ -1,0 +1,29 @@
+// The shell scripts: sound, and clear about wrong arguments.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "process.hpp"
+
+using tumble::test::Answer;
+using tumble::test::run;
+
+namespace {
+
+const std::string kRoot = TUMBLE_SOURCE_DIR;
+
+}  // namespace
+
+TEST_CASE("the shell scripts pass shellcheck") {
+    const Answer answer = run({"shellcheck", kRoot + "/tools/setup.sh", kRoot + "/tools/run.sh",
+                               kRoot + "/tools/test.sh", kRoot + "/.ci/run"});
+    CHECK_MESSAGE(answer.code == 0, answer.out << answer.err);
+}
+
+TEST_CASE("setup says nothing where all is installed, and shows its usage for what it does not know") {
+    const Answer nothing_to_do = run({kRoot + "/tools/setup.sh", "all"}, "/");
+    CHECK(nothing_to_do.code == 0);
+    CHECK(nothing_to_do.out.empty());
+    CHECK(nothing_to_do.err.empty());
+    CHECK(run({kRoot + "/tools/setup.sh", "everything"}).code == 2);
+}
