@@ -54,8 +54,12 @@ public:
         const std::vector<ShapeDef> shapes = make_shape_defs(scene_, body);
         std::size_t copy = 0;
         for (PlacedBody placed : place_copies(scene_, source)) {
-            placed.id = result_.world.create_body(make_body_def(body, placed.pose));
+            const BodyDef def = make_body_def(body, placed.pose);
+            placed.id = result_.world.create_body(def);
             for (const ShapeDef& shape : shapes) result_.world.add_shape(placed.id, shape);
+            // Shapes move the centre of mass, whose velocity is given, and a turning body's with it.
+            if (def.type == BodyType::dynamic_body)
+                result_.world.set_velocity(placed.id, def.velocity, def.angular_velocity);
             result_.bodies.push_back({placed.id, source, copy_name(body, copy++)});
             placed_.push_back(placed);
         }
