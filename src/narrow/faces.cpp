@@ -32,19 +32,25 @@ VertexPair neighbour(const CorePair& pair, DVec2 direction, VertexPair at, int s
     return height(pair, direction, along_a) >= height(pair, direction, along_b) ? along_a : along_b;
 }
 
-// Where edges of both cores are parallel, an edge and a support vertex are a part of the face only, and the origin may
-// lie above another part: walks there, as long as the outline stays level within the rounding of heights.
+// Where edges of both cores are parallel, or as good as, an edge and a support vertex are a part of the face only, and
+// the origin may lie above another part: walks there, as long as the outline below the origin, or up to its next vertex,
+// stays level within the rounding of heights.
 void move_below_origin(const CorePair& pair, Face& face) {
     const DVec2 along = perp(face.direction);  // from the first pair to the second
     const double slack = progress_bound(pair) * length(face.direction);
     const double level = height(pair, face.direction, face.pairs[0]) - slack;
     const int step = dot(minkowski_vertex(pair, face.pairs[1]).w, along) < 0.0 ? 1 : -1;
     const int far = step > 0 ? 1 : 0;
+    const auto distance_to_go = [&](VertexPair at) { return -step * dot(minkowski_vertex(pair, at).w, along); };
     for (int steps = pair.a.count + pair.b.count; steps > 0; --steps) {
         const VertexPair end = face.pairs[far];
-        if (step * dot(minkowski_vertex(pair, end).w, along) >= 0.0) return;
+        const double to_go = distance_to_go(end);
+        if (!(to_go > 0.0)) return;
         const VertexPair next = neighbour(pair, face.direction, end, step);
-        if (next == end || height(pair, face.direction, next) < level) return;
+        const double left = distance_to_go(next);
+        const double part = left < 0.0 ? to_go / (to_go - left) : 1.0;
+        const double from = height(pair, face.direction, end), to = height(pair, face.direction, next);
+        if (next == end || from + part * (to - from) < level) return;
         face.pairs[1 - far] = end;
         face.pairs[far] = next;
     }
