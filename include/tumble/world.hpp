@@ -50,6 +50,12 @@ struct ContactPoint {
     float tangent_impulse = 0.0f;
 };
 
+// Two shapes whose boxes overlap; most such pairs do not touch.
+struct ShapePair {
+    ShapeId a;
+    ShapeId b;
+};
+
 // Calls with a stale or foreign id, with values that are not finite or out of range throw std::invalid_argument with
 // the value printed, and leave the world as it was.
 class World {
@@ -97,6 +103,9 @@ public:
     // Contact points of the last step, in order of shape ids: gaps and places as the step found them, impulses as it
     // left them. Computed on the call: O(contacts).
     std::vector<ContactPoint> contacts() const;
+
+    // The pairs that the last step asked the narrow phase about, in order of shape ids. Computed on the call: O(pairs).
+    std::vector<ShapePair> candidate_pairs() const;
 
     // xxHash64 of pose and velocity of the live bodies in id order, as little-endian bytes: equal worlds, equal hashes.
     std::uint64_t state_hash() const;

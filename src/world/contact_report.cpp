@@ -20,15 +20,28 @@ ContactPoint report_point(const Simulation& simulation, const Contact& contact, 
     return point;
 }
 
+bool are_live(const Simulation& simulation, ProxyPair shapes) {
+    return simulation.shapes[shapes.a].is_live && simulation.shapes[shapes.b].is_live;
+}
+
 }  // namespace
 
 std::vector<ContactPoint> report_contacts(const Simulation& simulation) {
     std::vector<ContactPoint> points;
     for (const Contact& contact : simulation.contacts.all()) {
-        if (!simulation.shapes[contact.shapes.a].is_live || !simulation.shapes[contact.shapes.b].is_live) continue;
+        if (!are_live(simulation, contact.shapes)) continue;
         for (int i = 0; i < contact.manifold.point_count; ++i) points.push_back(report_point(simulation, contact, i));
     }
     return points;
+}
+
+std::vector<ShapePair> report_pairs(const Simulation& simulation) {
+    std::vector<ShapePair> pairs;
+    pairs.reserve(simulation.contacts.all().size());
+    for (const Contact& contact : simulation.contacts.all())
+        if (are_live(simulation, contact.shapes))
+            pairs.push_back({simulation.shapes.ids.at(contact.shapes.a), simulation.shapes.ids.at(contact.shapes.b)});
+    return pairs;
 }
 
 }  // namespace tumble

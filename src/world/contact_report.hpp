@@ -11,4 +11,7 @@ namespace tumble {
 // The contact points of the last step in order of shape ids, without those of shapes destroyed since.
 std::vector<ContactPoint> report_contacts(const Simulation& simulation);
 
+// The pairs behind them, with and without points.
+std::vector<ShapePair> report_pairs(const Simulation& simulation);
+
 }  // namespace tumble

@@ -211,6 +211,7 @@ JointReaction World::reaction(JointId id) const {
 }
 
 std::vector<ContactPoint> World::contacts() const { return report_contacts(impl_->simulation); }
+std::vector<ShapePair> World::candidate_pairs() const { return report_pairs(impl_->simulation); }
 
 std::uint64_t World::state_hash() const { return hash_bodies(impl_->simulation.bodies); }
 
