@@ -10,11 +10,12 @@ namespace tumble::reference {
 
 namespace {
 
-// A shape of small integers times 2^exponent, exact down to the smallest denormal float.
+// A shape of small integers times 2^exponent, exact down to the smallest denormal float. No vertex is the origin: with a
+// lone vertex there the offset alone would set the scale, and may be too small to square.
 Shape grid_shape(Random& random, int exponent) {
     std::vector<GridPoint> points;
     const int count = random.integer(1, 8);
-    for (int i = 0; i < count; ++i) points.push_back({random.integer(-63, 63), random.integer(-63, 63)});
+    for (int i = 0; i < count; ++i) points.push_back({2 * random.integer(-32, 31) + 1, random.integer(-63, 63)});
     const float radius = random.chance(0.5) ? 0.0f : std::ldexp(static_cast<float>(random.integer(1, 63)), exponent);
     return Shape::from_raw(to_vertices(convex_hull(std::move(points)), exponent, exponent), radius);
 }

@@ -97,7 +97,8 @@ bool differ(const Comparison& comparison, const ExactSide& exact, double bound) 
 void add_ours_error(ParityRow& row, const Comparison& comparison, double error) {
     row.max_error_ours_m = std::max(row.max_error_ours_m, error);
     const double scale = error_scale(comparison.query);
-    if (scale > 0.0) row.max_error_ours_units = std::max(row.max_error_ours_units, error / (kUnitRoundoff * scale));
+    const bool bare = comparison.query.a.radius() == 0.0f && comparison.query.b.radius() == 0.0f;
+    if (bare && scale > 0.0) row.max_error_ours_units = std::max(row.max_error_ours_units, error / (kUnitRoundoff * scale));
 }
 
 }  // namespace
@@ -135,7 +136,10 @@ double ExactSide::error_of(double signed_distance) const {
     return std::max({0.0, lower_ - signed_distance, signed_distance - upper_});
 }
 
-double ExactSide::error_of_clamped(double distance) const { return sign() > 0 ? error_of(distance) : std::abs(distance); }
+double ExactSide::error_of_clamped(double distance) const {
+    if (!std::isfinite(distance)) return INFINITY;
+    return sign() > 0 ? error_of(distance) : std::abs(distance);
+}
 
 bool needs_exact_check(const Comparison& comparison) {
     const double bound = tolerance(comparison.query);

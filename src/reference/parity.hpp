@@ -68,8 +68,8 @@ struct ParityRow {
     std::uint64_t box2d_refused = 0;        // not given to Box2D: its float cannot hold the input
     std::uint64_t ill_conditioned = 0;
     double max_error_ours_m = 0.0;          // over what was checked exactly
-    double max_error_ours_units = 0.0;      // of u (RA + RB + |p|)
-    double max_error_box2d_m = 0.0;         // over all comparisons
+    double max_error_ours_units = 0.0;      // of u (RA + RB + |p|), of bare cores
+    double max_error_box2d_m = 0.0;         // over all comparisons; may be infinite
     double max_error_box2d_eps = 0.0;       // of eps S
     std::uint64_t iterations_ours = 0;      // sums over the comparisons
     std::uint64_t iterations_box2d = 0;

@@ -17,12 +17,12 @@ PairQuery pair_of(Random& random, int exponent_a, int exponent_b, double reach) 
 
 PairQuery make_random(Random& random) {
     const int exponent = random.integer(-1, 1);
-    return pair_of(random, exponent, exponent + random.integer(-1, 1), 3.0);
+    return pair_of(random, exponent, exponent + random.integer(-1, 1), 1.0);
 }
 
 PairQuery make_random_scale(Random& random) {
     const int exponent = random.integer(-10, 10);
-    return pair_of(random, exponent, exponent + random.integer(-4, 4), 2.5);
+    return pair_of(random, exponent, exponent + random.integer(-4, 4), 1.2);
 }
 
 PairQuery make_random_apart(Random& random) {
@@ -31,7 +31,7 @@ PairQuery make_random_apart(Random& random) {
 }
 
 PairQuery make_random_many_vertices(Random& random) {
-    PairQuery query = pair_of(random, 0, 0, 3.0);
+    PairQuery query = pair_of(random, 0, 0, 2.0);
     query.a = random_polygon(random, 32, 0, random.chance(0.3) ? 0.1 : 0.0);
     if (random.chance(0.5)) query.b = random_polygon(random, 32, 0);
     return query;
