@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "narrow/support.hpp"
 
@@ -9,8 +10,8 @@ namespace tumble {
 
 namespace {
 
-// An upper bound on tan(x) for 0 <= x <= 1: sin x <= x, cos x >= 1 - x^2 / 2.
-double tangent_above(double x) { return x / (1.0 - 0.5 * x * x); }
+// An upper bound on tan(x) for 0 <= x <= 1: (tan x - x) / x^3 grows with x, to tan 1 - 1 = 0.55741.
+double tangent_above(double x) { return x * (1.0 + 0.5575 * x * x); }
 
 double positive_part(double x) { return x > 0.0 ? x : 0.0; }
 
@@ -31,6 +32,13 @@ double root_of(Bound bound, double gap, double window) {
     return std::min((std::sqrt(discriminant) - bound.closing) / (2.0 * bound.curvature), window);
 }
 
+// That root without a square root, from its series in the curvature; it may fall short of it or beyond by the third order.
+double root_to_second_order(Bound bound, double gap) {
+    if (!(bound.closing > 0.0)) return std::numeric_limits<double>::infinity();
+    const double inverse = 1.0 / bound.closing, root = gap * inverse;
+    return root * (1.0 + positive_part(-bound.curvature * root * inverse));
+}
+
 // f cos y <= f + c y^2 and f sin y <= f y + c y^2 for 0 <= y <= angle <= 1, from the alternating Taylor series: the term
 // of second order is kept as it is, the first one left out is bounded at the end.
 double cosine_curvature(double f, double angle) {
@@ -40,7 +48,8 @@ double sine_curvature(double f, double angle) { return f > 0.0 ? 0.0 : -f * angl
 
 // A body as its axis sees it: the height of its support vertex and its lever, the height gained per radian.
 struct Side {
-    const MovingCore& body;
+    const Core& core;
+    DVec2 center;
     DVec2 outwards;
     int at;
     double rate;  // relative to the axis
@@ -48,9 +57,9 @@ struct Side {
     double lever;
 };
 
-Side make_side(const MovingCore& body, DVec2 outwards, int at, double rate) {
-    const DVec2 vertex = body.core.point(at) - body.center;
-    return {body, outwards, at, rate, dot(outwards, vertex), std::copysign(1.0, rate) * cross(vertex, outwards)};
+Side make_side(const Core& core, DVec2 center, DVec2 outwards, int at, double rate) {
+    const DVec2 vertex = core.point(at) - center;
+    return {core, center, outwards, at, rate, dot(outwards, vertex), std::copysign(1.0, rate) * cross(vertex, outwards)};
 }
 
 // How fast a point of the side's height and of this lever rises: height cos y + lever sin y after a turn by y.
@@ -59,14 +68,16 @@ Bound bound_rise(const Side& side, double lever, double window) {
     return {turn * lever, turn * turn * (cosine_curvature(side.height, angle) + sine_curvature(lever, angle))};
 }
 
-// The lever of the point X of the window.
+// The lever of the point X of the window. The direction turns away from one neighbour of the vertex, so that the vertex
+// stays the support if the other one is lower.
 double lever_within(const Side& side, double window) {
-    if (side.rate == 0.0) return side.lever;
+    if (side.rate == 0.0 || side.core.count == 1) return side.lever;
     const double back = tangent_above(std::abs(side.rate) * window);
     const DVec2 turned_back = side.outwards - std::copysign(back, side.rate) * perp(side.outwards);
-    const Support last = support(side.body.core, turned_back);
-    if (last.index == side.at) return side.lever;
-    return std::max(side.lever, ((last.height - dot(turned_back, side.body.center)) - side.height) / back);
+    const int neighbour = side.rate > 0.0 ? side.core.previous(side.at) : side.core.next(side.at);
+    if (dot(turned_back, side.core.edge(side.at, neighbour)) < 0.0) return side.lever;
+    const double height = support(side.core, turned_back).height - dot(turned_back, side.center);
+    return std::max(side.lever, (height - side.height) / back);
 }
 
 // How fast the centres approach along a normal that turns at `rate`: -(far + along x) cos y + (aside + across x) sin y
@@ -88,8 +99,8 @@ class AxisBound {
 public:
     AxisBound(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis)
         : motion_(motion), cores_(cores), axis_(axis),
-          a_(make_side(cores.a, axis.normal, axis.support_a, motion.turn_a() - axis.rate)),
-          b_(make_side(cores.b, -axis.normal, axis.support_b, motion.turn_b() - axis.rate)) {}
+          a_(make_side(cores.pair.a, cores.center_a, axis.normal, axis.support_a, motion.turn_a() - axis.rate)),
+          b_(make_side(cores.pair.b, cores.center_b, -axis.normal, axis.support_b, motion.turn_b() - axis.rate)) {}
 
     // Where nothing turns by more than a radian.
     double cut(double window) const {
@@ -118,14 +129,19 @@ private:
 double certified_step(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis, double gap, double left) {
     const AxisBound bound(motion, cores, axis);
     const double longest = bound.cut(left);
-    const double window = root_of(bound.of_support_vertices(longest), gap, longest);
+    const double window = std::min(longest, root_to_second_order(bound.of_support_vertices(0.0), gap));
     return root_of(bound.of_all(window), gap, window);
 }
 
 double closing_rate(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis) {
+    return AxisBound(motion, cores, axis).of_support_vertices(0.0).closing;
+}
+
+bool closes(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis) {
     constexpr double kInstant = 0x1p-20;  // of a radian, or of the motion
     const AxisBound bound(motion, cores, axis);
-    return bound.of_all(kInstant * bound.cut(1.0)).closing;
+    if (bound.of_support_vertices(0.0).closing > motion.error()) return true;
+    return bound.of_all(kInstant * bound.cut(1.0)).closing > motion.error();
 }
 
 }  // namespace tumble

@@ -25,7 +25,10 @@ struct SeparatingAxis {
 // The largest x <= `left` for which `gap`, the separation along the axis less the floor, is proved not to be used up.
 double certified_step(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis, double gap, double left);
 
-// The rate at which the separation along the axis shrinks from now on.
+// The rate at which the two support vertices approach along the axis.
 double closing_rate(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis);
+
+// True if the separation along the axis begins to shrink, by any vertex, at a rate that takes it beyond rounding.
+bool closes(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis);
 
 }  // namespace tumble

@@ -34,17 +34,20 @@ Motion::Motion(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep
                 largest_angle(sweep_b) <= kLargestAngle && reach >= 0.0 && reach <= kLargestScale;
 }
 
-MovingCore Motion::Body::at(double fraction) const {
+void Motion::Body::turn_to(double fraction, Core& turned, DVec2& center) const {
     const SinCos q = turn == 0.0 || fraction == 0.0 ? start : sin_cos(start_angle + fraction * turn);
-    const DVec2 center{q.cos * local_center.x - q.sin * local_center.y, q.sin * local_center.x + q.cos * local_center.y};
-    return {{core.x, core.y, core.count, q.cos, q.sin}, center};
+    turned = {core.x, core.y, core.count, q.cos, q.sin};
+    center = {q.cos * local_center.x - q.sin * local_center.y, q.sin * local_center.x + q.cos * local_center.y};
 }
 
 MovingCores Motion::at(double fraction) const {
-    const MovingCore a = a_.at(fraction), b = b_.at(fraction);
-    const DVec2 separation = separation_ + fraction * velocity_;
-    const DVec2 offset = separation + (a.center - b.center);
-    return {a, b, separation, {a.core, b.core, offset, scale_}};
+    MovingCores cores;
+    a_.turn_to(fraction, cores.pair.a, cores.center_a);
+    b_.turn_to(fraction, cores.pair.b, cores.center_b);
+    cores.separation = separation_ + fraction * velocity_;
+    cores.pair.offset = cores.separation + (cores.center_a - cores.center_b);
+    cores.pair.scale = scale_;
+    return cores;
 }
 
 }  // namespace tumble

@@ -6,17 +6,11 @@
 
 namespace tumble {
 
-// One body of the pair at some fraction.
-struct MovingCore {
-    Core core;         // its rotation is that at the fraction, in double
-    DVec2 center;      // the centre of mass in world axes, relative to the body's position
-};
-
 struct MovingCores {
-    MovingCore a;
-    MovingCore b;
+    CorePair pair;     // rotations in double
+    DVec2 center_a;    // the centres of mass in world axes, each relative to its body's position
+    DVec2 center_b;
     DVec2 separation;  // from A's centre of mass to B's
-    CorePair pair;     // the same two cores for distance queries
 };
 
 // What does not change on the way.
@@ -46,7 +40,7 @@ private:
         double turn;
         SinCos start;
 
-        MovingCore at(double fraction) const;
+        void turn_to(double fraction, Core& turned, DVec2& center) const;
     };
 
     static Body make_body(const Shape& shape, const Sweep& sweep);

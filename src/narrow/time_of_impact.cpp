@@ -10,7 +10,7 @@
 
 #include "narrow/cast_result.hpp"
 #include "narrow/certified_step.hpp"
-#include "narrow/core_distance.hpp"
+#include "narrow/leading_features.hpp"
 #include "narrow/witness.hpp"
 
 namespace tumble {
@@ -27,55 +27,74 @@ public:
         for (steps_ = 1; steps_ <= kMaxImpactSteps; ++steps_) {
             measure();
             if (steps_ == 1 && gap_ < -motion_.error()) return overlapped(steps_);
-            const SeparatingAxis axis = axis_of_features();
             const bool is_near = gap_ <= 2.0 * motion_.error();
-            const double rate = is_near ? closing_rate(motion_, cores_, axis) : 0.0;
-            if (rate > motion_.error()) return hit(radius_a, sweep_a, proved_contact(rate));
-            fraction_ += step_along(axis, is_near);
+            if (is_near && closes(motion_, cores_, axis_)) return hit(radius_a, sweep_a, proved_contact());
+            fraction_ += step(is_near);
             if (fraction_ >= 1.0) return missed(steps_);
         }
         return stopped(radius_a, sweep_a);
     }
 
 private:
+    // Far apart, the line of the centres is an axis that costs two supports. Nearer, the features of the last step lead,
+    // as long as they are proved to be the closest; at the target an upper bound is enough, as the step that came here is
+    // the lower one. Else GJK.
     void measure() {
         cores_ = motion_.at(fraction_);
-        if (steps_ > 1 && is_at_target_by_cache()) return;
-        core_ = measure_cores<VoronoiRegions>(cores_.pair, &cache_, kUnobserved);
+        if (steps_ == 1 && is_far_along_centers()) return;
+        const LedDistance led = distance_of_simplex(cores_.pair, cache_);
+        const bool is_at_target = led.core.distance - reach_ <= 2.0 * motion_.error();
+        if (led.exists && (led.is_proved || is_at_target)) {
+            core_ = led.core;
+        } else {
+            core_ = measure_cores<VoronoiRegions>(cores_.pair, &cache_, kUnobserved);
+        }
         gap_ = core_.distance - reach_;
+        axis_ = axis_of_features();
     }
 
-    // The simplex of the last step bounds the distance from above, and from below the step has proved it: if this is the
-    // target already, no support is needed.
-    bool is_at_target_by_cache() {
-        const CoreDistance bound = distance_of_cached_simplex(cores_.pair);
-        if (!(bound.distance - reach_ <= 2.0 * motion_.error())) return false;
-        core_ = bound;
-        gap_ = bound.distance - reach_;
-        return true;
+    bool is_far_along_centers() {
+        constexpr double kFar = 0.25;  // of the distance of the centres
+        const double apart = length(cores_.separation);
+        if (!(apart - reach_ > kFar * apart)) return false;
+        const DVec2 normal = (1.0 / apart) * cores_.separation;
+        const Support a = support(cores_.pair.a, normal), b = support(cores_.pair.b, -normal);
+        gap_ = (dot(normal, cores_.pair.offset) - (a.height + b.height)) - reach_;
+        axis_ = {normal, 0.0, a.index, b.index};
+        return gap_ > kFar * apart;
     }
 
-    // An upper bound on the core distance; infinite if the simplex holds the origin.
-    CoreDistance distance_of_cached_simplex(const CorePair& pair) const {
-        GjkResult last;
-        last.simplex = simplex_of_cache(pair, cache_);
-        last.closest = VoronoiRegions::reduce(pair, last.simplex);
-        last.height = -last.closest.toward;
-        if (!last.closest.contains_origin) return separated_cores(pair, last);
-        CoreDistance unknown;
-        unknown.distance = std::numeric_limits<double>::infinity();
-        return unknown;
-    }
-
-    // The first fraction tried from here on at which the shapes are proved to be nearer than the target; 1 if none is.
-    double proved_contact(double rate) const {
-        for (double ahead = 4.0 * motion_.error() / rate; fraction_ + ahead < 1.0; ahead *= 8.0) {
+    // A fraction from here on at which the shapes are proved to be nearer than the target; 1 if none is found.
+    double proved_contact() const {
+        const double rate = closing_rate(motion_, cores_, axis_);
+        double ahead = 4.0 * motion_.error() / std::max(rate, motion_.error());
+        if (fraction_ + ahead < 1.0 && rate > motion_.error() && is_led_by_features(ahead)) return fraction_ + ahead;
+        for (; fraction_ + ahead < 1.0; ahead *= 8.0) {
             const CorePair pair = motion_.at(fraction_ + ahead).pair;
             SimplexCache cache = cache_;
             const double core_distance = measure_cores<VoronoiRegions>(pair, &cache, kUnobserved).distance;
             if (core_distance - reach_ <= -motion_.error()) return fraction_ + ahead;
         }
         return 1.0;
+    }
+
+    // True if until then the closest features stay a vertex and the inside of an edge, or two vertices, and their approach
+    // does not slow down by more than E / 2: their distance bounds that of the shapes from above.
+    bool is_led_by_features(double ahead) const {
+        const double turns = std::abs(motion_.turn_a()) + std::abs(motion_.turn_b()), way = length(motion_.velocity());
+        const double extents = motion_.extent_a() + motion_.extent_b();
+        const double speed = way + turns * extents;
+        double bend = turns * (0.5 * turns * (extents + length(cores_.separation)) + way);
+        const VertexPair first = core_.pairs[0], second = core_.pairs[1];
+        if (core_.pair_count == 1) {
+            bend += speed * speed / core_.distance;
+        } else {
+            const bool is_rigid = first.a == second.a || first.b == second.b;
+            const DVec2 from = minkowski_vertex(cores_.pair, first).w, to = minkowski_vertex(cores_.pair, second).w;
+            const double margin = 2.0 * (speed * ahead + motion_.error()) * length(to - from);
+            if (!is_rigid || -dot(from, to - from) < margin || dot(to, to - from) < margin) return false;
+        }
+        return bend * ahead * ahead <= 0.5 * motion_.error();
     }
 
     // The normal turns with the face that it belongs to; between two vertices it keeps its direction.
@@ -87,12 +106,12 @@ private:
         return {core_.normal, rate, first.a, first.b};
     }
 
-    double step_along(const SeparatingAxis& axis, bool is_near) const {
+    double step(bool is_near) const {
         const double left = 1.0 - fraction_;
         const double gap = is_near ? std::max(0.0, gap_ + 3.0 * motion_.error()) : gap_ - motion_.error();
-        const double apart = disc_step(axis.normal);
+        const double apart = disc_step(axis_.normal);
         if (apart >= left) return left;
-        return std::max(apart, certified_step(motion_, cores_, axis, gap, left));
+        return std::max(apart, certified_step(motion_, cores_, axis_, gap, left));
     }
 
     // Whatever they turn, the cores stay within discs around their centres of mass.
@@ -112,7 +131,7 @@ private:
         result.normal = core_.normal;
         const CoreWitness witness = core_witness(cores_.pair, core_);
         const DVec2 center = sweep_a.start + fraction_ * (sweep_a.end - sweep_a.start);
-        result.point = center + ((witness.a - cores_.a.center) + radius_a * core_.normal);
+        result.point = center + ((witness.a - cores_.center_a) + radius_a * core_.normal);
         result.iterations = steps_;
         return result;
     }
@@ -129,6 +148,7 @@ private:
     MovingCores cores_{};
     CoreDistance core_;
     SimplexCache cache_;
+    SeparatingAxis axis_{};
     double gap_ = 0.0;
     std::int32_t steps_ = 0;
 };
