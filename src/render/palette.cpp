@@ -56,7 +56,11 @@ Color shaded(Color fill, std::size_t ordinal) {
 
 }  // namespace
 
-Color outline_of(Color fill) { return mix(fill, style::kInk, style::kOutlineInk); }
+Color outline_of(Color fill) {
+    // Rec. 601 luma. A line darker than a dark fill would not be seen.
+    const double luma = (0.299 * fill.r + 0.587 * fill.g + 0.114 * fill.b) / 255.0;
+    return mix(fill, luma < style::kDarkLuma ? style::kBackground : style::kInk, style::kOutlineShare);
+}
 
 Palette::Palette(const Scene& scene) {
     HueOrder hues;

@@ -13,8 +13,9 @@ inline constexpr Color kMajorGrid{227, 231, 237};
 
 inline constexpr Color kStatic{203, 209, 218};
 inline constexpr Color kKinematic{136, 149, 171};
-inline constexpr Color kInk{36, 46, 62};         // what fills are darkened with to give their outlines
-inline constexpr double kOutlineInk = 0.42;     // how much of it
+inline constexpr Color kInk{36, 46, 62};         // what fills are mixed with to give their outlines,
+inline constexpr double kOutlineShare = 0.42;   // how much of it,
+inline constexpr double kDarkLuma = 0.4;        // unless they are darker than this: then with the background
 inline constexpr double kInstanceShade = 0.10;  // how much lighter or darker repeated bodies are than each other
 
 // Fills of moving bodies, in the order in which names occur: neighbours differ in hue, all are of like lightness.
@@ -35,7 +36,7 @@ inline constexpr double kBand = 22.0;         // of the solid side of a chain,
 inline constexpr double kBandMetres = 0.6;    // but no wider than this in the world
 inline constexpr double kBandOpacity = 0.4;   // at the line
 inline constexpr double kMark = 1.5;          // width of an orientation mark
-inline constexpr double kSmallestMark = 7.0;  // half the smaller extent of a shape below which it has none
+inline constexpr double kSmallestMark = 8.0;  // half the smaller extent of a shape below which it has none
 inline constexpr double kAnchor = 3.2;        // radius of a joint's anchor
 
 inline constexpr Color kJoint{74, 85, 104};
