@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/drawing.hpp"
 #include "tumble/math.hpp"
 #include "tumble/scene.hpp"
 
@@ -54,6 +55,9 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+// An explanatory drawing as an image; what lies beyond its edges is cut off. Throws RenderError.
+Image draw_image(const Drawing& drawing);
 
 // Writes to a temporary name beside `file`, then renames. Throws FileError. The same image gives the same bytes.
 void write_png(const Image& image, const std::filesystem::path& file);

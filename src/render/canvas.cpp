@@ -117,27 +117,26 @@ Canvas::Pipeline Canvas::make_pipeline(const ShaderSource& source, std::span<con
     return pipeline;
 }
 
-void Canvas::draw(const DrawList& list, const GlyphAtlas& atlas, double outline_width, Image& image) {
+void Canvas::draw(Color background, std::span<const Layer* const> layers, const GlyphAtlas& atlas, Image& image) {
     resize(image, width_, height_);
     context_->bind(image.rgba.data(), width_, height_);
-    gl_.ClearColor(static_cast<float>(list.background.r) / 255.0f, static_cast<float>(list.background.g) / 255.0f,
-                   static_cast<float>(list.background.b) / 255.0f, 1.0f);
+    gl_.ClearColor(static_cast<float>(background.r) / 255.0f, static_cast<float>(background.g) / 255.0f,
+                   static_cast<float>(background.b) / 255.0f, 1.0f);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
-    for (const Layer* layer : {&list.grid, &list.ground, &list.bodies, &list.details, &list.labels})
-        draw_layer(*layer, outline_width);
     update_atlas(atlas);
-    draw_instances(glyphs_, list.glyphs, outline_width);
+    for (const Layer* const layer : layers) draw_layer(*layer);
     gl_.Finish();
     if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR)
         throw RenderError("OpenGL reports error " + std::to_string(error) + " while drawing a frame");
 }
 
-void Canvas::draw_layer(const Layer& layer, double outline_width) {
-    draw_mesh(layer.mesh, outline_width);
-    draw_instances(polygons_, layer.polygons, outline_width);
-    draw_instances(rounded_polygons_, layer.rounded_polygons, outline_width);
-    draw_instances(boxes_, layer.boxes, outline_width);
-    draw_instances(circles_, layer.circles, outline_width);
+void Canvas::draw_layer(const Layer& layer) {
+    draw_mesh(layer.mesh, layer.outline_width);
+    draw_instances(polygons_, layer.polygons, layer.outline_width);
+    draw_instances(rounded_polygons_, layer.rounded_polygons, layer.outline_width);
+    draw_instances(boxes_, layer.boxes, layer.outline_width);
+    draw_instances(circles_, layer.circles, layer.outline_width);
+    draw_instances(glyphs_, layer.glyphs, layer.outline_width);
 }
 
 void Canvas::use(const Pipeline& pipeline, double outline_width) {

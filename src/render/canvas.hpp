@@ -1,4 +1,4 @@
-// Draws a draw list with OpenGL 3.3 into an image.
+// Draws layers of primitives with OpenGL 3.3 into an image.
 //
 // The GL objects belong to the context and end with it. One buffer and one vertex array for each kind of primitive;
 // each layer is uploaded and drawn in turn.
@@ -22,8 +22,8 @@ public:
     // Throws RenderError if there is no context or a program does not compile.
     Canvas(std::unique_ptr<OffscreenContext> context, int width, int height);
 
-    // Draws into `image`, resized to the canvas. `outline_width` in pixels.
-    void draw(const DrawList& list, const GlyphAtlas& atlas, double outline_width, Image& image);
+    // Draws the layers in turn into `image`, resized to the canvas.
+    void draw(Color background, std::span<const Layer* const> layers, const GlyphAtlas& atlas, Image& image);
 
 private:
     // How one member of an instance or a vertex reaches its program.
@@ -45,7 +45,7 @@ private:
     Pipeline make_pipeline(const ShaderSource& source, std::span<const Attribute> attributes, std::size_t stride,
                            bool instanced);
     void use(const Pipeline& pipeline, double outline_width);
-    void draw_layer(const Layer& layer, double outline_width);
+    void draw_layer(const Layer& layer);
     template <class Instance>
     void draw_instances(const Pipeline& pipeline, const std::vector<Instance>& instances, double outline_width);
     void draw_mesh(const std::vector<MeshVertex>& vertices, double outline_width);

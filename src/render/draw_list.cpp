@@ -28,7 +28,10 @@ void add_chain_bands(std::vector<MeshVertex>& mesh, const View& view, const Scen
 }  // namespace
 
 void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world, const View& view) {
-    list.clear();
+    for (Layer* const layer : list.layers()) {
+        layer->clear();
+        layer->outline_width = style::kOutline * view.detail();
+    }
     list.background = style::kBackground;
     add_grid(list.grid, view);
 

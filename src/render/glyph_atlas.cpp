@@ -39,7 +39,7 @@ struct GlyphAtlas::Font {
     std::vector<std::uint8_t> data;
     stbtt_fontinfo info{};
 
-    double scale(double size) const { return stbtt_ScaleForPixelHeight(&info, static_cast<float>(size)); }
+    double scale(double size) const { return stbtt_ScaleForMappingEmToPixels(&info, static_cast<float>(size)); }
 };
 
 GlyphAtlas::GlyphAtlas(const std::filesystem::path& file)

@@ -33,7 +33,7 @@ public:
     GlyphAtlas(const GlyphAtlas&) = delete;
     GlyphAtlas& operator=(const GlyphAtlas&) = delete;
 
-    // Width of a line in pixels; `size` is the height of the font from ascent to descent.
+    // Width of a line in pixels; `size` is the side of the font's em, as in CSS.
     double width(std::string_view utf8, double size) const;
 
     // Appends the glyphs of a line that starts at column `left` (pixels from the frame's left edge) with its baseline

@@ -15,8 +15,11 @@ constexpr int kSmallestWidth = 240;  // of a frame with text, pixels
 constexpr int kSmallestHeight = 135;
 constexpr double kPlateOpacity = 0.82;
 constexpr double kPlatePadding = 8.0;  // pixels at 720 rows, as are all lengths below
-constexpr double kLineGap = 6.0;
+constexpr double kLineGap = 3.0;
+constexpr double kAscent = 0.93;  // of a line above its baseline, of the font's size, and of the whole line: DejaVu Sans
+constexpr double kLine = 1.17;
 constexpr double kScaleBar = 70.0;     // the least length of the scale bar
+constexpr double kTick = 6.0;          // height of its ends
 
 // Lengths in pixels from the frame's top left corner.
 struct Rectangle {
@@ -38,9 +41,8 @@ public:
 
     // Text whose line, as high as its font, has that top left corner.
     void text(std::string_view text, double size, double left, double top, Color color) {
-        // DejaVu Sans: the ascent is four fifths of ascent plus descent.
-        const int baseline = static_cast<int>(std::floor(top + 0.8 * size + 0.5));
-        atlas_.layout(text, size, left, baseline, view_.width, view_.height, color, list_.glyphs);
+        const int baseline = static_cast<int>(std::floor(top + kAscent * size + 0.5));
+        atlas_.layout(text, size, left, baseline, view_.width, view_.height, color, list_.labels.glyphs);
     }
 
     void plate(const Rectangle& r) {
@@ -85,24 +87,23 @@ void add_heading(Labels& labels, const View& view, std::string_view title, doubl
     const double title_size = labels.pixels(style::kTitleSize), text_size = labels.pixels(style::kTextSize);
     const std::string name = fitted(labels, title, title_size, view.width - 2.0 * margin);
     const std::string clock = seconds(time);
-    const double title_height = name.empty() ? 0.0 : title_size + labels.pixels(kLineGap);
+    const double title_height = name.empty() ? 0.0 : kLine * title_size + labels.pixels(kLineGap);
     labels.plate({margin, margin, std::max(labels.width(name, title_size), labels.width(clock, text_size)),
-                  title_height + text_size});
+                  title_height + kLine * text_size});
     labels.text(name, title_size, margin, margin, style::kText);
     labels.text(clock, text_size, margin, margin + title_height, style::kFaintText);
 }
 
 void add_scale_bar(Labels& labels, const View& view) {
     const double margin = labels.pixels(style::kMargin), size = labels.pixels(style::kTextSize);
-    const double thickness = std::max(1.0, std::floor(labels.pixels(1.5) + 0.5)), tick = labels.pixels(kLineGap);
+    const double thickness = std::max(1.0, std::floor(labels.pixels(1.5) + 0.5)), tick = labels.pixels(kTick);
     const RoundLength round = round_length_from(labels.pixels(kScaleBar) / view.scale);
     const std::string text = to_string(round);
-    const double length = round.metres() * view.scale;
-    const double text_width = labels.width(text, size);
-    const Rectangle area{margin, view.height - margin - size, length + tick + text_width, size};
+    const double length = round.metres() * view.scale, height = kLine * size;
+    const Rectangle area{margin, view.height - margin - height, length + tick + labels.width(text, size), height};
     labels.plate(area);
 
-    const double bottom = std::floor(area.top + 0.5 * (size + tick));
+    const double bottom = std::floor(area.top + 0.5 * (height + tick));
     labels.box({area.left, bottom - thickness, length, thickness}, 0.0, style::kFaintText);
     for (const double left : {area.left, area.left + length - thickness})
         labels.box({left, bottom - tick, thickness, tick - thickness}, 0.0, style::kFaintText);

@@ -55,7 +55,7 @@ std::vector<DVec2> thinned(const std::vector<DVec2>& outline) {
 
 // How far the outline can be moved inwards before it turns inside out: the least distance of the mean of its points
 // from an edge.
-double depth_of_middle(const std::vector<DVec2>& outline) {
+double depth_of_middle(std::span<const DVec2> outline) {
     DVec2 middle;
     for (const DVec2 point : outline) middle += point;
     middle = (1.0 / static_cast<double>(outline.size())) * middle;
@@ -80,22 +80,26 @@ std::vector<DVec2> pixel_outline(const View& view, const Shape& shape, const Pos
 void add_outline_mesh(std::vector<MeshVertex>& mesh, const View& view, const Shape& shape, const Pose& pose,
                       Paint paint) {
     const std::vector<DVec2> outline = clip_polygon(view, kClipMargin, pixel_outline(view, shape, pose));
-    if (outline.size() < 3) return;
-    const std::vector<DVec2> mitre = mitres(outline, true);
-    const double inner = std::min(style::kOutline * view.detail() + kOuterDepth, depth_of_middle(outline));
+    add_convex_mesh(mesh, outline, style::kOutline * view.detail(), paint);
+}
+
+void add_convex_mesh(std::vector<MeshVertex>& mesh, std::span<const DVec2> polygon, double outline_width, Paint paint) {
+    if (polygon.size() < 3) return;
+    const std::vector<DVec2> mitre = mitres(polygon, true);
+    const double inner = std::min(outline_width + kOuterDepth, depth_of_middle(polygon));
     if (inner < kOuterDepth) paint = flat(paint.fill);  // too small for an outline of its own
 
     const auto vertex = [&](std::size_t i, double depth) {
-        const DVec2 at = outline[i] + depth * mitre[i];
+        const DVec2 at = polygon[i] + depth * mitre[i];
         return MeshVertex{static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(depth), paint};
     };
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const std::size_t next = (i + 1) % outline.size();
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const std::size_t next = (i + 1) % polygon.size();
         const MeshVertex corners[4] = {vertex(i, kOuterDepth), vertex(next, kOuterDepth), vertex(i, -inner),
                                        vertex(next, -inner)};
         for (const int corner : {0, 1, 2, 2, 1, 3}) mesh.push_back(corners[corner]);
     }
-    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
         for (const std::size_t corner : {std::size_t{0}, i, i + 1}) mesh.push_back(vertex(corner, -inner));
 }
 

@@ -4,6 +4,7 @@
 // across the strip, so that the same shader blends its edge as for instances, and no two triangles overlap.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "render/primitives.hpp"
@@ -15,6 +16,9 @@ namespace tumble::render {
 // Appends the triangles of the shape's part in view.
 void add_outline_mesh(std::vector<MeshVertex>& mesh, const View& view, const Shape& shape,
                       const Pose& world_from_shape, Paint paint);
+
+// Appends the triangles of a convex polygon: points in pixels, counter-clockwise, the outline inside its edge.
+void add_convex_mesh(std::vector<MeshVertex>& mesh, std::span<const DVec2> polygon, double outline_width, Paint paint);
 
 // The shape's outline in pixels, counter-clockwise, arcs as chords at most a twentieth of a pixel off, points closer
 // than half a pixel left out.

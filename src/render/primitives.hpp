@@ -59,6 +59,8 @@ struct Layer {
     std::vector<PolygonInstance> rounded_polygons;
     std::vector<BoxInstance> boxes;
     std::vector<CircleInstance> circles;
+    std::vector<GlyphInstance> glyphs;
+    double outline_width = 0.0;  // pixels, of all outlines in the layer; they lie inside the shapes
 
     void clear() {
         mesh.clear();
@@ -66,22 +68,21 @@ struct Layer {
         rounded_polygons.clear();
         boxes.clear();
         circles.clear();
+        glyphs.clear();
     }
 };
 
+// A frame, from the lowest layer to the topmost.
 struct DrawList {
     Color background;
     Layer grid;
     Layer ground;   // static bodies
     Layer bodies;   // all others
     Layer details;  // orientation marks and joints
-    Layer labels;   // what lies under the text
-    std::vector<GlyphInstance> glyphs;
+    Layer labels;
 
-    void clear() {
-        for (Layer* layer : {&grid, &ground, &bodies, &details, &labels}) layer->clear();
-        glyphs.clear();
-    }
+    std::array<Layer*, 5> layers() { return {&grid, &ground, &bodies, &details, &labels}; }
+    std::array<const Layer*, 5> layers() const { return {&grid, &ground, &bodies, &details, &labels}; }
 };
 
 }  // namespace tumble::render

@@ -1,12 +1,12 @@
 // The renderer: a view of the world becomes a draw list, the draw list an image.
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "render/canvas.hpp"
 #include "render/draw_list.hpp"
 #include "render/glyph_atlas.hpp"
 #include "render/labels.hpp"
-#include "render/style.hpp"
 #include "tumble/render.hpp"
 
 namespace tumble {
@@ -53,7 +53,7 @@ void Renderer::draw(const Scene& scene, const SceneWorld& world, const Camera& c
     const render::View view = render::make_view(camera, impl_->width, impl_->height);
     render::build_draw_list(impl_->list, scene, world, view);
     render::add_labels(impl_->list, impl_->atlas, view, scene.name, time);
-    impl_->canvas.draw(impl_->list, impl_->atlas, render::style::kOutline * view.detail(), image);
+    impl_->canvas.draw(impl_->list.background, std::as_const(impl_->list).layers(), impl_->atlas, image);
 }
 
 }  // namespace tumble

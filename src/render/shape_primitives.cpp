@@ -119,14 +119,17 @@ TightBox tight_box(const Shape& shape) {
     return best;
 }
 
-void add_line(Layer& layer, const View& view, DVec2 from, DVec2 to, double width, Color color) {
-    if (!clip_segment(view, kClipMargin + width, from, to)) return;
+BoxInstance make_line(DVec2 from, DVec2 to, double width, Color color) {
     const DVec2 along = to - from;
     const double size = length(along);
     const DVec2 axis = size > 0.0 ? (1.0 / size) * along : DVec2{1.0, 0.0};
     const DVec2 center = 0.5 * (from + to);
-    layer.boxes.push_back({to_float(center.x), to_float(center.y), to_float(axis.x), to_float(axis.y),
-                           to_float(0.5 * size), 0.0f, to_float(0.5 * width), flat(color)});
+    return {to_float(center.x), to_float(center.y), to_float(axis.x), to_float(axis.y),
+            to_float(0.5 * size), 0.0f, to_float(0.5 * width), flat(color)};
+}
+
+void add_line(Layer& layer, const View& view, DVec2 from, DVec2 to, double width, Color color) {
+    if (clip_segment(view, kClipMargin + width, from, to)) layer.boxes.push_back(make_line(from, to, width, color));
 }
 
 void add_shape(Layer& layer, const View& view, const Shape& shape, const Pose& pose, Paint paint, double line_width) {

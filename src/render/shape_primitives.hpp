@@ -11,6 +11,9 @@ namespace tumble::render {
 void add_shape(Layer& layer, const View& view, const Shape& shape, const Pose& world_from_shape, Paint paint,
                double line_width);
 
+// A line between two points in pixels, with round ends.
+BoxInstance make_line(DVec2 from, DVec2 to, double width, Color color);
+
 // Appends the part of a line in view; points and width in pixels, the ends round.
 void add_line(Layer& layer, const View& view, DVec2 from, DVec2 to, double width, Color color);
 

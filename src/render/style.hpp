@@ -43,8 +43,8 @@ inline constexpr Color kJoint{74, 85, 104};
 inline constexpr Color kAnchorFill{250, 251, 252};
 inline constexpr Color kText{45, 55, 72};
 inline constexpr Color kFaintText{113, 124, 142};
-inline constexpr double kTitleSize = 19.0;
-inline constexpr double kTextSize = 14.0;
+inline constexpr double kTitleSize = 16.5;
+inline constexpr double kTextSize = 12.0;
 inline constexpr double kMargin = 20.0;
 
 }  // namespace tumble::render::style

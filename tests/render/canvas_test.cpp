@@ -131,28 +131,27 @@ TEST_CASE("a shape far larger than the frame has a sharp edge where it belongs")
     }
 }
 
-TEST_CASE("the same draw list gives the same bytes in the same and in another context") {
-    DrawList list;
+TEST_CASE("the same layer gives the same bytes in the same and in another context") {
+    Layer layer;
     for (int i = 0; i < 50; ++i) {
         const float x = static_cast<float>(i * 3 - 75), angle = 0.1f * static_cast<float>(i);
-        list.bodies.circles.push_back({x, 10.3f, 7.7f, {kRed, kBlue}});
-        list.bodies.boxes.push_back({x, -14.2f, std::cos(angle), std::sin(angle), 8.1f, 3.3f, 1.0f, {kBlue, kRed}});
+        layer.circles.push_back({x, 10.3f, 7.7f, {kRed, kBlue}});
+        layer.boxes.push_back({x, -14.2f, std::cos(angle), std::sin(angle), 8.1f, 3.3f, 1.0f, {kBlue, kRed}});
     }
     PixelCanvas canvas(160, 90);
-    const std::vector<std::uint8_t> first = canvas.draw(list).rgba;
-    CHECK(canvas.draw(list).rgba == first);
+    const std::vector<std::uint8_t> first = canvas.draw(layer).rgba;
+    CHECK(canvas.draw(layer).rgba == first);
     PixelCanvas other(160, 90);
-    CHECK(other.draw(list).rgba == first);
-    CHECK(canvas.draw(list).rgba == first);  // although another context was current in between
+    CHECK(other.draw(layer).rgba == first);
+    CHECK(canvas.draw(layer).rgba == first);  // although another context was current in between
 }
 
 TEST_CASE("text is drawn in its colour, whole pixels apart from its atlas position") {
     PixelCanvas canvas(160, 60);
     const auto draw_text = [&](std::string_view text) {
-        DrawList list;
-        list.background = kBlack;
-        canvas.atlas().layout(text, 24.0, 10.0, 40, 160, 60, kWhite, list.glyphs);
-        return canvas.draw(list);
+        Layer layer;
+        canvas.atlas().layout(text, 24.0, 10.0, 40, 160, 60, kWhite, layer.glyphs);
+        return canvas.draw(layer);
     };
     const Image first = draw_text("Ig");
     // The stem of the I is 2.4 pixels wide at this size, near its left side; nothing is left of the start.
@@ -165,10 +164,9 @@ TEST_CASE("text is drawn in its colour, whole pixels apart from its atlas positi
     draw_text("other glyphs between");               // moves the next ones elsewhere in the atlas
     CHECK(draw_text("Ig").rgba == first.rgba);
     PixelCanvas other(160, 60);
-    DrawList list;
-    list.background = kBlack;
-    other.atlas().layout("gI", 24.0, 300.0, 40, 160, 60, kWhite, list.glyphs);
-    list.glyphs.clear();
-    other.atlas().layout("Ig", 24.0, 10.0, 40, 160, 60, kWhite, list.glyphs);
-    CHECK(other.draw(list).rgba == first.rgba);
+    Layer layer;
+    other.atlas().layout("gI", 24.0, 300.0, 40, 160, 60, kWhite, layer.glyphs);
+    layer.glyphs.clear();
+    other.atlas().layout("Ig", 24.0, 10.0, 40, 160, 60, kWhite, layer.glyphs);
+    CHECK(other.draw(layer).rgba == first.rgba);
 }

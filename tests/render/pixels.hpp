@@ -22,17 +22,13 @@ public:
     // A view of the frame with that many pixels a metre, the origin in the middle.
     View view(double scale) const { return {{}, scale, width_, height_}; }
 
-    Image draw(const DrawList& list) {
+    // On black, with outlines of 2 pixels.
+    Image draw(Layer layer) {
+        layer.outline_width = 2.0;
+        const Layer* const layers[] = {&layer};
         Image image;
-        canvas_.draw(list, atlas_, 2.0, image);
+        canvas_.draw(kBlack, layers, atlas_, image);
         return image;
-    }
-
-    Image draw(const Layer& layer) {
-        DrawList list;
-        list.background = kBlack;
-        list.bodies = layer;
-        return draw(list);
     }
 
     Image draw_shape(const Shape& shape, const Pose& pose, double scale) {
