@@ -4,12 +4,14 @@
 #include <limits>
 
 #include "narrow/cast_chain.hpp"
+#include "narrow/cast_circle.hpp"
 #include "narrow/error_bound.hpp"
 
 namespace tumble {
 
 namespace {
 
+constexpr double kRound = 16.0;  // errors E: a reach above it makes an arc whose normal and bracket are its own
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // A face with what both its ends and its line need.
@@ -104,36 +106,23 @@ private:
         first_.offer({fraction, fraction - doubt, fraction + doubt, face.rate, feature_of(face, along)}, is_certain);
     }
 
-    // The distance along the path at which it enters a circle around a point `ahead` m on and `aside` m off.
-    static double enter_circle(double ahead, double aside, double radius) {
-        return ahead - std::sqrt(std::max(0.0, (radius - aside) * (radius + aside)));
+    void meet_corner(const MeasuredFace& before, const MeasuredFace& after) {
+        const CircleEntry circle = meet_circle(path_, after.chain.from.w);
+        if (!circle.is_met) return;
+        const bool is_round = path_.reach > kRound * path_.error;
+        const DVec2 normal = is_round ? (1.0 / length(circle.from_center)) * circle.from_center : corner_normal(before, after);
+        // Without curvature to speak of, the faces beside the vertex are met instead of it, within E / s.
+        const double slower = std::min(before.rate, after.rate);
+        const double doubt = !is_round && slower > 0.0 ? path_.error / slower : 0.0;
+        const bool is_certain = is_round ? circle.is_certain : closes(slower);
+        first_.offer({circle.entry / path_.length, circle.lower / path_.length - doubt, circle.upper / path_.length + doubt,
+                      -dot(normal, path_.motion), feature_of(after.chain.from, normal)}, is_certain);
     }
 
-    void meet_corner(const MeasuredFace& before, const MeasuredFace& after) {
-        const DVec2 w = after.chain.from.w, heading = (1.0 / path_.length) * path_.motion;
-        const double ahead = dot(heading, w), offside = cross(heading, w), aside = std::abs(offside);
-        if (!(ahead > 0.0 && aside <= path_.reach + path_.error)) return;
-        const double entry = enter_circle(ahead, aside, path_.reach);
-        if (entry < 0.0) return;
-        const double error = 2.0 * path_.error;
-        double lower = enter_circle(ahead, aside, path_.reach + error) - path_.error;
-        double upper = enter_circle(ahead, aside, std::max(0.0, path_.reach - error)) + path_.error;
-        bool is_certain = aside <= path_.reach - path_.error;
-        DVec2 normal;
-        if (path_.reach > 16.0 * path_.error) {
-            const DVec2 from_center = (entry - ahead) * heading - offside * perp(heading);
-            normal = (1.0 / length(from_center)) * from_center;
-        } else {
-            const MeasuredFace& facing = before.rate > after.rate ? before : after;
-            normal = facing.length > 0.0 ? facing.normal : -heading;
-            const double slower = std::min(before.rate, after.rate);
-            const double doubt = slower > 0.0 ? path_.error * path_.length / slower : 0.0;
-            lower -= doubt;
-            upper += doubt;
-            is_certain = closes(slower);
-        }
-        first_.offer({entry / path_.length, lower / path_.length, upper / path_.length, -dot(normal, path_.motion),
-                      feature_of(after.chain.from, normal)}, is_certain);
+    // Of a vertex that is sharp: the face beside it that closes faster, or against the motion if there is none.
+    DVec2 corner_normal(const MeasuredFace& before, const MeasuredFace& after) const {
+        const MeasuredFace& facing = before.rate > after.rate ? before : after;
+        return facing.length > 0.0 ? facing.normal : (-1.0 / path_.length) * path_.motion;
     }
 
     void see_vertex(const MinkowskiVertex& vertex) {

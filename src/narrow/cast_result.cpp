@@ -31,26 +31,28 @@ CastPath make_path(const CorePair& pair, DVec2 translation, double reach) {
     return {translation, distance_to_go >= kSmallestScale ? distance_to_go : 0.0, reach, error};
 }
 
+CastResult met_at(const CastContact& contact, std::int32_t iterations, const Core& a, double radius_a, DVec2 position_a) {
+    const CastFeature& feature = contact.feature;
+    CastResult result;
+    result.status = CastStatus::hit;
+    result.fraction = std::fmin(contact.fraction, 1.0);
+    result.lower = contact.lower;
+    result.upper = contact.upper;
+    result.normal = feature.normal;
+    result.point = position_a + (core_point(a, feature) + radius_a * feature.normal);
+    result.iterations = iterations;
+    return result;
+}
+
 CastResult cast_result(const ClippedPath& clipped, const CastPath& path, const Core& a, double radius_a,
                        DVec2 position_a) {
     const double gap = clipped.start_distance - path.reach;
     if (gap < -path.error) return overlapped(clipped.faces);
     const bool is_at_target = gap <= path.error;
     if (is_at_target ? !clipped.approaches : !(clipped.first.lower <= 1.0)) return missed(clipped.faces);
-    const CastFeature& feature = is_at_target ? clipped.start : clipped.first.feature;
-    CastResult result;
-    result.status = CastStatus::hit;
-    if (is_at_target) {
-        result.upper = 2.0 * path.error / clipped.start_rate;
-    } else {
-        result.fraction = std::fmin(clipped.first.fraction, 1.0);
-        result.lower = clipped.first.lower;
-        result.upper = clipped.first.upper;
-    }
-    result.normal = feature.normal;
-    result.point = position_a + (core_point(a, feature) + radius_a * feature.normal);
-    result.iterations = clipped.faces;
-    return result;
+    if (!is_at_target) return met_at(clipped.first, clipped.faces, a, radius_a, position_a);
+    const double upper = 2.0 * path.error / clipped.start_rate;
+    return met_at({0.0, 0.0, upper, clipped.start_rate, clipped.start}, clipped.faces, a, radius_a, position_a);
 }
 
 }  // namespace tumble

@@ -1,0 +1,126 @@
+// Rays against the general cast of a point, which is checked against an independent distance, and by hand.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/brute_distance.hpp"
+#include "support/moving_pairs.hpp"
+#include "tumble/cast.hpp"
+
+using namespace tumble;
+using tumble_test::Random;
+using tumble_test::Real;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+CastResult cast_point(const Shape& shape, const Pose& pose, DVec2 origin, DVec2 translation) {
+    return cast_shape(shape, pose, make_circle(0), {origin, {}}, translation);
+}
+
+}  // namespace
+
+TEST_CASE("a ray finds what the cast of a point finds, and stops on the surface") {
+    int hits = 0;
+    const std::uint64_t count = tumble_test::pair_count();
+    for (std::uint64_t index = 0; index < count; ++index) {
+        Random random(1, index);
+        const Shape shape = tumble_test::random_shape(random, tumble_test::random_kind(random), 1.0);
+        const Pose pose{random.point(random.chance(0.2) ? 1e4 : 1.0), random.rotation()};
+        const DVec2 origin = pose.position + random.point(3.0);
+        const DVec2 motion = random.uniform(0.3, 4.0) * (pose.position + random.point(0.7) - origin);
+        const CastResult ray = cast_ray(shape, pose, origin, motion), cast = cast_point(shape, pose, origin, motion);
+        const Real scale = shape.core_radius() + shape.radius() + length(origin - pose.position);
+        const Real error = 16 * 0x1p-53L * scale;
+        INFO("pair ", index);
+        const bool is_graze = ray.status != cast.status;
+        if (is_graze) {  // one of them may see a vertex that the line misses by less than the error bound
+            const CastResult& hit = ray.status == CastStatus::hit ? ray : cast;
+            REQUIRE(hit.upper >= 1.0);
+            continue;
+        }
+        if (ray.status != CastStatus::hit) continue;
+        ++hits;
+        REQUIRE(ray.lower <= cast.upper);
+        REQUIRE(cast.lower <= ray.upper);
+        REQUIRE(std::abs(length(ray.normal) - 1.0) < 1e-15);
+        const Shape point = make_circle(0);
+        const DVec2 end = origin + ray.fraction * motion;
+        const Real rounding = 0x1p-52L * (std::abs(end.x) + std::abs(end.y) + length(motion));
+        REQUIRE(std::abs(tumble_test::brute_distance(shape, pose, point, {ray.point, {}})) <= 4 * error + rounding);
+        const Real rate = -dot(ray.normal, motion) / length(motion);
+        REQUIRE(length(end - ray.point) <= static_cast<double>((4 * error + rounding) / rate));
+    }
+    CHECK(hits > 0.3 * static_cast<double>(count));
+    CHECK(hits < 0.9 * static_cast<double>(count));
+}
+
+TEST_CASE("rays meet a box and a ball where the arithmetic says") {
+    const Shape box = make_box({2, 4}), ball = make_circle(5);
+    const CastResult wall = cast_ray(box, {{10, 0}, make_rotation_degrees(90)}, {0, 0.5}, {16, 0});
+    CHECK(wall.status == CastStatus::hit);
+    CHECK(wall.fraction == 0.5);  // the turned box begins at x = 8
+    CHECK(wall.normal == DVec2{-1, 0});
+    CHECK(wall.point == DVec2{8, 0.5});
+    const CastResult curve = cast_ray(ball, {}, {-12, 3}, {16, 0});
+    CHECK(curve.fraction == 0.5);  // at (-4, 3)
+    CHECK(curve.normal.x == doctest::Approx(-0.8).epsilon(1e-15));
+    CHECK(curve.normal.y == doctest::Approx(0.6).epsilon(1e-15));
+    CHECK(cast_ray(ball, {}, {-12, 5.0000001}, {16, 0}).status == CastStatus::miss);
+    CHECK(cast_ray(ball, {}, {-12, 3}, {7.9999, 0}).status == CastStatus::miss);
+    CHECK(cast_ray(ball, {}, {-12, 3}, {-16, 0}).status == CastStatus::miss);
+    CHECK(cast_ray(box, {}, {-3, 5}, {6, 0}).status == CastStatus::miss);
+    CHECK(cast_ray(box, {}, {-3, 1}, {-6, 0}).status == CastStatus::miss);
+}
+
+TEST_CASE("a ray from inside overlaps, one that leaves a surface misses, one that enters there hits at 0") {
+    for (const Shape& shape : {make_box({2, 2}), make_circle(1), make_capsule({-0.5f, 0}, {0.5f, 0}, 0.5f), make_box({2, 2}, 0.1f)}) {
+        CHECK(cast_ray(shape, {}, {0.25, 0.125}, {5, 0}).status == CastStatus::overlapping);
+        CHECK(cast_ray(shape, {}, {1, 0}, {5, 1}).status == CastStatus::miss);
+        CHECK(cast_ray(shape, {}, {1, 0}, {-5, 1}).status == CastStatus::hit);
+        CHECK(cast_ray(shape, {}, {1, 0}, {-5, 1}).fraction <= 1e-8);  // 0, or the rounding of a radius to float
+        CHECK(cast_ray(shape, {}, {1.0000001, 0}, {5, 1}).status == CastStatus::miss);
+        CHECK(cast_ray(shape, {}, {1, 0}, {0, 0}).status == CastStatus::miss);
+    }
+}
+
+TEST_CASE("rays at a vertex and along an edge hit, whichever way single ulps move them") {
+    const Shape box = make_box({2, 2});
+    for (int ulps = -20; ulps <= 20; ++ulps) {
+        double y = 1.0;
+        for (int i = 0; i < std::abs(ulps); ++i) y = std::nextafter(y, ulps < 0 ? -kInfinity : kInfinity);
+        const CastResult along = cast_ray(box, {}, {-5, y}, {8, 0});
+        const CastResult corner = cast_ray(box, {}, {-1 - 4, y + 4}, {8, -8});
+        if (ulps <= 0) CHECK(along.fraction == doctest::Approx(0.5).epsilon(1e-14));
+        CHECK(corner.status == CastStatus::hit);
+        CHECK(corner.fraction == doctest::Approx(0.5).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("a segment is met from both sides") {
+    const Shape post = make_segment({0, -1}, {0, 1});
+    CHECK(cast_ray(post, {}, {-3, 0.5}, {6, 0}).fraction == 0.5);
+    CHECK(cast_ray(post, {}, {3, 0.5}, {-6, 0}).fraction == 0.5);
+    CHECK(cast_ray(post, {}, {0, 4}, {0, -6}).fraction == 0.5);
+    CHECK(cast_ray(post, {}, {3, 1.5}, {-6, 0}).status == CastStatus::miss);
+}
+
+TEST_CASE("scaling the rotation away from 1 scales the shape, as for distances") {
+    // q = (3, 4) turns and stretches by 5: the box of side 2 has its face at 5 from the centre.
+    const Pose pose{{}, {3, 4}};
+    const CastResult ray = cast_ray(make_box({2, 2}), pose, {-12, -16}, {12, 16});
+    CHECK(ray.status == CastStatus::hit);
+    CHECK(ray.fraction == doctest::Approx(0.75).epsilon(1e-15));
+    CHECK(ray.normal.x == doctest::Approx(-0.6).epsilon(1e-15));
+    CHECK(ray.normal.y == doctest::Approx(-0.8).epsilon(1e-15));
+}
+
+TEST_CASE("a ray that is not finite is invalid") {
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), kInfinity, 1e300}) {
+        CHECK(cast_ray(make_circle(1), {}, {bad, 0}, {1, 0}).status == CastStatus::invalid);
+        CHECK(cast_ray(make_circle(1), {}, {-5, 0}, {bad, 0}).status == CastStatus::invalid);
+    }
+    CHECK(cast_ray(Shape{}, {}, {-5, 0}, {1, 0}).status == CastStatus::invalid);
+}
