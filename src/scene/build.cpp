@@ -27,8 +27,8 @@ BodyDef make_body_def(const SceneBody& body, const Pose& pose) {
     BodyDef def;
     def.type = body.type;
     def.pose = pose;
-    def.velocity = to_float(body.velocity);
-    def.angular_velocity = static_cast<float>(body.angular_velocity * (kPi / 180.0));
+    def.velocity = to_float(body.velocity + DVec2{});  // + 0 turns -0, which no file can hold, into 0
+    def.angular_velocity = static_cast<float>(body.angular_velocity * (kPi / 180.0) + 0.0);
     def.linear_damping = static_cast<float>(body.linear_damping);
     def.angular_damping = static_cast<float>(body.angular_damping);
     def.gravity_scale = static_cast<float>(body.gravity_scale);

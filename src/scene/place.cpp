@@ -1,4 +1,5 @@
-// A pose for each copy: the one place where a scene's degrees become a rotation.
+// A pose for each copy: the one place where a scene's degrees become a rotation. Adding 0 turns -0, which no file can
+// hold, into 0.
 #include "scene/place.hpp"
 
 #include "scene/repeat.hpp"
@@ -8,7 +9,7 @@ namespace tumble::scene {
 std::vector<PlacedBody> place_copies(const Scene& scene, std::size_t source) {
     std::vector<PlacedBody> placed;
     for (const CopyPlace& place : copy_places(scene.bodies[source], scene.world.seed, source))
-        placed.push_back({{}, {place.position, make_rotation_degrees(place.angle)}, place.angle});
+        placed.push_back({{}, {place.position + DVec2{}, make_rotation_degrees(place.angle + 0.0)}, place.angle});
     return placed;
 }
 

@@ -1,0 +1,69 @@
+// "--set" and "--seed": what they change, and what they say when they cannot.
+#include <doctest/doctest.h>
+
+#include "scene/example.hpp"
+#include "tumble/scene.hpp"
+
+using namespace tumble;
+
+namespace {
+
+Scene with(const std::vector<std::string>& overrides, const std::string& text = test::kExample) {
+    return parse_scene(text, "example.json", LoadOptions{overrides, std::nullopt});
+}
+
+Diagnostic error_of(const std::string& override_text) {
+    try {
+        with({override_text});
+    } catch (const SceneError& error) {
+        REQUIRE(error.diagnostics.size() == 1);
+        return error.diagnostics[0];
+    }
+    FAIL("accepted ", override_text);
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("an override replaces a value anywhere in the scene") {
+    CHECK(with({"/world/gravity/1=-1.6"}).world.gravity == DVec2(0, -1.6));
+    CHECK(with({"/bodies/2/shapes/0/circle/radius=0.75"}).bodies[2].shapes.size() == 1);
+    CHECK(with({"/materials/ice/friction=0.5"}).materials[0].friction == 0.5);
+    CHECK(with({"/bodies/3/repeat={\"ring\": {\"count\": 3}}"}).bodies[3].repeat->index() == 2);
+    CHECK(with({"/bodies/0/name=floor", "/joints/0/bodies/0=floor"}).joints[0].body_a == "floor");
+    CHECK(with({"/bodies/-={\"name\": \"extra\"}"}).bodies.size() == 5);
+}
+
+TEST_CASE("what the file leaves out starts from its default") {
+    const Scene scene = with({"/world/gravity/1=-1.6", "/camera/center=[1, 2]", "/name=moon"}, R"({"format": 1})");
+    CHECK(scene.world.gravity == DVec2(0, -1.6));
+    CHECK(scene.world.substeps == 4);
+    CHECK(scene.camera.center == DVec2(1, 2));
+    CHECK(scene.name == "moon");
+    CHECK(with({"/bodies/1/velocity=[1, 0]"}).bodies[1].velocity == DVec2(1, 0));
+}
+
+TEST_CASE("the later of two overrides counts, and the seed comes last") {
+    CHECK(with({"/world/seed=3", "/world/seed=4"}).world.seed == 4);
+    CHECK(parse_scene(test::kExample, "", LoadOptions{{"/world/seed=3"}, 9}).world.seed == 9);
+    CHECK(parse_scene(R"({"format": 1})", "", LoadOptions{{}, 18446744073709551615u}).world.seed == 18446744073709551615u);
+}
+
+TEST_CASE("an override that fits nothing is an error that names it") {
+    CHECK(to_string(error_of("/world/substeps=0")) ==
+          "--set /world/substeps=0: /world/substeps: must be at least 1, got 0");
+    CHECK(to_string(error_of("/world/substep=8")) ==
+          "--set /world/substep=8: /world/substep: unknown key \"substep\"\n  hint: did you mean 'substeps'?");
+    CHECK(error_of("/bodies/9/name=x").message == "the 2. step '9' is no index of an array of 4");
+    CHECK(error_of("/bodies/ball/name=x").message == "the 2. step 'ball' is no index of an array of 4");
+    CHECK(error_of("/wrold/seed=1").hint == "did you mean 'world'?");
+    CHECK(error_of("/name/x=1").message == "the 2. step 'x' lies below a value that is no object and no array");
+    CHECK(error_of("/world/gravity/1=down").message == "must be a number, got \"down\"");
+    for (const char* text : {"world/seed=1", "/world/seed", "=1", ""})
+        CHECK(error_of(text).message == "must read /json/pointer=value");
+}
+
+TEST_CASE("an override's value nested without end is no crash") {
+    CHECK(error_of("/custom/a/b=1").message == "the 2. step 'a' does not exist");
+    CHECK(error_of("/world/gravity=" + std::string(100000, '[')).pointer == "/world/gravity");
+}
