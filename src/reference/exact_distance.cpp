@@ -17,20 +17,25 @@ struct ClosestSegment {
 // vertex of one of them, so it is 0 for them; only cores that cross do not see each other here.
 ClosestSegment closest_segment(const ExactPair& pair) {
     ClosestSegment closest;
+    SegmentMeter meter(pair);
+    ExactPoint from, to;
     bool first = true;
-    const auto improve = [&](ExactPoint from, ExactPoint to) {
-        SignedRoot candidate = segment_distance(pair, from, to);
+    const auto improve = [&] {
+        const SignedRoot& candidate = meter.measure(from, to);
         if (!first && compare(candidate, closest.distance) >= 0) return;
-        closest = {std::move(candidate), std::move(from), std::move(to)};
+        closest = {candidate, from, to};
         first = false;
     };
     const std::size_t n = pair.a.size(), m = pair.b.size();
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j < m; ++j) {
             const std::size_t next_i = i + 1 == n ? 0 : i + 1, next_j = j + 1 == m ? 0 : j + 1;
-            const ExactPoint w = pair.a[i] - pair.b[j];
-            improve(w, pair.a[i] - pair.b[next_j]);
-            if (next_i != i) improve(w, pair.a[next_i] - pair.b[j]);
+            set_difference(from, pair.a[i], pair.b[j]);
+            set_difference(to, pair.a[i], pair.b[next_j]);
+            improve();
+            if (next_i == i) continue;
+            set_difference(to, pair.a[next_i], pair.b[j]);
+            improve();
         }
     }
     return closest;

@@ -2,7 +2,7 @@
 //
 // Overlap and depth come from the separations along all face normals (separating axes), the distance of separated cores
 // from all pairs of a vertex and an edge; nothing is shared with the narrow phase, and nothing is rounded. Cores that
-// are points or segments, repeated and collinear vertices need no special case. About 15 us for two boxes, O(n m)
+// are points or segments, repeated and collinear vertices need no special case. 10 to 16 us for two boxes, O(n m)
 // rational comparisons: for more than 64 vertices check the certificate of an answer instead (certificate.hpp).
 #pragma once
 

@@ -175,19 +175,30 @@ SignedRoot separation(const ExactPair& pair, const ExactPoint& direction) {
     return root_of(-support_value(pair, direction), length_sq, pair.exponent);
 }
 
-SignedRoot segment_distance(const ExactPair& pair, const ExactPoint& from, const ExactPoint& to) {
-    const ExactPoint edge = to - from;
-    mpz_class along, length_sq, value;
-    set_dot(along, from, edge);
-    along = -along;
-    set_dot(length_sq, edge, edge);
-    if (along <= 0 || along >= length_sq) {
-        const ExactPoint& end = along <= 0 ? from : to;
-        set_dot(value, end, end);
-        return {sgn(value), value, 1, pair.exponent};
+const SignedRoot& SegmentMeter::measure(const ExactPoint& from, const ExactPoint& to) {
+    set_difference(edge_, to, from);
+    set_dot(along_, from, edge_);
+    along_ = -along_;
+    set_dot(root_.denominator, edge_, edge_);
+    if (along_ > 0 && along_ < root_.denominator) {
+        set_cross(root_.numerator, from, to);
+        root_.numerator *= root_.numerator;
+    } else {
+        const ExactPoint& end = along_ <= 0 ? from : to;
+        set_dot(root_.numerator, end, end);
+        root_.denominator = 1;
     }
-    set_cross(value, from, to);
-    return root_of(value < 0 ? mpz_class(-value) : value, length_sq, pair.exponent);
+    root_.sign = sgn(root_.numerator);
+    return root_;
+}
+
+SignedRoot segment_distance(const ExactPair& pair, const ExactPoint& from, const ExactPoint& to) {
+    return SegmentMeter(pair).measure(from, to);
+}
+
+void set_difference(ExactPoint& target, const ExactPoint& p, const ExactPoint& q) {
+    mpz_sub(target.x.get_mpz_t(), p.x.get_mpz_t(), q.x.get_mpz_t());
+    mpz_sub(target.y.get_mpz_t(), p.y.get_mpz_t(), q.y.get_mpz_t());
 }
 
 bool find_deepest_face(const ExactPair& pair, SignedRoot& deepest, bool stop_if_separated) {

@@ -39,8 +39,24 @@ mpz_class support_value(const ExactPair& pair, const ExactPoint& direction);
 // -h / |direction|: no signed core distance is below it. The direction must not be zero, and is in the pair's units.
 SignedRoot separation(const ExactPair& pair, const ExactPoint& direction);
 
-// The distance of the origin from the segment of two points of the Minkowski difference (equal ones allowed).
+// The distance of the origin from segments of two points of the Minkowski difference (equal ones allowed). One meter
+// measures many segments without allocating for each.
+class SegmentMeter {
+public:
+    explicit SegmentMeter(const ExactPair& pair) { root_.exponent = pair.exponent; }
+
+    // Valid until the next call.
+    const SignedRoot& measure(const ExactPoint& from, const ExactPoint& to);
+
+private:
+    SignedRoot root_;
+    ExactPoint edge_;
+    mpz_class along_;
+};
+
 SignedRoot segment_distance(const ExactPair& pair, const ExactPoint& from, const ExactPoint& to);
+
+void set_difference(ExactPoint& target, const ExactPoint& p, const ExactPoint& q);
 
 // The largest separation over the faces of the Minkowski difference, which is the signed core distance if it is not
 // positive. False if there is no face, both cores being points. O((n + m)^2) up to 64 vertices; beyond, the support
