@@ -1,0 +1,103 @@
+// `tumble parity`: distances beside Box2D's b2Distance, with exact arithmetic as the judge.
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "console.hpp"
+#include "input_error.hpp"
+#include "output_file.hpp"
+#include "parity_report.hpp"
+#include "places.hpp"
+#include "reference/pair_families.hpp"
+#include "reference/parity.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct Options {
+    reference::ParityOptions parity;
+    std::vector<std::string> scenes;
+    std::string report;
+    bool force = false;
+    bool list = false;
+};
+
+void list_families() {
+    for (const reference::PairFamily& family : reference::pair_families()) {
+        std::string line(family.name);
+        line.resize(24, ' ');
+        write_output(line + std::string(family.description) + "\n");
+    }
+}
+
+// The rows of all scenes as one result.
+reference::ParityResult compare_scenes(const Options& options) {
+    reference::ParityResult all;
+    all.seed = options.parity.seed;
+    for (const std::string& name : options.scenes) {
+        narrate("comparing every pair of every step of " + name + "\n");
+        const reference::ParityResult one = reference::run_scene_parity(tumble::load_scene(find_scene(name)), options.parity);
+        all.pairs += one.pairs;
+        all.seconds += one.seconds;
+        all.families.insert(all.families.end(), one.families.begin(), one.families.end());
+    }
+    return all;
+}
+
+reference::ParityResult compare_random_pairs(const Options& options) {
+    for (const std::string& name : options.parity.families)
+        if (reference::find_pair_family(name) == nullptr)
+            throw InputError("there is no family '" + name + "'; tumble parity --list names them all");
+    Progress progress("pairs", options.parity.pairs);
+    reference::ParityOptions parity = options.parity;
+    parity.progress = [&progress](std::uint64_t done) { progress.show(done); };
+    return reference::run_parity(parity);
+}
+
+ExitCode compare(const Command& command, const Options& options) {
+    if (options.list) {
+        list_families();
+        return ExitCode::ok;
+    }
+    if (!options.report.empty()) refuse_to_overwrite(options.report, options.force);
+    const bool in_scenes = !options.scenes.empty();
+    const reference::ParityResult result = in_scenes ? compare_scenes(options) : compare_random_pairs(options);
+    if (command.json) {
+        JsonWriter json;
+        write_parity_json(json, result);
+        write_output(json.text() + "\n");
+    } else {
+        write_output(parity_table(result));
+    }
+    if (!options.report.empty()) {
+        OutputFile file(options.report, options.force);
+        file.write(parity_page(result, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"));
+        file.commit();
+        narrate("the report is " + options.report + "\n");
+    }
+    return result.passed() ? ExitCode::ok : ExitCode::failed;
+}
+
+}  // namespace
+
+void add_parity(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& parity = add_subcommand(app, command, "parity", "Compare distances with b2Distance and exact arithmetic");
+    parity.add_option("--pairs", options->parity.pairs, "Random pairs")->capture_default_str()->check(CLI::PositiveNumber);
+    parity.add_option("--seed", options->parity.seed, "Seed of the pairs")->capture_default_str();
+    parity.add_option("--family", options->parity.families, "Only this family of pairs; may be repeated");
+    parity.add_option("--scene", options->scenes, "Instead, every pair of every step of this scene; may be repeated");
+    parity.add_option("--threads", options->parity.threads, "0: as many as the machine has")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 256));
+    parity.add_option("--report", options->report, "Write a page with plots and the worst cases to this file");
+    parity.add_flag("--force", options->force, "Replace an existing report");
+    parity.add_flag("--list", options->list, "List the families");
+    parity.callback([&command, options] { command.action = [&command, options] { return compare(command, *options); }; });
+}
+
+}  // namespace tumble::tools
