@@ -20,6 +20,7 @@ build_packages=(
     'libstb-dev:writes PNG files and text in frames'
     'libdeflate-dev:compresses PNG files quickly'
     'fonts-dejavu-core:the font of the text in frames'
+    'libpugixml-dev:reads SVG drawings'
     'libbox2d-dev:the engine that bench compares with'
     'libgmp-dev:exact arithmetic to check distances with'
 )
@@ -28,6 +29,7 @@ test_packages=(
     'librapidcheck-dev:random tests that shrink their failures'
     'libvalijson-dev:checks the published scene schema'
     'clang-14:the second compiler: must give the same state hashes'
+    'libclang-rt-14-dev:its sanitizers and libFuzzer'
     'shellcheck:checks these scripts'
 )
 

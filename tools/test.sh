@@ -2,7 +2,7 @@
 # Installs what is missing, builds everything with warnings as errors, and runs all tests:
 #   1. g++, release, this machine's instruction set: every test
 #   2. clang, debug, the baseline instruction set: must build, and give the same state hash after each step
-#   3. address and undefined-behaviour sanitizers: the tests that feed the binary bad input
+#   3. clang, address and undefined-behaviour sanitizers: the tests that feed the binary bad input, and each fuzz target
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -47,6 +47,6 @@ build debug tumble_cli
 compare_hashes pyramid 5
 compare_hashes mixed_rain 5
 say "building with sanitizers"
-build sanitize tumble_cli test_tools
-ctest --preset sanitize -L tools
+build sanitize tumble_cli test_tools fuzz_targets
+ctest --preset sanitize -L 'tools|fuzz' --parallel "$jobs"
 say "all tests passed"
