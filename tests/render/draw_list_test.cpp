@@ -159,6 +159,24 @@ TEST_CASE("a joint has a dot where it holds, and a line between anchors that are
     CHECK(rod.details.boxes[0].half_x == doctest::Approx(20.0));
 }
 
+TEST_CASE("a chain's solid side, on the left of its direction, has a band that fades away") {
+    const std::vector<Vec2> points{{10.0f, 0.0f}, {0.0f, 0.0f}, {-10.0f, 0.0f}};  // leftwards: solid below
+    for (const bool two_sided : {false, true}) {
+        HandMadeScene s;
+        s.add("ground", BodyType::static_body, {100.0, 50.0}, make_chain(points, false));
+        ChainGeometry chain{{}, false, two_sided};
+        for (const Vec2 point : points) chain.points.push_back(DVec2(point));
+        s.scene.bodies[0].shapes = {{chain, "", ""}};
+        const DrawList list = build(s);
+        CHECK(list.ground.boxes.size() == 2);
+        CHECK(list.ground.mesh.size() == (two_sided ? 0 : 12));  // two triangles a segment
+        for (const MeshVertex& vertex : list.ground.mesh) {
+            CHECK((vertex.y == 0.0f) == (vertex.paint.fill.a != 0));
+            CHECK(vertex.y <= 0.0f);
+        }
+    }
+}
+
 TEST_CASE("grid lines lie on whole pixels at round coordinates, also far from the origin") {
     for (const double x : {0.0, 123456.7}) {
         Layer layer;
