@@ -17,17 +17,17 @@ enum class BodyType : std::uint8_t {
 
 struct BodyDef {
     BodyType type = BodyType::dynamic_body;
-    Pose pose;                       // of the body's origin
-    Vec2 velocity;                   // of the centre of mass, m/s
-    float angular_velocity = 0.0f;   // rad/s
-    float linear_damping = 0.0f;     // 1/s: v / (1 + h c) in each sub-step
-    float angular_damping = 0.0f;    // 1/s
+    Pose pose{};                    // of the body's origin
+    Vec2 velocity{};                // of the centre of mass, m/s
+    float angular_velocity = 0.0f;  // rad/s
+    float linear_damping = 0.0f;    // 1/s: v / (1 + h c) in each sub-step
+    float angular_damping = 0.0f;   // 1/s
     float gravity_scale = 1.0f;
     bool allow_fast_rotation = false;  // more than an eighth of a turn a step; for round things
 };
 
-// How a surface behaves in contact. Of two surfaces the friction is sqrt(f1 f2), the restitution the larger, the rolling
-// resistance the larger times the radius, the tangent speed the sum.
+// How a surface behaves in contact. Of two surfaces the friction is sqrt(f1 f2), the restitution the larger, the
+// rolling resistance the larger times the radius, the tangent speed the sum.
 struct SurfaceMaterial {
     float density = 1.0f;             // kg/m^2
     float friction = 0.6f;            // >= 0
@@ -39,8 +39,8 @@ struct SurfaceMaterial {
 };
 
 struct ShapeDef {
-    Shape shape;  // in the body's coordinates
-    SurfaceMaterial material;
+    Shape shape{};  // in the body's coordinates
+    SurfaceMaterial material{};
 };
 
 // What a body is doing at the end of a step.

@@ -10,20 +10,20 @@ namespace tumble {
 
 // Holds two points together; the bodies turn freely about them.
 struct RevoluteJointDef {
-    BodyId body_a;
-    BodyId body_b;
-    Vec2 anchor_a;
-    Vec2 anchor_b;
+    BodyId body_a{};
+    BodyId body_b{};
+    Vec2 anchor_a{};
+    Vec2 anchor_b{};
     float reference_angle = 0.0f;    // angle of B minus angle of A at joint angle 0, rad
     bool collide_connected = false;  // whether the shapes of the two bodies touch each other
 };
 
 // Keeps two points at a distance, as a weightless rod does.
 struct DistanceJointDef {
-    BodyId body_a;
-    BodyId body_b;
-    Vec2 anchor_a;
-    Vec2 anchor_b;
+    BodyId body_a{};
+    BodyId body_b{};
+    Vec2 anchor_a{};
+    Vec2 anchor_b{};
     float length = 1.0f;  // m, > 0
     bool collide_connected = false;
 };

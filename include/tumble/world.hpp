@@ -18,18 +18,18 @@
 namespace tumble {
 
 struct WorldDef {
-    Vec2 gravity{0.0f, -10.0f};        // m/s^2
-    float steps_per_second = 60.0f;    // > 0
-    int substeps = 4;                  // >= 1
+    Vec2 gravity{0.0f, -10.0f};      // m/s^2
+    float steps_per_second = 60.0f;  // > 0
+    int substeps = 4;                // >= 1
 };
 
 // What the last step did; times are wall clock.
 struct StepCounters {
-    int bodies = 0;            // all live bodies
-    int contacts = 0;          // pairs with at least one manifold point
+    int bodies = 0;    // all live bodies
+    int contacts = 0;  // pairs with at least one manifold point
     int contact_points = 0;
     int joints = 0;
-    int colors = 0;            // of the constraint graph
+    int colors = 0;  // of the constraint graph
     double pairs_ms = 0.0;
     double narrow_ms = 0.0;
     double solve_ms = 0.0;
@@ -42,11 +42,11 @@ struct ContactPoint {
     BodyId body_b;
     ShapeId shape_a;
     ShapeId shape_b;
-    DVec2 point;                   // world, half way between the surfaces
-    Vec2 normal;                   // from A to B
+    DVec2 point;  // world, half way between the surfaces
+    Vec2 normal;  // from A to B
     std::uint32_t feature = 0;
-    float separation = 0.0f;       // m, negative inside
-    float normal_impulse = 0.0f;   // N s, accumulated over the last sub-step
+    float separation = 0.0f;      // m, negative inside
+    float normal_impulse = 0.0f;  // N s, accumulated over the last sub-step
     float tangent_impulse = 0.0f;
 };
 

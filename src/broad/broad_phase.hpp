@@ -31,7 +31,8 @@ public:
     const Aabb& box(std::uint32_t key) const { return proxies_[key].box; }
     bool overlap(ProxyPair pair) const { return overlaps(box(pair.a), box(pair.b)); }
 
-    // The new pairs, sorted, for which accept(pair) holds; rejected pairs are not remembered. Valid until the next call.
+    // The new pairs, sorted, for which accept(pair) holds; rejected pairs are not remembered. Valid until the next
+    // call.
     template <class Accept>
     const std::vector<ProxyPair>& find_new_pairs(Accept&& accept);
 

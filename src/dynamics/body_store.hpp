@@ -13,10 +13,10 @@ namespace tumble {
 
 // Where a body is, and how heavy. By body index.
 struct alignas(64) BodyFrame {
-    Pose pose;                    // of the body's origin
-    DVec2 center;                 // centre of mass, world
-    Vec2 center_offset;           // centre of mass from the origin, world axes
-    float inv_mass = 0.0f;        // 0 if not dynamic
+    Pose pose;              // of the body's origin
+    DVec2 center;           // centre of mass, world
+    Vec2 center_offset;     // centre of mass from the origin, world axes
+    float inv_mass = 0.0f;  // 0 if not dynamic
     float inv_inertia = 0.0f;
     std::uint32_t solver_body = kStaticSolverBody;
     BodyType type = BodyType::static_body;

@@ -63,6 +63,8 @@ constexpr float speculative_distance(float smaller_extent) {
     return std::min(kSpeculativeDistance, kSpeculativePart * smaller_extent);
 }
 
-constexpr float aabb_margin(float smaller_extent) { return std::min(kAabbMargin, kAabbMarginPart * smaller_extent); }
+constexpr float aabb_margin(float smaller_extent) {
+    return std::min(kAabbMargin, kAabbMarginPart * smaller_extent);
+}
 
 }  // namespace tumble

@@ -39,9 +39,9 @@ private:
 
     std::uint8_t choose_color(const Contact& contact, const BodyStore& bodies);
 
-    std::vector<std::uint32_t> used_colors_;     // a bit a colour, by solver body
-    std::vector<std::uint8_t> contact_colors_;   // by contact
-    std::vector<std::uint32_t> lanes_;           // contact or kNoContact
+    std::vector<std::uint32_t> used_colors_;    // a bit a colour, by solver body
+    std::vector<std::uint8_t> contact_colors_;  // by contact
+    std::vector<std::uint32_t> lanes_;          // contact or kNoContact
     int color_count_ = 0;
 };
 

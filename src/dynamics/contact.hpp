@@ -18,13 +18,13 @@ struct PointImpulse {
 };
 
 struct Contact {
-    ProxyPair shapes;            // by index, a < b: the order of contacts
-    std::uint32_t body_a = 0;    // by index
+    ProxyPair shapes;          // by index, a < b: the order of contacts
+    std::uint32_t body_a = 0;  // by index
     std::uint32_t body_b = 0;
-    Manifold manifold;           // anchors from the bodies' origins
-    PointImpulse impulses[2];    // by manifold point
+    Manifold manifold;         // anchors from the bodies' origins
+    PointImpulse impulses[2];  // by manifold point
     float rolling_impulse = 0.0f;
-    ManifoldReference reference; // the last full collision
+    ManifoldReference reference;  // the last full collision
     SimplexCache cache;
     // Of the pair, mixed once when it is found.
     float speculative_distance = 0.0f;
@@ -37,7 +37,9 @@ struct Contact {
 };
 
 // The tangent of a contact normal: with B on top of A it points to the right.
-constexpr Vec2 contact_tangent(Vec2 normal) { return -perp(normal); }
+constexpr Vec2 contact_tangent(Vec2 normal) {
+    return -perp(normal);
+}
 
 inline float mix_friction(const SurfaceMaterial& a, const SurfaceMaterial& b) {
     return std::sqrt(a.friction * b.friction);

@@ -4,7 +4,8 @@
 // `across` = r x n. They are all the geometry there is: with the tangent t = -perp(n), r x t = -(r . n), and the
 // offset turned by (c, s) has the normal component c along + s across.
 //
-// Unused lanes are neutral: the static body against itself, with zero masses. There is no second, scalar kernel.
+// A point that is not there is kAbsentGap away, so that it never carries. Unused lanes are neutral: two such points on
+// the static body. There is no second, scalar kernel.
 #pragma once
 
 #include <cstdint>
@@ -18,24 +19,28 @@
 
 namespace tumble {
 
+// m; so far that no velocity closes it in a sub-step, and its square is still finite.
+inline constexpr float kAbsentGap = 1e6f;
+
 struct ContactBlockPoint {
     Lanes along_a, across_a;  // m
     Lanes along_b, across_b;
-    Lanes separation;         // at the start of the step, m
-    Lanes normal_mass;        // effective, kg; 0 for a point that is not there
-    Lanes normal_impulse;     // N s, of the present sub-step
+    Lanes separation;      // at the start of the step, m
+    Lanes inverse_mass;    // effective, along the normal, 1/kg; 1 for a point that is not there
+    Lanes normal_impulse;  // N s, of the present sub-step
     Lanes tangent_mass;
     Lanes tangent_impulse;
-    Lanes approach_speed;     // normal velocity before the step, negative if approaching; with restitution only
-    Lanes largest_impulse;    // over the step; with restitution only
+    Lanes approach_speed;   // normal velocity before the step, negative if approaching; with restitution only
+    Lanes largest_impulse;  // over the step; with restitution only
 };
 
 struct ContactBlock {
     std::uint32_t body_a[kLaneCount];  // solver bodies
     std::uint32_t body_b[kLaneCount];
-    Lanes normal_x, normal_y;          // from A to B
+    Lanes normal_x, normal_y;  // from A to B
     Lanes inv_mass_a, inv_mass_b, inv_inertia_a, inv_inertia_b;
     ContactBlockPoint points[2];
+    Lanes coupling;  // what a normal impulse at one point does to the velocity at the other, 1/kg
     Lanes friction;
     Softness softness;
     // The rest is read only if one of the lanes has it.
@@ -52,12 +57,11 @@ struct ContactBlock {
 };
 
 // Fills one block per block of the graph from manifolds and bodies.
-void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
-                      float h, std::vector<ContactBlock>& blocks);
+void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph, float h,
+                      std::vector<ContactBlock>& blocks);
 
 // Takes the impulses back, so that they warm the next step.
-void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph,
-                    std::span<Contact> contacts);
+void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts);
 
 // Applies the impulses of the last sub-step again.
 void warm_start_contacts(std::span<const ContactBlock> blocks, std::span<SolverBody> bodies);

@@ -24,7 +24,8 @@ TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const 
 }
 
 // Lanes of the static body, and several of one kinematic body, write back what they read: their masses are zero.
-TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
+TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies,
+                                             const std::uint32_t index[kLaneCount]) {
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
     const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
@@ -34,9 +35,9 @@ TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<So
 // The two bodies of each lane while their block is solved.
 struct BlockState {
     BodyLanes a, b;
-    Lanes normal_velocity;   // of B's centre against A's
+    Lanes normal_velocity;  // of B's centre against A's
     Lanes tangent_velocity;
-    Lanes normal_impulse;    // applied in this pass, not yet in the linear velocities
+    Lanes normal_impulse;  // applied in this pass, not yet in the linear velocities
     Lanes tangent_impulse;
 };
 
@@ -70,18 +71,19 @@ TUMBLE_LANE_FUNCTION Lanes normal_velocity(const ContactBlockPoint& point, const
 }
 
 TUMBLE_LANE_FUNCTION Lanes tangent_velocity(const ContactBlockPoint& point, const BlockState& state) {
-    return state.tangent_velocity - state.b.angular_velocity * point.along_b +
-           state.a.angular_velocity * point.along_a;
+    return state.tangent_velocity - state.b.angular_velocity * point.along_b + state.a.angular_velocity * point.along_a;
 }
 
-TUMBLE_LANE_FUNCTION void apply_normal(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse, BlockState& state) {
+TUMBLE_LANE_FUNCTION void apply_normal(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
+                                       BlockState& state) {
     state.normal_impulse += impulse;
     state.normal_velocity += (block.inv_mass_a + block.inv_mass_b) * impulse;
     state.a.angular_velocity -= block.inv_inertia_a * point.across_a * impulse;
     state.b.angular_velocity += block.inv_inertia_b * point.across_b * impulse;
 }
 
-TUMBLE_LANE_FUNCTION void apply_tangent(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse, BlockState& state) {
+TUMBLE_LANE_FUNCTION void apply_tangent(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
+                                        BlockState& state) {
     state.tangent_impulse += impulse;
     state.tangent_velocity += (block.inv_mass_a + block.inv_mass_b) * impulse;
     state.a.angular_velocity += block.inv_inertia_a * point.along_a * impulse;
@@ -104,8 +106,8 @@ TUMBLE_LANE_FUNCTION Lanes center_shift(const ContactBlock& block, const BlockSt
 //
 // The anchors are those of the cores: the rounding stays between them along the normal while the bodies turn. Anchors
 // on the surface would lift a rolling ball by r (1 - cos) in every step, so that it lost its grip.
-TUMBLE_LANE_FUNCTION Lanes current_separation(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& shift,
-                         const BlockState& state) {
+TUMBLE_LANE_FUNCTION Lanes current_separation(const ContactBlock& block, const ContactBlockPoint& point,
+                                              const Lanes& shift, const BlockState& state) {
     const Lanes one = Lanes::Ones();
     Lanes along_a = point.along_a, along_b = point.along_b;
     if (block.has_radius) {
@@ -117,41 +119,78 @@ TUMBLE_LANE_FUNCTION Lanes current_separation(const ContactBlock& block, const C
     return point.separation + shift + (turn_b - turn_a);
 }
 
-TUMBLE_LANE_FUNCTION void track_largest(const ContactBlock& block, ContactBlockPoint& point) {
-    if (block.has_restitution) point.largest_impulse = point.largest_impulse.max(point.normal_impulse);
+// What the normal impulses x of the two points are to achieve: A x + q >= 0 with x >= 0, one of them zero for each
+// point. A is the matrix of inverse effective masses, softened on its diagonal, q the residual without impulses.
+struct NormalProblem {
+    Lanes a11, a22, a12;
+    Lanes q1, q2;
+};
+
+// The exact solution for two points by trying who carries: both, the first alone, the second alone [Catto 2007,
+// "Block solver"]. One after the other they would tip every box a little, which seeds the lean of a stack.
+TUMBLE_LANE_FUNCTION void solve_both(const NormalProblem& p, Lanes& x1, Lanes& x2) {
+    const Lanes zero = Lanes::Zero();
+    const Lanes scale = Lanes::Ones() / (p.a11 * p.a22 - p.a12 * p.a12);
+    const Lanes both1 = scale * (p.a12 * p.q2 - p.a22 * p.q1);
+    const Lanes both2 = scale * (p.a12 * p.q1 - p.a11 * p.q2);
+    const Lanes first = (-p.q1 / p.a11).max(zero);
+    const Lanes second = (-p.q2 / p.a22).max(zero);
+    const Lanes residual2 = p.a12 * first + p.q2;
+    const Lanes lone1 = select_less(residual2, zero, zero, first);
+    const Lanes lone2 = select_less(residual2, zero, second, zero);
+    const Lanes least = both1.min(both2);
+    x1 = select_less(least, zero, lone1, both1);
+    x2 = select_less(least, zero, lone2, both2);
 }
 
-// new = max(0, old - m (mass_scale v + bias) - impulse_scale old). Gaps are speculative: rigid, and closed in one
-// sub-step at the fastest. Overlap is removed softly and no faster than the push-out speed; the bias holds the mass
-// scale already.
-TUMBLE_LANE_FUNCTION void solve_normal_soft(const ContactBlock& block, ContactBlockPoint& point, const Lanes& shift, float inv_h,
-                       BlockState& state) {
-    const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
+TUMBLE_LANE_FUNCTION void apply_normals(ContactBlock& block, const NormalProblem& problem, BlockState& state) {
+    ContactBlockPoint& first = block.points[0];
+    ContactBlockPoint& second = block.points[1];
+    Lanes impulse1, impulse2;
+    solve_both(problem, impulse1, impulse2);
+    const Lanes change1 = impulse1 - first.normal_impulse, change2 = impulse2 - second.normal_impulse;
+    first.normal_impulse = impulse1;
+    second.normal_impulse = impulse2;
+    if (block.has_restitution) {
+        first.largest_impulse = first.largest_impulse.max(impulse1);
+        second.largest_impulse = second.largest_impulse.max(impulse2);
+    }
+    apply_normal(block, first, change1, state);
+    apply_normal(block, second, change2, state);
+}
+
+// One point's share of the problem: its diagonal, softened, and its residual without the other's impulse.
+struct NormalRow {
+    Lanes diagonal;
+    Lanes residual;
+};
+
+// Gaps are speculative: rigid, and closed in one sub-step at the fastest. Overlap is removed softly, as by an implicit
+// spring and damper whose mass scale divides the diagonal, and no faster than the push-out speed.
+TUMBLE_LANE_FUNCTION NormalRow make_soft_row(const ContactBlock& block, const ContactBlockPoint& point,
+                                             const Lanes& shift, float inv_h, const BlockState& state) {
+    const Lanes zero = Lanes::Zero();
     const Lanes separation = current_separation(block, point, shift, state);
     const Lanes gap = separation.max(zero), overlap = separation.min(zero);
-    const Lanes push = (overlap * (block.softness.mass_scale * block.softness.bias_rate)).max(-kPushOutSpeed);
-    const Lanes bias = gap * inv_h + push;
-    const Lanes mass_scale = select_less(zero, separation, one, Lanes::Constant(block.softness.mass_scale));
-    const Lanes impulse_scale = select_less(zero, separation, zero, Lanes::Constant(block.softness.impulse_scale));
-    const Lanes old_impulse = point.normal_impulse;
-    const Lanes wanted = old_impulse - point.normal_mass * (mass_scale * normal_velocity(point, state) + bias) -
-                         impulse_scale * old_impulse;
-    point.normal_impulse = wanted.max(zero);
-    track_largest(block, point);
-    const Lanes change = point.normal_impulse - old_impulse;
-    apply_normal(block, point, change, state);
+    const float max_push = kPushOutSpeed / block.softness.mass_scale;  // before the mass scale
+    const Lanes bias = gap * inv_h + (overlap * block.softness.bias_rate).max(-max_push);
+    const Lanes soft = point.inverse_mass * (1.0f / block.softness.mass_scale);
+    return {select_less(zero, separation, point.inverse_mass, soft),
+            normal_velocity(point, state) + bias - point.inverse_mass * point.normal_impulse};
 }
 
-TUMBLE_LANE_FUNCTION void solve_normal_rigid(const ContactBlock& block, ContactBlockPoint& point, const Lanes& shift, float inv_h,
-                        BlockState& state) {
-    const Lanes zero = Lanes::Zero();
-    const Lanes gap = current_separation(block, point, shift, state).max(zero);
-    const Lanes old_impulse = point.normal_impulse;
-    const Lanes wanted = old_impulse - point.normal_mass * (normal_velocity(point, state) + gap * inv_h);
-    point.normal_impulse = wanted.max(zero);
-    track_largest(block, point);
-    const Lanes change = point.normal_impulse - old_impulse;
-    apply_normal(block, point, change, state);
+TUMBLE_LANE_FUNCTION NormalRow make_rigid_row(const ContactBlock& block, const ContactBlockPoint& point,
+                                              const Lanes& shift, float inv_h, const BlockState& state) {
+    const Lanes gap = current_separation(block, point, shift, state).max(Lanes::Zero());
+    return {point.inverse_mass,
+            normal_velocity(point, state) + gap * inv_h - point.inverse_mass * point.normal_impulse};
+}
+
+TUMBLE_LANE_FUNCTION void solve_normals(ContactBlock& block, const NormalRow& first, const NormalRow& second,
+                                        BlockState& state) {
+    const Lanes q1 = first.residual - block.coupling * block.points[1].normal_impulse;
+    const Lanes q2 = second.residual - block.coupling * block.points[0].normal_impulse;
+    apply_normals(block, {first.diagonal, second.diagonal, block.coupling, q1, q2}, state);
 }
 
 // Coulomb friction against the normal impulse; a belt's surface moves by itself.
@@ -179,14 +218,14 @@ TUMBLE_LANE_FUNCTION void solve_rolling(ContactBlock& block, BlockState& state) 
 // Restores e times the approach speed where an impulse stopped an approach fast enough.
 TUMBLE_LANE_FUNCTION void solve_restitution(const ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
     const Lanes zero = Lanes::Zero();
+    const Lanes normal_mass = Lanes::Ones() / point.inverse_mass;
     const Lanes bounce_mass =
-        select_less(point.approach_speed, Lanes::Constant(-kRestitutionThreshold), point.normal_mass, zero);
+        select_less(point.approach_speed, Lanes::Constant(-kRestitutionThreshold), normal_mass, zero);
     const Lanes mass = select_less(zero, point.largest_impulse, bounce_mass, zero);
     const Lanes old_impulse = point.normal_impulse;
     const Lanes wanted =
         old_impulse - mass * (normal_velocity(point, state) + block.restitution * point.approach_speed);
     point.normal_impulse = wanted.max(zero);
-    track_largest(block, point);
     const Lanes change = point.normal_impulse - old_impulse;
     apply_normal(block, point, change, state);
 }
@@ -209,7 +248,9 @@ void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
     for (ContactBlock& block : blocks) {
         BlockState state = load(block, bodies);
         const Lanes shift = center_shift(block, state);
-        for (ContactBlockPoint& point : block.points) solve_normal_soft(block, point, shift, inv_h, state);
+        const NormalRow first = make_soft_row(block, block.points[0], shift, inv_h, state);
+        const NormalRow second = make_soft_row(block, block.points[1], shift, inv_h, state);
+        solve_normals(block, first, second, state);
         finish(block, state, bodies);
     }
 }
@@ -220,7 +261,9 @@ void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
         const Lanes shift = center_shift(block, state);
         for (ContactBlockPoint& point : block.points) solve_friction(block, point, state);
         if (block.has_rolling_resistance) solve_rolling(block, state);
-        for (ContactBlockPoint& point : block.points) solve_normal_rigid(block, point, shift, inv_h, state);
+        const NormalRow first = make_rigid_row(block, block.points[0], shift, inv_h, state);
+        const NormalRow second = make_rigid_row(block, block.points[1], shift, inv_h, state);
+        solve_normals(block, first, second, state);
         finish(block, state, bodies);
     }
 }

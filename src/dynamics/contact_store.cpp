@@ -44,8 +44,7 @@ void collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
     const Pose& pose_b = bodies.frames[contact.body_b].pose;
     const float tolerance = kRecyclingPart * contact.speculative_distance;
     if (recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold)) return;
-    const Manifold manifold =
-        collide(a.shape, pose_a, b.shape, pose_b, contact.speculative_distance, contact.cache);
+    const Manifold manifold = collide(a.shape, pose_a, b.shape, pose_b, contact.speculative_distance, contact.cache);
     carry_impulses_over(contact, manifold);
     contact.manifold = manifold;
     contact.reference = {manifold, pose_a.rotation, pose_b.rotation, pose_b.position - pose_a.position, true};

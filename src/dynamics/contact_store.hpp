@@ -1,4 +1,5 @@
-// All contacts, contiguous and sorted by shape indices: every loop over them runs in an order that depends on ids alone.
+// All contacts, contiguous and sorted by shape indices: every loop over them runs in an order that depends on ids
+// alone.
 #pragma once
 
 #include <vector>

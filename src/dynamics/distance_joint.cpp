@@ -31,15 +31,14 @@ void DistanceJoint::solve(const JointContext& context, bool use_bias, std::span<
     const Vec2 arm_a = bodies_.current_arm_a(bodies), arm_b = bodies_.current_arm_b(bodies);
     const Line line = line_along(bodies_.current_separation(bodies));
     const float across_a = cross(arm_a, line.axis), across_b = cross(arm_b, line.axis);
-    const float inverse_mass = bodies_.inv_mass_a + bodies_.inv_mass_b +
-                               bodies_.inv_inertia_a * across_a * across_a +
+    const float inverse_mass = bodies_.inv_mass_a + bodies_.inv_mass_b + bodies_.inv_inertia_a * across_a * across_a +
                                bodies_.inv_inertia_b * across_b * across_b;
     if (!(inverse_mass > 0.0f)) return;
     const Softness softness = use_bias ? context.softness : Softness{};
     const float bias = softness.bias_rate * (line.length - def_.length);
     const Vec2 velocity = velocity_at(bodies[bodies_.b], arm_b) - velocity_at(bodies[bodies_.a], arm_a);
-    const float impulse = -softness.mass_scale * (dot(velocity, line.axis) + bias) / inverse_mass -
-                          softness.impulse_scale * impulse_;
+    const float impulse =
+        -softness.mass_scale * (dot(velocity, line.axis) + bias) / inverse_mass - softness.impulse_scale * impulse_;
     impulse_ += impulse;
     bodies_.apply(impulse * line.axis, arm_a, arm_b, bodies);
 }

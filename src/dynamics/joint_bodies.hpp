@@ -27,9 +27,15 @@ struct JointBodies {
     Vec2 center_difference;  // of B's centre from A's
 
     static JointBodies make(const BodyFrame& a, Vec2 anchor_a, const BodyFrame& b, Vec2 anchor_b) {
-        JointBodies bodies{a.solver_body, b.solver_body, a.inv_mass, b.inv_mass, a.inv_inertia, b.inv_inertia,
+        JointBodies bodies{a.solver_body,
+                           b.solver_body,
+                           a.inv_mass,
+                           b.inv_mass,
+                           a.inv_inertia,
+                           b.inv_inertia,
                            rotate(a.pose.rotation, anchor_a) - a.center_offset,
-                           rotate(b.pose.rotation, anchor_b) - b.center_offset, to_float(b.center - a.center)};
+                           rotate(b.pose.rotation, anchor_b) - b.center_offset,
+                           to_float(b.center - a.center)};
         return bodies;
     }
 

@@ -6,13 +6,18 @@ namespace tumble {
 
 namespace {
 
-RevoluteJoint make_joint(const RevoluteJointDef& def) { return RevoluteJoint(def); }
-DistanceJoint make_joint(const DistanceJointDef& def) { return DistanceJoint(def); }
+RevoluteJoint make_joint(const RevoluteJointDef& def) {
+    return RevoluteJoint(def);
+}
+DistanceJoint make_joint(const DistanceJointDef& def) {
+    return DistanceJoint(def);
+}
 
 // Where a joint of this id is in its list, or belongs.
 template <class List>
 auto position(List& list, JointId id) {
-    return std::lower_bound(list.begin(), list.end(), id, [](const auto& entry, JointId key) { return entry.id < key; });
+    return std::lower_bound(list.begin(), list.end(), id,
+                            [](const auto& entry, JointId key) { return entry.id < key; });
 }
 
 }  // namespace

@@ -14,8 +14,12 @@
 namespace tumble {
 
 // The bodies of a joint, whatever its kind.
-inline BodyId joint_body_a(const JointDef& def) { return std::visit([](const auto& d) { return d.body_a; }, def); }
-inline BodyId joint_body_b(const JointDef& def) { return std::visit([](const auto& d) { return d.body_b; }, def); }
+inline BodyId joint_body_a(const JointDef& def) {
+    return std::visit([](const auto& d) { return d.body_a; }, def);
+}
+inline BodyId joint_body_b(const JointDef& def) {
+    return std::visit([](const auto& d) { return d.body_b; }, def);
+}
 inline bool collides_connected(const JointDef& def) {
     return std::visit([](const auto& d) { return d.collide_connected; }, def);
 }

@@ -30,7 +30,7 @@ bool recycle(const ManifoldReference& reference, const Pose& a, const Pose& b, f
     // Seen from the body that reaches farther, the other's origin has moved by its shift and its points by turning.
     const DVec2 offset = b.position - a.position;
     const Vec2 shift = to_float(offset - reference.offset);
-    const Rotation frame = reach_a > reach_b ? turn_a : turn_b;
+    const Rotation frame = reach_a >= reach_b ? turn_a : turn_b;
     const Vec2 relative_shift = shift - displacement(frame, to_float(reference.offset));
     const Rotation relative_turn = rotation_between(turn_a, turn_b);
     const float moved = length(relative_shift) + std::abs(relative_turn.s) * std::min(reach_a, reach_b);

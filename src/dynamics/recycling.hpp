@@ -14,7 +14,7 @@ namespace tumble {
 struct ManifoldReference {
     Manifold manifold;
     Rotation rotation_a, rotation_b;
-    DVec2 offset;           // of B's origin from A's, world axes
+    DVec2 offset;  // of B's origin from A's, world axes
     bool is_valid = false;
 };
 

@@ -15,9 +15,9 @@ namespace tumble {
 struct ShapeRecord {
     Shape shape;  // body coordinates
     SurfaceMaterial material;
-    std::uint32_t body = 0;        // index
-    float smaller_extent = 0.0f;   // m
-    float reach = 0.0f;            // of the farthest point from the body's origin, m
+    std::uint32_t body = 0;       // index
+    float smaller_extent = 0.0f;  // m
+    float reach = 0.0f;           // of the farthest point from the body's origin, m
     bool is_live = false;
 };
 

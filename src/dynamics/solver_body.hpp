@@ -12,15 +12,15 @@
 namespace tumble {
 
 enum BodyFlag : std::uint32_t {
-    kDynamicBody = 1u << 0,     // has a mass: gravity, damping and impulses act on it
-    kUnlimitedSpin = 1u << 1,   // may turn more than kMaxRotation in a step
+    kDynamicBody = 1u << 0,    // has a mass: gravity, damping and impulses act on it
+    kUnlimitedSpin = 1u << 1,  // may turn more than kMaxRotation in a step
 };
 
 struct alignas(32) SolverBody {
-    Vec2 velocity;               // of the centre of mass
+    Vec2 velocity;  // of the centre of mass
     float angular_velocity = 0.0f;
-    std::uint32_t flags = 0;     // BodyFlag
-    Vec2 delta_position;         // of the centre of mass
+    std::uint32_t flags = 0;  // BodyFlag
+    Vec2 delta_position;      // of the centre of mass
     Rotation delta_rotation;
 };
 static_assert(sizeof(SolverBody) == 32 && std::is_trivially_copyable_v<SolverBody>);

@@ -79,8 +79,7 @@ void find_pairs(Simulation& simulation) {
 }
 
 void collide_pairs(Simulation& simulation) {
-    for (Contact& contact : simulation.contacts.all())
-        collide_contact(contact, simulation.bodies, simulation.shapes);
+    for (Contact& contact : simulation.contacts.all()) collide_contact(contact, simulation.bodies, simulation.shapes);
 }
 
 void prepare_constraints(Simulation& simulation) {
@@ -103,7 +102,9 @@ void run_substep(Simulation& simulation) {
     relax_contacts(simulation.blocks, bodies, context.inv_h);
 }
 
-void bounce(Simulation& simulation) { apply_restitution(simulation.blocks, simulation.bodies.solver_bodies); }
+void bounce(Simulation& simulation) {
+    apply_restitution(simulation.blocks, simulation.bodies.solver_bodies);
+}
 
 void store_results(Simulation& simulation) {
     store_impulses(simulation.blocks, simulation.graph, simulation.contacts.all());

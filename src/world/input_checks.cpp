@@ -26,8 +26,12 @@ std::string print(float value) {
     return {text, end};
 }
 
-std::string print(Vec2 v) { return "(" + print(v.x) + ", " + print(v.y) + ")"; }
-std::string print(DVec2 v) { return "(" + print(v.x) + ", " + print(v.y) + ")"; }
+std::string print(Vec2 v) {
+    return "(" + print(v.x) + ", " + print(v.y) + ")";
+}
+std::string print(DVec2 v) {
+    return "(" + print(v.x) + ", " + print(v.y) + ")";
+}
 
 template <class Value>
 void require(bool holds, const char* what, const char* expected, Value value) {

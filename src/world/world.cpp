@@ -142,12 +142,22 @@ void World::step() {
         throw SimulationDiverged(simulation.bodies.ids.at(impl_->diverged_body), impl_->step_count);
 }
 
-std::uint64_t World::step_count() const noexcept { return impl_->step_count; }
-const WorldDef& World::def() const noexcept { return impl_->def; }
+std::uint64_t World::step_count() const noexcept {
+    return impl_->step_count;
+}
+const WorldDef& World::def() const noexcept {
+    return impl_->def;
+}
 
-bool World::is_valid(BodyId id) const noexcept { return impl_->simulation.bodies.ids.is_live(id); }
-bool World::is_valid(ShapeId id) const noexcept { return impl_->simulation.shapes.ids.is_live(id); }
-bool World::is_valid(JointId id) const noexcept { return impl_->simulation.joints.ids.is_live(id); }
+bool World::is_valid(BodyId id) const noexcept {
+    return impl_->simulation.bodies.ids.is_live(id);
+}
+bool World::is_valid(ShapeId id) const noexcept {
+    return impl_->simulation.shapes.ids.is_live(id);
+}
+bool World::is_valid(JointId id) const noexcept {
+    return impl_->simulation.joints.ids.is_live(id);
+}
 
 BodyType World::type(BodyId id) const {
     impl_->require(id);
@@ -177,8 +187,12 @@ void World::set_velocity(BodyId id, Vec2 velocity, float angular_velocity) {
     body.angular_velocity = angular_velocity;
 }
 
-std::span<const BodyId> World::bodies() const noexcept { return impl_->simulation.bodies.ids.live(); }
-std::span<const JointId> World::joints() const noexcept { return impl_->simulation.joints.ids.live(); }
+std::span<const BodyId> World::bodies() const noexcept {
+    return impl_->simulation.bodies.ids.live();
+}
+std::span<const JointId> World::joints() const noexcept {
+    return impl_->simulation.joints.ids.live();
+}
 
 std::span<const ShapeId> World::shapes(BodyId id) const {
     impl_->require(id);
@@ -210,14 +224,25 @@ JointReaction World::reaction(JointId id) const {
     return impl_->simulation.joints.reaction(id);
 }
 
-std::vector<ContactPoint> World::contacts() const { return report_contacts(impl_->simulation); }
-std::vector<ShapePair> World::candidate_pairs() const { return report_pairs(impl_->simulation); }
+std::vector<ContactPoint> World::contacts() const {
+    return report_contacts(impl_->simulation);
+}
 
-std::uint64_t World::state_hash() const { return hash_bodies(impl_->simulation.bodies); }
+std::vector<ShapePair> World::candidate_pairs() const {
+    return report_pairs(impl_->simulation);
+}
 
-const StepCounters& World::counters() const noexcept { return impl_->counters; }
+std::uint64_t World::state_hash() const {
+    return hash_bodies(impl_->simulation.bodies);
+}
 
-void World::validate() const { tumble::validate(impl_->simulation); }
+const StepCounters& World::counters() const noexcept {
+    return impl_->counters;
+}
+
+void World::validate() const {
+    tumble::validate(impl_->simulation);
+}
 
 SimulationDiverged::SimulationDiverged(BodyId body_, std::uint64_t step_)
     : std::runtime_error("the simulation diverged in step " + std::to_string(step_) + ": body " +

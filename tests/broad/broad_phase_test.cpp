@@ -23,7 +23,9 @@ public:
         return {lower, lower + Vec2{side(random_), side(random_)}};
     }
 
-    std::uint32_t below(std::uint32_t bound) { return std::uniform_int_distribution<std::uint32_t>(0, bound - 1)(random_); }
+    std::uint32_t below(std::uint32_t bound) {
+        return std::uniform_int_distribution<std::uint32_t>(0, bound - 1)(random_);
+    }
 
 private:
     std::mt19937 random_;
@@ -51,7 +53,9 @@ std::set<ProxyPair> all_overlaps(const std::map<std::uint32_t, Proxy>& proxies) 
     return pairs;
 }
 
-bool accept_all(ProxyPair) { return true; }
+bool accept_all(ProxyPair) {
+    return true;
+}
 
 }  // namespace
 

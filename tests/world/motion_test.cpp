@@ -15,7 +15,9 @@ constexpr double kH = 1.0 / 240.0;
 constexpr double kGravity = 10.0;
 
 // Velocities accumulate in float: each of n sums is rounded by at most half an ulp of the largest.
-double rounding(int sums, double largest) { return sums * 0x1p-24 * largest; }
+double rounding(int sums, double largest) {
+    return sums * 0x1p-24 * largest;
+}
 
 }  // namespace
 
@@ -105,8 +107,8 @@ TEST_CASE("mass, centre and inertia of a body are the sums over its shapes") {
     const BodyId body = world.create_body({});
     world.add_shape(body, {make_box({2.0f, 2.0f}, 0.0f, {-1.0f, 0.0f}), {.density = 3.0f}});
     world.add_shape(body, {make_box({2.0f, 2.0f}, 0.0f, {1.0f, 0.0f}), {.density = 1.0f}});
-    // Masses 12 and 4 at -1 and 1: centre -0.5; inertia 12 * 4 (8/12 each m a^2/6) about own centres plus parallel axes:
-    // 12 * (4/6 + 0.25) + 4 * (4/6 + 2.25) = 11 + 11.6667.
+    // Masses 12 and 4 at -1 and 1: centre -0.5; inertia 12 * 4 (8/12 each m a^2/6) about own centres plus parallel
+    // axes: 12 * (4/6 + 0.25) + 4 * (4/6 + 2.25) = 11 + 11.6667.
     const BodyMass mass = world.mass(body);
     CHECK(mass.mass == doctest::Approx(16.0));
     CHECK(mass.center.x == doctest::Approx(-0.5));

@@ -1,0 +1,183 @@
+// The contact kernel, its blocks and its colours, against one contact at a time and closed forms.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "dynamics/contact_block.hpp"
+
+using namespace tumble;
+
+namespace {
+
+constexpr float kH = 1.0f / 240.0f;
+
+BodyId add_body(BodyStore& bodies, BodyType type, DVec2 position, float mass, float inertia) {
+    BodyDef def;
+    def.type = type;
+    def.pose.position = position;
+    const BodyId id = bodies.create(def);
+    bodies.set_mass(id, type == BodyType::dynamic_body ? BodyMass{mass, {}, inertia} : BodyMass{});
+    return id;
+}
+
+Contact make_touching(BodyId a, BodyId b, Vec2 normal, Vec2 arm_a, Vec2 arm_b, float separation) {
+    Contact contact;
+    contact.body_a = a.index;
+    contact.body_b = b.index;
+    contact.friction = 0.5f;
+    contact.manifold.normal = normal;
+    contact.manifold.point_count = 1;
+    contact.manifold.points[0] = {arm_a, arm_b, separation, 0};
+    return contact;
+}
+
+// Random bodies and random one-point contacts between them, some against a static body.
+struct Tangle {
+    BodyStore bodies;
+    std::vector<Contact> contacts;
+    ConstraintGraph graph;
+    std::vector<ContactBlock> blocks;
+
+    Tangle(unsigned seed, int body_count, int contact_count) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<float> value(-1.0f, 1.0f);
+        std::vector<BodyId> ids{add_body(bodies, BodyType::static_body, {}, 0.0f, 0.0f)};
+        for (int i = 0; i < body_count; ++i)
+            ids.push_back(add_body(bodies, BodyType::dynamic_body, {}, 1.5f + value(random), 1.5f + value(random)));
+        for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
+            bodies.solver_bodies[i].velocity = {value(random), value(random)};
+            bodies.solver_bodies[i].angular_velocity = value(random);
+        }
+        for (int i = 0; i < contact_count; ++i) {
+            const BodyId a = ids[random() % ids.size()], b = ids[random() % ids.size()];
+            if (a == b) continue;
+            const Rotation turn = make_rotation(3.0 * static_cast<double>(value(random)));
+            contacts.push_back(make_touching(a, b, {turn.c, turn.s}, {value(random), value(random)},
+                                             {value(random), value(random)}, 0.01f * value(random)));
+        }
+        graph.build(contacts, bodies);
+        prepare_contacts(contacts, bodies, graph, kH, blocks);
+    }
+};
+
+double normal_speed(const Tangle& tangle, const Contact& contact) {
+    const auto velocity = [&](std::uint32_t body, Vec2 arm) {
+        return velocity_at(tangle.bodies.solver_bodies[tangle.bodies.frames[body].solver_body], arm);
+    };
+    const ManifoldPoint& point = contact.manifold.points[0];
+    const Vec2 relative = velocity(contact.body_b, point.anchor_b) - velocity(contact.body_a, point.anchor_a);
+    return static_cast<double>(dot(relative, contact.manifold.normal));
+}
+
+}  // namespace
+
+TEST_CASE("every touching contact has one lane, and no block names a dynamic body twice") {
+    const Tangle tangle(1, 40, 200);
+    std::multiset<std::uint32_t> seen;
+    for (std::size_t i = 0; i < tangle.graph.block_count(); ++i) {
+        std::set<std::uint32_t> written;
+        for (const std::uint32_t index : tangle.graph.block(i)) {
+            if (index == ConstraintGraph::kNoContact) continue;
+            seen.insert(index);
+            for (const std::uint32_t body : {tangle.contacts[index].body_a, tangle.contacts[index].body_b})
+                if (tangle.bodies.is_dynamic(body)) CHECK(written.insert(body).second);
+        }
+    }
+    CHECK(seen.size() == tangle.contacts.size());
+    CHECK(std::set<std::uint32_t>(seen.begin(), seen.end()).size() == tangle.contacts.size());
+    CHECK(tangle.graph.color_count() <= 24);
+}
+
+TEST_CASE("contacts of a body with more of them than colours are solved alone") {
+    BodyStore bodies;
+    const BodyId hub = add_body(bodies, BodyType::dynamic_body, {}, 1.0f, 1.0f);
+    std::vector<Contact> contacts;
+    for (int i = 0; i < 30; ++i) {
+        const BodyId spoke = add_body(bodies, BodyType::dynamic_body, {}, 1.0f, 1.0f);
+        contacts.push_back(make_touching(hub, spoke, {0.0f, 1.0f}, {}, {}, 0.0f));
+    }
+    ConstraintGraph graph;
+    graph.build(contacts, bodies);
+    CHECK(graph.color_count() == kDynamicColors);
+    CHECK(graph.block_count() == 30);  // 16 blocks of one lane by colour, 14 without
+    for (std::size_t i = 0; i < graph.block_count(); ++i)
+        CHECK(std::ranges::count(graph.block(i), ConstraintGraph::kNoContact) == kLaneCount - 1);
+}
+
+TEST_CASE("the relax pass leaves the last contacts that it solves without approach") {
+    Tangle tangle(2, 40, 30);
+    relax_contacts(tangle.blocks, tangle.bodies.solver_bodies, 1.0f / kH);
+    // Nothing is solved after the last block: there s / h + v >= 0, up to rounding of sums of a few m/s.
+    int carried = 0;
+    for (const std::uint32_t index : tangle.graph.block(tangle.graph.block_count() - 1)) {
+        if (index == ConstraintGraph::kNoContact) continue;
+        const Contact& contact = tangle.contacts[index];
+        const double gap_speed = static_cast<double>(std::max(0.0f, contact.manifold.points[0].separation) / kH);
+        CHECK(normal_speed(tangle, contact) + gap_speed > -1e-5);
+        ++carried;
+    }
+    CHECK(carried > 0);
+}
+
+TEST_CASE("a soft contact gets the impulse of the closed form") {
+    // A ball of mass 2 on the ground, overlap 1 cm, falling at 0.5 m/s, no impulse before; static softness:
+    // x = -m (mass_scale v + bias) with the bias max(mass_scale bias_rate s, -3).
+    BodyStore bodies;
+    const BodyId ground = add_body(bodies, BodyType::static_body, {}, 0.0f, 0.0f);
+    const BodyId ball = add_body(bodies, BodyType::dynamic_body, {0.0, 0.5}, 2.0f, 0.25f);
+    bodies.solver_bodies[1].velocity = {0.0f, -0.5f};
+    const std::vector<Contact> contacts{make_touching(ground, ball, {0.0f, 1.0f}, {}, {0.0f, -0.5f}, -0.01f)};
+    ConstraintGraph graph;
+    graph.build(contacts, bodies);
+    std::vector<ContactBlock> blocks;
+    prepare_contacts(contacts, bodies, graph, kH, blocks);
+    solve_contacts(blocks, bodies.solver_bodies, 1.0f / kH);
+    const double omega = 2.0 * kPi * 60.0, h = 1.0 / 240.0;
+    const double a1 = 2.0 * 10.0 + h * omega, a2 = h * omega * a1, mass_scale = a2 / (1.0 + a2);
+    const double bias = std::max(mass_scale * (omega / a1) * -0.01, -3.0);
+    const double impulse = -2.0 * (mass_scale * -0.5 + bias);
+    CHECK(blocks[0].points[0].normal_impulse[0] == doctest::Approx(impulse).epsilon(1e-5));
+    CHECK(bodies.solver_bodies[1].velocity.y == doctest::Approx(-0.5 + impulse / 2.0).epsilon(1e-5));
+}
+
+TEST_CASE("unused lanes and absent points stay neutral through every pass") {
+    Tangle tangle(3, 6, 5);
+    for (int pass = 0; pass < 4; ++pass) {
+        warm_start_contacts(tangle.blocks, tangle.bodies.solver_bodies);
+        solve_contacts(tangle.blocks, tangle.bodies.solver_bodies, 1.0f / kH);
+        relax_contacts(tangle.blocks, tangle.bodies.solver_bodies, 1.0f / kH);
+    }
+    for (std::size_t i = 0; i < tangle.blocks.size(); ++i)
+        for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+            const auto at = static_cast<Eigen::Index>(lane);
+            CHECK(tangle.blocks[i].points[1].normal_impulse[at] == 0.0f);
+            if (tangle.graph.block(i)[lane] != ConstraintGraph::kNoContact) continue;
+            CHECK(tangle.blocks[i].points[0].normal_impulse[at] == 0.0f);
+            CHECK(tangle.blocks[i].points[0].tangent_impulse[at] == 0.0f);
+        }
+    CHECK(tangle.bodies.solver_bodies[kStaticSolverBody].velocity == Vec2{});
+}
+
+TEST_CASE("two points share a centred push equally, and do not tip the box") {
+    BodyStore bodies;
+    const BodyId ground = add_body(bodies, BodyType::static_body, {}, 0.0f, 0.0f);
+    const BodyId box = add_body(bodies, BodyType::dynamic_body, {0.0, 0.5}, 1.0f, 1.0f / 6.0f);
+    bodies.solver_bodies[1].velocity = {0.0f, -1.0f};
+    Contact contact = make_touching(ground, box, {0.0f, 1.0f}, {-0.5f, 0.0f}, {-0.5f, -0.5f}, 0.0f);
+    contact.manifold.point_count = 2;
+    contact.manifold.points[1] = {{0.5f, 0.0f}, {0.5f, -0.5f}, 0.0f, 1};
+    const std::vector<Contact> contacts{contact};
+    ConstraintGraph graph;
+    graph.build(contacts, bodies);
+    std::vector<ContactBlock> blocks;
+    prepare_contacts(contacts, bodies, graph, kH, blocks);
+    relax_contacts(blocks, bodies.solver_bodies, 1.0f / kH);
+    CHECK(blocks[0].points[0].normal_impulse[0] == doctest::Approx(0.5).epsilon(1e-5));
+    CHECK(blocks[0].points[1].normal_impulse[0] == blocks[0].points[0].normal_impulse[0]);
+    CHECK(bodies.solver_bodies[1].angular_velocity == 0.0f);
+    CHECK(std::abs(bodies.solver_bodies[1].velocity.y) < 1e-6f);
+}

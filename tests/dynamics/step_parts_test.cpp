@@ -1,0 +1,102 @@
+// The small parts of a step: softness, rotations, recycling, ids.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "dynamics/constants.hpp"
+#include "dynamics/id_pool.hpp"
+#include "dynamics/recycling.hpp"
+#include "dynamics/softness.hpp"
+#include "dynamics/solver_body.hpp"
+
+using namespace tumble;
+
+TEST_CASE("softness is the implicit damped spring") {
+    // Mass 1, position error 1, at rest: the implicit step of x'' = -w^2 x - 2 zeta w x' gives
+    // v = -h w^2 / (1 + 2 zeta w h + w^2 h^2).
+    constexpr double h = 1.0 / 240.0, hertz = 30.0, zeta = 10.0, w = 2.0 * kPi * hertz;
+    const Softness soft = make_softness(static_cast<float>(hertz), static_cast<float>(zeta), static_cast<float>(h));
+    const double v = -static_cast<double>(soft.mass_scale * soft.bias_rate);
+    CHECK(v == doctest::Approx(-h * w * w / (1.0 + 2.0 * zeta * w * h + w * w * h * h)).epsilon(1e-6));
+    CHECK(soft.mass_scale + soft.impulse_scale == doctest::Approx(1.0));
+}
+
+TEST_CASE("softness gives way to the sub-step") {
+    CHECK(contact_softness(1.0f / 60.0f).bias_rate == make_softness(7.5f, 10.0f, 1.0f / 60.0f).bias_rate);
+    CHECK(joint_softness(1.0f / 60.0f).bias_rate == make_softness(15.0f, 2.0f, 1.0f / 60.0f).bias_rate);
+}
+
+TEST_CASE("a small rotation has unit length and the angle asked for") {
+    for (const double wanted : {1e-6, 0.01, -0.05, 0.2}) {
+        const Rotation q = small_rotation(static_cast<float>(wanted));
+        CHECK(std::abs(double{q.c} * q.c + double{q.s} * q.s - 1.0) < 2e-7);
+        const double series_error = std::pow(std::abs(wanted), 5) / 120.0;
+        CHECK(std::abs(angle(q) - wanted) <= series_error + 1.5e-7 * std::abs(wanted));
+    }
+}
+
+TEST_CASE("lengths shrink with small things, and stop growing at human scale") {
+    CHECK(speculative_distance(0.02f) == doctest::Approx(0.002));  // a 2 cm ball must not touch at a 2 cm gap
+    CHECK(speculative_distance(5.0f) == 0.02f);
+    CHECK(aabb_margin(0.08f) == doctest::Approx(0.01));
+    CHECK(aabb_margin(5.0f) == 0.05f);
+}
+
+TEST_CASE("a recycled manifold moves with the bodies") {
+    // Unit boxes, B on top of A, 1 mm apart; anchors half way.
+    ManifoldReference reference;
+    reference.manifold.normal = {0.0f, 1.0f};
+    reference.manifold.point_count = 1;
+    reference.manifold.points[0] = {{0.5f, 0.5005f}, {0.5f, -0.5005f}, 0.001f, 7};
+    reference.offset = {0.0, 1.001};
+    reference.is_valid = true;
+    constexpr float kReach = 0.7072f, kTolerance = 5e-4f;
+    Manifold manifold;
+    const Pose a;
+
+    Pose b{{0.0, 1.0012}, {}};
+    REQUIRE(recycle(reference, a, b, kReach, kReach, kTolerance, manifold));
+    CHECK(manifold.points[0].separation == doctest::Approx(0.0012).epsilon(1e-4));
+    CHECK(manifold.points[0].feature == 7);
+
+    // B turns by 0.5 mrad about its centre: its corner at (0.5, -0.5) rises by 0.25 mm.
+    b = {{0.0, 1.001}, make_rotation(5e-4)};
+    REQUIRE(recycle(reference, a, b, kReach, kReach, kTolerance, manifold));
+    CHECK(manifold.points[0].separation == doctest::Approx(0.00125).epsilon(1e-3));
+
+    // Both turn and travel together, far: nothing has moved between them.
+    const Pose turn{{1000.0, -50.0}, make_rotation(1.0)};
+    const Pose moved_b{turn.position + rotate(turn.rotation, DVec2{0.0, 1.001}), turn.rotation};
+    REQUIRE(recycle(reference, turn, moved_b, kReach, kReach, kTolerance, manifold));
+    CHECK(manifold.points[0].separation == doctest::Approx(0.001).epsilon(1e-3));
+    CHECK(manifold.normal.x == doctest::Approx(-std::sin(1.0)));
+}
+
+TEST_CASE("a manifold is not recycled beyond the tolerance, nor before it is known") {
+    ManifoldReference reference;
+    Manifold manifold;
+    CHECK_FALSE(recycle(reference, {}, {}, 1.0f, 1.0f, 1e-3f, manifold));
+    reference.is_valid = true;
+    CHECK(recycle(reference, {}, {{0.0009, 0.0}, {}}, 1.0f, 1.0f, 1e-3f, manifold));
+    CHECK_FALSE(recycle(reference, {}, {{0.0011, 0.0}, {}}, 1.0f, 1.0f, 1e-3f, manifold));
+    CHECK_FALSE(recycle(reference, {}, {{}, make_rotation(0.0011)}, 1.0f, 1.0f, 1e-3f, manifold));
+    // Half a turn has no sine, and is a large motion all the same.
+    CHECK_FALSE(recycle(reference, {}, {{}, {-1.0f, 0.0f}}, 1.0f, 1.0f, 1e-3f, manifold));
+    // The smaller of two bodies decides how far turning carries its points.
+    CHECK(recycle(reference, {}, {{}, make_rotation(0.001)}, 1000.0f, 0.5f, 1e-3f, manifold));
+}
+
+TEST_CASE("an id pool uses an index again only when it is recycled") {
+    IdPool<BodyId> pool;
+    const BodyId first = pool.acquire(), second = pool.acquire();
+    pool.release(first);
+    CHECK_FALSE(pool.is_live(first));
+    const BodyId third = pool.acquire();
+    CHECK(third.index == 2);
+    pool.recycle(first.index);
+    const BodyId fourth = pool.acquire();
+    CHECK(fourth.index == first.index);
+    CHECK(fourth.generation == first.generation + 1);
+    CHECK(std::vector<BodyId>(pool.live().begin(), pool.live().end()) == std::vector<BodyId>{fourth, second, third});
+}

@@ -1,0 +1,93 @@
+// What no step may create: momentum and energy.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "support/worlds.hpp"
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+constexpr double kGravity = 10.0;
+
+DVec2 total_momentum(const World& world) {
+    DVec2 sum;
+    for (const BodyId id : world.bodies()) sum += double{world.mass(id).mass} * DVec2(world.state(id).velocity);
+    return sum;
+}
+
+// Kinetic energy, and potential energy above y = 0.
+double total_energy(const World& world) {
+    double sum = 0.0;
+    for (const BodyId id : world.bodies()) {
+        const BodyMass mass = world.mass(id);
+        const BodyState state = world.state(id);
+        const double w = static_cast<double>(state.angular_velocity);
+        sum += 0.5 * double{mass.mass} * length_sq(DVec2(state.velocity)) + 0.5 * double{mass.inertia} * w * w +
+               double{mass.mass} * kGravity * state.pose.position.y;
+    }
+    return sum;
+}
+
+Shape random_shape(std::mt19937& random) {
+    std::uniform_real_distribution<float> size(0.2f, 0.6f);
+    switch (random() % 3) {
+        case 0:
+            return make_circle(size(random));
+        case 1:
+            return make_box({2.0f * size(random), 2.0f * size(random)});
+        default:
+            return make_capsule({-size(random), 0.0f}, {size(random), 0.0f}, 0.2f);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("colliding bodies keep the sum of their momenta to rounding") {
+    World world = weightless();
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> speed(-3.0f, 3.0f);
+    double scale = 0.0;
+    for (int i = 0; i < 25; ++i) {
+        const BodyId id =
+            add_dynamic(world, {1.5 * (i % 5), 1.5 * (i / 5)}, random_shape(random), {.restitution = 0.3f});
+        world.set_velocity(id, {speed(random), speed(random)}, speed(random));
+        scale += double{world.mass(id).mass} * 4.3;
+    }
+    const DVec2 before = total_momentum(world);
+    int touching = 0;
+    for (int step = 0; step < 180; ++step) {
+        world.step();
+        touching += world.counters().contacts;
+    }
+    CHECK(touching > 200);
+    // In each of 180 * 4 sub-steps a body's velocity is rounded by a few passes over its contacts: 20 roundings of
+    // 2^-24 of its momentum, of either sign.
+    CHECK(length(total_momentum(world) - before) < 180 * 4 * 20 * 0x1p-24 * scale);
+}
+
+TEST_CASE("a passive scene never gains more than 1 % of energy in a minute") {
+    World world;
+    add_floor(world);
+    add_static(world, {-5.5, 10.0}, make_box({1.0f, 20.0f}));
+    add_static(world, {5.5, 10.0}, make_box({1.0f, 20.0f}));
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> turn(-kPi, kPi);
+    for (int i = 0; i < 40; ++i)
+        add_dynamic(world, {-4.0 + 2.0 * (i % 5), 1.0 + 1.6 * (i / 5)}, random_shape(random), {}, turn(random));
+    double lowest = total_energy(world);
+    double largest_gain = 0.0;
+    const double start = lowest;
+    for (int step = 0; step < 3600; ++step) {
+        world.step();
+        const double now = total_energy(world);
+        lowest = std::min(lowest, now);
+        largest_gain = std::max(largest_gain, now - lowest);
+    }
+    CHECK(largest_gain < 0.01 * start);
+    for (const BodyId id : world.bodies()) CHECK(world.state(id).pose.position.y > -1.1);  // nothing fell through
+}

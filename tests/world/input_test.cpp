@@ -1,0 +1,87 @@
+// What a caller must not pass is refused with the value printed, and leaves the world as it was.
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "support/worlds.hpp"
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+std::string refusal(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("definitions out of range are refused with the value") {
+    World world;
+    const BodyId body = add_dynamic(world, {}, make_circle(1.0f));
+    const BodyId other = add_static(world, {0.0, -3.0}, make_circle(1.0f));
+    const std::uint64_t before = world.state_hash();
+
+    CHECK(refusal([] { World(WorldDef{.gravity = {0.0f, kNan}}); }) == "gravity must be finite, got (0, nan)");
+    CHECK(refusal([] { World(WorldDef{.steps_per_second = 0.0f}); }) ==
+          "steps_per_second must be finite and greater than 0, got 0");
+    CHECK(refusal([] { World(WorldDef{.substeps = 0}); }) == "substeps must be at least 1, got 0");
+    CHECK(refusal([&] {
+              world.create_body({.pose = {{kInfinity, 0.0}, {}}});
+          }) == "body position must be finite, got (inf, 0)");
+    CHECK(refusal([&] {
+              world.create_body({.pose = {{}, {1.0f, 0.5f}}});
+          }) == "body rotation (cosine, sine) must be of length 1, got (1, 0.5)");
+    CHECK(refusal([&] { world.create_body({.linear_damping = -2.0f}); }) ==
+          "body linear_damping must be finite and not negative, got -2");
+    CHECK(refusal([&] { world.add_shape(body, {}); }) == "shape must have at least 1 vertex, got 0");
+    CHECK(refusal([&] {
+              world.add_shape(body, {make_circle(1.0f), {.restitution = 1.5f}});
+          }) == "shape restitution must be between 0 and 1, got 1.5");
+    CHECK(refusal([&] {
+              world.add_shape(body, {make_circle(1.0f), {.friction = -0.5f}});
+          }) == "shape friction must be finite and not negative, got -0.5");
+    CHECK(refusal([&] {
+              world.set_velocity(body, {kNan, 1.0f}, 0.0f);
+          }) == "body velocity must be finite, got (nan, 1)");
+    CHECK(refusal([&] {
+              world.set_velocity(other, {1.0f, 1.0f}, 0.0f);
+          }) == "body 1 is static: it has no velocity to set");
+    CHECK(refusal([&] { world.create_joint(DistanceJointDef{.body_a = body, .body_b = other, .length = 0.0f}); }) ==
+          "joint length must be finite and greater than 0, got 0");
+    CHECK(refusal([&] { world.create_joint(RevoluteJointDef{.body_a = body, .body_b = body}); }) ==
+          "joint needs two bodies, got body 0 twice");
+    CHECK(refusal([&] { world.state({9, 0}); }) == "body id is stale or foreign: index 9, generation 0");
+
+    CHECK(world.state_hash() == before);
+    CHECK(world.bodies().size() == 2);
+    CHECK(world.joints().empty());
+    world.validate();
+}
+
+TEST_CASE("a world that diverges says which body, and can still be read") {
+    World world(WorldDef{.steps_per_second = 0.1f});  // 10 s at 3e38 m/s: more than a float holds
+    add_static(world, {}, make_circle(1.0f));
+    const BodyId lost = world.create_body({.type = BodyType::kinematic_body, .velocity = {3e38f, 0.0f}});
+    try {
+        world.step();
+        FAIL("an infinite position went unnoticed");
+    } catch (const SimulationDiverged& error) {
+        CHECK(error.body == lost);
+        CHECK(error.step == world.step_count());
+    }
+    CHECK_THROWS_AS(world.step(), SimulationDiverged);
+    CHECK(world.bodies().size() == 2);
+    CHECK_NOTHROW(world.state(lost));
+}
