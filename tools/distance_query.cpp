@@ -1,33 +1,52 @@
 #include "distance_query.hpp"
 
-#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "input_error.hpp"
+#include "json_members.hpp"
 #include "shape_json.hpp"
 
 namespace tumble::tools {
 
-using Json = nlohmann::json;
-
 namespace {
 
-Json parse_json(std::string_view text, const std::string& what) {
-    try {
-        return Json::parse(text);
-    } catch (const Json::exception& error) {
-        throw InputError(what + " is not valid JSON: " + error.what());
+// The members of an object; for any other text, what is wrong with it.
+std::vector<JsonMember> members_of(std::string_view text, const std::string& source) {
+    if (std::optional<std::vector<JsonMember>> members = split_members(text)) return *std::move(members);
+    throw InputError(source + ": must be a JSON object, got " + parse_json(text, source).dump());
+}
+
+// Sets a value that is allowed once.
+void set_once(std::optional<std::string_view>& value, const JsonMember& member) {
+    if (value) throw InputError(std::string(member.key) + ": is given twice");
+    value = member.value;
+}
+
+Pose optional_pose(std::optional<std::string_view> text, const std::string& source) {
+    return text ? parse_pose(*text, source) : Pose{};
+}
+
+struct ShapeAtPose {
+    Shape shape;
+    Pose pose;
+};
+
+// A SHAPE with an optional key "pose".
+ShapeAtPose parse_argument(std::string_view text, const std::string& source) {
+    std::optional<std::string_view> pose;
+    std::string shape;
+    for (const JsonMember& member : members_of(text, source)) {
+        if (member.key == "pose") {
+            set_once(pose, member);
+            continue;
+        }
+        shape += shape.empty() ? "{\"" : ", \"";
+        shape.append(member.key).append("\": ").append(member.value);
     }
-}
-
-Json parse_object(std::string_view text, const std::string& what) {
-    Json object = parse_json(text, what);
-    if (!object.is_object()) throw InputError(what + " must be a JSON object, got " + object.dump());
-    return object;
-}
-
-Pose optional_pose(const Json& object, const char* key, const std::string& source) {
-    const auto found = object.find(key);
-    return found == object.end() ? Pose{} : parse_pose(*found, source);
+    shape += shape.empty() ? "{}" : "}";
+    return {parse_shape(shape, source), optional_pose(pose, source + "/pose")};
 }
 
 const char* to_text(DistanceStatus status) {
@@ -71,23 +90,26 @@ std::string point_text(DVec2 point) {
 }  // namespace
 
 DistanceQuery parse_query_line(std::string_view line) {
-    const Json object = parse_object(line, "the line");
-    for (const auto& item : object.items())
-        if (item.key() != "a" && item.key() != "b" && item.key() != "a_pose" && item.key() != "b_pose")
-            throw InputError(item.key() + ": unknown key; a line has a, b, a_pose and b_pose");
-    if (!object.contains("a") || !object.contains("b")) throw InputError("needs the keys a and b");
-    return {parse_shape(object["a"], "a"), parse_shape(object["b"], "b"), optional_pose(object, "a_pose", "a_pose"),
-            optional_pose(object, "b_pose", "b_pose")};
+    std::optional<std::string_view> a, b, a_pose, b_pose;
+    for (const JsonMember& member : members_of(line, "the line")) {
+        if (member.key == "a")
+            set_once(a, member);
+        else if (member.key == "b")
+            set_once(b, member);
+        else if (member.key == "a_pose")
+            set_once(a_pose, member);
+        else if (member.key == "b_pose")
+            set_once(b_pose, member);
+        else
+            throw InputError(std::string(member.key) + ": unknown key; a line has a, b, a_pose and b_pose");
+    }
+    if (!a || !b) throw InputError("needs the keys a and b");
+    return {parse_shape(*a, "a"), parse_shape(*b, "b"), optional_pose(a_pose, "a_pose"), optional_pose(b_pose, "b_pose")};
 }
 
 DistanceQuery parse_query_arguments(std::string_view a, std::string_view b) {
-    Json object_a = parse_object(a, "A");
-    Json object_b = parse_object(b, "B");
-    const Pose a_pose = optional_pose(object_a, "pose", "A/pose");
-    const Pose b_pose = optional_pose(object_b, "pose", "B/pose");
-    object_a.erase("pose");
-    object_b.erase("pose");
-    return {parse_shape(object_a, "A"), parse_shape(object_b, "B"), a_pose, b_pose};
+    ShapeAtPose at_a = parse_argument(a, "A"), at_b = parse_argument(b, "B");
+    return {std::move(at_a.shape), std::move(at_b.shape), at_a.pose, at_b.pose};
 }
 
 void write_answer(JsonWriter& json, const DistanceQuery& query, const DistanceResult& result) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "input_error.hpp"
@@ -38,18 +38,22 @@ Rotation read_rotation(const Json& rotation, const std::string& source) {
 
 }  // namespace
 
-Shape parse_shape(const Json& shape, const std::string& source) {
-    const ShapeGeometry geometry = parse_geometry(shape.dump(), source);
+Json parse_json(std::string_view text, const std::string& source) {
     try {
-        const std::vector<Shape> shapes = make_shapes(geometry);
-        if (shapes.size() == 1) return shapes.front();
-    } catch (const std::invalid_argument& error) {
-        fail(source, error.what());
+        return Json::parse(text);
+    } catch (const Json::exception& error) {
+        fail(source, std::string("not valid JSON: ") + error.what());
     }
+}
+
+Shape parse_shape(std::string_view text, const std::string& source) {
+    std::vector<Shape> shapes = parse_shapes(text, source);
+    if (shapes.size() == 1) return std::move(shapes.front());
     fail(source, "must be one convex shape; of a chain or an outline, give one piece");
 }
 
-Pose parse_pose(const Json& pose, const std::string& source) {
+Pose parse_pose(std::string_view text, const std::string& source) {
+    const Json pose = parse_json(text, source);
     if (!pose.is_object()) fail(source, "must be an object, got " + pose.dump());
     Pose parsed;
     for (const auto& item : pose.items()) {

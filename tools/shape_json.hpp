@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <string_view>
 
 #include "tumble/math.hpp"
 #include "tumble/shape.hpp"
@@ -12,10 +13,13 @@ namespace tumble::tools {
 
 // A shape as in scene files, but its radius may be 0 and it must be one convex piece. `source` names it in messages.
 // Throws SceneError or InputError.
-Shape parse_shape(const nlohmann::json& shape, const std::string& source);
+Shape parse_shape(std::string_view text, const std::string& source);
 
 // {"position": [x, y], "angle": degrees} or {"position": [x, y], "rotation": [c, s]}; each part may be left out.
 // Throws InputError.
-Pose parse_pose(const nlohmann::json& pose, const std::string& source);
+Pose parse_pose(std::string_view text, const std::string& source);
+
+// The text as a JSON value. Throws InputError that names the source.
+nlohmann::json parse_json(std::string_view text, const std::string& source);
 
 }  // namespace tumble::tools

@@ -256,9 +256,9 @@ std::uint64_t scene_hash(const Scene& scene);
 // std::invalid_argument, with the value printed, for degenerate geometry.
 std::vector<Shape> make_shapes(const ShapeGeometry& geometry);
 
-// Reads one shape as scene files write it, {"box": {"size": [2, 1]}}, for a distance query: radii of 0 are allowed.
-// Throws SceneError; `source` stands where the file's name would.
-ShapeGeometry parse_geometry(std::string_view text, const std::string& source);
+// Reads a shape as scene files write it, {"box": {"size": [2, 1]}}, for a distance query: radii of 0 are allowed. One
+// shape, or several for chains and outlines. Throws SceneError; `source` stands where the file's name would.
+std::vector<Shape> parse_shapes(std::string_view text, const std::string& source);
 
 // One body of the built world: which entry of Scene::bodies it came from, and its name after repeating
 // (empty for unnamed bodies, which are called body[i] in output, i counting the built bodies).

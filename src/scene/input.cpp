@@ -1,5 +1,5 @@
-// Two passes of the parser: the first, by events, finds what the second, which builds the value, would swallow
-// (duplicate keys) or choke on (nesting).
+// One pass of the parser: its events build the value, and find what the builder would swallow (duplicate keys) or choke
+// on (nesting).
 #include "scene/input.hpp"
 
 #include <algorithm>
@@ -13,28 +13,31 @@ namespace tumble::scene {
 
 namespace {
 
-class Checker : public nlohmann::json_sax<Json> {
+class CheckedBuilder : public nlohmann::json_sax<Json> {
 public:
-    Checker(std::string_view text, Diagnostics& diagnostics) : text_(text), diagnostics_(diagnostics) {}
+    CheckedBuilder(std::string_view text, Json& value, Diagnostics& diagnostics)
+        : text_(text), diagnostics_(diagnostics), builder_(value) {}
 
-    bool null() override { return element(); }
-    bool boolean(bool) override { return element(); }
-    bool number_integer(number_integer_t) override { return element(); }
-    bool number_unsigned(number_unsigned_t) override { return element(); }
-    bool number_float(number_float_t, const string_t&) override { return element(); }
-    bool string(string_t&) override { return element(); }
-    bool binary(binary_t&) override { return element(); }
-    bool start_object(std::size_t) override { return open(true); }
-    bool start_array(std::size_t) override { return open(false); }
-    bool end_object() override { return close(); }
-    bool end_array() override { return close(); }
+    bool null() override { return element() && builder_.null(); }
+    bool boolean(bool truth) override { return element() && builder_.boolean(truth); }
+    bool number_integer(number_integer_t number) override { return element() && builder_.number_integer(number); }
+    bool number_unsigned(number_unsigned_t number) override { return element() && builder_.number_unsigned(number); }
+    bool number_float(number_float_t number, const string_t& digits) override {
+        return element() && builder_.number_float(number, digits);
+    }
+    bool string(string_t& text) override { return element() && builder_.string(text); }
+    bool binary(binary_t& bytes) override { return element() && builder_.binary(bytes); }
+    bool start_object(std::size_t size) override { return open(true) && builder_.start_object(size); }
+    bool start_array(std::size_t size) override { return open(false) && builder_.start_array(size); }
+    bool end_object() override { return close() && builder_.end_object(); }
+    bool end_array() override { return close() && builder_.end_array(); }
 
     bool key(string_t& name) override {
         Level& level = levels_.back();
         if (!level.keys.insert(name).second)
             diagnostics_.error(append_key(pointer(), name), "this key occurs twice", "", Diagnostics::At::key);
         level.key = name;
-        if (level.keys.size() <= kMaxKeysInObject) return true;
+        if (level.keys.size() <= kMaxKeysInObject) return builder_.key(name);
         diagnostics_.error(pointer(), "an object with more than " + std::to_string(kMaxKeysInObject) + " keys");
         return false;
     }
@@ -114,6 +117,7 @@ private:
 
     std::string_view text_;
     Diagnostics& diagnostics_;
+    nlohmann::detail::json_sax_dom_parser<Json> builder_;
     std::vector<Level> levels_;
 };
 
@@ -133,9 +137,10 @@ std::optional<Json> parse_json(std::string_view text, Diagnostics& diagnostics) 
         diagnostics.error_at_offset(0, "the file is empty", "the least scene is {\"format\": 1}");
         return std::nullopt;
     }
-    Checker checker(text, diagnostics);
-    if (!Json::sax_parse(text, &checker, Json::input_format_t::json, true, true)) return std::nullopt;
-    return Json::parse(text, nullptr, true, true);
+    Json value;
+    CheckedBuilder builder(text, value, diagnostics);
+    if (!Json::sax_parse(text, &builder, Json::input_format_t::json, true, true)) return std::nullopt;
+    return value;
 }
 
 }  // namespace tumble::scene

@@ -38,20 +38,19 @@ Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* war
 
 void save_scene(const Scene& scene, const std::filesystem::path& file) { scene::replace_file(file, to_json(scene)); }
 
-ShapeGeometry parse_geometry(std::string_view text, const std::string& source) {
+std::vector<Shape> parse_shapes(std::string_view text, const std::string& source) {
     scene::Diagnostics diagnostics(source, text);
-    ShapeGeometry geometry;
-    if (const std::optional<scene::Json> value = scene::parse_json(text, diagnostics))
-        geometry = scene::read_query_geometry(*value, diagnostics);
-    if (!diagnostics.has_errors()) {
+    std::vector<Shape> shapes;
+    if (const std::optional<scene::Json> value = scene::parse_json(text, diagnostics)) {
+        const ShapeGeometry geometry = scene::read_query_geometry(*value, diagnostics);
         try {
-            make_shapes(geometry);
+            if (!diagnostics.has_errors()) shapes = make_shapes(geometry);
         } catch (const std::invalid_argument& cause) {
             diagnostics.error("", cause.what());
         }
     }
     diagnostics.finish(nullptr);
-    return geometry;
+    return shapes;
 }
 
 }  // namespace tumble
