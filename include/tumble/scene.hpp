@@ -52,10 +52,10 @@ public:
 };
 
 struct SceneSettings {
-    DVec2 gravity{0.0, -10.0};       // m/s^2
+    DVec2 gravity{0.0, -10.0};  // m/s^2
     double steps_per_second = 60.0;
     int substeps = 4;
-    double duration = 5.0;           // s
+    double duration = 5.0;  // s
     std::uint64_t seed = 1;
     bool sleeping = true;
     bool continuous = true;
@@ -243,7 +243,8 @@ std::vector<std::string> ignored_features(const Scene& scene);
 // The canonical text: keys in the schema's order, defaults left out, shortest round-trip numbers. Throws
 // std::invalid_argument for a `custom` that is not JSON.
 std::string to_json(const Scene& scene);
-void save_scene(const Scene& scene, const std::filesystem::path& file);  // written aside, then renamed; throws FileError
+void save_scene(const Scene& scene,
+                const std::filesystem::path& file);  // written aside, then renamed; throws FileError
 
 // The JSON schema (Draft-07) of format 1, as published in scenes/scene.schema.json.
 std::string scene_schema();

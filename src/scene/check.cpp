@@ -7,19 +7,21 @@
 
 #include "scene/fields.hpp"
 #include "scene/geometry.hpp"
-#include "scene/json_text.hpp"
 #include "scene/joints.hpp"
+#include "scene/json_text.hpp"
 #include "scene/names.hpp"
+#include "scene/place.hpp"
 #include "scene/pointer.hpp"
 #include "scene/repeat.hpp"
-#include "scene/place.hpp"
 #include "scene/suggest.hpp"
 
 namespace tumble::scene {
 
 namespace {
 
-std::string at(const std::string& list, std::size_t index) { return list + '/' + std::to_string(index); }
+std::string at(const std::string& list, std::size_t index) {
+    return list + '/' + std::to_string(index);
+}
 
 class Checker {
 public:
@@ -33,7 +35,8 @@ public:
         check_unique(names);
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) check_places(i);
         for (std::size_t i = 0; i < scene_.joints.size(); ++i) check_joint(scene_.joints[i], at("/joints", i), names);
-        for (std::size_t i = 0; i < scene_.timeline.size(); ++i) check_event(scene_.timeline[i], at("/timeline", i), names);
+        for (std::size_t i = 0; i < scene_.timeline.size(); ++i)
+            check_event(scene_.timeline[i], at("/timeline", i), names);
         for (std::size_t i = 0; i < scene_.expect.size(); ++i) {
             if (scene_.expect[i].inside) require_body(scene_.expect[i].body, at("/expect", i), "body", names);
         }
@@ -77,15 +80,17 @@ private:
             return;
         std::vector<std::string_view> names;
         for (const SceneMaterial& material : scene_.materials) names.push_back(material.name);
-        error(pointer + "/material", "there is no material " + quoted(shape.material), suggestion(shape.material, names));
+        error(pointer + "/material", "there is no material " + quoted(shape.material),
+              suggestion(shape.material, names));
     }
 
     void report_hull(const PolygonGeometry& polygon, const std::string& pointer) {
         HullReport report;
         make_hull(polygon, &report);
         if (report.interior > 0)
-            diagnostics_.warning(pointer, std::to_string(report.interior) + " of the vertices lie inside the hull and are left out",
-                                 "an outline keeps a concave shape");
+            diagnostics_.warning(
+                pointer, std::to_string(report.interior) + " of the vertices lie inside the hull and are left out",
+                "an outline keeps a concave shape");
         if (report.duplicate + report.collinear > 0)
             diagnostics_.warning(pointer, std::to_string(report.duplicate + report.collinear) +
                                               " of the vertices are duplicate or on an edge and are left out");
@@ -139,7 +144,8 @@ private:
         const auto a = require_body(joint.body_a, pointer, "bodies/0", names);
         const auto b = require_body(joint.body_b, pointer, "bodies/1", names);
         if (!a || !b) return;
-        if (*a == *b) return error(pointer + "/bodies", "a joint needs two bodies, got " + quoted(joint.body_a) + " twice");
+        if (*a == *b)
+            return error(pointer + "/bodies", "a joint needs two bodies, got " + quoted(joint.body_a) + " twice");
         if (diagnostics_.has_errors_in(pointer) || bodies_unread_) return;
         try {
             make_joint(joint, placed_[*a], placed_[*b]);
@@ -179,6 +185,8 @@ private:
 
 }  // namespace
 
-void check_scene(const Scene& scene, Diagnostics& diagnostics) { Checker(scene, diagnostics).run(); }
+void check_scene(const Scene& scene, Diagnostics& diagnostics) {
+    Checker(scene, diagnostics).run();
+}
 
 }  // namespace tumble::scene

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "scene/locate.hpp"
 #include "scene/pointer.hpp"
 
 namespace tumble {
@@ -13,7 +14,9 @@ namespace {
 // A caret under a column of a long line is shown with this much of the line on each side, in bytes.
 constexpr std::size_t kExcerptSide = 60;
 
-bool is_continuation_byte(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
+bool is_continuation_byte(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
+}
 
 struct Excerpt {
     std::string line;

@@ -13,7 +13,9 @@
 // structs themselves. Checks across fields are in check.cpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -34,11 +36,11 @@ struct Range {
 };
 
 // Upper ends keep every product that a step forms (mass times length squared) inside the range of float.
-inline constexpr double kFarthest = 1e9;   // positions, m
-inline constexpr double kLargest = 1e5;    // sizes and shape coordinates, m
-inline constexpr double kFastest = 1e6;    // velocities; also angles and what else has no natural end
-inline constexpr double kLongest = 1e6;    // durations, s
-inline constexpr double kMost = 1e6;       // copies that one repeater makes
+inline constexpr double kFarthest = 1e9;  // positions, m
+inline constexpr double kLargest = 1e5;   // sizes and shape coordinates, m
+inline constexpr double kFastest = 1e6;   // velocities; also angles and what else has no natural end
+inline constexpr double kLongest = 1e6;   // durations, s
+inline constexpr double kMost = 1e6;      // copies that one repeater makes
 
 inline constexpr Range kPosition{-kFarthest, kFarthest};
 inline constexpr Range kCoordinate{-kLargest, kLargest};
@@ -72,12 +74,23 @@ template <class Enum>
 inline constexpr std::array<std::pair<Enum, std::string_view>, 0> kEnumNames{};
 template <>
 inline constexpr std::array<std::pair<BodyType, std::string_view>, 3> kEnumNames<BodyType>{
-    {{BodyType::static_body, "static"},
-     {BodyType::kinematic_body, "kinematic"},
-     {BodyType::dynamic_body, "dynamic"}}};
+    {{BodyType::static_body, "static"}, {BodyType::kinematic_body, "kinematic"}, {BodyType::dynamic_body, "dynamic"}}};
 template <>
 inline constexpr std::array<std::pair<SceneJointType, std::string_view>, 2> kEnumNames<SceneJointType>{
     {{SceneJointType::revolute, "revolute"}, {SceneJointType::distance, "distance"}}};
+
+// A visitor that collects the keys of a struct.
+struct FieldNames {
+    void field(const Field& field, auto) { all.push_back(field.name); }
+    void pair(const Field& field, auto, auto) { all.push_back(field.name); }
+    void named(const Field& field, auto) { all.push_back(field.name); }
+    void json(const Field& field, auto) { all.push_back(field.name); }
+    void constant(const Field& field, int) { all.push_back(field.name); }
+    void one_of(const Field&, auto) {}
+    void exactly_one(std::initializer_list<std::string_view>) {}
+
+    std::vector<std::string_view> all;
+};
 
 // A visitor that collects the keys of a variant's alternatives, in the order of its types.
 struct AlternativeNames {
@@ -98,8 +111,7 @@ void visit_fields(V& v, Type<SceneSettings>) {
     v.field({"duration", "Simulated time of a run.", "s", kTime}, &SceneSettings::duration);
     v.field({"seed", "Where the random numbers of scatter repeaters start.", "", kSeed}, &SceneSettings::seed);
     v.field({"sleeping", "Whether bodies at rest fall asleep."}, &SceneSettings::sleeping);
-    v.field({"continuous", "Whether fast bodies are kept from passing through thin ones."},
-            &SceneSettings::continuous);
+    v.field({"continuous", "Whether fast bodies are kept from passing through thin ones."}, &SceneSettings::continuous);
 }
 
 template <class V>
@@ -117,7 +129,9 @@ void visit_fields(V& v, Type<SceneMaterial>) {
     v.field({"density", "Mass of a square metre.", "kg/m^2", kNotNegative}, &SceneMaterial::density);
     v.field({"friction", "Of two surfaces, the square root of the product counts.", "", kNotNegative},
             &SceneMaterial::friction);
-    v.field({"restitution", "Part of the speed that a bounce gives back; of two surfaces, the larger counts.", "",
+    v.field({"restitution",
+             "Part of the speed that a bounce gives back; of two surfaces, the larger counts.",
+             "",
              {0.0, 1.0}},
             &SceneMaterial::restitution);
     v.field({"rolling_resistance", "Lever arm of the resistance to rolling, in radii of the shape.", "", kNotNegative},
@@ -191,9 +205,9 @@ void visit_alternatives(V& v, Type<ShapeGeometry>) {
 template <class V>
 void visit_fields(V& v, Type<SceneShape>) {
     v.one_of({.name = "shape", .description = "What the shape is."}, &SceneShape::geometry);
-    v.field({.name = "material", .description = "Name of a material; left out: the defaults of one.",
-             .text = Text::name},
-            &SceneShape::material);
+    v.field(
+        {.name = "material", .description = "Name of a material; left out: the defaults of one.", .text = Text::name},
+        &SceneShape::material);
     v.json({"custom", "Anything a user wants to keep."}, &SceneShape::custom);
 }
 
@@ -246,9 +260,9 @@ std::string_view alternative_name(const Variant& variant) {
 
 template <class V>
 void visit_fields(V& v, Type<SceneBody>) {
-    v.field({.name = "name", .description = "Unique; copies are called name[0], name[1] and so on.",
-             .text = Text::name},
-            &SceneBody::name);
+    v.field(
+        {.name = "name", .description = "Unique; copies are called name[0], name[1] and so on.", .text = Text::name},
+        &SceneBody::name);
     v.field({"type", "static: never moves; kinematic: moves by its velocity alone; dynamic: is pushed about."},
             &SceneBody::type);
     v.field({"position", "Of the body's origin.", "m", kPosition}, &SceneBody::position);
@@ -290,8 +304,10 @@ void visit_fields(V& v, Type<SceneJoint>) {
     v.field({"anchors", "The points that it acts on, each in the coordinates of its body.", "m", kCoordinate},
             &SceneJoint::anchors);
     v.exactly_one({"anchor", "anchors"});
-    v.field({"reference_angle", "Angle of the second body minus that of the first at joint angle 0; left out: as they "
-             "are at load. Revolute joints only.", "degrees"},
+    v.field({"reference_angle",
+             "Angle of the second body minus that of the first at joint angle 0; left out: as they "
+             "are at load. Revolute joints only.",
+             "degrees"},
             &SceneJoint::reference_angle);
     v.field({"length", "Of the rod; left out: the distance at load. Distance joints only.", "m", kLength},
             &SceneJoint::length);
@@ -320,8 +336,7 @@ void visit_fields(V& v, Type<SceneEvent>) {
 template <class V>
 void visit_fields(V& v, Type<SceneExpectation>) {
     v.field({"at_rest_by", "Time by which nothing moves any more.", "s", kTime}, &SceneExpectation::at_rest_by);
-    v.field({"max_penetration", "Depth that no overlap may pass.", "m", kRounding},
-            &SceneExpectation::max_penetration);
+    v.field({"max_penetration", "Depth that no overlap may pass.", "m", kRounding}, &SceneExpectation::max_penetration);
     v.field({.name = "body", .description = "Name of the body that is looked at.", .text = Text::name},
             &SceneExpectation::body);
     v.field({"inside", "Lower left and upper right corner of a box that holds the body's position.", "m", kPosition},
@@ -344,6 +359,13 @@ void visit_fields(V& v, Type<Scene>) {
     v.field({"timeline", "What happens during the run."}, &Scene::timeline);
     v.field({"expect", "What must be true; tested by check."}, &Scene::expect);
     v.json({"custom", "Anything a user wants to keep."}, &Scene::custom);
+}
+
+template <class T>
+bool has_field(std::string_view name) {
+    FieldNames names;
+    visit_fields(names, Type<T>{});
+    return std::find(names.all.begin(), names.all.end(), name) != names.all.end();
 }
 
 }  // namespace tumble::scene

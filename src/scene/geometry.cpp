@@ -14,9 +14,13 @@ namespace scene {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
+[[noreturn]] void refuse(const std::string& message) {
+    throw std::invalid_argument(message);
+}
 
-std::string text(DVec2 v) { return compact_text(Json::array({v.x, v.y})); }
+std::string text(DVec2 v) {
+    return compact_text(Json::array({v.x, v.y}));
+}
 
 std::vector<Vec2> to_float_points(const std::vector<DVec2>& points) {
     std::vector<Vec2> result;
@@ -47,7 +51,8 @@ struct ShapeMaker {
     std::vector<Shape> operator()(const BoxGeometry& box) const {
         const double half_side = 0.5 * std::min(box.size.x, box.size.y);
         if (box.radius > half_side)
-            refuse("the radius " + number_text(box.radius) + " is more than half the smaller side of " + text(box.size));
+            refuse("the radius " + number_text(box.radius) + " is more than half the smaller side of " +
+                   text(box.size));
         return {make_box(to_float(box.size), radius_of(box.radius), to_float(box.center), box.angle * (kPi / 180.0))};
     }
 
@@ -98,6 +103,8 @@ SurfaceMaterial make_surface(const SceneMaterial& material) {
 
 }  // namespace scene
 
-std::vector<Shape> make_shapes(const ShapeGeometry& geometry) { return std::visit(scene::ShapeMaker{}, geometry); }
+std::vector<Shape> make_shapes(const ShapeGeometry& geometry) {
+    return std::visit(scene::ShapeMaker{}, geometry);
+}
 
 }  // namespace tumble

@@ -10,7 +10,7 @@
 namespace tumble::scene {
 
 inline constexpr std::size_t kMaxFileBytes = 64u << 20;
-inline constexpr std::size_t kMaxDepth = 64;          // of nested arrays and objects; later passes recurse
+inline constexpr std::size_t kMaxDepth = 64;           // of nested arrays and objects; later passes recurse
 inline constexpr std::size_t kMaxKeysInObject = 4096;  // looking up a key is linear
 
 // Leaves out a UTF-8 byte-order mark: no column counts it.

@@ -36,7 +36,9 @@ Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* war
     return load_scene(file, LoadOptions{}, warnings);
 }
 
-void save_scene(const Scene& scene, const std::filesystem::path& file) { scene::replace_file(file, to_json(scene)); }
+void save_scene(const Scene& scene, const std::filesystem::path& file) {
+    scene::replace_file(file, to_json(scene));
+}
 
 std::vector<Shape> parse_shapes(std::string_view text, const std::string& source) {
     scene::Diagnostics diagnostics(source, text);

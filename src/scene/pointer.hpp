@@ -1,4 +1,4 @@
-// JSON pointers (RFC 6901) and the places of the text that they lead to.
+// JSON pointers (RFC 6901).
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,12 @@ struct Place {
     std::size_t index = 0;  // of an array, if key.data() is null
 };
 
-inline Place child(const Place& parent, std::string_view key) { return {&parent, key, 0}; }
-inline Place child(const Place& parent, std::size_t index) { return {&parent, {}, index}; }
+inline Place child(const Place& parent, std::string_view key) {
+    return {&parent, key, 0};
+}
+inline Place child(const Place& parent, std::size_t index) {
+    return {&parent, {}, index};
+}
 
 // "" for the root, "/bodies/3/name"; ~ and / in keys are escaped as ~0 and ~1.
 std::string pointer_to(const Place& place);
@@ -30,10 +34,5 @@ std::vector<std::string> split_pointer(std::string_view pointer);
 
 // True if `pointer` is `ancestor` or lies below it.
 bool is_within(std::string_view pointer, std::string_view ancestor);
-
-// Where the value, or its key, begins in a JSON text that has been parsed without error: a small tokenizer walks it
-// again. Of a key that occurs twice, the last counts, as in the parser. If the path ends early, the last value that is
-// there answers. O(text).
-std::size_t find_offset(std::string_view text, std::string_view pointer, bool at_key);
 
 }  // namespace tumble::scene

@@ -65,7 +65,7 @@ public:
     }
 
     template <class Enum>
-        requires std::is_enum_v<Enum>
+    requires std::is_enum_v<Enum>
     void read(const Json& value, const Place& place, const Field&, Enum& out) {
         if (!value.is_string()) return wrong(place, "a string", value);
         const std::string& text = value.get_ref<const std::string&>();
@@ -86,7 +86,8 @@ public:
 
     void read(const Json& value, const Place& place, const Field& field, SceneJointLimits& out) {
         read_two(value, place, field, out.lower, out.upper, "[lower, upper]");
-        if (out.lower > out.upper) error(place, "must be [lower, upper] with lower <= upper, got " + compact_text(value));
+        if (out.lower > out.upper)
+            error(place, "must be [lower, upper] with lower <= upper, got " + compact_text(value));
     }
 
     template <class First, class Second>
@@ -102,8 +103,10 @@ public:
     template <class T>
     void read(const Json& value, const Place& place, const Field& field, std::vector<T>& out) {
         if (!value.is_array()) return wrong(place, "an array", value);
-        if (value.size() < field.min_items) return wrong(place, "an array of at least " + std::to_string(field.min_items), value);
-        if (value.size() > field.max_items) return wrong(place, "an array of at most " + std::to_string(field.max_items), value);
+        if (value.size() < field.min_items)
+            return wrong(place, "an array of at least " + std::to_string(field.min_items), value);
+        if (value.size() > field.max_items)
+            return wrong(place, "an array of at most " + std::to_string(field.max_items), value);
         out.resize(value.size());
         for (std::size_t i = 0; i < value.size(); ++i) read(value[i], child(place, i), field, out[i]);
     }
@@ -112,7 +115,7 @@ public:
     void read(const Json& value, const Place& place, const Field&, std::variant<T...>& out);
 
     template <class T>
-        requires std::is_class_v<T>
+    requires std::is_class_v<T>
     void read(const Json& value, const Place& place, const Field&, T& out);
 
     template <class First, class Second>
@@ -210,8 +213,7 @@ public:
         for (const auto& [key, element] : value_.items()) {
             if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
             guesses.push_back(nearest_word(key, known_));
-            reader_.error(child(place_, key), "unknown key " + quoted(key), suggestion(key, known_),
-                          Diagnostics::At::key);
+            reader_.error(child(place_, key), "unknown key " + quoted(key), hint_for(key), Diagnostics::At::key);
         }
         for (const Missing& missing : missing_) {
             const bool guessed = std::any_of(missing.names.begin(), missing.names.end(), [&](std::string_view name) {
@@ -261,15 +263,26 @@ private:
         known_.push_back(field.name);
         const auto found = value_.find(field.name);
         if (found != value_.end()) return &*found;
-        if (field.required) missing_.push_back({{field.name}, "the key " + quoted(std::string(field.name)) + " is missing"});
+        if (field.required)
+            missing_.push_back({{field.name}, "the key " + quoted(std::string(field.name)) + " is missing"});
         return nullptr;
+    }
+
+    // What was meant, or where the key belongs.
+    std::string hint_for(const std::string& key) const {
+        if (!nearest_word(key, known_).empty()) return suggestion(key, known_);
+        if (has_field<SceneMaterial>(key)) return quoted(key) + " belongs to a material, and the material to a shape";
+        if (has_field<SceneBody>(key)) return quoted(key) + " belongs to a body";
+        if (has_field<SceneSettings>(key)) return quoted(key) + " belongs to the world";
+        return suggestion(key, known_);
     }
 
     void require_one(const std::vector<std::string_view>& names, const std::vector<std::string_view>& found) {
         if (found.empty()) missing_.push_back({names, "needs one of the keys " + join_words(names)});
         if (found.size() > 1)
-            reader_.error(child(place_, found[1]), "has the keys " + join_words(found) + ": only one of them is allowed",
-                          "", Diagnostics::At::key);
+            reader_.error(child(place_, found[1]),
+                          "has the keys " + join_words(found) + ": only one of them is allowed", "",
+                          Diagnostics::At::key);
     }
 
     Reader& reader_;
@@ -287,7 +300,7 @@ void Reader::read(const Json& value, const Place& place, const Field&, std::vari
 }
 
 template <class T>
-    requires std::is_class_v<T>
+requires std::is_class_v<T>
 void Reader::read(const Json& value, const Place& place, const Field&, T& out) {
     if (!value.is_object()) return wrong(place, "an object", value);
     ObjectReader<T> object(*this, value, place, out);

@@ -68,7 +68,9 @@ public:
 
 private:
     long cell_index(double coordinate) const { return cell_ > 0.0 ? static_cast<long>(coordinate / cell_) : 0; }
-    std::vector<DVec2>& cell(long column, long row) { return cells_[static_cast<std::size_t>(row * columns_ + column)]; }
+    std::vector<DVec2>& cell(long column, long row) {
+        return cells_[static_cast<std::size_t>(row * columns_ + column)];
+    }
 
     double distance_;
     double cell_ = 0.0;
@@ -109,7 +111,9 @@ struct Count {
 
 }  // namespace
 
-std::int64_t copy_count(const SceneBody& body) { return body.repeat ? std::visit(Count{}, *body.repeat) : 1; }
+std::int64_t copy_count(const SceneBody& body) {
+    return body.repeat ? std::visit(Count{}, *body.repeat) : 1;
+}
 
 std::vector<CopyPlace> copy_places(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
     const CopyPlace first{body.position, body.angle};

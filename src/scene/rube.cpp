@@ -33,7 +33,8 @@ std::string without_javascript(std::string_view text) {
     const std::size_t open = result.find('{');
     const std::size_t equals = result.find('=');
     const std::size_t close = result.find_last_not_of("; \t\r\n");
-    if (open == std::string::npos || equals >= open || close == std::string::npos || result[close] != '}') return result;
+    if (open == std::string::npos || equals >= open || close == std::string::npos || result[close] != '}')
+        return result;
     const auto blank = [](char& c) { c = c == '\n' ? '\n' : ' '; };
     std::for_each(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(open), blank);
     std::for_each(result.begin() + static_cast<std::ptrdiff_t>(close) + 1, result.end(), blank);
@@ -62,7 +63,8 @@ private:
         scene_.world.continuous = world.flag("continuousPhysics");
         const double rate = world.number("stepsPerSecond");
         if (rate > 0.0) scene_.world.steps_per_second = rate;
-        if (world.has("velocityIterations") || world.has("positionIterations")) notes_.add("numbers of solver iterations");
+        if (world.has("velocityIterations") || world.has("positionIterations"))
+            notes_.add("numbers of solver iterations");
         if (world.flag("subStepping")) notes_.add("sub-stepping of continuous physics");
         if (!world.flag("warmStarting", true)) notes_.add("warm starting switched off");
         if (!world.flag("autoClearForces", true)) notes_.add("forces that are not cleared");
@@ -77,7 +79,9 @@ private:
         const double type = body.number("type");
         if (type != 0.0 && type != 1.0 && type != 2.0)
             diagnostics_.error(body.pointer_to("type"), "must be 0, 1 or 2, got " + number_text(type));
-        result.type = type == 2.0 ? BodyType::dynamic_body : type == 1.0 ? BodyType::kinematic_body : BodyType::static_body;
+        result.type = type == 2.0   ? BodyType::dynamic_body
+                      : type == 1.0 ? BodyType::kinematic_body
+                                    : BodyType::static_body;
         result.position = body.vector("position");
         result.angle = std::remainder(body.number("angle") * kDegrees, 360.0);
         result.velocity = body.vector("linearVelocity");
@@ -134,7 +138,8 @@ private:
             for (const Shape& part : make_shapes(shape.geometry)) {
                 const MassProperties properties = mass_properties(part);
                 shapes_mass += density * properties.area;
-                shapes_inertia += density * (properties.inertia + properties.area * length_sq(DVec2(properties.center)));
+                shapes_inertia +=
+                    density * (properties.inertia + properties.area * length_sq(DVec2(properties.center)));
             }
         }
         if (std::abs(shapes_mass - mass) > kMassTolerance * mass) return true;

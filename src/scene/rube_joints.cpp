@@ -13,13 +13,14 @@ namespace {
 constexpr double kDegrees = 180.0 / kPi;
 constexpr double kLeastLength = 0.005;  // m; Box2D lengthens shorter distance joints to this
 constexpr std::array<std::string_view, 11> kTypes = {"revolute", "distance", "prismatic", "wheel", "weld", "motor",
-                                                     "rope", "friction", "pulley", "mouse", "gear"};
+                                                     "rope",     "friction", "pulley",    "mouse", "gear"};
 
 void read_revolute(RubeObject& joint, SceneJoint& result) {
     result.type = SceneJointType::revolute;
     result.reference_angle = joint.number("refAngle") * kDegrees;
     const SceneJointLimits limits{joint.number("lowerLimit") * kDegrees, joint.number("upperLimit") * kDegrees};
-    if (joint.flag("enableLimit")) result.limits = {std::min(limits.lower, limits.upper), std::max(limits.lower, limits.upper)};
+    if (joint.flag("enableLimit"))
+        result.limits = {std::min(limits.lower, limits.upper), std::max(limits.lower, limits.upper)};
     const SceneJointMotor motor{joint.number("motorSpeed") * kDegrees, joint.number("maxMotorTorque")};
     if (joint.flag("enableMotor")) result.motor = motor;
     joint.skip({"jointSpeed"});  // of the moment of the export

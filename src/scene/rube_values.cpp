@@ -31,8 +31,8 @@ std::optional<double> hex_float(const std::string& text) {
 }  // namespace
 
 void RubeNotes::add(const std::string& feature, int count) {
-    const auto found = std::find_if(notes_.begin(), notes_.end(),
-                                    [&](const ImportNote& note) { return note.feature == feature; });
+    const auto found =
+        std::find_if(notes_.begin(), notes_.end(), [&](const ImportNote& note) { return note.feature == feature; });
     if (found != notes_.end()) {
         found->count += count;
     } else {
@@ -45,7 +45,9 @@ RubeObject::RubeObject(const Json& value, std::string pointer, Diagnostics& diag
     if (!value.is_object()) error(pointer_, "an object", value);
 }
 
-std::string RubeObject::pointer_to(std::string_view key) const { return append_key(pointer_, key); }
+std::string RubeObject::pointer_to(std::string_view key) const {
+    return append_key(pointer_, key);
+}
 
 double RubeObject::number(std::string_view key, double missing) {
     const Json* value = find(key);
@@ -130,7 +132,9 @@ int RubeObject::index(std::string_view key, std::size_t end) {
     return -1;
 }
 
-void RubeObject::skip(std::initializer_list<std::string_view> keys) { read_.insert(keys.begin(), keys.end()); }
+void RubeObject::skip(std::initializer_list<std::string_view> keys) {
+    read_.insert(keys.begin(), keys.end());
+}
 
 void RubeObject::note_unread(const std::string& owner, RubeNotes& notes) const {
     for (const auto& [key, value] : value_.items())

@@ -1,5 +1,5 @@
-// Values as R.U.B.E. writes them: what is missing is 0, floats may be hexadecimal bit patterns, vectors may be a bare 0.
-// Every key that is never asked for is counted, so that nothing is dropped in silence.
+// Values as R.U.B.E. writes them: what is missing is 0, floats may be hexadecimal bit patterns, vectors may be a bare
+// 0. Every key that is never asked for is counted, so that nothing is dropped in silence.
 #pragma once
 
 #include <set>

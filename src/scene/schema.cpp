@@ -51,8 +51,7 @@ public:
     }
 
     template <class Enum>
-        requires std::is_enum_v<Enum>
-    Json of(const Enum*, const Field&) {
+    requires std::is_enum_v<Enum> Json of(const Enum*, const Field&) {
         Json names = Json::array();
         for (const auto& [enumerator, name] : kEnumNames<Enum>) names.push_back(name);
         return {{"enum", names}};
@@ -83,10 +82,7 @@ public:
     Json of(const SceneBody*, const Field&) { return {{"$ref", "#/definitions/body"}}; }
 
     template <class T>
-        requires std::is_class_v<T>
-    Json of(const T*, const Field&) {
-        return object<T>();
-    }
+    requires std::is_class_v<T> Json of(const T*, const Field&) { return object<T>(); }
 
     template <class T>
     Json object();
@@ -199,9 +195,10 @@ Json Schema::of(const std::variant<T...>*, const Field&) {
 
 std::string scene_schema() {
     scene::Schema types;
-    scene::Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
-                       {"title", "Scene of tumble, format 1"},
-                       {"description", "A 2D rigid-body world, its camera and its run. SI units, y up, angles in degrees."}};
+    scene::Json schema{
+        {"$schema", "http://json-schema.org/draft-07/schema#"},
+        {"title", "Scene of tumble, format 1"},
+        {"description", "A 2D rigid-body world, its camera and its run. SI units, y up, angles in degrees."}};
     schema.update(types.object<Scene>());
     schema["definitions"]["body"] = types.object<SceneBody>();
     return scene::pretty_text(schema);

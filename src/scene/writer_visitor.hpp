@@ -23,8 +23,8 @@ public:
     Json write(const SceneJointLimits& value) const { return Json::array({value.lower, value.upper}); }
 
     template <class Enum>
-        requires std::is_enum_v<Enum>
-    Json write(Enum value) const {
+    requires std::is_enum_v<Enum> Json write(Enum value)
+    const {
         const auto& names = kEnumNames<Enum>;
         const auto found = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == value; });
         if (found == names.end()) throw std::invalid_argument("an enumerator of a scene is out of range");
@@ -52,8 +52,8 @@ public:
     Json write(const std::variant<T...>& value) const;
 
     template <class T>
-        requires std::is_class_v<T>
-    Json write(const T& value) const;
+    requires std::is_class_v<T> Json write(const T& value)
+    const;
 
     bool with_defaults() const { return with_defaults_; }
 
@@ -104,8 +104,7 @@ private:
     void put(const Field& field, Json value, const Json& default_value) {
         if (value.is_null()) return;
         const bool shown = writer_.with_defaults() && value != "";  // an empty name is no name
-        if (field.required || shown || value != default_value)
-            object[std::string(field.name)] = std::move(value);
+        if (field.required || shown || value != default_value) object[std::string(field.name)] = std::move(value);
     }
 
     const Writer& writer_;
@@ -120,8 +119,8 @@ Json Writer::write(const std::variant<T...>& value) const {
 }
 
 template <class T>
-    requires std::is_class_v<T>
-Json Writer::write(const T& value) const {
+requires std::is_class_v<T> Json Writer::write(const T& value)
+const {
     ObjectWriter<T> object(*this, value);
     visit_fields(object, Type<T>{});
     return std::move(object.object);

@@ -17,7 +17,9 @@ std::uint64_t hash_after(const Scene& scene, int steps) {
     return built.world.state_hash();
 }
 
-Scene reread(const Scene& scene) { return parse_scene(to_json(scene), "written.json"); }
+Scene reread(const Scene& scene) {
+    return parse_scene(to_json(scene), "written.json");
+}
 
 }  // namespace
 
@@ -55,7 +57,8 @@ TEST_CASE("a joint's world anchor becomes local to turned and shifted bodies") {
         "bodies": [{"name": "a", "position": [5, 0], "angle": 90, "shapes": [{"circle": {"radius": 1}}]},
                    {"name": "b", "position": [5, 4], "angle": 540, "shapes": [{"circle": {"radius": 1}}]}],
         "joints": [{"type": "revolute", "bodies": ["a", "b"], "anchor": [5, 3]},
-                   {"type": "distance", "bodies": ["a", "b"], "anchors": [[1, 0], [0, 0]]}]})", "");
+                   {"type": "distance", "bodies": ["a", "b"], "anchors": [[1, 0], [0, 0]]}]})",
+                                    "");
     const SceneWorld built = build_world(scene);
     // a is turned by +90 degrees: up in the world is +x of a; b by 180: up is -y.
     const auto& hinge = std::get<RevoluteJointDef>(built.world.joint(built.joints[0]));
@@ -95,7 +98,8 @@ TEST_CASE("negative zeros are zeros, in files and in scenes made by a program") 
 TEST_CASE("a concave outline becomes several shapes of one body with the whole area") {
     // An L of 3 x 3 with a 2 x 2 notch: area 5.
     const Scene scene = parse_scene(R"({"format": 1, "bodies": [{"shapes": [
-        {"outline": {"points": [[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]]}}]}]})", "");
+        {"outline": {"points": [[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]]}}]}]})",
+                                    "");
     const SceneWorld built = build_world(scene);
     CHECK(built.world.shapes(built.bodies[0].id).size() == 2);
     CHECK(built.world.mass(built.bodies[0].id).mass == doctest::Approx(5.0).epsilon(1e-6));

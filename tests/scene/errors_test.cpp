@@ -144,9 +144,15 @@ TEST_CASE("hints suggest what was meant") {
     CHECK(error_of(test::with_shape(R"({"cirle": {"radius": 1}})")).hint == "did you mean 'circle'?");
     CHECK(error_of(R"({"format": 1, "materials": {"ice": {"restituton": 1}}})").hint == "did you mean 'restitution'?");
     CHECK(error_of(R"({"format": 1, "bodies": [{"type": "dynmaic"}]})").hint == "did you mean 'dynamic'?");
-    CHECK(error_of(test::with_joint(R"("type": "revolute", "bodies": ["a", "B"], "anchor": [0, 0])")).hint == "did you mean 'a'?");
-    CHECK(error_of(R"({"format": 1, "bodies": [{"name": "crate", "repeat": {"ring": {"count": 3}}}], "camera": {"follow": "crate"}})")
-              .hint == "the copies are called crate[0] to crate[2]");
+    CHECK(error_of(test::with_shape(R"({"circle": {"radius": 1}, "friction": 1})")).hint ==
+          "\"friction\" belongs to a material, and the material to a shape");
+    CHECK(error_of(R"({"format": 1, "gravity": [0, 0]})").hint == "\"gravity\" belongs to the world");
+    CHECK(error_of(test::with_joint(R"("type": "revolute", "bodies": ["a", "B"], "anchor": [0, 0])")).hint ==
+          "did you mean 'a'?");
+    CHECK(
+        error_of(
+            R"({"format": 1, "bodies": [{"name": "crate", "repeat": {"ring": {"count": 3}}}], "camera": {"follow": "crate"}})")
+            .hint == "the copies are called crate[0] to crate[2]");
 }
 
 TEST_CASE("an unreadable file is a FileError with path and reason") {

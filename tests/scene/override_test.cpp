@@ -46,7 +46,8 @@ TEST_CASE("what the file leaves out starts from its default") {
 TEST_CASE("the later of two overrides counts, and the seed comes last") {
     CHECK(with({"/world/seed=3", "/world/seed=4"}).world.seed == 4);
     CHECK(parse_scene(test::kExample, "", LoadOptions{{"/world/seed=3"}, 9}).world.seed == 9);
-    CHECK(parse_scene(R"({"format": 1})", "", LoadOptions{{}, 18446744073709551615u}).world.seed == 18446744073709551615u);
+    CHECK(parse_scene(R"({"format": 1})", "", LoadOptions{{}, 18446744073709551615u}).world.seed ==
+          18446744073709551615u);
 }
 
 TEST_CASE("an override that fits nothing is an error that names it") {

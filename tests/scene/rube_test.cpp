@@ -110,8 +110,8 @@ TEST_CASE("what is not carried over is said once, with a count") {
         {"sensor fixtures, left out", 1},
         {"fixtures without a shape or with a degenerate one, left out", 2},
         {"bodies that may not turn", 1},
-        {"bodies that start asleep", 1},                  // the second crate: awake is missing
-        {"masses that are not those of the shapes", 1},   // 5 kg against 2 * pi / 4
+        {"bodies that start asleep", 1},                 // the second crate: awake is missing
+        {"masses that are not those of the shapes", 1},  // 5 kg against 2 * pi / 4
         {"inactive bodies, left without shapes", 1},
         {"joints of inactive bodies, left out", 1},
         {"joint names that occurred before, numbered", 1},
@@ -119,7 +119,7 @@ TEST_CASE("what is not carried over is said once, with a count") {
         {"joints of the unknown type \"spaghetti\", left out", 1},
         {"images", 2},
     };
-    for (const auto& [feature, count] : expected) CHECK_MESSAGE(count_of(imported, feature) == count, feature);
+    for (const auto& note : expected) CHECK_MESSAGE(count_of(imported, note.first) == note.second, note.first);
     for (const ImportNote& note : imported.notes) CHECK_MESSAGE(expected.contains(note.feature), note.feature);
 }
 
@@ -144,7 +144,8 @@ TEST_CASE("wrong values are errors at their place") {
 }
 
 TEST_CASE("an editor project is recognised") {
-    CHECK_THROWS_WITH_AS(import_rube(kData / "rube_project.rube"), doctest::Contains("export the scene as JSON"), SceneError);
+    CHECK_THROWS_WITH_AS(import_rube(kData / "rube_project.rube"), doctest::Contains("export the scene as JSON"),
+                         SceneError);
     CHECK_THROWS_AS(import_rube(kData / "no_such_file.json"), FileError);
 }
 
@@ -182,7 +183,8 @@ TEST_CASE("exports of others arrive with all their bodies, fixtures and joints")
         for (const SceneBody& body : imported.scene.bodies) fixtures += static_cast<int>(body.shapes.size());
         CHECK(fixtures == e.fixtures);
         int joints = static_cast<int>(imported.scene.joints.size());
-        for (const char* type : {"prismatic", "wheel"}) joints += count_of(imported, std::string(type) + " joints, left out");
+        for (const char* type : {"prismatic", "wheel"})
+            joints += count_of(imported, std::string(type) + " joints, left out");
         CHECK(joints == e.joints);
         CHECK(build_world(imported.scene).bodies.size() == e.bodies);
     }

@@ -83,11 +83,12 @@ TEST_CASE("the schema rejects what the reader rejects field by field") {
 
 TEST_CASE("every property of the schema has a title and a description that say something") {
     int properties = 0;
-    for_each_property(nlohmann::json::parse(scene_schema()), [&](const std::string& name, const nlohmann::json& property) {
-        ++properties;
-        CHECK_MESSAGE(property.value("title", "").size() >= 2, name);
-        CHECK_MESSAGE(property.value("description", "").size() >= 6, name);
-    });
+    for_each_property(nlohmann::json::parse(scene_schema()),
+                      [&](const std::string& name, const nlohmann::json& property) {
+                          ++properties;
+                          CHECK_MESSAGE(property.value("title", "").size() >= 2, name);
+                          CHECK_MESSAGE(property.value("description", "").size() >= 6, name);
+                      });
     CHECK(properties > 80);
 }
 

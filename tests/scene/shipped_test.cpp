@@ -30,8 +30,8 @@ std::vector<Part> parts_at_load(const Scene& scene) {
         for (const scene::PlacedBody& placed : scene::place_copies(scene, source)) {
             for (const SceneShape& shape : body.shapes)
                 for (const Shape& part : make_shapes(shape.geometry))
-                    parts.push_back({built, body.type == BodyType::dynamic_body, placed.pose, part,
-                                     bounds(part, placed.pose)});
+                    parts.push_back(
+                        {built, body.type == BodyType::dynamic_body, placed.pose, part, bounds(part, placed.pose)});
             ++built;
         }
     }

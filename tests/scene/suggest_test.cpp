@@ -22,8 +22,8 @@ TEST_CASE("the nearest word by edits is suggested, if it is near") {
 
 TEST_CASE("a swap of neighbours counts as one edit, not two") {
     constexpr std::array<std::string_view, 1> kWords = {"at"};
-    CHECK(nearest_word("ta", kWords) == "at");   // a word of two letters may have one edit
-    CHECK(nearest_word("tx", kWords).empty());   // two edits
+    CHECK(nearest_word("ta", kWords) == "at");  // a word of two letters may have one edit
+    CHECK(nearest_word("tx", kWords).empty());  // two edits
 }
 
 TEST_CASE("without a near word, a short list is shown and a long one is not") {
