@@ -4,6 +4,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "json_writer.hpp"
+
 namespace tumble::tools {
 
 namespace {
@@ -11,6 +13,12 @@ namespace {
 constexpr int kMinSize = 16;  // pixels, the renderer's bounds
 constexpr int kMaxSize = 8192;
 constexpr double kMaxRate = 1e5;      // frames/s
+
+std::string format_number(double number) {
+    std::string text;
+    append_number(text, number);
+    return text;
+}
 
 bool parse_side(std::string_view text, int& pixels) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), pixels);
@@ -29,6 +37,17 @@ FrameSize parse_size(const std::string& text) {
 
 }  // namespace
 
+CLI::Validator number_from_to(double lowest, double highest) {
+    const std::string range = "from " + format_number(lowest) + " to " + format_number(highest);
+    const auto check = [=](const std::string& text) {
+        double number = 0.0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        const bool whole = error == std::errc{} && end == text.data() + text.size();
+        return whole && number >= lowest && number <= highest ? "" : "expected a number " + range + ", got " + text;
+    };
+    return {check, ""};
+}
+
 void add_size_option(CLI::App& subcommand, FrameSize& size) {
     subcommand
         .add_option_function<std::string>(
@@ -42,11 +61,11 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         ->type_name("DIR");
     subcommand.add_option("--duration", options.duration, "Simulated seconds, default the scene's")
         ->type_name("S")
-        ->check(CLI::Range(0.0, kMaxDuration));
+        ->check(number_from_to(0.0, kMaxDuration));
     subcommand.add_option("--fps", options.frames_per_second, "Frames per simulated second")
         ->type_name("N")
         ->capture_default_str()
-        ->check(CLI::Range(1e-3, kMaxRate));
+        ->check(number_from_to(1e-3, kMaxRate));
     add_size_option(subcommand, options.size);
     subcommand.add_flag("--no-frames", options.no_frames, "Simulate only");
     subcommand.add_option("--trajectory", options.trajectory, "Write pose and velocity of each body after each step")

@@ -27,6 +27,9 @@ struct RunOptions {
     std::filesystem::path hashes;         // empty: not written
 };
 
+// Accepts numbers in [lowest, highest] only: unlike CLI::Range, not NaN.
+CLI::Validator number_from_to(double lowest, double highest);
+
 // --size WxH
 void add_size_option(CLI::App& subcommand, FrameSize& size);
 

@@ -67,7 +67,7 @@ void add_shot(CLI::App& app, Command& command) {
     shot.add_option("--at", options->time, "Simulated second of the frame")
         ->type_name("T")
         ->capture_default_str()
-        ->check(CLI::Range(0.0, kMaxDuration));
+        ->check(number_from_to(0.0, kMaxDuration));
     shot.add_option("-o,--output", options->file, "PNG file to write")->type_name("F.png")->required();
     add_size_option(shot, options->size);
     shot.add_flag("--force", options->force, "Replace the file if it exists");

@@ -13,10 +13,10 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using tumble::test::Answer;
 using tumble::test::Folder;
-using tumble::test::tumble;
+using tumble::test::run_tumble;
 
 TEST_CASE("without arguments: six lines of usage and a command to copy") {
-    const Answer answer = tumble({});
+    const Answer answer = run_tumble({});
     CHECK(answer.code == 0);
     CHECK(std::count(answer.out.begin(), answer.out.end(), '\n') == 7);
     CHECK(answer.out.find("\nTry: ") != std::string::npos);
@@ -24,10 +24,10 @@ TEST_CASE("without arguments: six lines of usage and a command to copy") {
 }
 
 TEST_CASE("--version says what was built, by what and for what") {
-    const Answer answer = tumble({"--version"});
+    const Answer answer = run_tumble({"--version"});
     CHECK(answer.code == 0);
     CHECK(answer.out.starts_with("tumble 0."));
-    const json version = json::parse(tumble({"--version", "--json"}).out);
+    const json version = json::parse(run_tumble({"--version", "--json"}).out);
     for (const char* key : {"version", "compiler", "build_type", "simd", "instruction_sets", "processor_has"})
         CHECK(version.contains(key));
 }
@@ -35,7 +35,7 @@ TEST_CASE("--version says what was built, by what and for what") {
 TEST_CASE("every subcommand has help, on standard output") {
     for (const char* command : {"run", "demo", "shot", "validate", "schema", "distance", "import"}) {
         CAPTURE(command);
-        const Answer answer = tumble({command, "--help"});
+        const Answer answer = run_tumble({command, "--help"});
         CHECK(answer.code == 0);
         CHECK(answer.err.empty());
         CHECK(answer.out.find("--json") != std::string::npos);
@@ -46,31 +46,31 @@ TEST_CASE("validate judges each scene") {
     const Folder folder;
     const std::string good = folder.write("good.json", tumble::test::small_scene());
     const std::string bad = folder.write("bad.json", "{}");
-    const Answer valid = tumble({"validate", good});
+    const Answer valid = run_tumble({"validate", good});
     CHECK(valid.code == 0);
     CHECK(valid.out == good + ": valid, 3 bodies, 0 joints\n");
-    const Answer both = tumble({"validate", bad, good, "--json"});
+    const Answer both = run_tumble({"validate", bad, good, "--json"});
     CHECK(both.code == 3);
     const json scenes = json::parse(both.out)["scenes"];
     REQUIRE(scenes.size() == 2);
     CHECK(scenes[0]["valid"] == false);
     CHECK(scenes[0]["diagnostics"].size() >= 1);
     CHECK(scenes[1]["valid"] == true);
-    CHECK(tumble({"validate", bad, (folder / "missing.json").string()}).code == 4);
+    CHECK(run_tumble({"validate", bad, (folder / "missing.json").string()}).code == 4);
 }
 
 TEST_CASE("every shipped scene is valid and has a description") {
-    const json demos = json::parse(tumble({"demo", "--list", "--json"}).out);
+    const json demos = json::parse(run_tumble({"demo", "--list", "--json"}).out);
     CHECK(demos.size() >= 11);
     for (const json& demo : demos) {
         CAPTURE(demo["name"]);
         CHECK_FALSE(demo["description"].get<std::string>().empty());
-        CHECK(tumble({"validate", demo["file"].get<std::string>()}).code == 0);
+        CHECK(run_tumble({"validate", demo["file"].get<std::string>()}).code == 0);
     }
 }
 
 TEST_CASE("schema prints the published schema") {
-    const Answer answer = tumble({"schema"});
+    const Answer answer = run_tumble({"schema"});
     CHECK(answer.code == 0);
     CHECK(json::parse(answer.out).contains("$schema"));
     CHECK(json::parse(answer.out) == json::parse(tumble::test::read_text(TUMBLE_SOURCE_DIR "/scenes/scene.schema.json")));
@@ -85,11 +85,11 @@ TEST_CASE("import writes a scene that runs, and says what it could not carry ove
                   "fixture": [{"name": "f", "density": 1, "friction": 0.2,
                                "circle": {"center": 0, "radius": 0.5}}]}]})");
     const std::string scene = (folder / "scene.json").string();
-    const Answer answer = tumble({"import", source, "-o", scene, "--json"});
+    const Answer answer = run_tumble({"import", source, "-o", scene, "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     CHECK(json::parse(answer.out)["bodies"] == 1);
-    CHECK(tumble({"validate", scene}).code == 0);
-    CHECK(tumble({"import", source, "-o", scene}).code == 4);
-    CHECK(tumble({"import", folder.write("no.json", "{"), "-o", (folder / "b.json").string()}).code == 3);
+    CHECK(run_tumble({"validate", scene}).code == 0);
+    CHECK(run_tumble({"import", source, "-o", scene}).code == 4);
+    CHECK(run_tumble({"import", folder.write("no.json", "{"), "-o", (folder / "b.json").string()}).code == 3);
     CHECK_FALSE(fs::exists(folder / "b.json"));
 }

@@ -12,12 +12,12 @@
 using nlohmann::json;
 using tumble::test::Answer;
 using tumble::test::Process;
-using tumble::test::tumble;
+using tumble::test::run_tumble;
 using tumble::test::tumble_command;
 
 TEST_CASE("the distance of two circles is that of their centres less their radii") {
     // Centres (0, 0) and (3, 4), 5 apart; radii 1 and 0.5.
-    const Answer answer = tumble({"distance", R"({"circle": {"radius": 1}})",
+    const Answer answer = run_tumble({"distance", R"({"circle": {"radius": 1}})",
                                   R"({"circle": {"radius": 0.5}, "pose": {"position": [3, 4]}})", "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const json result = json::parse(answer.out);
@@ -38,7 +38,7 @@ TEST_CASE("the distance of two circles is that of their centres less their radii
 TEST_CASE("poses are taken by angle or by rotation, and quarter turns are exact") {
     const std::string box = R"({"box": {"size": [2, 1]}})";
     const auto distance_to = [&](const std::string& pose) {
-        const Answer answer = tumble({"distance", box, R"({"box": {"size": [2, 1]}, "pose": )" + pose + "}", "--json"});
+        const Answer answer = run_tumble({"distance", box, R"({"box": {"size": [2, 1]}, "pose": )" + pose + "}", "--json"});
         REQUIRE_MESSAGE(answer.code == 0, answer.err);
         return json::parse(answer.out)["distance"].get<double>();
     };
@@ -57,7 +57,7 @@ TEST_CASE("a query that is wrong says where, with exit code 3") {
                                      std::string(R"({"circle": {"radius": 1}, "pose": {"angle": 3, "rotation": [1, 0]}})"),
                                      std::string(R"({"chain": {"points": [[0, 0], [1, 0], [2, 0]]}})")}) {
         CAPTURE(wrong);
-        const Answer answer = tumble({"distance", circle, wrong});
+        const Answer answer = run_tumble({"distance", circle, wrong});
         CHECK(answer.code == 3);
         CHECK(answer.err.find('B') != std::string::npos);
     }

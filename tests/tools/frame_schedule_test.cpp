@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
+#include <initializer_list>
+
 using tumble::tools::FrameSchedule;
 
 TEST_CASE("a run has floor(duration x fps) + 1 frames") {

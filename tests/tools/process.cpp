@@ -82,7 +82,7 @@ std::vector<std::string> tumble_command(std::vector<std::string> arguments) {
     return arguments;
 }
 
-Answer tumble(std::vector<std::string> arguments) { return run(tumble_command(std::move(arguments))); }
+Answer run_tumble(std::vector<std::string> arguments) { return run(tumble_command(std::move(arguments))); }
 
 Folder::Folder() : path_(make_folder()) {}
 

@@ -36,7 +36,7 @@ private:
 Answer run(const std::vector<std::string>& command, const std::filesystem::path& working_folder = ".");
 
 // The binary under test with these arguments.
-Answer tumble(std::vector<std::string> arguments);
+Answer run_tumble(std::vector<std::string> arguments);
 std::vector<std::string> tumble_command(std::vector<std::string> arguments);
 
 // A new empty folder of this test's own, removed at the end.
