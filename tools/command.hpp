@@ -27,6 +27,7 @@ void add_schema(CLI::App& app, Command& command);
 void add_distance(CLI::App& app, Command& command);
 void add_import(CLI::App& app, Command& command);
 void add_parity(CLI::App& app, Command& command);
+void add_bench(CLI::App& app, Command& command);
 
 // `tumble` without arguments, and `tumble --version`.
 ExitCode print_usage();

@@ -24,6 +24,7 @@ ExitCode run_command(CLI::App& app, Command& command, int argument_count, const 
     add_distance(app, command);
     add_import(app, command);
     add_parity(app, command);
+    add_bench(app, command);
     app.require_subcommand(0, 1);
     app.parse(argument_count, arguments);
     if (version) return print_version(command.json);

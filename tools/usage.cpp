@@ -11,10 +11,8 @@ ExitCode print_usage() {
         "  tumble run SCENE [-o DIR]       simulate and render into DIR; shot SCENE --at T -o F.png: one frame\n"
         "  tumble demo [NAME]              run a shipped scene; demo --list: which there are\n"
         "  tumble validate SCENE...        every error of a scene; schema: its JSON schema; import FILE -o SCENE\n"
-        "  tumble distance A B             the signed distance of two shapes, with its proof; parity: beside b2Distance
-"
-        "  tumble COMMAND --help           all options of a command
-"
+        "  tumble distance A B             the signed distance of two shapes, with its proof; parity: beside b2Distance\n"
+        "  tumble bench                    world step beside Box2D; COMMAND --help: all options of a command\n"
         "Try: " +
         command_to_type() + " demo\n");
     return ExitCode::ok;

@@ -33,7 +33,7 @@ TEST_CASE("--version says what was built, by what and for what") {
 }
 
 TEST_CASE("every subcommand has help, on standard output") {
-    for (const char* command : {"run", "demo", "shot", "validate", "schema", "distance", "import"}) {
+    for (const char* command : {"run", "demo", "shot", "validate", "schema", "distance", "import", "bench"}) {
         CAPTURE(command);
         const Answer answer = run_tumble({command, "--help"});
         CHECK(answer.code == 0);
@@ -92,4 +92,19 @@ TEST_CASE("import writes a scene that runs, and says what it could not carry ove
     CHECK(run_tumble({"import", source, "-o", scene}).code == 4);
     CHECK(run_tumble({"import", folder.write("no.json", "{"), "-o", (folder / "b.json").string()}).code == 3);
     CHECK_FALSE(fs::exists(folder / "b.json"));
+}
+
+TEST_CASE("bench times both engines on the same scenes") {
+    const Answer answer = run_tumble({"bench", "--scenes", "pyramid,box_stack", "--steps", "5", "--runs", "1", "--json"});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const json result = json::parse(answer.out);
+    for (const char* key : {"distance", "step", "render", "machine"}) CHECK(result.contains(key));
+    REQUIRE(result["step"].size() == 2);
+    const json& row = result["step"][0];
+    CHECK(row["scene"] == "pyramid");
+    CHECK(row["bodies"] == 211);
+    CHECK(row["contacts"].get<int>() > 0);
+    CHECK(row["ratio"].get<double>() ==
+          doctest::Approx(row["box2d_ms"].get<double>() / row["tumble_ms"].get<double>()).epsilon(1e-12));
+    CHECK(run_tumble({"bench", "--scenes", "no_such_scene"}).code == 4);
 }

@@ -1,0 +1,76 @@
+// `tumble bench`: the world step beside Box2D's, in one run, from the same scenes.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "console.hpp"
+#include "json_writer.hpp"
+#include "machine.hpp"
+#include "places.hpp"
+#include "step_bench.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct Options {
+    std::vector<std::string> scenes = {"large_pyramid", "pyramid", "mixed_rain", "capsule_pile"};
+    StepBenchOptions steps;
+};
+
+void write_row(const StepBenchResult& row) {
+    char line[160];
+    std::snprintf(line, sizeof line, "%-20s %7zu %9d %12.4f %12.4f %7.2f\n", row.scene.c_str(), row.bodies,
+                  row.contacts, row.tumble_ms, row.box2d_ms, row.ratio());
+    write_output(line);
+}
+
+void write_row(JsonWriter& json, const StepBenchResult& row) {
+    json.open_object()
+        .member("scene", row.scene)
+        .member("bodies", row.bodies)
+        .member("contacts", row.contacts)
+        .member("tumble_ms", row.tumble_ms)
+        .member("box2d_ms", row.box2d_ms)
+        .member("ratio", row.ratio())
+        .close_object();
+}
+
+ExitCode bench(const Command& command, const Options& options) {
+    JsonWriter json;
+    json.open_object().key("distance").open_array().close_array().key("step").open_array();
+    if (!command.json)
+        write_output("scene                 bodies  contacts  tumble ms   box2d ms   ratio   (CPU time a step)\n");
+    for (const std::string& name : options.scenes) {
+        const Scene scene = tumble::load_scene(find_scene(name));
+        narrate("measuring " + name + "\n");
+        const StepBenchResult row = bench_steps(scene, options.steps);
+        write_row(json, row);
+        if (!command.json) write_row(row);
+    }
+    json.close_array().key("render").open_array().close_array().key("machine");
+    write_machine(json);
+    json.close_object();
+    if (command.json) write_output(json.text() + "\n");
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& app_bench = add_subcommand(app, command, "bench", "Measure the world step beside Box2D");
+    app_bench.add_option("--scenes", options->scenes, "Shipped scenes, or files")->delimiter(',')->capture_default_str();
+    app_bench.add_option("--steps", options->steps.steps, "Steps a run")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100000));
+    app_bench.add_option("--runs", options->steps.runs, "Runs, of which the median counts")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    app_bench.callback([&command, options] { command.action = [&command, options] { return bench(command, *options); }; });
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,14 @@
+// Processor time of the calling thread: what a measurement on a busy machine should use.
+#pragma once
+
+#include <ctime>
+
+namespace tumble::tools {
+
+inline double cpu_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace tumble::tools

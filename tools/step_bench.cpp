@@ -1,0 +1,60 @@
+#include "step_bench.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "cpu_clock.hpp"
+#include "reference/b2_world.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+constexpr int kTurn = 10;  // steps: short beside what a machine's speed drifts in, long beside a cold cache
+
+template <class World>
+double time_steps(World& world, int count) {
+    const double start = cpu_seconds();
+    for (int i = 0; i < count; ++i) world.step();
+    return cpu_seconds() - start;
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+int count_steps(const Scene& scene, const StepBenchOptions& options) {
+    const double whole = std::round(scene.world.duration * scene.world.steps_per_second);
+    return std::max(1, static_cast<int>(std::min<double>(options.steps, whole)));
+}
+
+}  // namespace
+
+StepBenchResult bench_steps(const Scene& scene, const StepBenchOptions& options) {
+    StepBenchResult result;
+    result.scene = scene.name;
+    const int steps = count_steps(scene, options);
+    std::vector<double> ours, theirs;  // ms a step, of each run
+    for (int run = 0; run < options.runs; ++run) {
+        SceneWorld tumble_world = build_world(scene);
+        reference::B2World box2d_world(scene);
+        double tumble_seconds = 0.0, box2d_seconds = 0.0;
+        for (int done = 0; done < steps; done += kTurn) {
+            const int count = std::min(kTurn, steps - done);
+            tumble_seconds += time_steps(tumble_world.world, count);
+            box2d_seconds += time_steps(box2d_world, count);
+        }
+        ours.push_back(1e3 * tumble_seconds / steps);
+        theirs.push_back(1e3 * box2d_seconds / steps);
+        result.bodies = tumble_world.bodies.size();
+        result.contacts = tumble_world.world.counters().contacts;
+    }
+    result.tumble_ms = median(ours);
+    result.box2d_ms = median(theirs);
+    return result;
+}
+
+}  // namespace tumble::tools
