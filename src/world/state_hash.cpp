@@ -25,7 +25,9 @@ public:
     void update(XXH64_state_t& state) const { XXH64_update(&state, bytes_.data(), bytes_.size()); }
 
 private:
-    std::array<unsigned char, 33> bytes_{};
+    // Position, rotation, velocity, angular velocity, sleep flag.
+    static constexpr std::size_t kBytes = 2 * sizeof(double) + 5 * sizeof(float) + 1;
+    std::array<unsigned char, kBytes> bytes_{};
     std::size_t size_ = 0;
 };
 
