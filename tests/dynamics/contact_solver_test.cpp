@@ -46,8 +46,10 @@ struct Tangle {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> value(-1.0f, 1.0f);
         std::vector<BodyId> ids{add_body(bodies, BodyType::static_body, {}, 0.0f, 0.0f)};
-        for (int i = 0; i < body_count; ++i)
-            ids.push_back(add_body(bodies, BodyType::dynamic_body, {}, 1.5f + value(random), 1.5f + value(random)));
+        for (int i = 0; i < body_count; ++i) {
+            const Vec2 heaviness{1.5f + value(random), 1.5f + value(random)};
+            ids.push_back(add_body(bodies, BodyType::dynamic_body, {}, heaviness.x, heaviness.y));
+        }
         for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
             bodies.solver_bodies[i].velocity = {value(random), value(random)};
             bodies.solver_bodies[i].angular_velocity = value(random);
@@ -56,8 +58,8 @@ struct Tangle {
             const BodyId a = ids[random() % ids.size()], b = ids[random() % ids.size()];
             if (a == b) continue;
             const Rotation turn = make_rotation(3.0 * static_cast<double>(value(random)));
-            contacts.push_back(make_touching(a, b, {turn.c, turn.s}, {value(random), value(random)},
-                                             {value(random), value(random)}, 0.01f * value(random)));
+            const Vec2 arm_a{value(random), value(random)}, arm_b{value(random), value(random)};
+            contacts.push_back(make_touching(a, b, {turn.c, turn.s}, arm_a, arm_b, 0.01f * value(random)));
         }
         graph.build(contacts, bodies);
         prepare_contacts(contacts, bodies, graph, kH, blocks);
