@@ -55,9 +55,11 @@ void write_line_error(JsonWriter& json, const std::string& message, std::uint64_
     json.open_object().member("error", message).member("line", line).close_object();
 }
 
-// A line that is no query is answered by its error, and the next one is read.
+// A line that is no query is answered by its error, and the next one is read. Who writes a line and waits gets its answer
+// before we wait for the next one.
 ExitCode answer_lines() {
     std::ios::sync_with_stdio(false);
+    std::cin.tie(nullptr);
     ExitCode code = ExitCode::ok;
     JsonWriter json(JsonWriter::Layout::compact);
     std::string line;
@@ -77,6 +79,7 @@ ExitCode answer_lines() {
         }
         write_output(json.text());
         write_output("\n");
+        if (std::cin.rdbuf()->in_avail() <= 0) finish_output();
     }
     return code;
 }

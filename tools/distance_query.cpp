@@ -6,6 +6,7 @@
 
 #include "input_error.hpp"
 #include "json_members.hpp"
+#include "plain_query.hpp"
 #include "shape_json.hpp"
 
 namespace tumble::tools {
@@ -90,6 +91,11 @@ std::string point_text(DVec2 point) {
 }  // namespace
 
 DistanceQuery parse_query_line(std::string_view line) {
+    std::optional<DistanceQuery> plain = read_plain_query(line);
+    return plain ? *std::move(plain) : parse_query_line_strictly(line);
+}
+
+DistanceQuery parse_query_line_strictly(std::string_view line) {
     std::optional<std::string_view> a, b, a_pose, b_pose;
     for (const JsonMember& member : members_of(line, "the line")) {
         if (member.key == "a")

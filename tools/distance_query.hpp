@@ -17,6 +17,9 @@ struct DistanceQuery {
 // From a line of `distance --stdin`: {"a": SHAPE, "b": SHAPE, "a_pose": POSE, "b_pose": POSE}. Throws InputError or SceneError.
 DistanceQuery parse_query_line(std::string_view line);
 
+// The same without the quick way for plain lines (plain_query.hpp): ten times slower, and every error is from here.
+DistanceQuery parse_query_line_strictly(std::string_view line);
+
 // From the two arguments of `distance A B`: each a SHAPE with an optional key "pose". Throws InputError or SceneError.
 DistanceQuery parse_query_arguments(std::string_view a, std::string_view b);
 

@@ -1,5 +1,6 @@
 #include "json_writer.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -12,6 +13,11 @@ void append_shortest(std::string& text, Number number) {
     char digits[32];  // the shortest double has at most 24 characters
     const std::to_chars_result end = std::to_chars(digits, digits + sizeof digits, number);
     text.append(digits, end.ptr);
+}
+
+bool needs_escape(char character) {
+    const auto code = static_cast<unsigned char>(character);
+    return code < 0x20 || code == 0x7f || character == '"' || character == '\\';
 }
 
 }  // namespace
@@ -108,6 +114,11 @@ void JsonWriter::start_line(std::size_t depth) {
 void JsonWriter::append_string(std::string_view string) {
     constexpr char kDigits[] = "0123456789abcdef";
     text_ += '"';
+    if (std::ranges::none_of(string, needs_escape)) {  // nearly always
+        text_ += string;
+        text_ += '"';
+        return;
+    }
     for (const char character : string) {
         const auto code = static_cast<unsigned char>(character);
         if (character == '"' || character == '\\') {
@@ -115,7 +126,7 @@ void JsonWriter::append_string(std::string_view string) {
             text_ += character;
         } else if (character == '\n') {
             text_ += "\\n";
-        } else if (code < 0x20 || code == 0x7f) {
+        } else if (needs_escape(character)) {
             text_ += "\\u00";
             text_ += kDigits[code >> 4];
             text_ += kDigits[code & 15];

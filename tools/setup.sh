@@ -13,6 +13,7 @@ build_packages=(
     'ninja-build:runs the build'
     'libeigen3-dev:lanes of 8 numbers in the solver, small linear algebra'
     'nlohmann-json3-dev:reads scene files'
+    'rapidjson-dev:reads distance queries by the million'
     'libcli11-dev:reads the command line'
     'libxxhash-dev:state and scene hashes'
     'libosmesa6-dev:draws frames without a display'

@@ -1,22 +1,40 @@
-// libFuzzer target over a line of `tumble distance --stdin`: any text is answered by a result or by a located error.
+// libFuzzer target over a line of `tumble distance --stdin`: any text is answered by a result or by a located error, and
+// what the quick reader takes, the strict one reads the same.
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "distance_query.hpp"
 #include "input_error.hpp"
+#include "plain_query.hpp"
 #include "tumble/scene.hpp"
 
 using namespace tumble;
 
+namespace {
+
+std::string answer_to(const tools::DistanceQuery& query) {
+    tools::JsonWriter json(tools::JsonWriter::Layout::compact);
+    tools::write_answer(json, query, distance(query.a, query.a_pose, query.b, query.b_pose));
+    return json.text();
+}
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view line(reinterpret_cast<const char*>(data), size);
+    const std::optional<tools::DistanceQuery> plain = tools::read_plain_query(line);
     try {
-        const tools::DistanceQuery query = tools::parse_query_line(line);
-        tools::JsonWriter json(tools::JsonWriter::Layout::compact);
-        tools::write_answer(json, query, distance(query.a, query.a_pose, query.b, query.b_pose));
+        const tools::DistanceQuery strict = tools::parse_query_line_strictly(line);
+        const std::string answer = answer_to(strict);
+        if (plain && answer_to(*plain) != answer) std::abort();
     } catch (const tools::InputError&) {
+        if (plain) std::abort();
     } catch (const SceneError&) {
+        if (plain) std::abort();
     }
     return 0;
 }

@@ -91,6 +91,7 @@ const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"stb_truetype.h", {"render"}},
     {"libdeflate.h", {"render"}},
     {"nlohmann", {"scene", "tools"}},
+    {"rapidjson", {"tools"}},
     {"CLI", {"tools"}},
     {"xxhash.h", {"world", "scene"}},
     {"box2d", {"reference"}},

@@ -82,3 +82,17 @@ TEST_CASE("lines of queries give lines of answers, and a bad line does not end t
     CHECK(lines[2]["line"] == 4);
     CHECK(lines[3]["distance"] == 7);
 }
+
+TEST_CASE("a query is answered before the next one is waited for") {
+    const std::string script = R"(
+coproc T { "$0" distance --stdin; }
+for x in 3 4; do
+    echo '{"a": {"circle": {"radius": 1}}, "b": {"circle": {"radius": 1}}, "b_pose": {"position": ['$x', 0]}}' >&"${T[1]}"
+    read -r -t 20 -u "${T[0]}" answer || exit 1
+    echo "$answer"
+done)";
+    const Answer answer = tumble::test::run({"bash", "-c", script, TUMBLE_BINARY});
+    CHECK(answer.code == 0);
+    CHECK(json::parse(answer.out.substr(0, answer.out.find('\n')))["distance"] == 1);
+    CHECK(json::parse(answer.out.substr(answer.out.find('\n')))["distance"] == 2);
+}
