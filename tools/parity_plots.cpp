@@ -18,7 +18,7 @@ constexpr Color kBox2d{214, 110, 20};
 constexpr Color kLimit{198, 40, 40};
 
 constexpr double kLeft = 210.0, kRight = 1250.0;  // of the axis, px
-constexpr double kTop = 56.0;
+constexpr double kTop = 64.0;
 constexpr double kStrip = 44.0;  // height of a family's strip, both halves
 constexpr int kFirstDecade = -20;
 
@@ -54,13 +54,14 @@ Drawing draw_error_histograms(std::span<const ParityRow> families) {
         drawing.line({x, kTop - 6.0}, {x, bottom}, 1.0, kGrid);
         const std::string label = decade == kFirstDecade ? "0" : "1e" + std::to_string(decade);
         drawing.text({x, bottom + 18.0}, label, 12.0, kText, TextAnchor::middle);
+        if (families.size() > 10) drawing.text({x, kTop - 10.0}, label, 12.0, kText, TextAnchor::middle);
     }
     drawing.text({0.5 * (kLeft + kRight), bottom + 38.0}, "|error of the distance| / S", 13.0, kText, TextAnchor::middle);
     drawing.text({kLeft, 20.0}, "tumble, upwards", 13.0, kOurs);
     drawing.text({kLeft + 140.0, 20.0}, "Box2D, downwards", 13.0, kBox2d);
     const double limit = x_of(reference::kParityTolerance * reference::kFloatEpsilon);
-    drawing.dashed_line({limit, kTop - 12.0}, {limit, bottom}, 1.5, kLimit);
-    drawing.text({limit + 6.0, kTop - 14.0}, "4 eps S", 12.0, kLimit);
+    drawing.dashed_line({limit, kTop - 24.0}, {limit, bottom}, 1.5, kLimit);
+    drawing.text({limit, kTop - 28.0}, "4 eps S", 12.0, kLimit, TextAnchor::middle);
     double base = kTop + 0.5 * kStrip;
     for (const ParityRow& family : families) {
         drawing.line({kLeft, base}, {kRight, base}, 1.0, kGrid);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "html.hpp"
+#include "parity_explanation.hpp"
 #include "parity_plots.hpp"
 #include "reference/pair_families.hpp"
 
@@ -59,30 +60,33 @@ void add_summary(HtmlPage& page, const ParityResult& result, const std::string& 
 
 void add_definitions(HtmlPage& page) {
     page.heading("What counts as wrong");
-    page.paragraph("tumble promises bounds: it is wrong if the exact signed distance lies outside of its [lower, upper], or if its status "
-                   "(separated, touching, overlapping) contradicts the exact sign. b2Distance promises a float: it is wrong if its distance "
-                   "is off by more than 4 eps S, S being the largest world coordinate of the pair and eps = 1.19e-7, or if it says overlap "
-                   "where the exact distance is positive, or the other way round. A pair is ill-conditioned if the engines differ by more than "
-                   "that and neither is wrong. Every pair over the tolerance is checked exactly, as are the first pairs of each family and a "
-                   "seeded share of the rest.");
+    page.paragraph("tumble promises bounds: it is wrong if the exact signed distance lies outside of its [lower, upper], if its status "
+                   "(separated, touching, overlapping) contradicts the exact sign, or if its distance is off by more than rounding in double "
+                   "explains, 24 u L, so that wide bounds do not count as right. L is the sum of the sizes of the cores, their radii and "
+                   "the offset of their positions, u = 1.1e-16.");
+    page.paragraph("b2Distance promises a float: it is wrong if its distance is off by more than 4 eps S, S being the largest world coordinate "
+                   "of the pair and eps = 1.19e-7, or if it gives 0, which is how it says overlap, where the exact distance is positive, or "
+                   "something else where that is negative. A pair is ill-conditioned if the engines differ by more than that and neither is "
+                   "wrong. Every pair over the tolerance is checked exactly, as are the first pairs of each family and a seeded share of the rest.");
     page.paragraph("Why b2Distance fails where it does: it works in float and in world coordinates, so that all it sees of a pair S metres from "
                    "the origin is rounded to eps S, 1 mm at 10 km; where the gap is smaller than that, the overlap flag is a coin toss. "
-                   "Its tests for progress and for a zero direction are absolute lengths, which small shapes fall below. And its normal and "
-                   "witness points come from a difference of rounded points. tumble works in double relative to one shape, has no absolute "
-                   "length in any query, and subtracts the radii last.");
+                   "A search direction shorter than 1.2e-7 m ends its loop, an absolute length which small shapes fall below; if that happens "
+                   "with the origin on an edge of its simplex, deep overlaps come out as a tiny distance. And the weights of its triangles are "
+                   "products of four coordinates, which leave the range of float for shapes below a nanometre or above a million kilometres. "
+                   "tumble works in double relative to one shape, has no absolute length in any query, and subtracts the radii last.");
 }
 
 void add_family_table(HtmlPage& page, const ParityResult& result) {
     page.heading("Family by family");
-    const std::vector<std::string> header = {"family", "pairs", "comparisons", "checked exactly", "tumble wrong", "Box2D wrong", "by flag",
-                                             "by distance", "ill-conditioned", "max error tumble (m)", "max error Box2D (m)",
-                                             "Box2D (eps S)", "iterations tumble", "Box2D", "max tumble", "max Box2D"};
+    const std::vector<std::string> header = {"family", "pairs", "compared", "checked exactly", "tumble wrong", "Box2D wrong", "by flag",
+                                             "by distance", "ill-cond.", "error tumble (m)", "in u L", "error Box2D (m)", "in eps S",
+                                             "iter. tumble", "Box2D", "max tumble", "max Box2D"};
     std::vector<std::vector<HtmlCell>> rows;
     for (const ParityRow& row : result.families)
         rows.push_back({{.text = row.name}, count_cell(row.pairs), count_cell(row.comparisons), count_cell(row.checked_exactly),
                         count_cell(row.ours_wrong + row.ours_witness_wrong, true), count_cell(row.box2d_wrong, true),
                         count_cell(row.box2d_wrong_flag), count_cell(row.box2d_wrong_distance), count_cell(row.ill_conditioned),
-                        number_cell(row.max_error_ours_m), number_cell(row.max_error_box2d_m), number_cell(row.max_error_box2d_eps),
+                        number_cell(row.max_error_ours_m), number_cell(row.max_error_ours_units), number_cell(row.max_error_box2d_m), number_cell(row.max_error_box2d_eps),
                         number_cell(mean_iterations(row.iterations_ours, row)), number_cell(mean_iterations(row.iterations_box2d, row)),
                         count_cell(static_cast<std::uint64_t>(row.max_iterations_ours)),
                         count_cell(static_cast<std::uint64_t>(row.max_iterations_box2d))});
@@ -96,7 +100,9 @@ void add_family_descriptions(HtmlPage& page, const ParityResult& result) {
             rows.push_back({{.text = row.name}, {.text = std::string(family->description)}});
     if (rows.empty()) return;
     const std::vector<std::string> header = {"family", "what its pairs are"};
+    page.begin_details("what the pairs of each family are");
     page.table(header, rows);
+    page.end_details();
 }
 
 void add_case(HtmlPage& page, const ParityCase& sample) {
@@ -108,7 +114,8 @@ void add_case(HtmlPage& page, const ParityCase& sample) {
                    short_number(sample.error_box2d_eps) + " eps S)";
         rings = {sample.box2d->point_a, sample.box2d->point_b};
     }
-    caption += sample.reason.empty() ? "." : "; " + sample.reason + ".";
+    caption += sample.reason.empty() ? "." : "; wrong: " + sample.reason + ".";
+    if (sample.culprit == reference::Culprit::box2d) caption += " " + why_box2d_failed(sample);
     if (!rings.empty()) caption += " Rings: Box2D's witness points.";
     page.figure(draw_pair(sample.query.a, sample.query.pose_a, sample.query.b, sample.query.pose_b, sample.ours, rings), caption);
     page.begin_details("the input in hexadecimal floats");
@@ -124,16 +131,19 @@ void add_failures(HtmlPage& page, const ParityResult& result) {
         for (const ParityCase& sample : row.ours_failures) add_case(page, sample);
 }
 
-// The worst drawable case of each family in which Box2D is wrong: shapes that float cannot tell from points make no picture.
+// The worst case of each family in which Box2D is wrong, wrong overlap flags first.
 void add_worst_cases(HtmlPage& page, const ParityResult& result) {
-    page.heading("Where Box2D is wrong: the worst of each family");
+    std::vector<const ParityCase*> shown;
     for (const ParityRow& row : result.families) {
-        const auto is_shown = [](const ParityCase& sample) {
-            return sample.culprit == reference::Culprit::box2d && sample.ours.status != DistanceStatus::invalid;
-        };
-        const auto worst = std::find_if(row.worst_box2d.begin(), row.worst_box2d.end(), is_shown);
-        if (worst != row.worst_box2d.end()) add_case(page, *worst);
+        const auto is_shown = [](const ParityCase& sample) { return sample.culprit == reference::Culprit::box2d; };
+        const auto worst = std::ranges::find_if(row.worst_box2d, is_shown);
+        if (worst != row.worst_box2d.end()) shown.push_back(&*worst);
     }
+    if (shown.empty()) return;
+    const auto by_flag = [](const ParityCase* sample) { return sample->box2d_wrong_flag; };
+    std::stable_partition(shown.begin(), shown.end(), by_flag);
+    page.heading("Where Box2D is wrong: the worst of each family");
+    for (const ParityCase* sample : shown) add_case(page, *sample);
 }
 
 }  // namespace
@@ -160,6 +170,7 @@ void write_parity_json(JsonWriter& json, const ParityResult& result) {
             .member("box2d_refused", row.box2d_refused)
             .member("ill_conditioned", row.ill_conditioned)
             .member("max_error_ours_m", row.max_error_ours_m)
+            .member("max_error_ours_units", row.max_error_ours_units)
             .member("max_error_box2d_m", row.max_error_box2d_m)
             .member("max_error_box2d_eps", row.max_error_box2d_eps)
             .member("iterations_ours", mean_iterations(row.iterations_ours, row))
@@ -175,23 +186,24 @@ void write_parity_json(JsonWriter& json, const ParityResult& result) {
 }
 
 std::string parity_table(const ParityResult& result) {
-    std::array<char, 192> line{};
+    std::array<char, 256> line{};
     std::string table;
     const auto add = [&](const ParityRow& row) {
-        std::snprintf(line.data(), line.size(), "%-22s %10llu %10llu %6llu %8llu %8llu %11.3g %11.3g %6.2f %6.2f\n", row.name.c_str(),
+        std::snprintf(line.data(), line.size(), "%-22s %10llu %10llu %6llu %8llu %8llu %11.3g %6.2f %11.3g %6.2f %6.2f\n", row.name.c_str(),
                       static_cast<unsigned long long>(row.pairs), static_cast<unsigned long long>(row.checked_exactly),
                       static_cast<unsigned long long>(row.ours_wrong + row.ours_witness_wrong),
                       static_cast<unsigned long long>(row.box2d_wrong), static_cast<unsigned long long>(row.ill_conditioned),
-                      row.max_error_ours_m, row.max_error_box2d_m, mean_iterations(row.iterations_ours, row),
+                      row.max_error_ours_m, row.max_error_ours_units, row.max_error_box2d_m, mean_iterations(row.iterations_ours, row),
                       mean_iterations(row.iterations_box2d, row));
         table += line.data();
     };
-    table += "                                     checked  wrong:    wrong      ill-  max error m:             iterations:\n";
-    table += "family                      pairs    exactly   ours    Box2D  condit.        ours       Box2D   ours  Box2D\n";
+    table += "                                     checked  wrong:    wrong      ill-  max error:    in    max error:  iterations:\n";
+    table += "family                      pairs    exactly   ours    Box2D  condit.      ours m    u L     Box2D m   ours  Box2D\n";
     for (const ParityRow& row : result.families) add(row);
     ParityRow total = result.total();
     total.name = "total";
     add(total);
+    table += "L: the sizes of the cores, their radii and their offset, added up; u = 2^-53\n";
     return table;
 }
 

@@ -10,7 +10,11 @@ namespace tumble::reference {
 
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-53;
+// What is promised of our own numbers, in error_unit()s. The distance: within E = 16 units of the core distance, 20 where a
+// rotation is drifted from unit length (by up to 2 in the families), and 4 for the radii. The bounds: E on either side, and
+// the loop may stop with its own two bounds 2 E apart, where "touching" may still be said.
+constexpr double kDistanceUnits = 24.0;
+constexpr double kBoundsUnits = 96.0;
 
 double tolerance(const PairQuery& query) { return kParityTolerance * kFloatEpsilon * largest_coordinate(query); }
 
@@ -47,6 +51,7 @@ bool has_comparable_witness(const B2Distance& answer) { return !says_overlap(ans
 struct Verdict {
     bool ours = false;
     bool box2d = false;
+    bool box2d_flag = false;
     bool ill_conditioned = false;
     std::string reason;
 
@@ -58,15 +63,17 @@ struct Verdict {
 };
 
 void judge_ours(ParityRow& row, const Comparison& comparison, const ExactSide* exact, double bound, Verdict& verdict) {
-    if (exact && exact->ours_is_wrong(comparison.ours)) {
+    const bool is_wrong = exact && exact->ours_is_wrong(comparison.ours);
+    const bool is_vague = exact && exact->ours_is_vague(comparison.ours, error_unit(comparison.query));
+    if (is_wrong || is_vague) {
         ++row.ours_wrong;
         verdict.ours = true;
-        verdict.say("ours: bounds or status");
+        verdict.say(is_wrong ? "tumble's bounds or status" : "tumble's accuracy");
     }
     if (exceeds(witness_error(comparison.query, comparison.ours), bound)) {
         ++row.ours_witness_wrong;
         verdict.ours = true;
-        verdict.say("ours: witness points");
+        verdict.say("tumble's witness points");
     }
 }
 
@@ -78,11 +85,12 @@ void judge_box2d(ParityRow& row, const Comparison& comparison, const ExactSide* 
     row.box2d_wrong_distance += by_distance;
     row.box2d_wrong += by_flag || by_distance;
     verdict.box2d = by_flag || by_distance;
-    if (by_flag) verdict.say("Box2D: overlap flag");
-    if (by_distance) verdict.say("Box2D: distance");
+    verdict.box2d_flag = by_flag;
+    if (by_flag) verdict.say("Box2D's overlap flag");
+    if (by_distance) verdict.say("Box2D's distance");
     if (has_comparable_witness(*comparison.box2d) && exceeds(witness_error(comparison.query, *comparison.box2d), bound)) {
         ++row.box2d_witness_wrong;
-        verdict.say("Box2D: witness points");
+        verdict.say("Box2D's witness points");
     }
 }
 
@@ -96,9 +104,8 @@ bool differ(const Comparison& comparison, const ExactSide& exact, double bound) 
 
 void add_ours_error(ParityRow& row, const Comparison& comparison, double error) {
     row.max_error_ours_m = std::max(row.max_error_ours_m, error);
-    const double scale = error_scale(comparison.query);
-    const bool bare = comparison.query.a.radius() == 0.0f && comparison.query.b.radius() == 0.0f;
-    if (bare && scale > 0.0) row.max_error_ours_units = std::max(row.max_error_ours_units, error / (kUnitRoundoff * scale));
+    const double unit = error_unit(comparison.query);
+    if (unit > 0.0) row.max_error_ours_units = std::max(row.max_error_ours_units, error / unit);
 }
 
 }  // namespace
@@ -121,6 +128,13 @@ bool ExactSide::ours_is_wrong(const DistanceResult& ours) const {
     if (!exact_) return !proved_;
     return ours.status == DistanceStatus::invalid || !(std::isfinite(ours.lower) && std::isfinite(ours.upper)) ||
            exact_->compare(ours.lower) < 0 || exact_->compare(ours.upper) > 0 || contradicts(ours.status, sign());
+}
+
+bool ExactSide::ours_is_vague(const DistanceResult& ours, double unit) const {
+    if (exceeds(ours.lower, ours.distance) || exceeds(ours.distance, ours.upper)) return true;
+    if (!exact_) return exceeds(ours.upper - ours.lower, kBoundsUnits * unit);
+    return exceeds(error_of(ours.distance), kDistanceUnits * unit) ||
+           (ours.status == DistanceStatus::touching && exceeds(std::abs(value()), kBoundsUnits * unit));
 }
 
 int ExactSide::sign() const {
@@ -178,10 +192,11 @@ void add_comparison(ParityRow& row, const Comparison& comparison, const ExactSid
     } else {
         ++row.box2d_refused;
     }
-    if (verdict.ours || (exact && comparison.box2d && row.is_among_worst(error_box2d / unit)))
+    const double severity = std::max(error_box2d, verdict.box2d_flag ? std::abs(exact->value()) : 0.0) / unit;
+    if (verdict.ours || (exact && comparison.box2d && row.is_among_worst(verdict.box2d_flag, severity)))
         row.keep({row.name, id.seed, id.index, comparison.query, comparison.ours, comparison.box2d,
                   exact ? exact->value() : comparison.ours.distance, error_ours, error_box2d, error_box2d / unit,
-                  verdict.culprit(), verdict.reason});
+                  verdict.box2d_flag, severity, verdict.culprit(), verdict.reason});
 }
 
 void add_invalid_comparison(ParityRow& row, const PairQuery& query, const DistanceResult& ours, CaseId id) {
@@ -191,8 +206,8 @@ void add_invalid_comparison(ParityRow& row, const PairQuery& query, const Distan
     const auto is_nan = [](double value) { return std::isnan(value); };
     if (ours.status == DistanceStatus::invalid && is_nan(ours.distance) && is_nan(ours.lower) && is_nan(ours.upper)) return;
     ++row.ours_wrong;
-    row.keep({row.name, id.seed, id.index, query, ours, std::nullopt, NAN, 0.0, 0.0, 0.0, Culprit::ours,
-              "ours: answered invalid input"});
+    row.keep({row.name, id.seed, id.index, query, ours, std::nullopt, NAN, 0.0, 0.0, 0.0, false, 0.0, Culprit::ours,
+              "tumble's answer to invalid input"});
 }
 
 }  // namespace tumble::reference

@@ -77,6 +77,10 @@ double error_scale(const PairQuery& query) {
            length(query.pose_b.position - query.pose_a.position);
 }
 
+double error_unit(const PairQuery& query) {
+    return 0x1p-53 * (error_scale(query) + query.a.radius() + query.b.radius());
+}
+
 std::string to_hex(const PairQuery& query) {
     std::string text = "a: ";
     append(text, query.a, query.pose_a);

@@ -27,6 +27,9 @@ double largest_coordinate(const PairQuery& query);
 // shape's origin and the offset of the positions (m).
 double error_scale(const PairQuery& query);
 
+// u (RA + RB + |p| + rA + rB), u = 2^-53 and rA, rB the radii: the unit in which errors of the narrow phase are stated (m).
+double error_unit(const PairQuery& query);
+
 // All numbers as hexadecimal floats, from which the query can be typed in again bit for bit.
 std::string to_hex(const PairQuery& query);
 

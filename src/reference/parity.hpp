@@ -1,8 +1,9 @@
 // Parity: every distance by tumble and by b2Distance, and exact arithmetic to say who is wrong where they differ.
 //
-// *Wrong* is ours if the exact signed distance is outside [lower, upper] or the status contradicts its sign; Box2D's if
-// its distance is more than 4 eps S from the exact one (clamped at 0), or its overlap flag contradicts the exact sign; S is
-// the largest world coordinate, eps that of float. *Ill-conditioned*: the engines differ over that tolerance and neither is
+// *Wrong* is ours if the exact signed distance is outside [lower, upper], if the status contradicts its sign, or if the
+// distance or a "touching" is farther from the truth than rounding explains (bounds that are wide would prove nothing);
+// Box2D's if its distance is more than 4 eps S from the exact one (clamped at 0), or its overlap flag contradicts the exact
+// sign; S is the largest world coordinate, eps that of float. *Ill-conditioned*: the engines differ over that tolerance and neither is
 // wrong. Checked exactly: every pair over tolerance, the first pairs of each family, and a seeded share of the rest.
 // Shapes with radii are compared twice, the bare cores first. Results do not depend on the number of threads.
 #pragma once
@@ -40,6 +41,8 @@ struct ParityCase {
     double error_ours_m = 0.0;
     double error_box2d_m = 0.0;
     double error_box2d_eps = 0.0;  // in units of eps S
+    bool box2d_wrong_flag = false; // it says overlap of separated shapes, or the other way round
+    double severity = 0.0;         // of Box2D's error: with a wrong flag at least |exact|, in units of eps S
     Culprit culprit = Culprit::none;
     std::string reason;            // "flag", "distance", "witness points", ... of each culprit
 };
@@ -68,7 +71,7 @@ struct ParityRow {
     std::uint64_t box2d_refused = 0;        // not given to Box2D: its float cannot hold the input
     std::uint64_t ill_conditioned = 0;
     double max_error_ours_m = 0.0;          // over what was checked exactly
-    double max_error_ours_units = 0.0;      // of u (RA + RB + |p|), of bare cores
+    double max_error_ours_units = 0.0;      // of u (RA + RB + |p| + radii)
     double max_error_box2d_m = 0.0;         // over all comparisons; may be infinite
     double max_error_box2d_eps = 0.0;       // of eps S
     std::uint64_t iterations_ours = 0;      // sums over the comparisons
@@ -78,12 +81,12 @@ struct ParityRow {
     ErrorHistogram histogram_ours;          // over what was checked exactly
     ErrorHistogram histogram_box2d;
     std::vector<ParityCase> ours_failures;  // the first kKeptFailures
-    std::vector<ParityCase> worst_box2d;    // the kKeptWorst largest errors in eps S, earlier pairs first among equals
+    std::vector<ParityCase> worst_box2d;    // kKeptWorst: wrong overlap flags first, then by severity
 
     static constexpr std::size_t kKeptFailures = 20;
     static constexpr std::size_t kKeptWorst = 4;
 
-    bool is_among_worst(double error_box2d_eps) const;
+    bool is_among_worst(bool wrong_flag, double severity) const;
     void keep(ParityCase comparison);    // in the list or lists that it belongs to
     void merge(const ParityRow& later);  // a row of later pairs of the same family, or of another for a total
 };

@@ -11,13 +11,15 @@ namespace {
 
 constexpr int kLargestExact = 64;  // vertices of a core; beyond, the certificate is checked
 
+bool has_radii(const PairQuery& query) { return query.a.radius() > 0.0f || query.b.radius() > 0.0f; }
+
 // The queries of a block, those with radii twice: bare cores first, as they are second.
 struct Inquiries {
     std::vector<PairQuery> queries;
     std::vector<std::uint64_t> indices;  // [queries.size()], of the pair
 
     void add(const PairQuery& query, std::uint64_t index) {
-        if (query.a.radius() > 0.0f || query.b.radius() > 0.0f) push(query.without_radii(), index);
+        if (has_radii(query)) push(query.without_radii(), index);
         push(query, index);
     }
 
@@ -30,13 +32,14 @@ private:
 
 DistanceResult ask_tumble(const PairQuery& query) { return distance(query.a, query.pose_a, query.b, query.pose_b); }
 
-// One block at a time: Box2D counts its calls in plain globals.
+// One block at a time: Box2D counts its calls in plain globals. Bare cores are asked without `useRadii`, which would call
+// everything within 1.2e-7 m an overlap.
 std::vector<std::optional<B2Distance>> ask_box2d(const std::vector<PairQuery>& queries) {
     static std::mutex one_thread;
     const std::scoped_lock lock(one_thread);
     std::vector<std::optional<B2Distance>> answers;
     answers.reserve(queries.size());
-    for (const PairQuery& query : queries) answers.push_back(b2_distance(query, true));
+    for (const PairQuery& query : queries) answers.push_back(b2_distance(query, has_radii(query)));
     return answers;
 }
 

@@ -8,7 +8,11 @@ namespace tumble::reference {
 
 namespace {
 
-bool is_worse(const ParityCase& a, const ParityCase& b) { return a.error_box2d_eps > b.error_box2d_eps; }
+// A wrong flag is a contact missed or made up; an error of the distance below that is a matter of degree.
+bool is_worse(const ParityCase& a, const ParityCase& b) {
+    if (a.box2d_wrong_flag != b.box2d_wrong_flag) return a.box2d_wrong_flag;
+    return a.severity > b.severity;
+}
 
 template <class T>
 void raise(T& largest, T value) {
@@ -41,12 +45,16 @@ void ErrorHistogram::add(double relative_error) {
 
 double ErrorHistogram::lower_edge(int bin) { return std::pow(10.0, 0.5 * bin - 20.0); }
 
-bool ParityRow::is_among_worst(double error_box2d_eps) const {
-    return error_box2d_eps > 0.0 && (worst_box2d.size() < kKeptWorst || error_box2d_eps > worst_box2d.back().error_box2d_eps);
+bool ParityRow::is_among_worst(bool wrong_flag, double severity) const {
+    if (!(severity > 0.0)) return false;
+    if (worst_box2d.size() < kKeptWorst) return true;
+    const ParityCase& last = worst_box2d.back();
+    if (wrong_flag != last.box2d_wrong_flag) return wrong_flag;
+    return severity > last.severity;  // earlier pairs stay first among equals
 }
 
 void ParityRow::keep(ParityCase comparison) {
-    if (is_among_worst(comparison.error_box2d_eps)) {
+    if (is_among_worst(comparison.box2d_wrong_flag, comparison.severity)) {
         const auto place = std::ranges::upper_bound(worst_box2d, comparison, is_worse);
         worst_box2d.insert(place, comparison);
         if (worst_box2d.size() > kKeptWorst) worst_box2d.pop_back();
@@ -82,7 +90,7 @@ void ParityRow::merge(const ParityRow& later) {
     for (const ParityCase& comparison : later.ours_failures)
         if (ours_failures.size() < kKeptFailures) ours_failures.push_back(comparison);
     for (const ParityCase& comparison : later.worst_box2d) {
-        if (!is_among_worst(comparison.error_box2d_eps)) break;
+        if (!is_among_worst(comparison.box2d_wrong_flag, comparison.severity)) break;
         worst_box2d.insert(std::ranges::upper_bound(worst_box2d, comparison, is_worse), comparison);
         if (worst_box2d.size() > kKeptWorst) worst_box2d.pop_back();
     }

@@ -101,6 +101,16 @@ TEST_CASE("the judge blames who is wrong") {
     elsewhere.point_a.x -= 1e-3;
     CHECK(judged(query, elsewhere, box2d).ours_wrong == 0);
     CHECK(judged(query, elsewhere, box2d).ours_witness_wrong == 1);
+    DistanceResult vague = right;  // right, but proves next to nothing
+    vague.lower -= 1e-9;
+    vague.upper += 1e-9;
+    CHECK(judged(query, vague, box2d).ours_wrong == 0);
+    vague.distance += 1e-10;
+    CHECK(judged(query, vague, box2d).ours_wrong == 1);
+    vague = right;
+    vague.lower = -1.0;
+    vague.status = DistanceStatus::touching;
+    CHECK(judged(query, vague, box2d).ours_wrong == 1);
     DistanceResult unknown = right;
     unknown.lower = NAN;
     CHECK(judged(query, unknown, box2d).ours_wrong == 1);
@@ -114,6 +124,27 @@ TEST_CASE("the judge blames who is wrong") {
     CHECK(judged(query, right, far).box2d_wrong_distance == 1);
     far.distance -= 2.0 * kFloatEpsilon * 1.75;
     CHECK(judged(query, right, far).box2d_wrong == 0);
+}
+
+TEST_CASE("the worst of Box2D are wrong overlap flags, by how wrong they are, then errors of the distance") {
+    const auto sample = [](bool wrong_flag, double severity, std::uint64_t index) {
+        ParityCase kept;
+        kept.box2d_wrong_flag = wrong_flag;
+        kept.severity = severity;
+        kept.index = index;
+        return kept;
+    };
+    ParityRow first, second;
+    first.keep(sample(false, 9.0, 1));
+    first.keep(sample(true, 1.0, 2));
+    first.keep(sample(false, 7.0, 3));
+    second.keep(sample(true, 2.0, 4));
+    second.keep(sample(false, 9.0, 5));
+    second.keep(sample(false, 0.0, 6));  // no error at all
+    first.merge(second);
+    REQUIRE(first.worst_box2d.size() == 4);
+    const std::array<std::uint64_t, 4> expected{4, 2, 1, 5};
+    for (std::size_t i = 0; i < 4; ++i) CHECK(first.worst_box2d[i].index == expected[i]);
 }
 
 TEST_CASE("b2Distance gets what it can take and answers as by hand") {
