@@ -24,6 +24,8 @@ struct BodyDef {
     float angular_damping = 0.0f;   // 1/s
     float gravity_scale = 1.0f;
     bool allow_fast_rotation = false;  // more than an eighth of a turn a step; for round things
+    bool allow_sleep = true;           // false keeps the body's whole island awake
+    bool awake = true;                 // false: a dynamic body starts asleep, at rest, until something touches it
 };
 
 // How a surface behaves in contact. Of two surfaces the friction is sqrt(f1 f2), the restitution the larger, the
@@ -47,7 +49,7 @@ struct ShapeDef {
 struct BodyState {
     Pose pose;                      // of the body's origin
     Vec2 velocity;                  // of the centre of mass, m/s
-    float angular_velocity = 0.0f;  // rad/s
+    float angular_velocity = 0.0f;  // rad/s; a body asleep is at rest
 };
 
 struct BodyMass {

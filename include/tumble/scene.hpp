@@ -153,6 +153,7 @@ struct SceneBody {
     double linear_damping = 0.0;
     double angular_damping = 0.0;
     double gravity_scale = 1.0;
+    bool awake = true;
     std::optional<SceneRepeat> repeat;
     std::vector<SceneShape> shapes;
     std::string custom;

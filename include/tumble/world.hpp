@@ -21,12 +21,15 @@ struct WorldDef {
     Vec2 gravity{0.0f, -10.0f};      // m/s^2
     float steps_per_second = 60.0f;  // > 0
     int substeps = 4;                // >= 1
+    bool sleeping = true;            // whether bodies at rest fall asleep
 };
 
 // What the last step did; times are wall clock.
 struct StepCounters {
-    int bodies = 0;    // all live bodies
-    int contacts = 0;  // pairs with at least one manifold point
+    int bodies = 0;        // all live bodies
+    int awake_bodies = 0;  // of those that can sleep: dynamic ones
+    int sleeping_islands = 0;
+    int contacts = 0;  // pairs with at least one manifold point, those of sleeping bodies too
     int contact_points = 0;
     int joints = 0;
     int colors = 0;  // of the constraint graph
@@ -56,6 +59,10 @@ struct ShapePair {
     ShapeId b;
 };
 
+// Bodies fall asleep together: an island is a set of dynamic bodies that touch or are joined, and it sleeps once all of
+// it has been slower than 0.05 m/s for half a second. Asleep it costs nothing. It wakes when something awake touches
+// it, when one of its bodies is given a velocity, a force, a shape or a joint, and when what it leans on moves or goes.
+//
 // Calls with a stale or foreign id, with values that are not finite or out of range throw std::invalid_argument with
 // the value printed, and leave the world as it was.
 class World {
@@ -87,6 +94,18 @@ public:
 
     void set_velocity(BodyId id, Vec2 velocity, float angular_velocity);
 
+    // A force (N, world axes) at a world point and a torque (N m), during the next step only; an impulse (N s) and an
+    // angular impulse (N m s) at once. They act on dynamic bodies, and do nothing to others.
+    void apply_force(BodyId id, Vec2 force, DVec2 point);
+    void apply_torque(BodyId id, float torque);
+    void apply_impulse(BodyId id, Vec2 impulse, DVec2 point);
+    void apply_angular_impulse(BodyId id, float impulse);
+
+    // False for a dynamic body that sleeps; others are never asleep. Putting one to sleep stops its whole island, also
+    // where falling asleep is off.
+    bool is_awake(BodyId id) const;
+    void set_awake(BodyId id, bool awake);
+
     // Live bodies and joints in id order; a body's shapes in the order they were added. The spans hold until the next
     // creation or destruction.
     std::span<const BodyId> bodies() const noexcept;
@@ -104,10 +123,12 @@ public:
     // left them. Computed on the call: O(contacts).
     std::vector<ContactPoint> contacts() const;
 
-    // The pairs that the last step asked the narrow phase about, in order of shape ids. Computed on the call: O(pairs).
+    // The pairs that the last step asked the narrow phase about, in order of shape ids: not those of sleeping bodies.
+    // Computed on the call: O(pairs).
     std::vector<ShapePair> candidate_pairs() const;
 
-    // xxHash64 of pose and velocity of the live bodies in id order, as little-endian bytes: equal worlds, equal hashes.
+    // xxHash64 of pose, velocity and sleep flag of the live bodies in id order, as little-endian bytes: equal worlds,
+    // equal hashes.
     std::uint64_t state_hash() const;
 
     const StepCounters& counters() const noexcept;

@@ -1,5 +1,5 @@
 // Bodies: what the narrow phase and the solver's preparation read of each (one cache line), the hot solver bodies of
-// those that move, and the rest, which only creation and destruction touch.
+// those that are awake and may move, and the rest, which only creation, destruction and sleep touch.
 #pragma once
 
 #include <cstdint>
@@ -18,24 +18,40 @@ struct alignas(64) BodyFrame {
     Vec2 center_offset;     // centre of mass from the origin, world axes
     float inv_mass = 0.0f;  // 0 if not dynamic
     float inv_inertia = 0.0f;
-    std::uint32_t solver_body = kStaticSolverBody;
+    std::uint32_t solver_body = kStaticSolverBody;  // the static one if asleep
     BodyType type = BodyType::static_body;
 };
 static_assert(sizeof(BodyFrame) == 64);
 
+// How a body moves, as its definition says; what it has no say in is derived.
+struct BodyMotion {
+    float gravity_scale = 1.0f;
+    float linear_damping = 0.0f;   // 1/s
+    float angular_damping = 0.0f;  // 1/s
+    float reach = 0.0f;            // of the farthest point of its shapes from the centre of mass, m
+    bool allow_sleep = true;
+};
+
+inline constexpr std::uint32_t kNoIsland = 0xffffffffu;
+
 // What else is known of a body. By body index.
 struct BodyRecord {
     BodyMass mass;
-    std::vector<ShapeId> shapes;  // in the order they were added
-    std::vector<JointId> joints;  // in order of creation
+    BodyMotion motion;
+    std::uint32_t flags = 0;           // BodyFlag
+    std::uint32_t island = kNoIsland;  // the sleeping island that holds it
+    std::vector<ShapeId> shapes;       // in the order they were added
+    std::vector<JointId> joints;       // in order of creation
 };
 
 // What the integrator needs of a moving body beside its SolverBody. By solver body.
 struct MovingBody {
     std::uint32_t body = 0;  // index
-    float gravity_scale = 1.0f;
-    float linear_damping = 0.0f;   // 1/s
-    float angular_damping = 0.0f;  // 1/s
+    BodyMotion motion;
+    float still_time = 0.0f;  // for how long it has been slow enough to sleep, s
+    // By the forces of the next step.
+    Vec2 acceleration;                  // m/s^2
+    float angular_acceleration = 0.0f;  // rad/s^2
 };
 
 class BodyStore {
@@ -46,16 +62,33 @@ public:
     void destroy(BodyId id);  // its shapes and joints are gone already
 
     // Mass, centre of mass and inertia from the sum of the body's shapes. The origin stays where it is, and the
-    // velocity of every material point as it was.
-    void set_mass(BodyId id, const BodyMass& mass);
+    // velocity of every material point as it was. `reach` is that of BodyMotion.
+    void set_mass(BodyId id, const BodyMass& mass, float reach);
+
+    // A dynamic body leaves or joins the solver bodies; asleep it is at rest. Whose island it is in is the caller's
+    // to keep.
+    void put_to_sleep(std::uint32_t body);
+    void wake(std::uint32_t body);
 
     bool is_dynamic(std::uint32_t body) const { return frames[body].type == BodyType::dynamic_body; }
+    bool is_asleep(std::uint32_t body) const {
+        return is_dynamic(body) && frames[body].solver_body == kStaticSolverBody;
+    }
+    // True if it is among the solver bodies and can push others: dynamic and awake, or kinematic and moving.
+    bool is_active(std::uint32_t body) const;
+    int awake_dynamic_count() const { return awake_dynamic_count_; }
 
     IdPool<BodyId> ids;
     std::vector<BodyFrame> frames;          // by body index
     std::vector<BodyRecord> records;        // by body index
     std::vector<SolverBody> solver_bodies;  // [0] is the static one; the others move
     std::vector<MovingBody> moving;         // by solver body; [0] unused
+
+private:
+    void add_solver_body(std::uint32_t body, Vec2 velocity, float angular_velocity);
+    void remove_solver_body(std::uint32_t body);
+
+    int awake_dynamic_count_ = 0;
 };
 
 }  // namespace tumble

@@ -46,6 +46,11 @@ inline constexpr float kRecyclingPart = 0.025f;
 inline constexpr float kAabbMargin = 0.05f;
 inline constexpr float kAabbMarginPart = 0.125f;
 
+// An island falls asleep when no point of it has moved faster than this (m/s) for this long (s). Faster: what creeps
+// is frozen in mid-air. Slower, or longer: settled piles go on costing time.
+inline constexpr float kSleepSpeed = 0.05f;
+inline constexpr float kTimeToSleep = 0.5f;
+
 // Speed limit, m/s: 6.7 m in a step at 60 Hz. Beyond, float deltas and the tree lose their meaning.
 inline constexpr float kMaxSpeed = 400.0f;
 

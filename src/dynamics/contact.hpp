@@ -24,6 +24,7 @@ struct Contact {
     Manifold manifold;         // anchors from the bodies' origins
     PointImpulse impulses[2];  // by manifold point
     float rolling_impulse = 0.0f;
+    bool is_new = true;           // not collided yet
     ManifoldReference reference;  // the last full collision
     SimplexCache cache;
     // Of the pair, mixed once when it is found.

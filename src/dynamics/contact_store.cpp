@@ -1,5 +1,8 @@
 #include "dynamics/contact_store.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "dynamics/constants.hpp"
 #include "dynamics/shape_store.hpp"
 
@@ -21,6 +24,17 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes) {
         mix_rolling_resistance(a.material, b.material) * std::max(a.shape.radius(), b.shape.radius());
     contact.tangent_speed = mix_tangent_speed(a.material, b.material);
     return contact;
+}
+
+void ContactStore::merge_woken() {
+    if (woken_.empty()) return;
+    const auto by_shapes = [](const Contact& a, const Contact& b) { return a.shapes < b.shapes; };
+    std::sort(woken_.begin(), woken_.end(), by_shapes);
+    merged_.clear();
+    std::merge(contacts_.begin(), contacts_.end(), woken_.begin(), woken_.end(), std::back_inserter(merged_),
+               by_shapes);
+    contacts_.swap(merged_);
+    woken_.clear();
 }
 
 namespace {
@@ -47,6 +61,7 @@ void collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
     const Manifold manifold = collide(a.shape, pose_a, b.shape, pose_b, contact.speculative_distance, contact.cache);
     carry_impulses_over(contact, manifold);
     contact.manifold = manifold;
+    contact.is_new = false;
     contact.reference = {manifold, pose_a.rotation, pose_b.rotation, pose_b.position - pose_a.position, true};
 }
 

@@ -1,5 +1,5 @@
-// All contacts, contiguous and sorted by shape indices: every loop over them runs in an order that depends on ids
-// alone.
+// The contacts of awake bodies, contiguous and sorted by shape indices: every loop over them runs in an order that
+// depends on ids alone.
 #pragma once
 
 #include <vector>
@@ -18,11 +18,23 @@ public:
     template <class Keep>
     void update(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, Keep&& keep);
 
+    // Takes out the contacts for which keep(contact), called in order, does not hold.
+    template <class Keep>
+    void keep_if(Keep&& keep);
+
+    // Contacts come back from an island that woke: at once for whoever asks, in their place by merge_woken().
+    void add_woken(const std::vector<Contact>& contacts) {
+        woken_.insert(woken_.end(), contacts.begin(), contacts.end());
+    }
+    const std::vector<Contact>& woken() const { return woken_; }
+    void merge_woken();
+
     std::vector<Contact>& all() { return contacts_; }
     const std::vector<Contact>& all() const { return contacts_; }
 
 private:
     std::vector<Contact> contacts_;
+    std::vector<Contact> woken_;
     std::vector<Contact> merged_;
 };
 
@@ -42,6 +54,14 @@ void ContactStore::update(const std::vector<ProxyPair>& new_pairs, const ShapeSt
     }
     for (; next_new != new_pairs.end(); ++next_new) merged_.push_back(make_contact(*next_new, shapes));
     contacts_.swap(merged_);
+}
+
+template <class Keep>
+void ContactStore::keep_if(Keep&& keep) {
+    std::size_t kept = 0;
+    for (const Contact& contact : contacts_)
+        if (keep(contact)) contacts_[kept++] = contact;
+    contacts_.resize(kept);
 }
 
 }  // namespace tumble

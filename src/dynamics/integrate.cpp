@@ -25,10 +25,11 @@ void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, float step_d
         SolverBody& body = bodies.solver_bodies[i];
         if (!(body.flags & kDynamicBody)) continue;
         const MovingBody& moving = bodies.moving[i];
-        const float linear_decay = 1.0f / (1.0f + h * moving.linear_damping);
-        const float angular_decay = 1.0f / (1.0f + h * moving.angular_damping);
-        Vec2 velocity = linear_decay * (body.velocity + (h * moving.gravity_scale) * gravity);
-        float spin = angular_decay * body.angular_velocity;
+        const BodyMotion& motion = moving.motion;
+        const float linear_decay = 1.0f / (1.0f + h * motion.linear_damping);
+        const float angular_decay = 1.0f / (1.0f + h * motion.angular_damping);
+        Vec2 velocity = linear_decay * (body.velocity + h * (motion.gravity_scale * gravity + moving.acceleration));
+        float spin = angular_decay * (body.angular_velocity + h * moving.angular_acceleration);
         if (length_sq(velocity) > kMaxSpeed * kMaxSpeed) velocity = (kMaxSpeed / length(velocity)) * velocity;
         if (!(body.flags & kUnlimitedSpin)) spin = std::clamp(spin, -max_spin, max_spin);
         body.velocity = velocity;
@@ -57,6 +58,8 @@ void finalize_poses(BodyStore& bodies) {
         frame.pose.position = frame.center - DVec2(frame.center_offset);
         body.delta_position = {};
         body.delta_rotation = {};
+        bodies.moving[i].acceleration = {};
+        bodies.moving[i].angular_acceleration = 0.0f;
     }
 }
 

@@ -6,13 +6,13 @@
 
 namespace tumble {
 
-// v += h g, damping v / (1 + h c), speed limits. Bodies that are not dynamic keep their velocities.
+// v += h (g + F / m), damping v / (1 + h c), speed limits. Bodies that are not dynamic keep their velocities.
 void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, float step_duration);
 
 // Deltas of position and rotation by the new velocities.
 void integrate_positions(BodyStore& bodies, float h);
 
-// Takes the deltas into the poses and clears them.
+// Takes the deltas into the poses and clears them, with the forces that made them.
 void finalize_poses(BodyStore& bodies);
 
 // The lowest body index whose velocity or position is not finite, or kNoBody.

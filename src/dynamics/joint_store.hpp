@@ -1,5 +1,8 @@
-// All joints, one array a kind, each sorted by id. Every kind has the same skeleton: prepare, warm_start, solve, store;
-// a new kind is a file, a line in KindList and a definition in joint.hpp.
+// All joints, an array a kind. Every kind has the same skeleton: prepare, warm_start, solve, store; a new kind is a
+// file, a line in KindList and a definition in joint.hpp.
+//
+// A joint stays where it was created; each kind lists those that are awake, in order of their ids. A joint sleeps with
+// its bodies and costs nothing then.
 #pragma once
 
 #include <span>
@@ -28,37 +31,69 @@ class JointStore {
 public:
     JointId create(const JointDef& def);
     void destroy(JointId id);
-    const JointDef& def(JointId id) const { return defs_[id.index]; }
+    const JointDef& def(JointId id) const { return records_[id.index].def; }
     JointReaction reaction(JointId id) const;
+
+    bool is_awake(JointId id) const { return records_[id.index].is_awake; }
+    void wake(JointId id);
+    void put_to_sleep(std::span<const JointId> ids);
 
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
     void store(const JointContext& context);
 
+    // Calls visit(body_a, body_b), by index, for each joint that is awake.
+    template <class Visitor>
+    void for_each_awake_pair(Visitor&& visit) const {
+        for_each_list(*this, [&](const auto& list) {
+            for (const AwakeJoint& awake : list.awake) {
+                const JointDef& joint = records_[awake.joint].def;
+                visit(joint_body_a(joint).index, joint_body_b(joint).index);
+            }
+        });
+    }
+
     IdPool<JointId> ids;
 
 private:
+    struct JointRecord {
+        JointDef def;
+        std::uint32_t slot = 0;  // in the list of its kind
+        bool is_awake = false;
+    };
+    struct AwakeJoint {
+        std::uint32_t joint = 0;  // index
+        std::uint32_t slot = 0;
+
+        friend constexpr auto operator<=>(AwakeJoint, AwakeJoint) = default;
+    };
     template <class Joint>
-    struct Entry {
-        JointId id;
-        Joint joint;
+    struct JointList {
+        std::vector<Joint> joints;        // by slot
+        std::vector<std::uint32_t> free;  // slots
+        std::vector<AwakeJoint> awake;    // sorted unless woken since the last step
     };
     template <class... Joints>
-    using Lists = std::tuple<std::vector<Entry<Joints>>...>;
+    using Lists = std::tuple<JointList<Joints>...>;
     using KindList = Lists<RevoluteJoint, DistanceJoint>;  // in order of solving
 
     template <class Self, class Visitor>
-    static void for_each(Self& self, Visitor&& visit) {
-        std::apply([&](auto&... list) { (visit_all(list, visit), ...); }, self.lists_);
+    static void for_each_list(Self& self, Visitor&& visit) {
+        std::apply([&](auto&... list) { (visit(list), ...); }, self.lists_);
     }
-    template <class List, class Visitor>
-    static void visit_all(List& list, Visitor&& visit) {
-        for (auto& entry : list) visit(entry.joint);
+    template <class Self, class Visitor>
+    static void for_each_awake(Self& self, Visitor&& visit) {
+        for_each_list(self, [&](auto& list) {
+            for (const AwakeJoint& awake : list.awake) visit(list.joints[awake.slot]);
+        });
     }
+    template <class Self, class Visitor>
+    static void visit_list_of(Self& self, JointId id, Visitor&& visit);
 
-    std::vector<JointDef> defs_;  // by joint index
+    std::vector<JointRecord> records_;  // by joint index
     KindList lists_;
+    bool is_unsorted_ = false;  // joints were added to the awake ones
 };
 
 }  // namespace tumble

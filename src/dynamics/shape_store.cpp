@@ -61,4 +61,10 @@ BodyMass body_mass(BodyType type, const std::vector<ShapeId>& shapes, const Shap
     return {static_cast<float>(mass), to_float(center), static_cast<float>(inertia)};
 }
 
+float body_reach(Vec2 from, const std::vector<ShapeId>& shapes, const ShapeStore& store) {
+    float reach = 0.0f;
+    for (const ShapeId id : shapes) reach = std::max(reach, farthest_distance(store[id.index].shape, from));
+    return reach;
+}
+
 }  // namespace tumble

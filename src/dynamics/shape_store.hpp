@@ -46,4 +46,7 @@ private:
 // The mass of a body from its shapes: zero unless dynamic, 1 kg that does not turn if the shapes weigh nothing.
 BodyMass body_mass(BodyType type, const std::vector<ShapeId>& shapes, const ShapeStore& store);
 
+// The distance of the farthest point of the shapes from a point in body coordinates.
+float body_reach(Vec2 from, const std::vector<ShapeId>& shapes, const ShapeStore& store);
+
 }  // namespace tumble

@@ -12,8 +12,10 @@
 #include "dynamics/constraint_graph.hpp"
 #include "dynamics/contact_block.hpp"
 #include "dynamics/contact_store.hpp"
+#include "dynamics/island_finder.hpp"
 #include "dynamics/joint_store.hpp"
 #include "dynamics/shape_store.hpp"
+#include "dynamics/sleeping_islands.hpp"
 
 namespace tumble {
 
@@ -21,6 +23,7 @@ struct StepSettings {
     Vec2 gravity;
     float duration = 0.0f;  // of a step, s
     int substeps = 4;
+    bool sleeping = true;
 };
 
 // Wall clock of the last step's parts.
@@ -29,6 +32,14 @@ struct StepTimes {
     double narrow_ms = 0.0;
     double solve_ms = 0.0;
     double total_ms = 0.0;
+};
+
+// A body that falls asleep, and the root of its island: its solver body when islands were found.
+struct Sleeper {
+    std::uint32_t body = 0;
+    std::uint32_t root = 0;
+
+    friend constexpr auto operator<=>(Sleeper, Sleeper) = default;
 };
 
 struct Simulation {
@@ -40,19 +51,30 @@ struct Simulation {
     ContactStore contacts;
     ConstraintGraph graph;
     std::vector<ContactBlock> blocks;  // of the last step
+    SleepingIslands sleeping;
     StepTimes times;
     bool filters_changed = false;  // a joint was created: contacts may have to go that were allowed
+
+    // Of the stage that puts islands to sleep; kept to be used again.
+    IslandFinder islands;
+    std::vector<Sleeper> sleepers;
+    std::vector<std::uint32_t> island_of_root;  // by solver body
+    std::vector<JointId> sleeping_joints;
+
+    bool is_live(ProxyPair pair) const { return shapes[pair.a].is_live && shapes[pair.b].is_live; }
 };
 
 // One step. Afterwards find_diverged() tells whether its result is finite; the broad phase follows only if it is.
 void step(Simulation& simulation);
 
-// True if the two shapes may touch: one of them is dynamic, and no joint between their bodies forbids it.
+// True if the two shapes may touch: one of them is dynamic and one not at rest for good (asleep, static), and no joint
+// between their bodies forbids it.
 bool may_collide(const Simulation& simulation, ProxyPair shapes);
 
 // The stages, in order.
 void find_pairs(Simulation& simulation);
 void collide_pairs(Simulation& simulation);
+void collide_woken(Simulation& simulation);
 void prepare_constraints(Simulation& simulation);
 void run_substep(Simulation& simulation);
 void bounce(Simulation& simulation);

@@ -3,6 +3,7 @@
 
 #include "dynamics/integrate.hpp"
 #include "dynamics/simulation.hpp"
+#include "dynamics/sleep.hpp"
 
 namespace tumble {
 
@@ -41,6 +42,7 @@ void step(Simulation& simulation) {
 
     const Clock::time_point narrow_start = Clock::now();
     collide_pairs(simulation);
+    collide_woken(simulation);
     simulation.times.narrow_ms = milliseconds_since(narrow_start);
 
     const Clock::time_point solve_start = Clock::now();
@@ -51,25 +53,29 @@ void step(Simulation& simulation) {
     finalize_poses(simulation.bodies);
     simulation.times.solve_ms = milliseconds_since(solve_start);
 
-    if (find_diverged(simulation.bodies) == kNoBody) update_proxies(simulation);
+    if (find_diverged(simulation.bodies) == kNoBody) {
+        update_proxies(simulation);
+        fall_asleep(simulation);
+    }
     simulation.times.total_ms = milliseconds_since(start);
 }
 
 bool may_collide(const Simulation& simulation, ProxyPair shapes) {
     const std::uint32_t a = simulation.shapes[shapes.a].body, b = simulation.shapes[shapes.b].body;
     if (a == b || !(simulation.bodies.is_dynamic(a) || simulation.bodies.is_dynamic(b))) return false;
+    if (!simulation.bodies.is_active(a) && !simulation.bodies.is_active(b)) return false;
     return !joined_without_contact(simulation, a, b);
 }
 
 // New pairs come from boxes that have moved; pairs go when their boxes have parted, which only such a box can cause.
 void find_pairs(Simulation& simulation) {
+    simulation.contacts.merge_woken();
     const bool moved = simulation.broad.has_moved();
     const std::vector<ProxyPair>& new_pairs =
         simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); });
     if (!moved && !simulation.shapes.has_destroyed() && !simulation.filters_changed) return;
     simulation.contacts.update(new_pairs, simulation.shapes, [&](const Contact& contact) {
-        const bool live = simulation.shapes[contact.shapes.a].is_live && simulation.shapes[contact.shapes.b].is_live;
-        const bool keep = live && simulation.broad.overlap(contact.shapes) &&
+        const bool keep = simulation.is_live(contact.shapes) && simulation.broad.overlap(contact.shapes) &&
                           !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
         if (!keep) simulation.broad.forget(contact.shapes);
         return keep;
@@ -80,6 +86,15 @@ void find_pairs(Simulation& simulation) {
 
 void collide_pairs(Simulation& simulation) {
     for (Contact& contact : simulation.contacts.all()) collide_contact(contact, simulation.bodies, simulation.shapes);
+}
+
+// What is touched wakes before it is solved, and may touch the next.
+void collide_woken(Simulation& simulation) {
+    while (wake_touched(simulation)) {
+        find_pairs(simulation);
+        for (Contact& contact : simulation.contacts.all())
+            if (contact.is_new) collide_contact(contact, simulation.bodies, simulation.shapes);
+    }
 }
 
 void prepare_constraints(Simulation& simulation) {

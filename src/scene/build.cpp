@@ -20,6 +20,7 @@ WorldDef make_world_def(const SceneSettings& settings) {
     def.gravity = to_float(settings.gravity);
     def.steps_per_second = static_cast<float>(settings.steps_per_second);
     def.substeps = settings.substeps;
+    def.sleeping = settings.sleeping;
     return def;
 }
 
@@ -32,6 +33,7 @@ BodyDef make_body_def(const SceneBody& body, const Pose& pose) {
     def.linear_damping = static_cast<float>(body.linear_damping);
     def.angular_damping = static_cast<float>(body.angular_damping);
     def.gravity_scale = static_cast<float>(body.gravity_scale);
+    def.awake = body.awake;
     return def;
 }
 
@@ -58,7 +60,7 @@ public:
             placed.id = result_.world.create_body(def);
             for (const ShapeDef& shape : shapes) result_.world.add_shape(placed.id, shape);
             // Shapes move the centre of mass, whose velocity is given, and a turning body's with it.
-            if (def.type == BodyType::dynamic_body)
+            if (def.type == BodyType::dynamic_body && def.awake)
                 result_.world.set_velocity(placed.id, def.velocity, def.angular_velocity);
             result_.bodies.push_back({placed.id, source, copy_name(body, copy++)});
             placed_.push_back(placed);

@@ -274,6 +274,7 @@ void visit_fields(V& v, Type<SceneBody>) {
     v.field({"angular_damping", "The same for the angular velocity.", "1/s", kNotNegative},
             &SceneBody::angular_damping);
     v.field({"gravity_scale", "Times the world's gravity."}, &SceneBody::gravity_scale);
+    v.field({"awake", "false: a dynamic body starts asleep, at rest, until something touches it."}, &SceneBody::awake);
     v.field({"repeat", "Makes copies of the body."}, &SceneBody::repeat);
     v.field({"shapes", "What the body is made of."}, &SceneBody::shapes);
     v.json({"custom", "Anything a user wants to keep."}, &SceneBody::custom);

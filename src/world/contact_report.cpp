@@ -1,5 +1,7 @@
 #include "world/contact_report.hpp"
 
+#include <algorithm>
+
 namespace tumble {
 
 namespace {
@@ -20,18 +22,26 @@ ContactPoint report_point(const Simulation& simulation, const Contact& contact, 
     return point;
 }
 
-bool are_live(const Simulation& simulation, ProxyPair shapes) {
-    return simulation.shapes[shapes.a].is_live && simulation.shapes[shapes.b].is_live;
+// All contacts of live shapes, awake or asleep.
+std::vector<const Contact*> sorted_contacts(const Simulation& simulation) {
+    std::vector<const Contact*> found;
+    const auto add = [&](const std::vector<Contact>& contacts) {
+        for (const Contact& contact : contacts)
+            if (simulation.is_live(contact.shapes)) found.push_back(&contact);
+    };
+    add(simulation.contacts.all());
+    add(simulation.contacts.woken());
+    for (const SleepingIsland& island : simulation.sleeping.all()) add(island.contacts);
+    std::sort(found.begin(), found.end(), [](const Contact* a, const Contact* b) { return a->shapes < b->shapes; });
+    return found;
 }
 
 }  // namespace
 
 std::vector<ContactPoint> report_contacts(const Simulation& simulation) {
     std::vector<ContactPoint> points;
-    for (const Contact& contact : simulation.contacts.all()) {
-        if (!are_live(simulation, contact.shapes)) continue;
-        for (int i = 0; i < contact.manifold.point_count; ++i) points.push_back(report_point(simulation, contact, i));
-    }
+    for (const Contact* contact : sorted_contacts(simulation))
+        for (int i = 0; i < contact->manifold.point_count; ++i) points.push_back(report_point(simulation, *contact, i));
     return points;
 }
 
@@ -39,7 +49,7 @@ std::vector<ShapePair> report_pairs(const Simulation& simulation) {
     std::vector<ShapePair> pairs;
     pairs.reserve(simulation.contacts.all().size());
     for (const Contact& contact : simulation.contacts.all())
-        if (are_live(simulation, contact.shapes))
+        if (simulation.is_live(contact.shapes))
             pairs.push_back({simulation.shapes.ids.at(contact.shapes.a), simulation.shapes.ids.at(contact.shapes.b)});
     return pairs;
 }

@@ -8,7 +8,8 @@
 
 namespace tumble {
 
-// The contact points of the last step in order of shape ids, without those of shapes destroyed since.
+// The contact points of the last step in order of shape ids, without those of shapes destroyed since;
+// those of sleeping bodies too.
 std::vector<ContactPoint> report_contacts(const Simulation& simulation);
 
 // The pairs behind them, with and without points.

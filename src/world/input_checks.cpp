@@ -69,6 +69,8 @@ void check(const BodyDef& def) {
     require_not_negative(def.linear_damping, "body linear_damping");
     require_not_negative(def.angular_damping, "body angular_damping");
     require(std::isfinite(def.gravity_scale), "body gravity_scale", "finite", def.gravity_scale);
+    if (!def.awake && def.type == BodyType::dynamic_body)
+        require(def.velocity == Vec2{} && def.angular_velocity == 0.0f, "velocity of a body asleep", "0", def.velocity);
 }
 
 void check(const ShapeDef& def) {
@@ -97,6 +99,16 @@ void check(const JointDef& def) {
 void check_velocity(Vec2 velocity, float angular_velocity) {
     require(is_finite(velocity), "body velocity", "finite", velocity);
     require(std::isfinite(angular_velocity), "body angular_velocity", "finite", angular_velocity);
+}
+
+void check_action(Vec2 action, const char* what) {
+    require(is_finite(action), what, "finite", action);
+}
+void check_action(float action, const char* what) {
+    require(std::isfinite(action), what, "finite", action);
+}
+void check_point(DVec2 point) {
+    require(is_finite(point), "point", "finite", point);
 }
 
 }  // namespace tumble

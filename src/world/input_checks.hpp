@@ -12,5 +12,8 @@ void check(const BodyDef& def);
 void check(const ShapeDef& def);
 void check(const JointDef& def);  // its numbers; whether the bodies live is the world's to say
 void check_velocity(Vec2 velocity, float angular_velocity);
+void check_action(Vec2 action, const char* what);  // a force or an impulse
+void check_action(float action, const char* what);
+void check_point(DVec2 point);
 
 }  // namespace tumble

@@ -47,7 +47,7 @@ std::uint64_t hash_bodies(const BodyStore& bodies) {
         bytes.add(body.velocity.x);
         bytes.add(body.velocity.y);
         bytes.add(body.angular_velocity);
-        bytes.add(std::uint8_t{0});
+        bytes.add(static_cast<std::uint8_t>(bodies.is_asleep(id.index) ? 1 : 0));
         bytes.update(state);
     }
     return XXH64_digest(&state);

@@ -18,10 +18,12 @@ void validate_bodies(const BodyStore& bodies) {
     std::size_t moving = 1;
     for (const BodyId id : bodies.ids.live()) {
         const BodyFrame& frame = bodies.frames[id.index];
-        const bool is_static = frame.type == BodyType::static_body;
-        require(is_static == (frame.solver_body == kStaticSolverBody), "a body is moved that must not be", id.index);
+        const bool sleeps = bodies.records[id.index].island != kNoIsland;
+        const bool at_rest = frame.type == BodyType::static_body || sleeps;
+        require(!sleeps || bodies.is_dynamic(id.index), "a body sleeps that cannot", id.index);
+        require(at_rest == (frame.solver_body == kStaticSolverBody), "a body is moved that must not be", id.index);
         require((frame.inv_mass > 0.0f) == bodies.is_dynamic(id.index), "a mass does not fit the type", id.index);
-        if (is_static) continue;
+        if (at_rest) continue;
         ++moving;
         require(frame.solver_body < bodies.moving.size(), "a solver body is out of range", id.index);
         require(bodies.moving[frame.solver_body].body == id.index, "a solver body belongs to another", id.index);
@@ -58,6 +60,33 @@ void validate_joints(const Simulation& simulation) {
     require(listed == 2 * simulation.joints.ids.live().size(), "bodies list joints that are gone", listed);
 }
 
+void validate_islands(const Simulation& simulation) {
+    const BodyStore& bodies = simulation.bodies;
+    std::size_t listed = 0, count = 0, sleepers = 0;
+    for (std::size_t i = 0; i < simulation.sleeping.all().size(); ++i) {
+        const SleepingIsland& island = simulation.sleeping.all()[i];
+        listed += island.bodies.size();
+        count += !island.bodies.empty();
+        require(std::is_sorted(island.bodies.begin(), island.bodies.end()), "an island is out of order", i);
+        for (const std::uint32_t body : island.bodies)
+            require(bodies.records[body].island == i, "a sleeper does not know its island", body);
+        for (const Contact& contact : island.contacts) {
+            require(contact.manifold.point_count > 0, "a contact sleeps that does not touch", i);
+            require(bodies.records[contact.body_a].island == i || bodies.records[contact.body_b].island == i,
+                    "a contact sleeps among others", i);
+            require(simulation.broad.knows(contact.shapes), "a sleeping contact's pair is not known", i);
+        }
+    }
+    require(count == simulation.sleeping.count(), "empty islands", count);
+    for (const BodyId id : bodies.ids.live()) sleepers += bodies.is_asleep(id.index);
+    require(listed == sleepers, "sleepers without an island", sleepers);
+    for (const JointId id : simulation.joints.ids.live()) {
+        const JointDef& def = simulation.joints.def(id);
+        const bool sleeps = bodies.is_asleep(joint_body_a(def).index) || bodies.is_asleep(joint_body_b(def).index);
+        require(sleeps != simulation.joints.is_awake(id), "a joint is awake alone", id.index);
+    }
+}
+
 void validate_contacts(const Simulation& simulation) {
     const std::vector<Contact>& contacts = simulation.contacts.all();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -68,12 +97,14 @@ void validate_contacts(const Simulation& simulation) {
         const ShapeRecord& a = simulation.shapes[contact.shapes.a];
         const ShapeRecord& b = simulation.shapes[contact.shapes.b];
         if (!a.is_live || !b.is_live) continue;  // dropped by the next step
+        require(!simulation.bodies.is_asleep(a.body) || !simulation.bodies.is_asleep(b.body), "both sides sleep", i);
         require(a.body == contact.body_a && b.body == contact.body_b, "a contact names a wrong body", i);
         require(contact.manifold.point_count >= 0 && contact.manifold.point_count <= 2, "manifold points", i);
         for (int point = 0; point < contact.manifold.point_count; ++point)
             require(contact.impulses[point].normal >= 0.0f, "a contact pulls", i);
     }
-    require(simulation.broad.known_count() == contacts.size(), "known pairs are not the contacts", contacts.size());
+    const std::size_t all = contacts.size() + simulation.contacts.woken().size() + simulation.sleeping.contact_count();
+    require(simulation.broad.known_count() == all, "known pairs are not the contacts", all);
 }
 
 // The graph is that of the last step: bodies that came later have no contacts in it.
@@ -98,6 +129,7 @@ void validate(const Simulation& simulation) {
     validate_bodies(simulation.bodies);
     validate_shapes(simulation);
     validate_joints(simulation);
+    validate_islands(simulation);
     validate_contacts(simulation);
     validate_blocks(simulation);
 }

@@ -6,6 +6,7 @@
 
 #include "dynamics/integrate.hpp"
 #include "dynamics/simulation.hpp"
+#include "dynamics/sleep.hpp"
 #include "world/contact_report.hpp"
 #include "world/input_checks.hpp"
 #include "world/state_hash.hpp"
@@ -27,6 +28,9 @@ struct World::Impl {
     void remove_joint(JointId id);
     void remove_shapes(BodyId id);
     void touch_shapes(BodyId id);
+    void update_mass(BodyId id);
+    void tie(JointId id, std::uint32_t body_a, std::uint32_t body_b);
+    MovingBody* wake_to_push(BodyId id);
     void count(StepCounters& counters) const;
 
 private:
@@ -56,11 +60,42 @@ void World::Impl::remove_shapes(BodyId id) {
         simulation.shapes.destroy(shape, simulation.broad);
 }
 
+void World::Impl::update_mass(BodyId id) {
+    BodyStore& bodies = simulation.bodies;
+    const std::vector<ShapeId>& shapes = bodies.records[id.index].shapes;
+    const BodyMass mass = body_mass(bodies.frames[id.index].type, shapes, simulation.shapes);
+    bodies.set_mass(id, mass, body_reach(mass.center, shapes, simulation.shapes));
+}
+
+// What a new joint does to sleepers: a joint among them sleeps with them, any other wakes them.
+void World::Impl::tie(JointId id, std::uint32_t body_a, std::uint32_t body_b) {
+    const BodyStore& bodies = simulation.bodies;
+    const bool sleeps_a = bodies.is_asleep(body_a), sleeps_b = bodies.is_asleep(body_b);
+    if (bodies.is_active(body_a) || bodies.is_active(body_b)) {
+        wake(simulation, body_a);
+        wake(simulation, body_b);
+    } else if (sleeps_a || sleeps_b) {
+        if (sleeps_a && sleeps_b) merge_sleeping_islands(simulation, body_a, body_b);
+        simulation.joints.put_to_sleep({&id, 1});
+    }
+}
+
+// The body awake, or nullptr if it is not dynamic.
+MovingBody* World::Impl::wake_to_push(BodyId id) {
+    if (!simulation.bodies.is_dynamic(id.index)) return nullptr;
+    wake(simulation, id.index);
+    return &simulation.bodies.moving[simulation.bodies.frames[id.index].solver_body];
+}
+
 void World::Impl::count(StepCounters& to) const {
     to = StepCounters{};
     to.bodies = static_cast<int>(simulation.bodies.ids.live().size());
     to.joints = static_cast<int>(simulation.joints.ids.live().size());
     to.colors = simulation.graph.color_count();
+    to.awake_bodies = simulation.bodies.awake_dynamic_count();
+    to.sleeping_islands = static_cast<int>(simulation.sleeping.count());
+    to.contacts = static_cast<int>(simulation.sleeping.contact_count());
+    to.contact_points = static_cast<int>(simulation.sleeping.point_count());
     for (const Contact& contact : simulation.contacts.all()) {
         to.contacts += contact.manifold.point_count > 0;
         to.contact_points += contact.manifold.point_count;
@@ -75,7 +110,7 @@ World::World(const WorldDef& def) {
     check(def);
     impl_ = std::make_unique<Impl>();
     impl_->def = def;
-    impl_->simulation.settings = {def.gravity, 1.0f / def.steps_per_second, def.substeps};
+    impl_->simulation.settings = {def.gravity, 1.0f / def.steps_per_second, def.substeps, def.sleeping};
 }
 
 World::~World() = default;
@@ -86,13 +121,15 @@ BodyId World::create_body(const BodyDef& def) {
     check(def);
     Simulation& simulation = impl_->simulation;
     const BodyId id = simulation.bodies.create(def);
-    simulation.bodies.set_mass(id, body_mass(def.type, {}, simulation.shapes));
+    impl_->update_mass(id);
+    if (!def.awake && def.type == BodyType::dynamic_body) put_new_body_to_sleep(simulation, id.index);
     return id;
 }
 
 void World::destroy_body(BodyId id) {
     impl_->require(id);
     Simulation& simulation = impl_->simulation;
+    wake_with_neighbors(simulation, id.index);
     while (!simulation.bodies.records[id.index].joints.empty())
         impl_->remove_joint(simulation.bodies.records[id.index].joints.back());
     impl_->remove_shapes(id);
@@ -103,11 +140,13 @@ ShapeId World::add_shape(BodyId body, const ShapeDef& def) {
     impl_->require(body);
     check(def);
     Simulation& simulation = impl_->simulation;
+    // A body that is being built asleep goes on sleeping; one that rests on something may no longer do so.
+    const std::uint32_t island = simulation.bodies.records[body.index].island;
+    if (island != kNoIsland && !simulation.sleeping[island].contacts.empty()) wake(simulation, body.index);
     const BodyFrame& frame = simulation.bodies.frames[body.index];
     const ShapeId id = simulation.shapes.create(body.index, def, frame, simulation.broad);
-    std::vector<ShapeId>& shapes = simulation.bodies.records[body.index].shapes;
-    shapes.push_back(id);
-    simulation.bodies.set_mass(body, body_mass(frame.type, shapes, simulation.shapes));
+    simulation.bodies.records[body.index].shapes.push_back(id);
+    impl_->update_mass(body);
     return id;
 }
 
@@ -122,11 +161,14 @@ JointId World::create_joint(const JointDef& def) {
     simulation.bodies.records[a.index].joints.push_back(id);
     simulation.bodies.records[b.index].joints.push_back(id);
     simulation.filters_changed |= !collides_connected(def);
+    impl_->tie(id, a.index, b.index);
     return id;
 }
 
 void World::destroy_joint(JointId id) {
     impl_->require(id);
+    const JointDef& joint = impl_->simulation.joints.def(id);
+    for (const BodyId body : {joint_body_a(joint), joint_body_b(joint)}) wake(impl_->simulation, body.index);
     impl_->remove_joint(id);
 }
 
@@ -179,12 +221,69 @@ BodyMass World::mass(BodyId id) const {
 void World::set_velocity(BodyId id, Vec2 velocity, float angular_velocity) {
     impl_->require(id);
     check_velocity(velocity, angular_velocity);
-    const std::uint32_t index = impl_->simulation.bodies.frames[id.index].solver_body;
-    if (index == kStaticSolverBody)
+    BodyStore& bodies = impl_->simulation.bodies;
+    if (bodies.frames[id.index].type == BodyType::static_body)
         throw std::invalid_argument("body " + std::to_string(id.index) + " is static: it has no velocity to set");
-    SolverBody& body = impl_->simulation.bodies.solver_bodies[index];
+    if (bodies.is_dynamic(id.index)) wake(impl_->simulation, id.index);
+    const bool was_active = bodies.is_active(id.index);
+    SolverBody& body = bodies.solver_bodies[bodies.frames[id.index].solver_body];
     body.velocity = velocity;
     body.angular_velocity = angular_velocity;
+    if (was_active || !bodies.is_active(id.index)) return;
+    // A kinematic body starts to move: it takes along what leans on it, and may meet what sleeps.
+    wake_with_neighbors(impl_->simulation, id.index);
+    impl_->touch_shapes(id);
+}
+
+void World::apply_force(BodyId id, Vec2 force, DVec2 point) {
+    impl_->require(id);
+    check_action(force, "force");
+    check_point(point);
+    MovingBody* const moving = impl_->wake_to_push(id);
+    if (!moving) return;
+    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
+    moving->acceleration += frame.inv_mass * force;
+    moving->angular_acceleration += frame.inv_inertia * cross(to_float(point - frame.center), force);
+}
+
+void World::apply_torque(BodyId id, float torque) {
+    impl_->require(id);
+    check_action(torque, "torque");
+    MovingBody* const moving = impl_->wake_to_push(id);
+    if (moving) moving->angular_acceleration += impl_->simulation.bodies.frames[id.index].inv_inertia * torque;
+}
+
+void World::apply_impulse(BodyId id, Vec2 impulse, DVec2 point) {
+    impl_->require(id);
+    check_action(impulse, "impulse");
+    check_point(point);
+    if (!impl_->wake_to_push(id)) return;
+    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
+    SolverBody& body = impl_->simulation.bodies.solver_bodies[frame.solver_body];
+    body.velocity += frame.inv_mass * impulse;
+    body.angular_velocity += frame.inv_inertia * cross(to_float(point - frame.center), impulse);
+}
+
+void World::apply_angular_impulse(BodyId id, float impulse) {
+    impl_->require(id);
+    check_action(impulse, "angular impulse");
+    if (!impl_->wake_to_push(id)) return;
+    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
+    impl_->simulation.bodies.solver_bodies[frame.solver_body].angular_velocity += frame.inv_inertia * impulse;
+}
+
+bool World::is_awake(BodyId id) const {
+    impl_->require(id);
+    return !impl_->simulation.bodies.is_asleep(id.index);
+}
+
+void World::set_awake(BodyId id, bool awake) {
+    impl_->require(id);
+    Simulation& simulation = impl_->simulation;
+    if (awake)
+        wake(simulation, id.index);
+    else if (simulation.bodies.is_dynamic(id.index) && !simulation.bodies.is_asleep(id.index))
+        put_island_to_sleep(simulation, id.index);
 }
 
 std::span<const BodyId> World::bodies() const noexcept {

@@ -1,0 +1,326 @@
+// Sleep: who falls asleep and when, that it costs nothing and changes nothing, and what wakes.
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "support/worlds.hpp"
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+const Shape kBox = make_box({1.0f, 1.0f});
+
+std::vector<BodyId> add_stack(World& world, int count) {
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < count; ++i) boxes.push_back(add_dynamic(world, {0.0, 0.5 + i}, kBox));
+    return boxes;
+}
+
+// Steps until the body sleeps; the number of steps, or -1 if it does not within a minute.
+int steps_until_asleep(World& world, BodyId body) {
+    for (int step = 0; step < 3600; ++step) {
+        if (!world.is_awake(body)) return step;
+        world.step();
+    }
+    return -1;
+}
+
+bool all_asleep(const World& world, const std::vector<BodyId>& bodies) {
+    for (const BodyId body : bodies)
+        if (world.is_awake(body)) return false;
+    return true;
+}
+
+bool all_awake(const World& world, const std::vector<BodyId>& bodies) {
+    for (const BodyId body : bodies)
+        if (!world.is_awake(body)) return false;
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("a body without forces sleeps after half a second of rest, to the step") {
+    World world = weightless();
+    const BodyId body = add_dynamic(world, {}, kBox);
+    CHECK(steps_until_asleep(world, body) == 30);
+    world.set_velocity(body, {0.049f, 0.0f}, 0.0f);
+    CHECK(world.is_awake(body));
+    CHECK(steps_until_asleep(world, body) == 30);
+    CHECK(world.state(body).velocity == Vec2{});
+    world.set_velocity(body, {0.051f, 0.0f}, 0.0f);
+    CHECK(steps_until_asleep(world, body) == -1);
+}
+
+TEST_CASE("it is the farthest point of a body that must be slow") {
+    // Corners of a unit box at 0.707 m from its centre: 0.05 / 0.707 = 0.0707 rad/s is the limit.
+    for (const bool slow : {true, false}) {
+        World world = weightless();
+        const BodyId body = add_dynamic(world, {}, kBox);
+        world.set_velocity(body, {}, slow ? 0.070f : 0.0715f);
+        CHECK((steps_until_asleep(world, body) == 30) == slow);
+    }
+}
+
+TEST_CASE("a stack sleeps as one island, keeps its contacts, and costs no contact while asleep") {
+    World world;
+    add_floor(world);
+    const std::vector<BodyId> boxes = add_stack(world, 5);
+    CHECK(steps_until_asleep(world, boxes[0]) > 30);
+    CHECK(all_asleep(world, boxes));
+    CHECK(world.counters().sleeping_islands == 1);
+    CHECK(world.counters().awake_bodies == 0);
+    CHECK(world.counters().contacts == 5);
+    CHECK(world.contacts().size() == 10);
+    world.step();
+    CHECK(world.candidate_pairs().empty());
+    CHECK(world.counters().colors == 0);
+    CHECK(world.contacts().size() == 10);
+    const DVec2 top = world.state(boxes.back()).pose.position;
+    const std::uint64_t hash = world.state_hash();
+    run(world, 100);
+    CHECK(world.state(boxes.back()).pose.position == top);
+    CHECK(world.state_hash() == hash);
+    world.validate();
+}
+
+TEST_CASE("two stacks apart sleep and wake by themselves") {
+    World world;
+    add_floor(world);
+    const BodyId left = add_dynamic(world, {-5.0, 0.5}, kBox);
+    const BodyId right = add_dynamic(world, {5.0, 0.5}, kBox);
+    run(world, 120);
+    CHECK(world.counters().sleeping_islands == 2);
+    world.set_awake(left, true);
+    CHECK(world.is_awake(left));
+    CHECK_FALSE(world.is_awake(right));
+    run(world, 120);
+    CHECK_FALSE(world.is_awake(left));
+}
+
+TEST_CASE("one body that may not sleep keeps its island awake, and no other") {
+    World world;
+    add_floor(world);
+    const std::vector<BodyId> boxes = add_stack(world, 2);
+    BodyDef restless;
+    restless.pose.position = {0.0, 2.5};
+    restless.allow_sleep = false;
+    world.add_shape(world.create_body(restless), {.shape = kBox});
+    const BodyId apart = add_dynamic(world, {5.0, 0.5}, kBox);
+    run(world, 600);
+    CHECK(all_awake(world, boxes));
+    CHECK_FALSE(world.is_awake(apart));
+}
+
+TEST_CASE("nobody sleeps where sleeping is off, unless told to") {
+    WorldDef def;
+    def.sleeping = false;
+    World world(def);
+    add_floor(world);
+    const std::vector<BodyId> boxes = add_stack(world, 2);
+    run(world, 300);
+    CHECK(all_awake(world, boxes));
+    world.set_awake(boxes[1], false);
+    CHECK(all_asleep(world, boxes));
+    run(world, 300);
+    CHECK(all_asleep(world, boxes));
+}
+
+TEST_CASE("a ball that hits a sleeping stack wakes all of it, in the step in which it is stopped") {
+    World world;
+    add_floor(world);
+    const std::vector<BodyId> boxes = add_stack(world, 3);
+    run(world, 120);
+    REQUIRE(all_asleep(world, boxes));
+    const BodyId ball = add_dynamic(world, {-6.0, 2.5}, make_circle(0.3f), {.density = 5.0f});
+    world.set_velocity(ball, {12.0f, 2.0f}, 0.0f);
+    for (int step = 0; step < 60 && !world.is_awake(boxes[2]); ++step) {
+        CHECK(world.state(ball).velocity.x > 11.9f);
+        world.step();
+        world.validate();
+    }
+    CHECK(all_awake(world, boxes));
+    CHECK(world.state(ball).velocity.x < 11.0f);
+    CHECK(world.state(boxes[2]).velocity.x > 0.1f);
+}
+
+TEST_CASE("a wave of waking goes through sleepers that were never awake, within the step") {
+    World world = weightless();
+    std::vector<BodyId> row;
+    for (int i = 0; i < 20; ++i) {
+        BodyDef def;
+        def.pose.position = {1.0 * i, 0.0};
+        def.awake = false;
+        row.push_back(world.create_body(def));
+        world.add_shape(row.back(), {.shape = kBox});
+    }
+    world.step();
+    CHECK(all_asleep(world, row));
+    CHECK(world.counters().sleeping_islands == 20);
+    const BodyId ball = add_dynamic(world, {-1.05, 0.0}, make_circle(0.5f));
+    world.set_velocity(ball, {6.0f, 0.0f}, 0.0f);
+    while (!world.is_awake(row[0])) world.step();
+    CHECK(all_awake(world, row));
+    world.validate();
+}
+
+TEST_CASE("what leans on a body wakes when that goes, static or not") {
+    World world;
+    const BodyId floor = add_floor(world);
+    const std::vector<BodyId> boxes = add_stack(world, 3);
+    run(world, 120);
+    REQUIRE(all_asleep(world, boxes));
+    world.destroy_body(boxes[1]);
+    CHECK(world.is_awake(boxes[0]));
+    CHECK(world.is_awake(boxes[2]));
+    world.validate();
+    run(world, 180);
+    CHECK(world.state(boxes[2]).pose.position.y == doctest::Approx(1.5).epsilon(0.01));
+    REQUIRE_FALSE(world.is_awake(boxes[2]));
+    world.destroy_body(floor);
+    CHECK(world.is_awake(boxes[2]));
+    run(world, 60);
+    world.validate();
+    CHECK(world.state(boxes[0]).pose.position.y < -3.0);
+}
+
+TEST_CASE("a lift at rest lets its load sleep, takes it along when it starts, and keeps it awake") {
+    World world;
+    const BodyId lift = add_body(world, BodyType::kinematic_body, {}, make_box({4.0f, 1.0f}));
+    const BodyId load = add_dynamic(world, {0.0, 1.0}, kBox);
+    run(world, 120);
+    REQUIRE_FALSE(world.is_awake(load));
+    world.set_velocity(lift, {0.0f, 0.02f}, 0.0f);  // slower than what counts as rest
+    CHECK(world.is_awake(load));
+    run(world, 600);
+    CHECK(world.is_awake(load));
+    CHECK(world.state(load).pose.position.y == doctest::Approx(1.2).epsilon(0.001));
+    world.set_velocity(lift, {}, 0.0f);
+    run(world, 120);
+    CHECK_FALSE(world.is_awake(load));
+}
+
+TEST_CASE("a lift that was at rest beside a sleeper meets it when it starts") {
+    World world = weightless();
+    const BodyId lift = add_body(world, BodyType::kinematic_body, {}, kBox);
+    const BodyId load = add_dynamic(world, {1.07, 0.0}, kBox);  // boxes with margins overlap, contacts begin at 2 cm
+    run(world, 60);
+    REQUIRE_FALSE(world.is_awake(load));
+    world.set_velocity(lift, {1.0f, 0.0f}, 0.0f);
+    run(world, 60);
+    CHECK(world.is_awake(load));
+    CHECK(world.state(load).pose.position.x == doctest::Approx(2.0).epsilon(0.01));
+    world.validate();
+}
+
+TEST_CASE("neighbours that did not touch are found again when they wake") {
+    World world = weightless();
+    const BodyId left = add_dynamic(world, {}, kBox);
+    const BodyId right = add_dynamic(world, {1.04, 0.0}, kBox);
+    run(world, 60);
+    REQUIRE_FALSE(world.is_awake(left));
+    CHECK(world.counters().sleeping_islands == 2);
+    world.set_velocity(left, {1.0f, 0.0f}, 0.0f);
+    run(world, 30);
+    CHECK(world.state(right).velocity.x > 0.4f);  // half of the momentum each
+    world.validate();
+}
+
+TEST_CASE("forces, impulses and joints wake") {
+    World world = weightless();
+    const BodyId a = add_dynamic(world, {}, kBox), b = add_dynamic(world, {3.0, 0.0}, kBox);
+    const auto sleep = [&] {
+        world.set_awake(a, false);
+        world.set_awake(b, false);
+    };
+    sleep();
+    world.apply_force(a, {1.0f, 0.0f}, {});
+    CHECK(world.is_awake(a));
+    sleep();
+    world.apply_torque(a, 1.0f);
+    CHECK(world.is_awake(a));
+    sleep();
+    world.apply_impulse(a, {1.0f, 0.0f}, {});
+    CHECK(world.is_awake(a));
+    sleep();
+    world.apply_angular_impulse(a, 1.0f);
+    CHECK(world.is_awake(a));
+    CHECK_FALSE(world.is_awake(b));
+    const JointId rod = world.create_joint(DistanceJointDef{.body_a = a, .body_b = b, .length = 3.0f});
+    CHECK(world.is_awake(b));
+    sleep();
+    world.destroy_joint(rod);
+    CHECK(world.is_awake(a));
+    CHECK(world.is_awake(b));
+    world.validate();
+}
+
+TEST_CASE("sleepers that are joined stay asleep and become one island") {
+    World world;
+    std::vector<BodyId> links;
+    for (int i = 0; i < 4; ++i) {
+        BodyDef def;
+        def.pose.position = {1.0 * i, 0.0};
+        def.awake = false;
+        links.push_back(world.create_body(def));
+        world.add_shape(links.back(), {.shape = kBox});
+        if (i > 0)
+            world.create_joint(RevoluteJointDef{.body_a = links[links.size() - 2],
+                                                .body_b = links.back(),
+                                                .anchor_a = {0.5f, 0.0f},
+                                                .anchor_b = {-0.5f, 0.0f}});
+    }
+    run(world, 10);
+    world.validate();
+    CHECK(all_asleep(world, links));
+    CHECK(world.counters().sleeping_islands == 1);
+    CHECK(world.state(links[0]).pose.position.y == 0.0);
+    world.set_awake(links[3], true);
+    CHECK(all_awake(world, links));
+    run(world, 10);
+    CHECK(world.state(links[0]).pose.position.y < -0.1);
+}
+
+TEST_CASE("a stack that wakes goes on as if it had not slept") {
+    World slept, stayed;
+    std::vector<BodyId> boxes;
+    for (World* world : {&slept, &stayed}) {
+        add_floor(*world);
+        boxes = add_stack(*world, 5);
+        run(*world, 200);
+    }
+    REQUIRE(all_asleep(slept, boxes));
+    REQUIRE(all_asleep(stayed, boxes));
+    run(slept, 100);
+    for (World* world : {&slept, &stayed}) {
+        world->set_awake(boxes[0], true);
+        world->step();
+    }
+    // The impulses that carry the stack have come back: 5 m g h on the ground in the very first step.
+    double carried = 0.0;
+    for (const ContactPoint& point : slept.contacts())
+        if (point.body_b == boxes[0] || point.body_a == boxes[0])
+            if (point.separation < 0.0f && point.point.y < 0.5) carried += double{point.normal_impulse};
+    CHECK(carried == doctest::Approx(5.0 * 10.0 / 240.0).epsilon(0.01));
+    for (World* world : {&slept, &stayed}) run(*world, 10);
+    CHECK(slept.state_hash() == stayed.state_hash());
+}
+
+TEST_CASE("a body cannot be made asleep and moving") {
+    World world;
+    BodyDef def;
+    def.awake = false;
+    def.velocity = {1.0f, 0.0f};
+    CHECK_THROWS_AS(world.create_body(def), std::invalid_argument);
+}
+
+TEST_CASE("the hash knows who sleeps") {
+    World awake = weightless(), asleep = weightless();
+    const BodyId body = add_dynamic(awake, {}, kBox);
+    add_dynamic(asleep, {}, kBox);
+    asleep.set_awake(body, false);
+    CHECK(awake.state(body).pose == asleep.state(body).pose);
+    CHECK(awake.state_hash() != asleep.state_hash());
+}
