@@ -159,15 +159,16 @@ struct SceneBody {
     std::string custom;
 };
 
-enum class SceneJointType { revolute, distance };
+enum class SceneJointType { revolute, distance, prismatic, weld, wheel, motor, mouse, filter };
 
 struct SceneJointLimits {
-    double lower = 0.0;  // degrees (revolute) or m (distance)
+    double lower = 0.0;  // degrees (revolute) or m (distance, prismatic, wheel)
     double upper = 0.0;
 };
 struct SceneJointMotor {
-    double speed = 0.0;       // degrees/s
-    double max_torque = 0.0;  // N m
+    double speed = 0.0;                   // degrees/s (revolute, wheel) or m/s (distance, prismatic)
+    std::optional<double> max_torque{};  // N m: of what turns
+    std::optional<double> max_force{};   // N: of what slides
 };
 struct SceneJointSpring {
     double hertz = 0.0;
@@ -180,12 +181,19 @@ struct SceneJoint {
     std::string body_a, body_b;                      // names
     std::optional<DVec2> anchor;                     // world coordinates at load, for both bodies, or:
     std::optional<std::pair<DVec2, DVec2>> anchors;  // body coordinates of each
-    std::optional<double> reference_angle;           // degrees, revolute joints; default: the angle at load
+    std::optional<DVec2> axis;                       // world direction at load, or A's with `anchors`; prismatic, wheel
+    std::optional<double> reference_angle;           // degrees; default: the angle at load
     std::optional<double> length;                    // m, distance joints; default: the distance at load
     std::optional<SceneJointLimits> limits;
-    std::optional<SceneJointMotor> motor;  // revolute joints
-    std::optional<SceneJointSpring> spring;
-    std::optional<double> break_force;  // N
+    std::optional<SceneJointMotor> motor;
+    std::optional<SceneJointSpring> spring;          // of a weld: of its point
+    std::optional<SceneJointSpring> angular_spring;  // welds
+    std::optional<DVec2> velocity;                   // m/s, motor joints
+    std::optional<double> angular_velocity;          // degrees/s, motor joints
+    std::optional<double> max_force;                 // N, motor and mouse joints
+    std::optional<double> max_torque;                // N m, motor joints
+    std::optional<double> break_force;               // N
+    std::optional<double> break_torque;              // N m
     bool collide_connected = false;
     std::string custom;
 };

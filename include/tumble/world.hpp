@@ -78,6 +78,10 @@ public:
     JointId create_joint(const JointDef& def);
     void destroy_joint(JointId id);
 
+    // Gives a joint other limits, motors, springs or anchors, between steps: another kind or other bodies are refused.
+    // What carries load goes on carrying it.
+    void set_joint(JointId id, const JointDef& def);
+
     // Advances by one step. Throws SimulationDiverged, naming the first body, once a state is no longer finite.
     void step();
 
@@ -116,8 +120,16 @@ public:
     BodyId body(ShapeId id) const;
     const JointDef& joint(JointId id) const;
 
-    // The force with which the joint held its bodies in the last step.
+    // The force with which the joint held its bodies in the last step that it was awake.
     JointReaction reaction(JointId id) const;
+
+    // Where the free motion of a joint was at the start of the last step: the angle of B against A in rad (revolute,
+    // weld, motor; of a revolute joint only if it has limits or a spring), the way along the axis in m (prismatic,
+    // wheel), or the distance of the anchors in m (distance, mouse).
+    float joint_position(JointId id) const;
+
+    // The joints that the last step broke, in order of their ids, which are stale now.
+    std::span<const JointId> broken_joints() const noexcept;
 
     // Contact points of the last step, in order of shape ids: gaps and places as the step found them, impulses as it
     // left them. Computed on the call: O(contacts).

@@ -14,33 +14,37 @@ Line line_along(Vec2 separation) {
     return size > 0.0f ? Line{(1.0f / size) * separation, size} : Line{};
 }
 
+JointRow row_along(const Line& line, const JointBodies& joint, std::span<const SolverBody> all) {
+    return point_row(line.axis, joint.current_arm_a(all), joint.current_arm_b(all));
+}
+
 }  // namespace
 
 void DistanceJoint::prepare(const BodyStore& bodies) {
     bodies_ = JointBodies::make(bodies.frames[def_.body_a.index], def_.anchor_a, bodies.frames[def_.body_b.index],
                                 def_.anchor_b);
-    axis_ = line_along(bodies_.center_difference + bodies_.arm_b - bodies_.arm_a).axis;
+    const Line line = line_along(bodies_.center_difference + bodies_.arm_b - bodies_.arm_a);
+    axis_ = line.axis;
+    length_ = line.length;
 }
 
 void DistanceJoint::warm_start(std::span<SolverBody> bodies) const {
     const Line line = line_along(bodies_.current_separation(bodies));
-    bodies_.apply(impulse_ * line.axis, bodies_.current_arm_a(bodies), bodies_.current_arm_b(bodies), bodies);
+    apply_row(bodies_, row_along(line, bodies_, bodies), impulse(), bodies);
 }
 
 void DistanceJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
-    const Vec2 arm_a = bodies_.current_arm_a(bodies), arm_b = bodies_.current_arm_b(bodies);
     const Line line = line_along(bodies_.current_separation(bodies));
-    const float across_a = cross(arm_a, line.axis), across_b = cross(arm_b, line.axis);
-    const float inverse_mass = bodies_.inv_mass_a + bodies_.inv_mass_b + bodies_.inv_inertia_a * across_a * across_a +
-                               bodies_.inv_inertia_b * across_b * across_b;
-    if (!(inverse_mass > 0.0f)) return;
-    const Softness softness = use_bias ? context.softness : Softness{};
-    const float bias = softness.bias_rate * (line.length - def_.length);
-    const Vec2 velocity = velocity_at(bodies[bodies_.b], arm_b) - velocity_at(bodies[bodies_.a], arm_a);
-    const float impulse =
-        -softness.mass_scale * (dot(velocity, line.axis) + bias) / inverse_mass - softness.impulse_scale * impulse_;
-    impulse_ += impulse;
-    bodies_.apply(impulse * line.axis, arm_a, arm_b, bodies);
+    const JointRow row = row_along(line, bodies_, bodies);
+    drive_.solve(bodies_, row, line.length, def_.length, context, use_bias, bodies);
+    if (is_rod())
+        solve_equality(bodies_, row, context.equality_softness(use_bias), line.length - def_.length, rod_impulse_,
+                       bodies);
+}
+
+void DistanceJoint::take_over(const DistanceJoint& old) {
+    if (is_rod()) rod_impulse_ = old.rod_impulse_;
+    drive_.take_over(old.drive_);
 }
 
 }  // namespace tumble

@@ -1,30 +1,35 @@
-// Keeps two anchors at a distance, as a weightless rod does: a soft constraint along the line between them.
+// Keeps two anchors at a distance, as a weightless rod, a spring or a rope does: one row along the line between them.
 #pragma once
 
 #include <span>
 
-#include "dynamics/joint_bodies.hpp"
-#include "tumble/joint.hpp"
+#include "dynamics/joint_drive.hpp"
 
 namespace tumble {
 
 class DistanceJoint {
 public:
-    explicit DistanceJoint(const DistanceJointDef& def) : def_(def) {}
+    explicit DistanceJoint(const DistanceJointDef& def)
+        : def_(def), drive_(def.spring, drive_motor(def.motor), def.limits) {}
 
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
-    void store(const JointContext& context) { reaction_ = {context.inv_h * impulse_ * axis_, 0.0f}; }
-
-    const JointReaction& reaction() const { return reaction_; }
+    JointReaction reaction(float inv_h) const { return {inv_h * impulse() * axis_, 0.0f}; }
+    float position() const { return length_; }
+    void take_over(const DistanceJoint& old);
 
 private:
+    // A rod holds its length itself; what has a spring or limits leaves it to the drive.
+    bool is_rod() const { return !drive_.needs_value(); }
+    float impulse() const { return rod_impulse_ + drive_.impulse(); }
+
     DistanceJointDef def_;
     JointBodies bodies_;
-    Vec2 axis_;             // from A's anchor to B's at the start of the step; zero if they coincide
-    float impulse_ = 0.0f;  // along the axis on B, positive pushes, N s
-    JointReaction reaction_;
+    JointDrive drive_;
+    Vec2 axis_;                 // from A's anchor to B's at the start of the step; zero if they coincide
+    float length_ = 0.0f;       // at the start of the step, m
+    float rod_impulse_ = 0.0f;  // along the axis on B, positive pushes, N s
 };
 
 }  // namespace tumble

@@ -15,7 +15,15 @@ struct JointContext {
     float h = 0.0f;  // sub-step, s
     float inv_h = 0.0f;
     Softness softness;
+
+    // Of what a joint holds: soft with the bias, rigid without.
+    Softness equality_softness(bool use_bias) const { return use_bias ? softness : Softness{}; }
 };
+
+// The vector at unit length; anything but zero has a direction.
+inline Vec2 unit(Vec2 v) {
+    return (1.0f / length(v)) * v;
+}
 
 // Bodies and anchors of a joint during a step. Arms are in world axes at the start of the step.
 struct JointBodies {
@@ -47,14 +55,6 @@ struct JointBodies {
     Vec2 current_separation(std::span<const SolverBody> all) const {
         return center_difference + (all[b].delta_position - all[a].delta_position) +
                (current_arm_b(all) - current_arm_a(all));
-    }
-
-    // An impulse on B at its arm, and its opposite on A. Bodies of no inverse mass stay as they are.
-    void apply(Vec2 impulse, Vec2 current_a, Vec2 current_b, std::span<SolverBody> all) const {
-        all[a].velocity -= inv_mass_a * impulse;
-        all[a].angular_velocity -= inv_inertia_a * cross(current_a, impulse);
-        all[b].velocity += inv_mass_b * impulse;
-        all[b].angular_velocity += inv_inertia_b * cross(current_b, impulse);
     }
 };
 

@@ -1,6 +1,7 @@
 #include "dynamics/joint_store.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tumble {
 
@@ -12,8 +13,45 @@ RevoluteJoint make_joint(const RevoluteJointDef& def) {
 DistanceJoint make_joint(const DistanceJointDef& def) {
     return DistanceJoint(def);
 }
+PrismaticJoint make_joint(const PrismaticJointDef& def) {
+    return PrismaticJoint(def);
+}
+WeldJoint make_joint(const WeldJointDef& def) {
+    return WeldJoint(def);
+}
+WheelJoint make_joint(const WheelJointDef& def) {
+    return WheelJoint(def);
+}
+MotorJoint make_joint(const MotorJointDef& def) {
+    return MotorJoint(def);
+}
+MouseJoint make_joint(const MouseJointDef& def) {
+    return MouseJoint(def);
+}
+FilterJoint make_joint(const FilterJointDef& def) {
+    return FilterJoint(def);
+}
+
+// A filter bears nothing and has no choice; every other kind says what it bears, and whether its bodies collide.
+struct Strength {
+    JointStrength operator()(const FilterJointDef&) const { return {}; }
+    JointStrength operator()(const auto& def) const { return {def.break_force, def.break_torque}; }
+};
+
+struct CollidesConnected {
+    bool operator()(const FilterJointDef&) const { return false; }
+    bool operator()(const auto& def) const { return def.collide_connected; }
+};
 
 }  // namespace
+
+bool collides_connected(const JointDef& def) {
+    return std::visit(CollidesConnected{}, def);
+}
+
+JointStrength joint_strength(const JointDef& def) {
+    return std::visit(Strength{}, def);
+}
 
 // Calls visit(list, def) with the list that holds a joint and its definition, both of the joint's kind.
 template <class Self, class Visitor>
@@ -24,8 +62,12 @@ void JointStore::visit_list_of(Self& self, JointId id, Visitor&& visit) {
 
 JointId JointStore::create(const JointDef& def) {
     const JointId id = ids.acquire();
-    if (id.index == records_.size()) records_.emplace_back();
-    records_[id.index] = {def, 0, false};
+    if (id.index == records_.size()) {
+        records_.emplace_back();
+        loads_.emplace_back();
+    }
+    records_[id.index] = JointRecord{def, 0, false};
+    loads_[id.index] = {{}, joint_strength(def)};
     visit_list_of(*this, id, [&](auto& list, const auto& kind) {
         if (list.free.empty()) {
             list.free.push_back(static_cast<std::uint32_t>(list.joints.size()));
@@ -47,11 +89,22 @@ void JointStore::destroy(JointId id) {
     ids.recycle(id.index);
 }
 
-JointReaction JointStore::reaction(JointId id) const {
-    JointReaction result;
+float JointStore::position(JointId id) const {
+    float result = 0.0f;
     visit_list_of(*this, id,
-                  [&](const auto& list, const auto&) { result = list.joints[records_[id.index].slot].reaction(); });
+                  [&](const auto& list, const auto&) { result = list.joints[records_[id.index].slot].position(); });
     return result;
+}
+
+void JointStore::redefine(JointId id, const JointDef& def) {
+    records_[id.index].def = def;
+    loads_[id.index].strength = joint_strength(def);
+    visit_list_of(*this, id, [&](auto& list, const auto& kind) {
+        auto& joint = list.joints[records_[id.index].slot];
+        auto changed = make_joint(kind);
+        changed.take_over(joint);
+        joint = changed;
+    });
 }
 
 void JointStore::wake(JointId id) {
@@ -84,7 +137,17 @@ void JointStore::solve(const JointContext& context, bool use_bias, std::span<Sol
 }
 
 void JointStore::store(const JointContext& context) {
-    for_each_awake(*this, [&](auto& joint) { joint.store(context); });
+    broken_.clear();
+    for_each_list(*this, [&](auto& list) {
+        for (const AwakeJoint& awake : list.awake) {
+            JointLoad& load = loads_[awake.joint];
+            load.reaction = list.joints[awake.slot].reaction(context.inv_h);
+            const bool holds = length(load.reaction.force) <= load.strength.force &&
+                               std::abs(load.reaction.torque) <= load.strength.torque;
+            if (!holds) broken_.push_back(ids.at(awake.joint));
+        }
+    });
+    std::sort(broken_.begin(), broken_.end());
 }
 
 }  // namespace tumble

@@ -1,4 +1,4 @@
-// All joints, an array a kind. Every kind has the same skeleton: prepare, warm_start, solve, store; a new kind is a
+// All joints, an array a kind. Every kind has the same skeleton: prepare, warm_start, solve, reaction; a new kind is a
 // file, a line in KindList and a definition in joint.hpp.
 //
 // A joint stays where it was created; each kind lists those that are awake, in order of their ids. A joint sleeps with
@@ -10,8 +10,14 @@
 #include <vector>
 
 #include "dynamics/distance_joint.hpp"
+#include "dynamics/filter_joint.hpp"
 #include "dynamics/id_pool.hpp"
+#include "dynamics/motor_joint.hpp"
+#include "dynamics/mouse_joint.hpp"
+#include "dynamics/prismatic_joint.hpp"
 #include "dynamics/revolute_joint.hpp"
+#include "dynamics/weld_joint.hpp"
+#include "dynamics/wheel_joint.hpp"
 #include "tumble/joint.hpp"
 
 namespace tumble {
@@ -23,16 +29,25 @@ inline BodyId joint_body_a(const JointDef& def) {
 inline BodyId joint_body_b(const JointDef& def) {
     return std::visit([](const auto& d) { return d.body_b; }, def);
 }
-inline bool collides_connected(const JointDef& def) {
-    return std::visit([](const auto& d) { return d.collide_connected; }, def);
-}
+bool collides_connected(const JointDef& def);
+
+// What a joint bears.
+struct JointStrength {
+    float force = kUnbreakable;   // N
+    float torque = kUnbreakable;  // N m
+};
+JointStrength joint_strength(const JointDef& def);
 
 class JointStore {
 public:
     JointId create(const JointDef& def);
     void destroy(JointId id);
     const JointDef& def(JointId id) const { return records_[id.index].def; }
-    JointReaction reaction(JointId id) const;
+    JointReaction reaction(JointId id) const { return loads_[id.index].reaction; }
+    float position(JointId id) const;  // angle, way or length, as the kind has it
+
+    // Another definition of the same kind and bodies; the impulses go on.
+    void redefine(JointId id, const JointDef& def);
 
     bool is_awake(JointId id) const { return records_[id.index].is_awake; }
     void wake(JointId id);
@@ -42,6 +57,9 @@ public:
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
     void store(const JointContext& context);
+
+    // Those that broke in the last store(), in order of their ids.
+    const std::vector<JointId>& broken() const { return broken_; }
 
     // Calls visit(body_a, body_b), by index, for each joint that is awake.
     template <class Visitor>
@@ -62,6 +80,11 @@ private:
         std::uint32_t slot = 0;  // in the list of its kind
         bool is_awake = false;
     };
+    // Apart from the record, as each step writes it.
+    struct JointLoad {
+        JointReaction reaction;  // in the last step that it was awake
+        JointStrength strength;
+    };
     struct AwakeJoint {
         std::uint32_t joint = 0;  // index
         std::uint32_t slot = 0;
@@ -76,7 +99,9 @@ private:
     };
     template <class... Joints>
     using Lists = std::tuple<JointList<Joints>...>;
-    using KindList = Lists<RevoluteJoint, DistanceJoint>;  // in order of solving
+    // In order of solving.
+    using KindList =
+        Lists<MouseJoint, MotorJoint, DistanceJoint, WheelJoint, PrismaticJoint, RevoluteJoint, WeldJoint, FilterJoint>;
 
     template <class Self, class Visitor>
     static void for_each_list(Self& self, Visitor&& visit) {
@@ -92,7 +117,9 @@ private:
     static void visit_list_of(Self& self, JointId id, Visitor&& visit);
 
     std::vector<JointRecord> records_;  // by joint index
+    std::vector<JointLoad> loads_;      // by joint index
     KindList lists_;
+    std::vector<JointId> broken_;
     bool is_unsorted_ = false;  // joints were added to the awake ones
 };
 

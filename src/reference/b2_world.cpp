@@ -35,6 +35,7 @@ b2BodyDef body_def(const World& world, BodyId id, const SceneBody& source) {
     def.linearDamping = static_cast<float>(source.linear_damping);
     def.angularDamping = static_cast<float>(source.angular_damping);
     def.gravityScale = static_cast<float>(source.gravity_scale);
+    def.awake = world.is_awake(id);
     return def;
 }
 
@@ -62,6 +63,7 @@ struct B2World::Impl {
     void add_body(const SceneWorld& built, const Scene& scene, const SceneInstance& instance);
     void add(const RevoluteJointDef& joint);
     void add(const DistanceJointDef& joint);
+    void add(const auto&) { note_once("joints other than revolute and distance are left out"); }
     void note_once(const std::string& note) {
         if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
     }

@@ -7,6 +7,7 @@
 
 #include "scene/fields.hpp"
 #include "scene/geometry.hpp"
+#include "scene/joint_keys.hpp"
 #include "scene/joints.hpp"
 #include "scene/json_text.hpp"
 #include "scene/names.hpp"
@@ -155,17 +156,23 @@ private:
     }
 
     void check_joint_keys(const SceneJoint& joint, const std::string& pointer) {
-        const bool revolute = joint.type == SceneJointType::revolute;
+        const bool is_distance = joint.type == SceneJointType::distance;
         const auto refuse = [&](bool present, const std::string& key, const std::string& reason) {
             if (present) error(pointer + '/' + key, reason);
         };
-        refuse(!revolute && joint.anchor.has_value(), "anchor", "a distance joint needs 'anchors', one in each body");
-        refuse(!revolute && joint.reference_angle.has_value(), "reference_angle", "belongs to revolute joints");
-        refuse(!revolute && joint.motor.has_value(), "motor", "belongs to revolute joints");
-        refuse(revolute && joint.length.has_value(), "length", "belongs to distance joints");
-        refuse(!revolute && joint.limits && joint.limits->lower < 0.0, "limits", "a distance is at least 0");
+        refuse(is_distance && joint.anchor.has_value(), "anchor", "a distance joint needs 'anchors', one in each body");
+        for (const JointKey& key : joint_keys(joint))
+            refuse(key.is_there && !key.belongs_to(joint.type), std::string(key.name), key.owners());
+        refuse(is_distance && joint.limits && joint.limits->lower < 0.0, "limits", "a distance is at least 0");
+        if (joint.type == SceneJointType::filter) return;
         if (joint.anchor.has_value() == joint.anchors.has_value())
             error(pointer, "needs one of the keys anchor, anchors");
+        const bool has_axis = joint.type == SceneJointType::prismatic || joint.type == SceneJointType::wheel;
+        if (has_axis && !joint.axis) error(pointer, "the key 'axis' is missing: the direction of the free motion");
+        if (!joint.motor) return;
+        const bool slides = is_distance || joint.type == SceneJointType::prismatic;
+        refuse(slides && !joint.motor->max_force, "motor", "slides: its strength is 'max_force', in N");
+        refuse(!slides && !joint.motor->max_torque, "motor", "turns: its strength is 'max_torque', in N m");
     }
 
     void check_event(const SceneEvent& event, const std::string& pointer, const BodyNames& names) {

@@ -1,6 +1,4 @@
 // What a scene may say and this version does not simulate yet. A feature leaves this list when its room is built.
-#include <algorithm>
-
 #include "tumble/scene.hpp"
 
 namespace tumble {
@@ -30,17 +28,9 @@ std::ptrdiff_t count_one_sided_chains(const Scene& scene) {
 
 std::vector<std::string> ignored_features(const Scene& scene) {
     Ignored ignored;
-    const auto joints_with = [&](auto SceneJoint::*member) {
-        return std::count_if(scene.joints.begin(), scene.joints.end(),
-                             [&](const SceneJoint& joint) { return (joint.*member).has_value(); });
-    };
     ignored.add("timeline: events do not happen", std::ssize(scene.timeline));
     ignored.add("expect: claims are not tested", std::ssize(scene.expect));
     ignored.add("camera follow: the camera stands still", scene.camera.follow.empty() ? 0 : 1);
-    ignored.add("joint limits: joints move freely", joints_with(&SceneJoint::limits));
-    ignored.add("joint motors: joints move freely", joints_with(&SceneJoint::motor));
-    ignored.add("joint springs: joints are rigid", joints_with(&SceneJoint::spring));
-    ignored.add("joint break_force: joints hold", joints_with(&SceneJoint::break_force));
     ignored.add("one-sided chains: solid on both sides", count_one_sided_chains(scene));
     return ignored.lines;
 }

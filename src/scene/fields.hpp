@@ -9,6 +9,7 @@
 //   constant(Field, number)          a number that must be there
 //   one_of(Field, member)            a variant whose alternatives are keys of this very object
 //   exactly_one({names})             of these optional keys, one must be there
+//   at_most_one(name, name)          of these optional keys, one or none
 // and visit_alternatives(visitor, Type<Variant>) calls alternative<T>(name, description). Defaults are those of the
 // structs themselves. Checks across fields are in check.cpp.
 #pragma once
@@ -50,6 +51,7 @@ inline constexpr Range kRadius{0.0, kLargest, true, true};
 inline constexpr Range kRounding{0.0, kLargest};
 inline constexpr Range kNotNegative{0.0, kFastest};
 inline constexpr Range kPositive{0.0, kFastest, true};
+inline constexpr Range kStrength{0.0, 1e12};
 inline constexpr Range kTime{0.0, kLongest};
 inline constexpr Range kInterval{0.0, kLongest, true};
 inline constexpr Range kCount{1.0, kMost};
@@ -76,8 +78,15 @@ template <>
 inline constexpr std::array<std::pair<BodyType, std::string_view>, 3> kEnumNames<BodyType>{
     {{BodyType::static_body, "static"}, {BodyType::kinematic_body, "kinematic"}, {BodyType::dynamic_body, "dynamic"}}};
 template <>
-inline constexpr std::array<std::pair<SceneJointType, std::string_view>, 2> kEnumNames<SceneJointType>{
-    {{SceneJointType::revolute, "revolute"}, {SceneJointType::distance, "distance"}}};
+inline constexpr std::array<std::pair<SceneJointType, std::string_view>, 8> kEnumNames<SceneJointType>{
+    {{SceneJointType::revolute, "revolute"},
+     {SceneJointType::distance, "distance"},
+     {SceneJointType::prismatic, "prismatic"},
+     {SceneJointType::weld, "weld"},
+     {SceneJointType::wheel, "wheel"},
+     {SceneJointType::motor, "motor"},
+     {SceneJointType::mouse, "mouse"},
+     {SceneJointType::filter, "filter"}}};
 
 // A visitor that collects the keys of a struct.
 struct FieldNames {
@@ -88,6 +97,7 @@ struct FieldNames {
     void constant(const Field& field, int) { all.push_back(field.name); }
     void one_of(const Field&, auto) {}
     void exactly_one(std::initializer_list<std::string_view>) {}
+    void at_most_one(std::string_view, std::string_view) {}
 
     std::vector<std::string_view> all;
 };
@@ -282,8 +292,11 @@ void visit_fields(V& v, Type<SceneBody>) {
 
 template <class V>
 void visit_fields(V& v, Type<SceneJointMotor>) {
-    v.field({"speed", "Speed that the motor tries to reach.", "degrees/s"}, &SceneJointMotor::speed);
-    v.field({"max_torque", "Most that it may use.", "N m", {0.0, 1e12}, true}, &SceneJointMotor::max_torque);
+    v.field({"speed", "Speed that the motor tries to reach: degrees/s if it turns, m/s if it slides."},
+            &SceneJointMotor::speed);
+    v.field({"max_torque", "Most that it may use where it turns.", "N m", kStrength}, &SceneJointMotor::max_torque);
+    v.field({"max_force", "Most that it may use where it slides.", "N", kStrength}, &SceneJointMotor::max_force);
+    v.exactly_one({"max_torque", "max_force"});
 }
 
 template <class V>
@@ -295,7 +308,11 @@ void visit_fields(V& v, Type<SceneJointSpring>) {
 
 template <class V>
 void visit_fields(V& v, Type<SceneJoint>) {
-    v.field({.name = "type", .description = "revolute: a common point; distance: a rod.", .required = true},
+    v.field({.name = "type",
+             .description = "revolute: a hinge; distance: a rod, spring or rope; prismatic: a slider; weld: glue; wheel: a "
+                            "hinge on a suspension; motor: drives or brakes, as seen from above; mouse: a spring that "
+                            "pulls; filter: keeps the bodies from touching.",
+             .required = true},
             &SceneJoint::type);
     v.field({.name = "name", .description = "Unique.", .text = Text::name}, &SceneJoint::name);
     v.pair({.name = "bodies", .description = "Names of the two bodies.", .required = true, .text = Text::name},
@@ -304,19 +321,37 @@ void visit_fields(V& v, Type<SceneJoint>) {
             &SceneJoint::anchor);
     v.field({"anchors", "The points that it acts on, each in the coordinates of its body.", "m", kCoordinate},
             &SceneJoint::anchors);
-    v.exactly_one({"anchor", "anchors"});
+    v.at_most_one("anchor", "anchors");
+    v.field({"axis",
+             "Direction of the free motion: of the world at load, or of the first body if its anchors are its own. "
+             "Prismatic and wheel joints.",
+             "", kCoordinate},
+            &SceneJoint::axis);
     v.field({"reference_angle",
              "Angle of the second body minus that of the first at joint angle 0; left out: as they "
-             "are at load. Revolute joints only.",
+             "are at load. Revolute, prismatic, weld and motor joints.",
              "degrees"},
             &SceneJoint::reference_angle);
     v.field({"length", "Of the rod; left out: the distance at load. Distance joints only.", "m", kLength},
             &SceneJoint::length);
-    v.field({"limits", "Least and greatest joint angle (degrees), or distance (m)."}, &SceneJoint::limits);
-    v.field({"motor", "Turns the second body against the first. Revolute joints only."}, &SceneJoint::motor);
-    v.field({"spring", "Softens the joint."}, &SceneJoint::spring);
+    v.field({"limits", "Least and greatest joint angle (degrees, revolute), distance or way along the axis (m)."},
+            &SceneJoint::limits);
+    v.field({"motor", "Drives the second body against the first: turns it (revolute, wheel) or slides it (prismatic, "
+                      "distance)."},
+            &SceneJoint::motor);
+    v.field({"spring", "Pulls the free motion to 0, or to the length; softens the point of a weld, motor or mouse joint."},
+            &SceneJoint::spring);
+    v.field({"angular_spring", "Softens the angle of a weld."}, &SceneJoint::angular_spring);
+    v.field({"velocity", "Of the second body's anchor against the first's, that a motor joint drives at.", "m/s"},
+            &SceneJoint::velocity);
+    v.field({"angular_velocity", "Of the second body against the first, that a motor joint drives at.", "degrees/s"},
+            &SceneJoint::angular_velocity);
+    v.field({"max_force", "Most that a motor or mouse joint may pull.", "N", kStrength}, &SceneJoint::max_force);
+    v.field({"max_torque", "Most that a motor joint may turn.", "N m", kStrength}, &SceneJoint::max_torque);
     v.field({"break_force", "Force at which the joint is destroyed.", "N", {0.0, 1e12, true}},
             &SceneJoint::break_force);
+    v.field({"break_torque", "Torque at which the joint is destroyed.", "N m", {0.0, 1e12, true}},
+            &SceneJoint::break_torque);
     v.field({"collide_connected", "Whether the two bodies touch each other."}, &SceneJoint::collide_connected);
     v.json({"custom", "Anything a user wants to keep."}, &SceneJoint::custom);
 }

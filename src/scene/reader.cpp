@@ -207,6 +207,10 @@ public:
         require_one(names, found);
     }
 
+    void at_most_one(std::string_view first, std::string_view second) {
+        if (value_.contains(first) && value_.contains(second)) refuse_together({first, second});
+    }
+
     // After all fields: reports unknown keys, and what is missing unless an unknown key looks like it.
     void finish() {
         std::vector<std::string_view> guesses;
@@ -279,10 +283,12 @@ private:
 
     void require_one(const std::vector<std::string_view>& names, const std::vector<std::string_view>& found) {
         if (found.empty()) missing_.push_back({names, "needs one of the keys " + join_words(names)});
-        if (found.size() > 1)
-            reader_.error(child(place_, found[1]),
-                          "has the keys " + join_words(found) + ": only one of them is allowed", "",
-                          Diagnostics::At::key);
+        if (found.size() > 1) refuse_together(found);
+    }
+
+    void refuse_together(const std::vector<std::string_view>& found) {
+        reader_.error(child(place_, found[1]), "has the keys " + join_words(found) + ": only one of them is allowed",
+                      "", Diagnostics::At::key);
     }
 
     Reader& reader_;

@@ -21,7 +21,7 @@ void read_revolute(RubeObject& joint, SceneJoint& result) {
     const SceneJointLimits limits{joint.number("lowerLimit") * kDegrees, joint.number("upperLimit") * kDegrees};
     if (joint.flag("enableLimit"))
         result.limits = {std::min(limits.lower, limits.upper), std::max(limits.lower, limits.upper)};
-    const SceneJointMotor motor{joint.number("motorSpeed") * kDegrees, joint.number("maxMotorTorque")};
+    const SceneJointMotor motor{joint.number("motorSpeed") * kDegrees, joint.number("maxMotorTorque"), {}};
     if (joint.flag("enableMotor")) result.motor = motor;
     joint.skip({"jointSpeed"});  // of the moment of the export
 }

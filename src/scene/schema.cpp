@@ -127,6 +127,11 @@ public:
         exclusive_.push_back(keys);
     }
 
+    void at_most_one(std::string_view first, std::string_view second) {
+        const Json keys{first, second};
+        not_together_.push_back(keys);
+    }
+
     Json finish() const {
         Json schema{{"type", "object"}, {"properties", properties_}, {"additionalProperties", false}};
         if (!required_.empty()) schema["required"] = required_;
@@ -135,6 +140,7 @@ public:
             for (const Json& key : keys) choices.push_back({{"required", Json::array({key})}});
             schema["allOf"].push_back({{"oneOf", choices}});
         }
+        for (const Json& keys : not_together_) schema["allOf"].push_back({{"not", {{"required", keys}}}});
         return schema;
     }
 
@@ -169,6 +175,7 @@ private:
     Json properties_ = Json::object();
     Json required_ = Json::array();
     Json exclusive_ = Json::array();
+    Json not_together_ = Json::array();  // pairs of keys
 };
 
 template <class T>

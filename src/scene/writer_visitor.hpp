@@ -97,6 +97,7 @@ public:
     }
 
     void exactly_one(std::initializer_list<std::string_view>) {}
+    void at_most_one(std::string_view, std::string_view) {}
 
     Json object = Json::object();
 

@@ -1,9 +1,8 @@
 #include "world/input_checks.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "world/require.hpp"
 
 namespace tumble {
 
@@ -12,43 +11,6 @@ namespace {
 // A rotation given by cosine and sine may have this much less or more than unit length: far more than rounding to
 // float leaves, far less than a mistake.
 constexpr double kUnitTolerance = 1e-4;
-
-// Shortest decimal that reads back as the same number.
-std::string print(double value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    return {text, end};
-}
-
-std::string print(float value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    return {text, end};
-}
-
-std::string print(Vec2 v) {
-    return "(" + print(v.x) + ", " + print(v.y) + ")";
-}
-std::string print(DVec2 v) {
-    return "(" + print(v.x) + ", " + print(v.y) + ")";
-}
-
-template <class Value>
-void require(bool holds, const char* what, const char* expected, Value value) {
-    if (!holds) throw std::invalid_argument(std::string(what) + " must be " + expected + ", got " + print(value));
-}
-
-void require_not_negative(float value, const char* what) {
-    require(std::isfinite(value) && value >= 0.0f, what, "finite and not negative", value);
-}
-
-void check(const RevoluteJointDef& def) {
-    require(std::isfinite(def.reference_angle), "joint reference_angle", "finite", def.reference_angle);
-}
-
-void check(const DistanceJointDef& def) {
-    require(std::isfinite(def.length) && def.length > 0.0f, "joint length", "finite and greater than 0", def.length);
-}
 
 }  // namespace
 
@@ -84,16 +46,6 @@ void check(const ShapeDef& def) {
     require(restitution >= 0.0f && restitution <= 1.0f, "shape restitution", "between 0 and 1", restitution);
     require_not_negative(def.material.rolling_resistance, "shape rolling_resistance");
     require(std::isfinite(def.material.tangent_speed), "shape tangent_speed", "finite", def.material.tangent_speed);
-}
-
-void check(const JointDef& def) {
-    std::visit(
-        [](const auto& kind) {
-            require(is_finite(kind.anchor_a), "joint anchor_a", "finite", kind.anchor_a);
-            require(is_finite(kind.anchor_b), "joint anchor_b", "finite", kind.anchor_b);
-            check(kind);
-        },
-        def);
 }
 
 void check_velocity(Vec2 velocity, float angular_velocity) {

@@ -165,6 +165,21 @@ JointId World::create_joint(const JointDef& def) {
     return id;
 }
 
+void World::set_joint(JointId id, const JointDef& def) {
+    impl_->require(id);
+    Simulation& simulation = impl_->simulation;
+    const JointDef& old = simulation.joints.def(id);
+    if (def.index() != old.index() || joint_body_a(def) != joint_body_a(old) || joint_body_b(def) != joint_body_b(old))
+        throw std::invalid_argument("joint " + std::to_string(id.index) + " must keep its kind and its bodies");
+    check(def);
+    for (const BodyId body : {joint_body_a(def), joint_body_b(def)}) {
+        wake(simulation, body.index);
+        impl_->touch_shapes(body);
+    }
+    simulation.filters_changed |= !collides_connected(def);
+    simulation.joints.redefine(id, def);
+}
+
 void World::destroy_joint(JointId id) {
     impl_->require(id);
     const JointDef& joint = impl_->simulation.joints.def(id);
@@ -176,6 +191,7 @@ void World::step() {
     Simulation& simulation = impl_->simulation;
     if (impl_->diverged_body == kNoBody) {
         tumble::step(simulation);
+        for (const JointId id : simulation.joints.broken()) destroy_joint(id);
         ++impl_->step_count;
         impl_->count(impl_->counters);
         impl_->diverged_body = find_diverged(simulation.bodies);
@@ -321,6 +337,15 @@ const JointDef& World::joint(JointId id) const {
 JointReaction World::reaction(JointId id) const {
     impl_->require(id);
     return impl_->simulation.joints.reaction(id);
+}
+
+float World::joint_position(JointId id) const {
+    impl_->require(id);
+    return impl_->simulation.joints.position(id);
+}
+
+std::span<const JointId> World::broken_joints() const noexcept {
+    return impl_->simulation.joints.broken();
 }
 
 std::vector<ContactPoint> World::contacts() const {

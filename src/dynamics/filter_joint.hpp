@@ -1,0 +1,22 @@
+// Takes part in no solving: that its bodies do not touch is decided where pairs are found.
+#pragma once
+
+#include <span>
+
+#include "dynamics/joint_bodies.hpp"
+
+namespace tumble {
+
+class FilterJoint {
+public:
+    explicit FilterJoint(const FilterJointDef&) {}
+
+    void prepare(const BodyStore&) {}
+    void warm_start(std::span<SolverBody>) const {}
+    void solve(const JointContext&, bool, std::span<SolverBody>) {}
+    JointReaction reaction(float) const { return {}; }
+    float position() const { return 0.0f; }
+    void take_over(const FilterJoint&) {}
+};
+
+}  // namespace tumble

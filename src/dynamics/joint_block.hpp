@@ -1,0 +1,98 @@
+// Two rows of a joint solved at once: what holds a point, or a slider across its axis and against turning.
+//
+// A block knows the relative velocities of its two rows, what impulses along them do, and the symmetric matrix of its
+// responses. The components of speeds, errors and impulses belong to the rows.
+#pragma once
+
+#include <span>
+
+#include "dynamics/joint_row.hpp"
+
+namespace tumble {
+
+// Inverse effective masses: K11, K12 = K21, K22.
+struct BlockMatrix {
+    float k11, k12, k22;
+};
+
+// Holds B's anchor on A's, along the axes of the world:
+//   K = (1/m_A + 1/m_B) 1 + sum over both bodies of 1/I (r_y^2, -r_x r_y; -r_x r_y, r_x^2).
+struct PointBlock {
+    Vec2 arm_a, arm_b;
+
+    static PointBlock make(const JointBodies& joint, std::span<const SolverBody> all) {
+        return {joint.current_arm_a(all), joint.current_arm_b(all)};
+    }
+
+    BlockMatrix matrix(const JointBodies& joint) const {
+        const float linear = joint.inv_mass_a + joint.inv_mass_b;
+        const float ia = joint.inv_inertia_a, ib = joint.inv_inertia_b;
+        return {linear + ia * arm_a.y * arm_a.y + ib * arm_b.y * arm_b.y,
+                -ia * arm_a.x * arm_a.y - ib * arm_b.x * arm_b.y,
+                linear + ia * arm_a.x * arm_a.x + ib * arm_b.x * arm_b.x};
+    }
+
+    Vec2 velocity(const JointBodies& joint, std::span<const SolverBody> all) const {
+        return velocity_at(all[joint.b], arm_b) - velocity_at(all[joint.a], arm_a);
+    }
+
+    void apply(const JointBodies& joint, Vec2 impulse, std::span<SolverBody> all) const {
+        SolverBody& a = all[joint.a];
+        SolverBody& b = all[joint.b];
+        a.velocity -= joint.inv_mass_a * impulse;
+        a.angular_velocity -= joint.inv_inertia_a * cross(arm_a, impulse);
+        b.velocity += joint.inv_mass_b * impulse;
+        b.angular_velocity += joint.inv_inertia_b * cross(arm_b, impulse);
+    }
+};
+
+// Any two rows.
+struct RowBlock {
+    JointRow first, second;
+
+    BlockMatrix matrix(const JointBodies& joint) const {
+        return {row_response(joint, first, first), row_response(joint, first, second),
+                row_response(joint, second, second)};
+    }
+
+    Vec2 velocity(const JointBodies& joint, std::span<const SolverBody> all) const {
+        return {row_velocity(joint, first, all), row_velocity(joint, second, all)};
+    }
+
+    void apply(const JointBodies& joint, Vec2 impulse, std::span<SolverBody> all) const {
+        apply_row(joint, first, impulse.x, all);
+        apply_row(joint, second, impulse.y, all);
+    }
+};
+
+// As row_change(); zero if neither body can give way.
+inline Vec2 block_change(const BlockMatrix& k, const Softness& softness, Vec2 speed, Vec2 impulse) {
+    const float determinant = k.k11 * k.k22 - k.k12 * k.k12;
+    const float scale = determinant > 0.0f ? softness.mass_scale / determinant : 0.0f;
+    const Vec2 soft{scale * (k.k22 * speed.x - k.k12 * speed.y), scale * (k.k11 * speed.y - k.k12 * speed.x)};
+    return -soft - softness.impulse_scale * impulse;
+}
+
+// As solve_equality().
+template <class Block>
+void solve_block(const JointBodies& joint, const Block& block, const Softness& softness, Vec2 error, Vec2& impulse,
+                 std::span<SolverBody> all) {
+    const Vec2 speed = block.velocity(joint, all) + softness.bias_rate * error;
+    const Vec2 change = block_change(block.matrix(joint), softness, speed, impulse);
+    impulse += change;
+    block.apply(joint, change, all);
+}
+
+// As solve_bounded_row(), with a bound on the length of the accumulated impulse.
+template <class Block>
+void solve_bounded_block(const JointBodies& joint, const Block& block, const Softness& softness, Vec2 bias,
+                         float max_impulse, Vec2& impulse, std::span<SolverBody> all) {
+    const Vec2 speed = block.velocity(joint, all) + bias;
+    Vec2 total = impulse + block_change(block.matrix(joint), softness, speed, impulse);
+    const float size = length(total);
+    if (size > max_impulse) total = (max_impulse / size) * total;
+    block.apply(joint, total - impulse, all);
+    impulse = total;
+}
+
+}  // namespace tumble

@@ -1,0 +1,30 @@
+// Drives point and angle, or their velocities, with bounded strength.
+#pragma once
+
+#include <span>
+
+#include "dynamics/joint_angle.hpp"
+#include "dynamics/joint_block.hpp"
+
+namespace tumble {
+
+class MotorJoint {
+public:
+    explicit MotorJoint(const MotorJointDef& def) : def_(def) {}
+
+    void prepare(const BodyStore& bodies);
+    void warm_start(std::span<SolverBody> bodies) const;
+    void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+    JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * turning_impulse_}; }
+    float position() const { return angle_.at_start(); }
+    void take_over(const MotorJoint& old);
+
+private:
+    MotorJointDef def_;
+    JointBodies bodies_;
+    JointAngle angle_;
+    Vec2 impulse_;                  // N s
+    float turning_impulse_ = 0.0f;  // N m s
+};
+
+}  // namespace tumble

@@ -1,0 +1,30 @@
+// Glue: point and angle held, each rigidly or by a spring.
+#pragma once
+
+#include <span>
+
+#include "dynamics/joint_angle.hpp"
+#include "dynamics/joint_block.hpp"
+
+namespace tumble {
+
+class WeldJoint {
+public:
+    explicit WeldJoint(const WeldJointDef& def) : def_(def) {}
+
+    void prepare(const BodyStore& bodies);
+    void warm_start(std::span<SolverBody> bodies) const;
+    void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+    JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * turning_impulse_}; }
+    float position() const { return angle_.at_start(); }
+    void take_over(const WeldJoint& old);
+
+private:
+    WeldJointDef def_;
+    JointBodies bodies_;
+    JointAngle angle_;
+    Vec2 impulse_;                  // N s
+    float turning_impulse_ = 0.0f;  // N m s
+};
+
+}  // namespace tumble

@@ -1,0 +1,43 @@
+// A wheel on a suspension: one row held across the axis, one driven along it, and one driven about it.
+#pragma once
+
+#include <span>
+
+#include "dynamics/joint_drive.hpp"
+
+namespace tumble {
+
+class WheelJoint {
+public:
+    explicit WheelJoint(const WheelJointDef& def)
+        : def_(def),
+          suspension_(def.spring, std::nullopt, def.limits),
+          axle_(std::nullopt, drive_motor(def.motor), std::nullopt) {}
+
+    void prepare(const BodyStore& bodies);
+    void warm_start(std::span<SolverBody> bodies) const;
+    void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+    JointReaction reaction(float inv_h) const {
+        return {inv_h * (suspension_.impulse() * axis_ + across_impulse_ * perp(axis_)), inv_h * axle_.impulse()};
+    }
+    float position() const { return dot(axis_, bodies_.center_difference + bodies_.arm_b - bodies_.arm_a); }
+    void take_over(const WheelJoint& old);
+
+private:
+    // The geometry within the step.
+    struct Strut {
+        Vec2 axis;  // turned with A
+        Vec2 separation;
+        JointRow along, across;
+    };
+    Strut strut(std::span<const SolverBody> bodies) const;
+
+    WheelJointDef def_;
+    JointBodies bodies_;
+    JointDrive suspension_;
+    JointDrive axle_;
+    Vec2 axis_;                    // world, unit, at the start of the step
+    float across_impulse_ = 0.0f;  // N s
+};
+
+}  // namespace tumble

@@ -1,0 +1,354 @@
+// Each kind of joint, its limits, motor and spring, against the mechanics of one body.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "support/worlds.hpp"
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+constexpr double kGravity = 10.0;
+constexpr double kH = 1.0 / 240.0;
+constexpr double kJointOmega = 2.0 * kPi * 60.0;  // joint softness, rad/s
+
+// A box of 2 kg (1 x 2 m) beside a static pivot at the origin.
+struct Rig {
+    World world;
+    BodyId pivot;
+    BodyId box;
+
+    explicit Rig(bool gravity, DVec2 position = {}) : world(gravity ? World() : weightless()) {
+        pivot = world.create_body({.type = BodyType::static_body});
+        box = add_dynamic(world, position, make_box({1.0f, 2.0f}));
+    }
+
+    double angle() const { return tumble::angle(world.state(box).pose.rotation); }
+    DVec2 position() const { return world.state(box).pose.position; }
+};
+
+// Mean time between upward passages of a value through 0, and the ratio of successive maxima.
+struct Oscillation {
+    double period = 0.0;
+    double decay = 0.0;
+};
+
+template <class Value>
+Oscillation measure(World& world, int steps, Value&& value) {
+    double before = value(), first = -1.0, last = -1.0;
+    int passages = -1;
+    std::vector<double> maxima;
+    double older = -1e9;
+    for (int step = 1; step <= steps; ++step) {
+        world.step();
+        const double now = value();
+        if (before <= 0.0 && now > 0.0) {
+            last = (step - now / (now - before)) / 60.0;
+            if (++passages == 0) first = last;
+        }
+        if (before > older && before >= now && before > 0.0) maxima.push_back(before);
+        older = before;
+        before = now;
+    }
+    const double ratio = std::pow(maxima.back() / maxima.front(), 1.0 / static_cast<double>(maxima.size() - 1));
+    return {(last - first) / passages, ratio};
+}
+
+// What the implicit spring makes of frequency f and damping ratio z with sub-step h, for mass 1 and an exact solve of
+// v' = v - h w^2 (x + h v') - 2 z w h v', x' = x + h v': the eigenvalues of the step have modulus 1 / sqrt(D) and
+// cosine (1 + 1 / D - h^2 w^2 / D) sqrt(D) / 2 with D = 1 + 2 z w h + h^2 w^2.
+Oscillation implicit_spring(double f, double z) {
+    const double w = 2.0 * kPi * f;
+    const double d = 1.0 + 2.0 * z * w * kH + kH * kH * w * w;
+    const double trace = 1.0 + (1.0 - kH * kH * w * w) / d;  // of [[1 - h^2 w^2 / D, h / D], [-h w^2 / D, 1 / D]]
+    const double angle = std::acos(trace / 2.0 * std::sqrt(d));
+    const double period = 2.0 * kPi * kH / angle;
+    return {period, std::pow(1.0 / d, 0.5 * period / kH)};
+}
+
+}  // namespace
+
+TEST_CASE("a hinge stays inside its limits, and leans on them with the moment of the weight") {
+    Rig rig(true, {0.5, 0.0});
+    const JointId hinge = rig.world.create_joint(RevoluteJointDef{
+        .body_a = rig.pivot, .body_b = rig.box, .anchor_b = {-0.5f, 0.0f}, .limits = JointLimits{-0.4f, 0.3f}});
+    double lowest = 0.0;
+    for (int step = 0; step < 240; ++step) {
+        rig.world.step();
+        lowest = std::min(lowest, rig.angle());
+    }
+    // It falls on the limit at w = sqrt(2 m g 0.5 sin 0.4 / I) = 2.4 rad/s, which is stopped within a sub-step, and
+    // rests there: the limit gives way by torque / (I w^2) < m g 0.5 / (I w^2).
+    const BodyMass mass = rig.world.mass(rig.box);
+    const double inertia = double{mass.inertia} + 0.25 * double{mass.mass};
+    const double give = double{mass.mass} * kGravity * 0.5 / (inertia * kJointOmega * kJointOmega);
+    CHECK(lowest > -0.4 - 2.4 * kH - give);
+    CHECK(rig.angle() == doctest::Approx(-0.4).epsilon(0.001));
+    CHECK(rig.world.reaction(hinge).torque ==
+          doctest::Approx(double{mass.mass} * kGravity * 0.5 * std::cos(0.4)).epsilon(0.002));
+    rig.world.set_velocity(rig.box, {}, 6.0f);
+    double highest = -1.0;
+    for (int step = 0; step < 60; ++step) {
+        rig.world.step();
+        highest = std::max(highest, rig.angle());
+    }
+    CHECK(highest > 0.29);
+    CHECK(highest < 0.3 + 6.0 * kH);
+}
+
+TEST_CASE("limits of more than a turn count turns") {
+    Rig rig(false);
+    const JointId hinge = rig.world.create_joint(
+        RevoluteJointDef{.body_a = rig.pivot, .body_b = rig.box, .limits = JointLimits{-1.0f, 15.0f}});
+    rig.world.set_velocity(rig.box, {}, 10.0f);
+    run(rig.world, 300);
+    // 15 rad = 2.39 turns: wrapped into (-pi, pi] that is 2.434.
+    CHECK(rig.angle() == doctest::Approx(15.0 - 4.0 * kPi).epsilon(0.002));
+    CHECK(rig.world.joint_position(hinge) == doctest::Approx(15.0).epsilon(0.001));
+}
+
+TEST_CASE("a motor turns a hinge at its speed, with no more than its torque") {
+    Rig rig(false);
+    const BodyMass mass = rig.world.mass(rig.box);
+    rig.world.create_joint(RevoluteJointDef{.body_a = rig.pivot, .body_b = rig.box, .motor = AngularMotor{3.0f, 2.0f}});
+    run(rig.world, 30);
+    // w = T t / I until the speed is reached: 2 * 0.5 / (2 * 5 / 12) = 1.2 rad/s after half a second.
+    CHECK(rig.world.state(rig.box).angular_velocity == doctest::Approx(2.0 * 0.5 / double{mass.inertia}).epsilon(1e-4));
+    run(rig.world, 60);
+    CHECK(rig.world.state(rig.box).angular_velocity == doctest::Approx(3.0).epsilon(1e-5));
+}
+
+TEST_CASE("the angular spring of a hinge has the frequency and damping of its definition") {
+    Rig rig(false);
+    rig.world.create_joint(
+        RevoluteJointDef{.body_a = rig.pivot, .body_b = rig.box, .spring = JointSpring{2.0f, 0.02f}});
+    rig.world.set_velocity(rig.box, {}, 2.0f);
+    const Oscillation seen = measure(rig.world, 300, [&] { return rig.angle(); });
+    const Oscillation expected = implicit_spring(2.0, 0.02);
+    CHECK(expected.period == doctest::Approx(0.5).epsilon(0.01));
+    // Samples of a sine at 30 a period: a maximum between two is up to (pi / 30)^2 / 2 = 0.5 % higher.
+    CHECK(seen.period == doctest::Approx(expected.period).epsilon(0.003));
+    CHECK(seen.decay == doctest::Approx(expected.decay).epsilon(0.08));
+}
+
+TEST_CASE("a weight hangs on a spring as far down as m g / (m w^2), and swings at its frequency") {
+    Rig rig(true, {0.0, -2.0});
+    rig.world.create_joint(
+        DistanceJointDef{.body_a = rig.pivot, .body_b = rig.box, .length = 2.0f, .spring = JointSpring{1.0f, 0.1f}});
+    const double sag = kGravity / (4.0 * kPi * kPi);
+    const Oscillation seen = measure(rig.world, 240, [&] { return rig.position().y + 2.0 + sag; });
+    const Oscillation expected = implicit_spring(1.0, 0.1);
+    CHECK(seen.period == doctest::Approx(expected.period).epsilon(0.005));
+    CHECK(seen.decay == doctest::Approx(expected.decay).epsilon(0.02));
+    run(rig.world, 1200);
+    CHECK(-rig.position().y - 2.0 == doctest::Approx(sag).epsilon(0.001));
+}
+
+TEST_CASE("a rope is slack until it is taut, and then holds the weight") {
+    Rig rig(true, {0.0, -1.0});
+    const JointId rope = rig.world.create_joint(
+        DistanceJointDef{.body_a = rig.pivot, .body_b = rig.box, .limits = JointLimits{0.0f, 2.0f}});
+    run(rig.world, 12);
+    // Free fall: 10 * 0.2^2 / 2, and half a sub-step more.
+    CHECK(-rig.position().y - 1.0 == doctest::Approx(0.2 + 10.0 * 0.2 * kH / 2.0).epsilon(1e-4));
+    CHECK(rig.world.reaction(rope).force == Vec2{});
+    run(rig.world, 300);
+    CHECK(-rig.position().y == doctest::Approx(2.0).epsilon(0.001));
+    CHECK(rig.world.reaction(rope).force.y == doctest::Approx(20.0).epsilon(0.001));
+}
+
+TEST_CASE("a slider keeps to its axis, which turns with A, and does not turn") {
+    World world = weightless();
+    const BodyId rail = add_static(world, {}, make_box({0.1f, 0.1f}), {}, 0.5);
+    const BodyId box = add_dynamic(world, {}, make_box({1.0f, 1.0f}), {}, 0.5);
+    world.create_joint(PrismaticJointDef{.body_a = rail, .body_b = box, .axis_a = {2.0f, 0.0f}});
+    world.set_velocity(box, {3.0f, 1.0f}, 4.0f);
+    run(world, 60);
+    const DVec2 axis{std::cos(0.5), std::sin(0.5)};
+    const BodyState state = world.state(box);
+    CHECK(std::abs(cross(axis, state.pose.position)) < 1e-3);
+    CHECK(angle(state.pose.rotation) == doctest::Approx(0.5).epsilon(1e-3));
+    // What is left is the part of the velocity along the axis.
+    CHECK(length(state.pose.position) == doctest::Approx(3.0 * axis.x + 1.0 * axis.y).epsilon(0.01));
+}
+
+TEST_CASE("a lift's motor raises its load at its speed up to the limit, or stalls") {
+    for (const float force : {25.0f, 19.0f}) {  // the box weighs 20 N
+        Rig rig(true);
+        const JointId lift = rig.world.create_joint(PrismaticJointDef{.body_a = rig.pivot,
+                                                                      .body_b = rig.box,
+                                                                      .axis_a = {0.0f, 1.0f},
+                                                                      .limits = JointLimits{-1.0f, 2.0f},
+                                                                      .motor = LinearMotor{1.0f, force}});
+        run(rig.world, 60);
+        if (force > 20.0f) {
+            // Accelerates by (25 - 20) / 2 = 2.5 m/s^2 for 0.4 s, then goes at 1 m/s: 0.2 + 0.6 m in the first second.
+            CHECK(rig.position().y == doctest::Approx(0.8).epsilon(0.01));
+            CHECK(rig.world.state(rig.box).velocity.y == doctest::Approx(1.0).epsilon(1e-4));
+            CHECK(rig.world.reaction(lift).force.y == doctest::Approx(20.0).epsilon(0.001));
+            run(rig.world, 120);
+            CHECK(rig.position().y == doctest::Approx(2.0).epsilon(0.001));
+        } else {
+            run(rig.world, 240);
+            CHECK(rig.position().y == doctest::Approx(-1.0).epsilon(0.001));
+        }
+    }
+}
+
+TEST_CASE("a spring on a slider has its frequency") {
+    Rig rig(false);
+    rig.world.create_joint(
+        PrismaticJointDef{.body_a = rig.pivot, .body_b = rig.box, .spring = JointSpring{3.0f, 0.0f}});
+    rig.world.set_velocity(rig.box, {1.0f, 0.0f}, 0.0f);
+    const Oscillation seen = measure(rig.world, 120, [&] { return rig.position().x; });
+    CHECK(seen.period == doctest::Approx(implicit_spring(3.0, 0.0).period).epsilon(0.003));
+}
+
+TEST_CASE("a welded beam holds its weight and moment at the wall") {
+    Rig rig(true, {0.5, 0.0});
+    const JointId weld =
+        rig.world.create_joint(WeldJointDef{.body_a = rig.pivot, .body_b = rig.box, .anchor_b = {-0.5f, 0.0f}});
+    run(rig.world, 120);
+    CHECK(rig.world.reaction(weld).force.y == doctest::Approx(20.0).epsilon(0.001));
+    CHECK(rig.world.reaction(weld).torque == doctest::Approx(10.0).epsilon(0.005));
+    CHECK(std::abs(rig.angle()) < 0.001);
+    CHECK(length(rig.position() - DVec2{0.5, 0.0}) < 0.001);
+}
+
+TEST_CASE("a weld with an angular spring bends as a spring does") {
+    Rig rig(false);
+    rig.world.create_joint(
+        WeldJointDef{.body_a = rig.pivot, .body_b = rig.box, .angular_spring = JointSpring{2.0f, 0.0f}});
+    rig.world.set_velocity(rig.box, {}, 1.0f);
+    const Oscillation seen = measure(rig.world, 240, [&] { return rig.angle(); });
+    CHECK(seen.period == doctest::Approx(implicit_spring(2.0, 0.0).period).epsilon(0.003));
+}
+
+TEST_CASE("a wheel rides on its suspension and is driven by its motor") {
+    Rig rig(true);
+    const BodyId wheel = add_dynamic(rig.world, {3.0, 0.0}, make_circle(0.5f));
+    rig.world.create_joint(WheelJointDef{.body_a = rig.pivot,
+                                         .body_b = wheel,
+                                         .anchor_a = {3.0f, 0.0f},
+                                         .motor = AngularMotor{-5.0f, 10.0f},
+                                         .spring = JointSpring{2.0f, 0.7f}});
+    run(rig.world, 240);
+    const BodyState state = rig.world.state(wheel);
+    CHECK(state.pose.position.x == doctest::Approx(3.0).epsilon(1e-5));
+    CHECK(state.pose.position.y == doctest::Approx(-kGravity / (16.0 * kPi * kPi)).epsilon(0.001));
+    CHECK(state.angular_velocity == doctest::Approx(-5.0).epsilon(1e-4));
+}
+
+TEST_CASE("a suspension ends at its limits") {
+    Rig rig(true);
+    rig.world.create_joint(WheelJointDef{.body_a = rig.pivot, .body_b = rig.box, .limits = JointLimits{-0.25f, 0.25f}});
+    run(rig.world, 120);
+    CHECK(rig.position().y == doctest::Approx(-0.25).epsilon(0.005));
+}
+
+TEST_CASE("a motor joint without a spring is friction: v^2 m / (2 F) to a stop") {
+    Rig rig(false);
+    rig.world.create_joint(
+        MotorJointDef{.body_a = rig.pivot, .body_b = rig.box, .max_force = 4.0f, .max_torque = 1.0f});
+    rig.world.set_velocity(rig.box, {0.0f, 3.0f}, 2.0f);
+    run(rig.world, 120);
+    // 9 * 2 / 8 = 2.25 m, less half a sub-step of the speed.
+    CHECK(rig.position().y == doctest::Approx(2.25 - 3.0 * kH / 2.0).epsilon(1e-3));
+    CHECK(rig.world.state(rig.box).angular_velocity == 0.0f);
+}
+
+TEST_CASE("a motor joint drives at a velocity, and with a spring to a place") {
+    Rig rig(false, {2.0, 1.0});
+    MotorJointDef def{
+        .body_a = rig.pivot, .body_b = rig.box, .velocity = {1.0f, 0.0f}, .max_force = 50.0f, .max_torque = 50.0f};
+    const JointId motor = rig.world.create_joint(def);
+    run(rig.world, 60);
+    CHECK(rig.world.state(rig.box).velocity.x == doctest::Approx(1.0).epsilon(1e-5));
+    def.velocity = {};
+    def.reference_angle = 0.5f;
+    def.spring = JointSpring{2.0f, 1.0f};
+    rig.world.set_joint(motor, def);
+    run(rig.world, 240);
+    CHECK(length(rig.position()) < 1e-3);
+    CHECK(rig.angle() == doctest::Approx(0.5).epsilon(1e-3));
+}
+
+TEST_CASE("a mouse drags a body to its target, no harder than it may") {
+    Rig rig(true);
+    MouseJointDef def{.body_a = rig.pivot, .body_b = rig.box, .anchor_a = {4.0f, 3.0f}, .max_force = 100.0f};
+    const JointId mouse = rig.world.create_joint(def);
+    for (int step = 0; step < 300; ++step) {
+        rig.world.step();
+        CHECK(length(rig.world.reaction(mouse).force) <= 100.001f);
+    }
+    // It hangs below the target by g / w^2.
+    const double sag = kGravity / (4.0 * kPi * kPi * 25.0);
+    CHECK(length(rig.position() - DVec2{4.0, 3.0 - sag}) < 1e-3);
+    def.anchor_a = {-1.0f, 0.0f};
+    rig.world.set_joint(mouse, def);
+    run(rig.world, 300);
+    CHECK(length(rig.position() - DVec2{-1.0, -sag}) < 1e-3);
+}
+
+TEST_CASE("a filter joint keeps two bodies from touching") {
+    World world;
+    add_floor(world);
+    const BodyId a = add_dynamic(world, {0.0, 0.5}, make_box({1.0f, 1.0f}));
+    const BodyId b = add_dynamic(world, {0.0, 3.0}, make_box({1.0f, 1.0f}));
+    world.create_joint(FilterJointDef{a, b});
+    run(world, 120);
+    CHECK(world.state(b).pose.position.y == doctest::Approx(0.5).epsilon(0.001));
+}
+
+TEST_CASE("a joint breaks above its force, and not below") {
+    for (const float strength : {19.0f, 21.0f}) {  // the box weighs 20 N
+        Rig rig(true);
+        const JointId hinge =
+            rig.world.create_joint(RevoluteJointDef{.body_a = rig.pivot, .body_b = rig.box, .break_force = strength});
+        int broken_at = -1;
+        for (int step = 0; step < 120; ++step) {
+            rig.world.step();
+            if (!rig.world.broken_joints().empty()) {
+                CHECK(rig.world.broken_joints()[0] == hinge);
+                CHECK(broken_at == -1);
+                broken_at = step;
+            }
+        }
+        CHECK(rig.world.is_valid(hinge) == (strength > 20.0f));
+        CHECK((broken_at == -1) == (strength > 20.0f));
+        CHECK((rig.position().y < -1.0) == (strength < 20.0f));
+        rig.world.validate();
+    }
+}
+
+TEST_CASE("a weld breaks by torque") {
+    for (const float strength : {9.5f, 10.5f}) {  // 20 N at 0.5 m
+        Rig rig(true, {0.5, 0.0});
+        const JointId weld = rig.world.create_joint(
+            WeldJointDef{.body_a = rig.pivot, .body_b = rig.box, .anchor_b = {-0.5f, 0.0f}, .break_torque = strength});
+        run(rig.world, 120);
+        CHECK(rig.world.is_valid(weld) == (strength > 10.0f));
+    }
+}
+
+TEST_CASE("joints that make no sense are refused with the value") {
+    Rig rig(false);
+    const auto refused = [&](const JointDef& def, const char* message) {
+        CHECK_THROWS_WITH_AS(rig.world.create_joint(def), doctest::Contains(message), std::invalid_argument);
+    };
+    const BodyId a = rig.pivot, b = rig.box;
+    refused(RevoluteJointDef{.body_a = a, .body_b = b, .limits = JointLimits{1.0f, -1.0f}}, "(1, -1)");
+    refused(RevoluteJointDef{.body_a = a, .body_b = b, .spring = JointSpring{0.0f, 1.0f}}, "spring hertz");
+    refused(RevoluteJointDef{.body_a = a, .body_b = b, .motor = AngularMotor{1.0f, -1.0f}}, "max_torque");
+    refused(PrismaticJointDef{.body_a = a, .body_b = b, .axis_a = {}}, "axis");
+    refused(DistanceJointDef{.body_a = a, .body_b = b, .motor = LinearMotor{}}, "rod");
+    refused(DistanceJointDef{.body_a = a, .body_b = b, .limits = JointLimits{-1.0f, 1.0f}}, "least length");
+    refused(WeldJointDef{.body_a = a, .body_b = b, .break_force = 0.0f}, "break_force");
+    refused(FilterJointDef{a, a}, "two bodies");
+    const JointId weld = rig.world.create_joint(WeldJointDef{.body_a = a, .body_b = b});
+    CHECK_THROWS_AS(rig.world.set_joint(weld, FilterJointDef{a, b}), std::invalid_argument);
+}
