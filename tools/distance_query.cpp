@@ -80,11 +80,12 @@ void write_certificate(JsonWriter& json, const Certificate& certificate) {
     json.close_array().member("cores_overlap", certificate.cores_overlap).close_object();
 }
 
+// For people: without negative zeros.
 std::string point_text(DVec2 point) {
     std::string text = "(";
-    append_number(text, point.x);
+    append_number(text, point.x + 0.0);
     text += ", ";
-    append_number(text, point.y);
+    append_number(text, point.y + 0.0);
     return text + ")";
 }
 

@@ -62,7 +62,7 @@ void add_definitions(HtmlPage& page) {
     page.heading("What counts as wrong");
     page.paragraph("tumble promises bounds: it is wrong if the exact signed distance lies outside of its [lower, upper], if its status "
                    "(separated, touching, overlapping) contradicts the exact sign, or if its distance is off by more than rounding in double "
-                   "explains, 24 u L, so that wide bounds do not count as right. L is the sum of the sizes of the cores, their radii and "
+                   "explains, 16 to 20 u L, so that wide bounds do not count as right. L is the sum of the sizes of the cores, their radii and "
                    "the offset of their positions, u = 1.1e-16.");
     page.paragraph("b2Distance promises a float: it is wrong if its distance is off by more than 4 eps S, S being the largest world coordinate "
                    "of the pair and eps = 1.19e-7, or if it gives 0, which is how it says overlap, where the exact distance is positive, or "

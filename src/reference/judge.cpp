@@ -10,11 +10,21 @@ namespace tumble::reference {
 
 namespace {
 
-// What is promised of our own numbers, in error_unit()s. The distance: within E = 16 units of the core distance, 20 where a
-// rotation is drifted from unit length (by up to 2 in the families), and 4 for the radii. The bounds: E on either side, and
-// the loop may stop with its own two bounds 2 E apart, where "touching" may still be said.
-constexpr double kDistanceUnits = 24.0;
-constexpr double kBoundsUnits = 96.0;
+// What is promised of our own numbers: the core distance within E = 16 u (RA + RB + |p|), and 4 u of all lengths that
+// subtracting the radii rounds. The bounds are E on either side of it, and the loop may stop with its own two bounds 2 E
+// apart: as much may lie between 0 and the distance where "touching" is said.
+struct Promise {
+    double distance = 0.0;
+    double bounds = 0.0;
+};
+
+Promise promise_of(const PairQuery& query) {
+    constexpr double kUnitRoundoff = 0x1p-53;
+    const double radii = double{query.a.radius()} + query.b.radius(), scale = bound_scale(query);
+    const double subtraction = 4.0 * (radii + scale);
+    const double distance = 16.0 * scale + (radii > 0.0 ? subtraction : 0.0);
+    return {kUnitRoundoff * distance, kUnitRoundoff * (64.0 * scale + 2.0 * subtraction)};
+}
 
 double tolerance(const PairQuery& query) { return kParityTolerance * kFloatEpsilon * largest_coordinate(query); }
 
@@ -62,9 +72,18 @@ struct Verdict {
     void say(const char* text) { reason += reason.empty() ? text : std::string(", ") + text; }
 };
 
+bool ours_is_vague(const Comparison& comparison, const ExactSide& exact) {
+    const DistanceResult& ours = comparison.ours;
+    const Promise promise = promise_of(comparison.query);
+    if (exceeds(ours.lower, ours.distance) || exceeds(ours.distance, ours.upper)) return true;
+    if (!exact.is_exact()) return exceeds(ours.upper - ours.lower, promise.bounds);
+    return exceeds(exact.error_of(ours.distance), promise.distance) ||
+           (ours.status == DistanceStatus::touching && exceeds(std::abs(exact.value()), promise.bounds));
+}
+
 void judge_ours(ParityRow& row, const Comparison& comparison, const ExactSide* exact, double bound, Verdict& verdict) {
     const bool is_wrong = exact && exact->ours_is_wrong(comparison.ours);
-    const bool is_vague = exact && exact->ours_is_vague(comparison.ours, error_unit(comparison.query));
+    const bool is_vague = exact && ours_is_vague(comparison, *exact);
     if (is_wrong || is_vague) {
         ++row.ours_wrong;
         verdict.ours = true;
@@ -128,13 +147,6 @@ bool ExactSide::ours_is_wrong(const DistanceResult& ours) const {
     if (!exact_) return !proved_;
     return ours.status == DistanceStatus::invalid || !(std::isfinite(ours.lower) && std::isfinite(ours.upper)) ||
            exact_->compare(ours.lower) < 0 || exact_->compare(ours.upper) > 0 || contradicts(ours.status, sign());
-}
-
-bool ExactSide::ours_is_vague(const DistanceResult& ours, double unit) const {
-    if (exceeds(ours.lower, ours.distance) || exceeds(ours.distance, ours.upper)) return true;
-    if (!exact_) return exceeds(ours.upper - ours.lower, kBoundsUnits * unit);
-    return exceeds(error_of(ours.distance), kDistanceUnits * unit) ||
-           (ours.status == DistanceStatus::touching && exceeds(std::abs(value()), kBoundsUnits * unit));
 }
 
 int ExactSide::sign() const {

@@ -15,8 +15,8 @@ public:
     static ExactSide of_distance(ExactDistance exact);
     static ExactSide of_certificate(const PairQuery& query, const DistanceResult& ours);
 
-    bool ours_is_wrong(const DistanceResult& ours) const;                // its proof does not hold
-    bool ours_is_vague(const DistanceResult& ours, double unit) const;  // it proves less than is promised
+    bool is_exact() const { return exact_.has_value(); }
+    bool ours_is_wrong(const DistanceResult& ours) const;
     int sign() const;                      // of the exact signed distance; 0 also if the proved bounds straddle 0
     double value() const;                  // the exact signed distance, or the middle of the bounds
     double error_of(double signed_distance) const;    // the absolute difference from it, or from the nearer bound

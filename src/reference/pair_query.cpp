@@ -77,6 +77,15 @@ double error_scale(const PairQuery& query) {
            length(query.pose_b.position - query.pose_a.position);
 }
 
+double bound_scale(const PairQuery& query) {
+    const auto turned = [](const Shape& shape, Rotation q) {
+        const double c = q.c, s = q.s;
+        return 0.5 * (1.0 + (c * c + s * s)) * shape.core_radius();
+    };
+    return turned(query.a, query.pose_a.rotation) + turned(query.b, query.pose_b.rotation) +
+           length(query.pose_b.position - query.pose_a.position);
+}
+
 double error_unit(const PairQuery& query) {
     return 0x1p-53 * (error_scale(query) + query.a.radius() + query.b.radius());
 }

@@ -48,11 +48,28 @@ TEST_CASE("poses are taken by angle or by rotation, and quarter turns are exact"
     CHECK(distance_to(R"({"position": [1.5, 0]})") == -0.5);
 }
 
+TEST_CASE("clockwise, self-crossing and repeated points stand for their hull") {
+    const auto distance_of = [](const std::string& vertices) {
+        const Answer answer = run_tumble({"distance", R"({"polygon": {"vertices": )" + vertices + "}}",
+                                          R"({"circle": {"radius": 1}, "pose": {"position": [4, 0.5]}})", "--json"});
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        return json::parse(answer.out)["distance"].get<double>();
+    };
+    CHECK(distance_of("[[0, 0], [1, 0], [1, 1], [0, 1]]") == 2.0);
+    CHECK(distance_of("[[0, 1], [1, 1], [1, 0], [0, 0]]") == 2.0);
+    CHECK(distance_of("[[0, 0], [1, 1], [1, 0], [0, 1]]") == 2.0);
+    CHECK(distance_of("[[0, 0], [0, 0], [1, 0], [0.5, 0], [1, 1], [1, 1], [0, 1], [0.5, 0.5]]") == 2.0);
+}
+
 TEST_CASE("a query that is wrong says where, with exit code 3") {
     const std::string circle = R"({"circle": {"radius": 1}})";
     for (const std::string& wrong : {std::string("{"), std::string("[]"), std::string(R"({"circle": {}})"),
                                      std::string(R"({"circle": {"radius": -1}})"),
                                      std::string(R"({"circle": {"radius": 1}, "pose": {"position": [0]}})"),
+                                     std::string(R"({"circle": {"radius": NaN}})"), std::string(R"({"circle": {"radius": 1e999}})"),
+                                     std::string(R"({"circle": {"radius": 1}, "pose": {"position": [Infinity, 0]}})"),
+                                     std::string(R"({"polygon": {"vertices": []}})"),
+                                     std::string(R"({"polygon": {"vertices": [[1, 1], [1, 1], [1, 1]]}})"),
                                      std::string(R"({"circle": {"radius": 1}, "pose": {"angel": 3}})"),
                                      std::string(R"({"circle": {"radius": 1}, "pose": {"angle": 3, "rotation": [1, 0]}})"),
                                      std::string(R"({"chain": {"points": [[0, 0], [1, 0], [2, 0]]}})")}) {
