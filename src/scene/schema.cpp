@@ -157,15 +157,17 @@ private:
         }
     };
 
-    void add(const Field& field, Json schema, const Json& default_value) {
+    void add(const Field& field, const Json& schema, const Json& default_value) {
         Json property{{"title", title_of(field.name)}, {"description", field.description}};
         if (!field.unit.empty()) {
             property["description"] = std::string(field.description) + " Unit: " + std::string(field.unit) + ".";
             property["unit"] = field.unit;
         }
         if (!default_value.is_null()) property["default"] = default_value;
-        if (schema.contains("$ref")) schema = {{"allOf", Json::array({schema})}};  // $ref hides its siblings
-        property.update(schema);
+        if (schema.contains("$ref"))
+            property["allOf"].push_back(schema);  // $ref hides its siblings
+        else
+            property.update(schema);
         properties_[std::string(field.name)] = property;
         if (field.required) required_.push_back(field.name);
     }
