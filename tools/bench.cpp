@@ -16,7 +16,7 @@ namespace tumble::tools {
 
 namespace {
 
-struct Options {
+struct BenchArguments {
     std::vector<std::string> scenes = {"large_pyramid", "pyramid", "mixed_rain", "capsule_pile"};
     StepBenchOptions steps;
 };
@@ -39,7 +39,7 @@ void write_row(JsonWriter& json, const StepBenchResult& row) {
         .close_object();
 }
 
-ExitCode bench(const Command& command, const Options& options) {
+ExitCode bench(const Command& command, const BenchArguments& options) {
     JsonWriter json;
     json.open_object().key("distance").open_array().close_array().key("step").open_array();
     if (!command.json)
@@ -61,7 +61,7 @@ ExitCode bench(const Command& command, const Options& options) {
 }  // namespace
 
 void add_bench(CLI::App& app, Command& command) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<BenchArguments>();
     CLI::App& app_bench = add_subcommand(app, command, "bench", "Measure the world step beside Box2D");
     app_bench.add_option("--scenes", options->scenes, "Shipped scenes, or files")->delimiter(',')->capture_default_str();
     app_bench.add_option("--steps", options->steps.steps, "Steps a run")

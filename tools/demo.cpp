@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kDefaultDemo = "mixed_rain";
 
-struct Options {
+struct DemoArguments {
     std::string name = kDefaultDemo;
     bool list = false;
 };
@@ -46,7 +46,7 @@ fs::path find_demo(const std::string& name) {
     throw CLI::ValidationError("NAME", "there is no shipped scene '" + name + "'; demo --list shows which there are");
 }
 
-ExitCode run_demo(const Command& command, const Options& options) {
+ExitCode run_demo(const Command& command, const DemoArguments& options) {
     SceneOptions source;
     source.file = find_demo(options.name).string();
     const Scene scene = read_scene(source);
@@ -69,7 +69,7 @@ ExitCode run_demo(const Command& command, const Options& options) {
 }  // namespace
 
 void add_demo(CLI::App& app, Command& command) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<DemoArguments>();
     CLI::App& demo = add_subcommand(app, command, "demo", "Run a shipped scene into the build folder");
     demo.add_option("NAME", options->name, "The scene")->capture_default_str();
     demo.add_flag("--list", options->list, "List the shipped scenes");

@@ -18,7 +18,7 @@ namespace tumble::tools {
 
 namespace {
 
-struct Options {
+struct DistanceArguments {
     std::string a, b;
     bool from_input = false;
     std::filesystem::path trace;  // empty: not drawn
@@ -29,14 +29,14 @@ DistanceResult answer(const DistanceQuery& query) {
     return tumble::distance(query.a, query.a_pose, query.b, query.b_pose);
 }
 
-void draw_iterations(const DistanceQuery& query, const Options& options) {
+void draw_iterations(const DistanceQuery& query, const DistanceArguments& options) {
     const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose);
     OutputFile file(options.trace, options.force);
     file.write(to_svg(draw_trace(query.a, query.a_pose, query.b, query.b_pose, trace)));
     file.commit();
 }
 
-ExitCode answer_arguments(const Command& command, const Options& options) {
+ExitCode answer_arguments(const Command& command, const DistanceArguments& options) {
     const DistanceQuery query = parse_query_arguments(options.a, options.b);
     const DistanceResult result = answer(query);
     if (!options.trace.empty()) draw_iterations(query, options);
@@ -84,7 +84,7 @@ ExitCode answer_lines() {
     return code;
 }
 
-ExitCode run(const Command& command, const Options& options) {
+ExitCode run(const Command& command, const DistanceArguments& options) {
     if (!options.trace.empty() && (options.from_input || options.trace.extension() != ".svg"))
         throw CLI::ValidationError("--trace", "expected a file F.svg, for one query, got " + options.trace.string());
     if (options.from_input) return answer_lines();
@@ -96,7 +96,7 @@ ExitCode run(const Command& command, const Options& options) {
 }  // namespace
 
 void add_distance(CLI::App& app, Command& command) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<DistanceArguments>();
     CLI::App& distance = add_subcommand(app, command, "distance", "The signed distance of two convex shapes");
     distance.add_option("A", options->a, R"(A shape, as in {"circle": {"radius": 1}, "pose": {"position": [2, 0]}})");
     distance.add_option("B", options->b, "Another");

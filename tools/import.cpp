@@ -13,13 +13,13 @@ namespace tumble::tools {
 
 namespace {
 
-struct Options {
+struct ImportArguments {
     std::filesystem::path source;
     std::filesystem::path scene;
     bool force = false;
 };
 
-void write_json(const Options& options, const ImportedScene& imported) {
+void write_json(const ImportArguments& options, const ImportedScene& imported) {
     JsonWriter json;
     json.open_object().member("scene", options.scene.string());
     json.member("bodies", imported.scene.bodies.size()).member("joints", imported.scene.joints.size());
@@ -30,14 +30,14 @@ void write_json(const Options& options, const ImportedScene& imported) {
     write_output(json.text() + "\n");
 }
 
-void write_text(const Options& options, const ImportedScene& imported) {
+void write_text(const ImportArguments& options, const ImportedScene& imported) {
     write_output(options.scene.string() + ": " + std::to_string(imported.scene.bodies.size()) + " bodies, " +
                  std::to_string(imported.scene.joints.size()) + " joints\n");
     for (const ImportNote& note : imported.notes)
         report_warning("not carried over: " + note.feature + " (" + std::to_string(note.count) + ")");
 }
 
-ExitCode import_scene(const Command& command, const Options& options) {
+ExitCode import_scene(const Command& command, const ImportArguments& options) {
     refuse_to_overwrite(options.scene, options.force);
     const ImportedScene imported = import_rube(options.source);
     create_folder_of(options.scene);
@@ -52,7 +52,7 @@ ExitCode import_scene(const Command& command, const Options& options) {
 }  // namespace
 
 void add_import(CLI::App& app, Command& command) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ImportArguments>();
     CLI::App& app_import = add_subcommand(app, command, "import", "Make a scene from a R.U.B.E. (b2dJson) export");
     app_import.add_option("FILE", options->source, "The export")->required();
     app_import.add_option("-o,--output", options->scene, "Scene file to write")->type_name("SCENE")->required();

@@ -18,7 +18,7 @@ namespace tumble::tools {
 
 namespace {
 
-struct Options {
+struct ParityArguments {
     reference::ParityOptions parity;
     std::vector<std::string> scenes;
     std::string report;
@@ -35,7 +35,7 @@ void list_families() {
 }
 
 // The rows of all scenes as one result.
-reference::ParityResult compare_scenes(const Options& options) {
+reference::ParityResult compare_scenes(const ParityArguments& options) {
     reference::ParityResult all;
     all.seed = options.parity.seed;
     for (const std::string& name : options.scenes) {
@@ -48,7 +48,7 @@ reference::ParityResult compare_scenes(const Options& options) {
     return all;
 }
 
-reference::ParityResult compare_random_pairs(const Options& options) {
+reference::ParityResult compare_random_pairs(const ParityArguments& options) {
     for (const std::string& name : options.parity.families)
         if (reference::find_pair_family(name) == nullptr)
             throw InputError("there is no family '" + name + "'; tumble parity --list names them all");
@@ -58,7 +58,7 @@ reference::ParityResult compare_random_pairs(const Options& options) {
     return reference::run_parity(parity);
 }
 
-ExitCode compare(const Command& command, const Options& options) {
+ExitCode compare(const Command& command, const ParityArguments& options) {
     if (options.list) {
         list_families();
         return ExitCode::ok;
@@ -85,7 +85,7 @@ ExitCode compare(const Command& command, const Options& options) {
 }  // namespace
 
 void add_parity(CLI::App& app, Command& command) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ParityArguments>();
     CLI::App& parity = add_subcommand(app, command, "parity", "Compare distances with b2Distance and exact arithmetic");
     parity.add_option("--pairs", options->parity.pairs, "Random pairs")->capture_default_str()->check(CLI::PositiveNumber);
     parity.add_option("--seed", options->parity.seed, "Seed of the pairs")->capture_default_str();

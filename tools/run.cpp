@@ -13,12 +13,12 @@ namespace tumble::tools {
 
 namespace {
 
-struct Options {
+struct RunArguments {
     SceneOptions scene;
     RunOptions run;
 };
 
-ExitCode run(const Command& command, const Options& options) {
+ExitCode run(const Command& command, const RunArguments& options) {
     const Scene scene = read_scene(options.scene);
     RunOptions settings = options.run;
     if (settings.folder.empty())
@@ -31,7 +31,7 @@ ExitCode run(const Command& command, const Options& options) {
 }  // namespace
 
 void add_run(CLI::App& app, Command& command) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<RunArguments>();
     CLI::App& run_app = add_subcommand(app, command, "run", "Simulate a scene, render its frames, write its data");
     add_scene_options(run_app, options->scene);
     add_run_options(run_app, options->run);

@@ -16,7 +16,7 @@ namespace tumble::tools {
 
 namespace {
 
-struct Options {
+struct ShotArguments {
     SceneOptions scene;
     double time = 0.0;
     std::filesystem::path file;
@@ -24,7 +24,7 @@ struct Options {
     bool force = false;
 };
 
-void report_shot(const Command& command, const Options& options, const World& world, double time) {
+void report_shot(const Command& command, const ShotArguments& options, const World& world, double time) {
     if (!command.json) {
         write_output(options.file.string() + "\n");
         return;
@@ -35,7 +35,7 @@ void report_shot(const Command& command, const Options& options, const World& wo
     write_output(json.text() + "\n");
 }
 
-ExitCode shoot(const Command& command, const Options& options) {
+ExitCode shoot(const Command& command, const ShotArguments& options) {
     const Scene scene = read_scene(options.scene);
     refuse_to_overwrite(options.file, options.force);
     SceneWorld built = build_world(scene);
@@ -61,7 +61,7 @@ ExitCode shoot(const Command& command, const Options& options) {
 }  // namespace
 
 void add_shot(CLI::App& app, Command& command) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ShotArguments>();
     CLI::App& shot = add_subcommand(app, command, "shot", "Render one frame of a scene");
     add_scene_options(shot, options->scene);
     shot.add_option("--at", options->time, "Simulated second of the frame")

@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything with warnings as errors, and runs all tests:
 #   1. g++, release, this machine's instruction set: every test
-#   2. clang, debug, the baseline instruction set, address and undefined-behaviour sanitizers: each fuzz target, shortly
+#   2. clang, debug, the baseline instruction set, address and undefined-behaviour sanitizers: must give the same state
+#      hash after each step, pass the tests of the rooms that read files or keep stores, of the command line with bad
+#      input, and hold out against each fuzz target
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project"
 jobs=${TUMBLE_JOBS:-2}
+sanitized_rooms=(shape broad dynamics scene tools)
 
 say() { printf 'test: %s (%d s)\n' "$*" "$SECONDS" >&2; }
 
@@ -18,6 +21,23 @@ build() {
     cmake --build --preset "$preset" --parallel "$jobs" --target "$@"
 }
 
+# write_hashes PRESET SCENE SECONDS: prints the file with a line a step.
+write_hashes() {
+    local folder=build/hashes/$2-$1
+    "build/$1/tools/tumble" run "scenes/$2.json" --duration "$3" --no-frames --force -o "$folder" \
+        --hashes "$folder/hashes.csv" > /dev/null
+    echo "$folder/hashes.csv"
+}
+
+# compare_hashes SCENE SECONDS
+compare_hashes() {
+    local ours theirs
+    ours=$(write_hashes ci "$@")
+    theirs=$(write_hashes sanitize "$@")
+    cmp -- "$ours" "$theirs" || { say "$1: the state hashes of the two builds differ: $ours, $theirs"; return 1; }
+    say "$1: equal state hashes over $2 s, $(wc -l < "$ours") lines"
+}
+
 mkdir -p build
 tools/setup.sh all
 say "building with g++, release"
@@ -25,7 +45,9 @@ build ci all
 say "running all tests"
 ctest --preset ci --parallel "$jobs"
 say "building with clang, debug, sanitizers, baseline instruction set"
-build sanitize fuzz_targets
-say "running the fuzz targets with sanitizers"
-ctest --preset sanitize -L fuzz --parallel "$jobs"
+build sanitize tumble_cli "${sanitized_rooms[@]/#/test_}" fuzz_targets
+compare_hashes pyramid 5
+compare_hashes mixed_rain 2
+say "running tests and the fuzz targets with sanitizers"
+ctest --preset sanitize -L "^($(IFS='|'; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
 say "all tests passed"

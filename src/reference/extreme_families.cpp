@@ -73,7 +73,7 @@ PairQuery make_not_finite(Random& random) {
     return query;
 }
 
-constexpr std::array kFamilies{
+constexpr std::array kExtremeFamilies{
     PairFamily{"denormal", "shapes of denormal floats", seeded<make_denormal>},
     PairFamily{"tiny_offset", "offsets down to the smallest denormal double", seeded<make_tiny_offset>},
     PairFamily{"huge", "shapes up to the largest float", seeded<make_huge>},
@@ -86,6 +86,6 @@ constexpr std::array kFamilies{
 
 }  // namespace
 
-std::span<const PairFamily> extreme_families() { return kFamilies; }
+std::span<const PairFamily> extreme_families() { return kExtremeFamilies; }
 
 }  // namespace tumble::reference

@@ -70,7 +70,7 @@ PairQuery make_almost_parallel(Random& random) {
     return query;
 }
 
-constexpr std::array kFamilies{
+constexpr std::array kGapFamilies{
     PairFamily{"near_gap", "1 m shapes 1e-12 to 1e-2 m apart, by vertices and edges", seeded<make_near_gap>},
     PairFamily{"near_overlap", "1 m shapes 1e-12 to 1e-2 m deep", seeded<make_near_overlap>},
     PairFamily{"parallel_edges", "edges exactly parallel, touching, apart or overlapping", seeded<make_parallel_edges>},
@@ -79,6 +79,6 @@ constexpr std::array kFamilies{
 
 }  // namespace
 
-std::span<const PairFamily> gap_families() { return kFamilies; }
+std::span<const PairFamily> gap_families() { return kGapFamilies; }
 
 }  // namespace tumble::reference

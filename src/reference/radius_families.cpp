@@ -58,7 +58,7 @@ PairQuery make_touching_rounded(Random& random) {
     return query;
 }
 
-constexpr std::array kFamilies{
+constexpr std::array kRadiusFamilies{
     PairFamily{"large_radii", "radii up to 10 000 times the core, or none", seeded<make_large_radii>},
     PairFamily{"touching_circles", "circles exactly rA + rB apart, or a few ulps off", seeded<make_touching_circles>},
     PairFamily{"touching_rounded", "rounded boxes exactly rA + rB apart, or a few ulps off", seeded<make_touching_rounded>},
@@ -66,6 +66,6 @@ constexpr std::array kFamilies{
 
 }  // namespace
 
-std::span<const PairFamily> radius_families() { return kFamilies; }
+std::span<const PairFamily> radius_families() { return kRadiusFamilies; }
 
 }  // namespace tumble::reference

@@ -37,7 +37,7 @@ PairQuery make_random_many_vertices(Random& random) {
     return query;
 }
 
-constexpr std::array kFamilies{
+constexpr std::array kRandomFamilies{
     PairFamily{"random", "every kind of shape, near 1 m, about as many overlapping as apart", seeded<make_random>, 30.0},
     PairFamily{"random_scale", "sizes from 1 mm to 1 km, up to 16 times apart", seeded<make_random_scale>, 15.0},
     PairFamily{"random_apart", "1 m shapes up to 50 m apart", seeded<make_random_apart>, 10.0},
@@ -46,6 +46,6 @@ constexpr std::array kFamilies{
 
 }  // namespace
 
-std::span<const PairFamily> random_families() { return kFamilies; }
+std::span<const PairFamily> random_families() { return kRandomFamilies; }
 
 }  // namespace tumble::reference

@@ -68,7 +68,7 @@ PairQuery make_drifted(Random& random) {
     return query;
 }
 
-constexpr std::array kFamilies{
+constexpr std::array kScaleFamilies{
     PairFamily{"far_1km", "1 m shapes 1 km from the origin", seeded<make_far<1000>>},
     PairFamily{"far_16km", "1 m shapes 16 km from the origin", seeded<make_far<16000>>},
     PairFamily{"far_100km", "1 m shapes 100 km from the origin", seeded<make_far<100000>>},
@@ -80,6 +80,6 @@ constexpr std::array kFamilies{
 
 }  // namespace
 
-std::span<const PairFamily> scale_families() { return kFamilies; }
+std::span<const PairFamily> scale_families() { return kScaleFamilies; }
 
 }  // namespace tumble::reference

@@ -61,7 +61,7 @@ PairQuery climb(Random& random, double (*hardness)(const PairQuery&), int tries)
 PairQuery make_most_iterations(Random& random) { return climb(random, iterations, 100); }
 PairQuery make_largest_error(Random& random) { return climb(random, relative_error, 10); }
 
-constexpr std::array kFamilies{
+constexpr std::array kSearchFamilies{
     PairFamily{"trajectory", "two shapes in smooth motion, 64 steps each", make_trajectory, 2.0},
     PairFamily{"most_iterations", "found by local search for many iterations", seeded<make_most_iterations>, 0.05},
     PairFamily{"largest_error", "found by local search for a large error", seeded<make_largest_error>, 0.02},
@@ -69,6 +69,6 @@ constexpr std::array kFamilies{
 
 }  // namespace
 
-std::span<const PairFamily> search_families() { return kFamilies; }
+std::span<const PairFamily> search_families() { return kSearchFamilies; }
 
 }  // namespace tumble::reference

@@ -86,7 +86,7 @@ PairQuery make_regular(Random& random) { return make_round_pair(random, 3, 20, 0
 PairQuery make_large_regular(Random& random) { return make_round_pair(random, 65, 1024, 0); }
 PairQuery make_large_ellipse(Random& random) { return make_round_pair(random, 65, 1 << random.integer(7, 12), -10); }
 
-constexpr std::array kFamilies{
+constexpr std::array kSymmetricFamilies{
     PairFamily{"identical", "the same shape at the same pose", seeded<make_identical>},
     PairFamily{"nested", "one inside the other, often with a common centre", seeded<make_nested>},
     PairFamily{"medial_axis", "equally far from two or more faces", seeded<make_medial_axis>},
@@ -99,6 +99,6 @@ constexpr std::array kFamilies{
 
 }  // namespace
 
-std::span<const PairFamily> symmetric_families() { return kFamilies; }
+std::span<const PairFamily> symmetric_families() { return kSymmetricFamilies; }
 
 }  // namespace tumble::reference

@@ -109,7 +109,7 @@ PairQuery make_collapsed(Random& random) {
     return query;
 }
 
-constexpr std::array kFamilies{
+constexpr std::array kThinFamilies{
     PairFamily{"slivers", "10 m x 1e-7 m boxes", seeded<make_slivers>},
     PairFamily{"crossed_slivers", "10 m x 1e-7 m boxes across each other", seeded<make_crossed_slivers>},
     PairFamily{"ulp_edges", "corners cut by an edge of one ulp", seeded<make_ulp_edges>},
@@ -120,6 +120,6 @@ constexpr std::array kFamilies{
 
 }  // namespace
 
-std::span<const PairFamily> thin_families() { return kFamilies; }
+std::span<const PairFamily> thin_families() { return kThinFamilies; }
 
 }  // namespace tumble::reference

@@ -78,7 +78,7 @@ PairQuery make_origin_on_simplex(Random& random) {
     return query;
 }
 
-constexpr std::array kFamilies{
+constexpr std::array kTouchingFamilies{
     PairFamily{"touching_vertices", "two vertices that touch exactly", seeded<make_touching_vertices>},
     PairFamily{"touching_vertex_edge", "a vertex exactly on an edge", seeded<make_touching_vertex_edge>},
     PairFamily{"touching_edges", "edges exactly on each other", seeded<make_touching_edges>},
@@ -88,6 +88,6 @@ constexpr std::array kFamilies{
 
 }  // namespace
 
-std::span<const PairFamily> touching_families() { return kFamilies; }
+std::span<const PairFamily> touching_families() { return kTouchingFamilies; }
 
 }  // namespace tumble::reference

@@ -7,7 +7,7 @@
 namespace tumble::render {
 namespace {
 
-constexpr double kLeastSpacing = 36.0;  // pixels at 720 rows between fine lines
+constexpr double kLeastLineSpacing = 36.0;  // pixels at 720 rows between fine lines
 
 double power_of_ten(int exponent) {
     double power = 1.0;
@@ -73,7 +73,7 @@ std::string to_string(RoundLength length) {
 }
 
 void add_grid(Layer& layer, const View& view) {
-    const RoundLength step = round_length_from(kLeastSpacing * view.detail() / view.scale);
+    const RoundLength step = round_length_from(kLeastLineSpacing * view.detail() / view.scale);
     const int every = step.mantissa == 5 ? 4 : 5;
     add_lines(layer, view, step.metres(), every, false);
     add_lines(layer, view, step.metres(), every, true);

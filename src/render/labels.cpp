@@ -19,7 +19,7 @@ constexpr double kLineGap = 3.0;
 constexpr double kAscent = 0.93;  // of a line above its baseline, of the font's size, and of the whole line: DejaVu Sans
 constexpr double kLine = 1.17;
 constexpr double kScaleBar = 70.0;     // the least length of the scale bar
-constexpr double kTick = 6.0;          // height of its ends
+constexpr double kBarEnd = 6.0;        // height of its ends
 
 // Lengths in pixels from the frame's top left corner.
 struct Rectangle {
@@ -96,7 +96,7 @@ void add_heading(Labels& labels, const View& view, std::string_view title, doubl
 
 void add_scale_bar(Labels& labels, const View& view) {
     const double margin = labels.pixels(style::kMargin), size = labels.pixels(style::kTextSize);
-    const double thickness = std::max(1.0, std::floor(labels.pixels(1.5) + 0.5)), tick = labels.pixels(kTick);
+    const double thickness = std::max(1.0, std::floor(labels.pixels(1.5) + 0.5)), tick = labels.pixels(kBarEnd);
     const RoundLength round = round_length_from(labels.pixels(kScaleBar) / view.scale);
     const std::string text = to_string(round);
     const double length = round.metres() * view.scale, height = kLine * size;

@@ -22,7 +22,6 @@ namespace scene {
 
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;
 constexpr double kMassTolerance = 1e-3;     // relative: exports carry mass data to about 1e-4
 constexpr double kInertiaTolerance = 1e-2;  // relative
 

@@ -10,7 +10,6 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;
 constexpr double kLeastLength = 0.005;  // m; Box2D lengthens shorter distance joints to this
 constexpr std::array<std::string_view, 11> kTypes = {"revolute", "distance", "prismatic", "wheel", "weld", "motor",
                                                      "rope",     "friction", "pulley",    "mouse", "gear"};

@@ -54,8 +54,6 @@ static_assert(std::ranges::is_sorted(kNamed));
 
 constexpr std::string_view kDigits = "0123456789abcdef";
 
-char to_lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 std::string to_hex(unsigned rgb) {
     std::string text = "#";
     for (int shift = 20; shift >= 0; shift -= 4) text += kDigits[(rgb >> shift) & 15u];

@@ -11,8 +11,6 @@ namespace tumble::scene {
 
 namespace {
 
-char to_lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 class PathReader {
 public:
     PathReader(std::string_view data, Flattener& out) : scanner_(data), out_(out) {}

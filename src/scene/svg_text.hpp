@@ -40,6 +40,9 @@ private:
 
 std::string_view trimmed(std::string_view text);
 
+// Of ASCII letters alone, whatever the locale.
+constexpr char to_lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
 // A length in user units: px, mm, cm, in, pt and pc at 96 pixels an inch, em at 16 pixels; a percentage is of `whole`,
 // which is NaN if it is not known. Throws SvgError.
 double parse_length(std::string_view text, double whole);

@@ -24,9 +24,9 @@ void append_chain(std::vector<Vec2>& hull, Iterator begin, Iterator end) {
 }
 
 // Walks a closed hull by indices that may exceed its size.
-class Ring {
+class HullWalk {
 public:
-    Ring(const std::vector<Vec2>& hull, double tolerance) : hull_(hull), tolerance_(tolerance) {}
+    HullWalk(const std::vector<Vec2>& hull, double tolerance) : hull_(hull), tolerance_(tolerance) {}
 
     Vec2 at(std::size_t index) const { return hull_[index % hull_.size()]; }
 
@@ -82,7 +82,7 @@ std::vector<Vec2> convex_hull(std::span<const Vec2> points) {
 
 std::vector<Vec2> simplify_hull(const std::vector<Vec2>& hull, double tolerance) {
     if (hull.size() < 3) return hull;
-    const Ring ring(hull, tolerance);
+    const HullWalk ring(hull, tolerance);
     std::vector<std::size_t> kept;
     for (std::size_t at = 0; at < hull.size(); at = ring.longest_chord(at, hull.size())) kept.push_back(at);
     // The walk takes its own start for granted.
