@@ -8,7 +8,7 @@
 #include <string>
 #include <system_error>
 
-#include "tumble/scene.hpp"
+#include "tumble/file.hpp"
 
 namespace tumble::tools {
 

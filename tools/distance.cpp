@@ -9,7 +9,7 @@
 #include "console.hpp"
 #include "distance_query.hpp"
 #include "input_error.hpp"
-#include "output_file.hpp"
+#include "output_path.hpp"
 #include "tumble/distance.hpp"
 #include "tumble/drawing.hpp"
 #include "tumble/scene.hpp"
@@ -31,7 +31,7 @@ DistanceResult answer(const DistanceQuery& query) {
 
 void draw_iterations(const DistanceQuery& query, const DistanceArguments& options) {
     const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose);
-    OutputFile file(options.trace, options.force);
+    OutputFile file = open_output(options.trace, options.force);
     file.write(to_svg(draw_trace(query.a, query.a_pose, query.b, query.b_pose, trace)));
     file.commit();
 }

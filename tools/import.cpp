@@ -6,7 +6,7 @@
 #include "command.hpp"
 #include "console.hpp"
 #include "json_writer.hpp"
-#include "output_file.hpp"
+#include "output_path.hpp"
 #include "tumble/scene.hpp"
 
 namespace tumble::tools {

@@ -8,7 +8,7 @@
 #include "command.hpp"
 #include "console.hpp"
 #include "input_error.hpp"
-#include "output_file.hpp"
+#include "output_path.hpp"
 #include "parity_report.hpp"
 #include "places.hpp"
 #include "reference/pair_families.hpp"
@@ -74,7 +74,7 @@ ExitCode compare(const Command& command, const ParityArguments& options) {
         write_output(parity_table(result));
     }
     if (!options.report.empty()) {
-        OutputFile file(options.report, options.force);
+        OutputFile file = open_output(options.report, options.force);
         file.write(parity_page(result, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"));
         file.commit();
         narrate("the report is " + options.report + "\n");

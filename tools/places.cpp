@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "tumble/scene.hpp"
+#include "tumble/file.hpp"
 
 namespace tumble::tools {
 

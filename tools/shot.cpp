@@ -7,7 +7,7 @@
 #include "command.hpp"
 #include "console.hpp"
 #include "json_writer.hpp"
-#include "output_file.hpp"
+#include "output_path.hpp"
 #include "run_options.hpp"
 #include "scene_options.hpp"
 #include "tumble/render.hpp"

@@ -6,6 +6,7 @@
 #include "frame_output.hpp"
 #include "frame_schedule.hpp"
 #include "interrupt.hpp"
+#include "output_path.hpp"
 #include "run_folder.hpp"
 #include "step_files.hpp"
 #include "stopwatch.hpp"
@@ -53,7 +54,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     if (with_frames && schedule_.repeats_frames())
         report_warning("more frames than steps a second: some frames repeat the one before");
     prepare_run_folder(options.folder, with_frames, options.force);
-    summary_.emplace(summary_file(options.folder), options.force);
+    summary_.emplace(open_output(summary_file(options.folder), options.force));
     if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, options.force, world_);
     if (!options.hashes.empty()) hashes_.emplace(options.hashes, options.force);
     if (with_frames) frames_.emplace(scene, world_, options, schedule_);

@@ -23,7 +23,7 @@ std::vector<std::string> body_names(const SceneWorld& world) {
 }
 
 TrajectoryFile::TrajectoryFile(const std::filesystem::path& file, bool force, const SceneWorld& world)
-    : file_(file, force), names_(body_names(world)) {
+    : file_(open_output(file, force)), names_(body_names(world)) {
     for (std::string& name : names_) name = csv_field(name);
     file_.write("step,time,body,x,y,angle,vx,vy,omega\n");
 }
@@ -51,7 +51,7 @@ void TrajectoryFile::record(const SceneWorld& world) {
     file_.write(lines_);
 }
 
-HashFile::HashFile(const std::filesystem::path& file, bool force) : file_(file, force) {
+HashFile::HashFile(const std::filesystem::path& file, bool force) : file_(open_output(file, force)) {
     file_.write("step,hash\n");
 }
 

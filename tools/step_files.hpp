@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output_file.hpp"
+#include "output_path.hpp"
 #include "tumble/scene.hpp"
 
 namespace tumble::tools {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tumble/body.hpp"
+#include "tumble/file.hpp"
 #include "tumble/joint.hpp"
 #include "tumble/math.hpp"
 #include "tumble/shape.hpp"
@@ -43,12 +44,6 @@ class SceneError : public std::runtime_error {
 public:
     explicit SceneError(std::vector<Diagnostic> diagnostics);
     std::vector<Diagnostic> diagnostics;
-};
-
-// A file that cannot be opened, read or written: path and reason.
-class FileError : public std::runtime_error {
-public:
-    FileError(const std::filesystem::path& path, std::string_view reason);
 };
 
 struct SceneSettings {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "render/output_file.hpp"
+#include "tumble/file.hpp"
 
 namespace {
 
@@ -85,8 +85,9 @@ PngBytes encode_png(const Image& image) {
 
 std::uint64_t write_png_file(const Image& image, const std::filesystem::path& file) {
     const PngBytes png = encode_png(image);
-    write_file(file, png.bytes());
-    return png.bytes().size();
+    OutputFile output(file);
+    output.write({reinterpret_cast<const char*>(png.bytes().data()), png.bytes().size()});
+    return output.commit();
 }
 
 }  // namespace render

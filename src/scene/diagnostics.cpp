@@ -68,9 +68,6 @@ std::string to_string(const Diagnostic& d) {
 
 SceneError::SceneError(std::vector<Diagnostic> all) : std::runtime_error(join(all)), diagnostics(std::move(all)) {}
 
-FileError::FileError(const std::filesystem::path& path, std::string_view reason)
-    : std::runtime_error(path.string() + ": " + std::string(reason)) {}
-
 namespace scene {
 
 void Diagnostics::add_origin(std::string pointer, std::string origin) {

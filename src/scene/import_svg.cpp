@@ -8,11 +8,11 @@
 #include <set>
 
 #include "scene/diagnostics.hpp"
-#include "scene/files.hpp"
 #include "scene/input.hpp"
 #include "scene/json_text.hpp"
 #include "scene/svg_body.hpp"
 #include "scene/svg_text.hpp"
+#include "tumble/file.hpp"
 
 namespace tumble {
 
@@ -251,7 +251,7 @@ ImportedScene parse_svg(std::string_view text, const std::string& file_name, con
 }
 
 ImportedScene import_svg(const std::filesystem::path& file, const SvgOptions& options) {
-    return parse_svg(scene::read_file(file, scene::kMaxFileBytes), file.string(), options);
+    return parse_svg(read_file(file, scene::kMaxFileBytes), file.string(), options);
 }
 
 }  // namespace tumble

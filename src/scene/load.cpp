@@ -1,11 +1,11 @@
 // The way of a scene file: bytes, JSON, overrides, fields, checks across fields. Each stage goes on as far as errors of
 // the one before allow, so that a user sees all of them at once.
 #include "scene/check.hpp"
-#include "scene/files.hpp"
 #include "scene/input.hpp"
 #include "scene/override.hpp"
 #include "scene/reader.hpp"
 #include "scene/writer.hpp"
+#include "tumble/file.hpp"
 #include "tumble/scene.hpp"
 
 namespace tumble {
@@ -29,7 +29,7 @@ Scene parse_scene(std::string_view text, const std::string& file_name, std::vect
 }
 
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<Diagnostic>* warnings) {
-    return parse_scene(scene::read_file(file, scene::kMaxFileBytes), file.string(), options, warnings);
+    return parse_scene(read_file(file, scene::kMaxFileBytes), file.string(), options, warnings);
 }
 
 Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* warnings) {
@@ -37,7 +37,9 @@ Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* war
 }
 
 void save_scene(const Scene& scene, const std::filesystem::path& file) {
-    scene::replace_file(file, to_json(scene));
+    OutputFile output(file);
+    output.write(to_json(scene));
+    output.commit();
 }
 
 std::vector<Shape> parse_shapes(std::string_view text, const std::string& source) {

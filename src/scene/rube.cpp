@@ -8,12 +8,12 @@
 #include <set>
 
 #include "scene/diagnostics.hpp"
-#include "scene/files.hpp"
 #include "scene/input.hpp"
 #include "scene/json_text.hpp"
 #include "scene/rube_joints.hpp"
 #include "scene/rube_shapes.hpp"
 #include "scene/rube_values.hpp"
+#include "tumble/file.hpp"
 #include "tumble/scene.hpp"
 
 namespace tumble {
@@ -207,7 +207,7 @@ private:
 }  // namespace scene
 
 ImportedScene import_rube(const std::filesystem::path& file) {
-    const std::string content = scene::read_file(file, scene::kMaxFileBytes);
+    const std::string content = read_file(file, scene::kMaxFileBytes);
     const std::string text = scene::without_javascript(scene::without_byte_order_mark(content));
     scene::Diagnostics diagnostics(file.string(), text);
     ImportedScene imported;

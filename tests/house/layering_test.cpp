@@ -59,6 +59,7 @@ const fs::path root = TUMBLE_SOURCE_DIR;
 
 // Rooms whose private headers (src/<room>/...) a room may include besides its own.
 const std::map<std::string, std::set<std::string>> kMaySee = {
+    {"file", {}},
     {"math", {}},
     {"simd", {"math"}},
     {"shape", {"math"}},
@@ -73,6 +74,7 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
 
 // Public headers that a lower room may include; rooms not named here may include all of them.
 const std::map<std::string, std::set<std::string>> kPublicHeaders = {
+    {"file", {"file.hpp"}},
     {"math", {"math.hpp"}},
     {"simd", {"math.hpp"}},
     {"shape", {"math.hpp", "shape.hpp", "outline.hpp"}},

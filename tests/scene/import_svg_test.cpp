@@ -4,7 +4,7 @@
 #include <map>
 #include <random>
 
-#include "scene/files.hpp"
+#include "tumble/file.hpp"
 #include "tumble/scene.hpp"
 
 using namespace tumble;
@@ -260,7 +260,7 @@ TEST_CASE("mutated drawings are read or refused, and what is read is a scene") {
     std::mt19937_64 random(31);
     std::map<bool, int> read;
     for (const char* name : {"figures.svg", "editor.svg"}) {
-        const std::string original = scene::read_file(kData / name, 1u << 20);
+        const std::string original = read_file(kData / name, 1u << 20);
         for (int sample = 0; sample < 1000; ++sample) {
             std::string text = original;
             const std::string_view bytes = "0123456789.-+eE,%<>/\"'#=&; MmLlHhVvCcSsQqTtAaZz\n\x80\xff";

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "scene/example.hpp"
-#include "scene/files.hpp"
 #include "scene/json_text.hpp"
 #include "scene/shipped.hpp"
 #include "tumble/scene.hpp"
@@ -133,10 +132,4 @@ TEST_CASE("a failed save is a FileError and keeps the old file") {
     CHECK_THROWS_AS(save_scene(Scene{}, occupied), FileError);  // a folder cannot be replaced by a file
     CHECK(std::filesystem::is_directory(occupied / "inside"));
     CHECK(!std::filesystem::exists(folder / "no"));
-}
-
-TEST_CASE("a full disk is noticed") {
-    if (!std::filesystem::exists("/dev/full")) return;
-    CHECK_THROWS_WITH_AS(scene::write_file("/dev/full", "x"), "/dev/full: No space left on device", FileError);
-    CHECK_THROWS_AS(scene::write_file("/dev/full", std::string(1 << 20, 'x')), FileError);
 }

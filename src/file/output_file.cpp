@@ -1,0 +1,82 @@
+// System calls instead of streams: they name the reason of a failure, and close() is where some file systems report a
+// full disk only.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "tumble/file.hpp"
+
+namespace tumble {
+
+namespace {
+
+constexpr std::size_t kBufferSize = 1 << 16;  // bytes: large enough that the system call does not show
+
+// A name that no other thread or process uses.
+std::filesystem::path temporary_name(const std::filesystem::path& file) {
+    static std::atomic<unsigned> serial{0};
+    std::filesystem::path name = file;
+    name += "." + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".partial";
+    return name;
+}
+
+}  // namespace
+
+FileError::FileError(const std::filesystem::path& path, std::string_view reason)
+    : std::runtime_error(path.string() + ": " + std::string(reason)) {}
+
+OutputFile::OutputFile(std::filesystem::path file) : path_(std::move(file)), temporary_(temporary_name(path_)) {
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) fail(errno);
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      size_(other.size_),
+      buffer_(std::move(other.buffer_)) {}
+
+OutputFile::~OutputFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::string_view bytes) {
+    buffer_ += bytes;
+    if (buffer_.size() >= kBufferSize) flush();
+}
+
+void OutputFile::flush() {
+    std::string_view rest = buffer_;
+    while (!rest.empty()) {
+        const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail(errno);
+        rest.remove_prefix(static_cast<std::size_t>(written));
+    }
+    size_ += buffer_.size();
+    buffer_.clear();
+}
+
+std::uint64_t OutputFile::commit() {
+    flush();
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) fail(errno);
+    if (static_cast<std::uint64_t>(status.st_size) != size_) fail(EIO);
+    if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+    if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
+    temporary_.clear();
+    return size_;
+}
+
+void OutputFile::fail(int error) const {
+    throw FileError(path_, "cannot write: " + std::generic_category().message(error));
+}
+
+}  // namespace tumble

@@ -1,0 +1,129 @@
+#include "tumble/file.hpp"
+
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <iterator>
+
+namespace fs = std::filesystem;
+
+using tumble::FileError;
+using tumble::OutputFile;
+using tumble::read_file;
+
+namespace {
+
+struct Folder {
+    fs::path path;
+
+    Folder() {
+        std::string name = (fs::temp_directory_path() / "tumble_file_XXXXXX").string();
+        REQUIRE(::mkdtemp(name.data()) != nullptr);
+        path = name;
+    }
+    ~Folder() { fs::remove_all(path); }
+
+    auto entries() const { return std::distance(fs::directory_iterator(path), {}); }
+};
+
+// While it lives, no file may grow beyond `bytes`: to a writer the same as a full disk.
+class SmallFiles {
+public:
+    explicit SmallFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit small{bytes, before_.rlim_max};
+        REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
+    }
+    ~SmallFiles() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+
+private:
+    rlimit before_{};
+    void (*handler_)(int);
+};
+
+void write_whole(const fs::path& file, std::string_view text) {
+    OutputFile output(file);
+    output.write(text);
+    CHECK(output.commit() == text.size());
+}
+
+}  // namespace
+
+TEST_CASE("a file appears whole at commit, and replaces what was there") {
+    const Folder folder;
+    const fs::path file = folder.path / "data.txt";
+    write_whole(file, "old");
+    {
+        OutputFile output(file);
+        output.write(std::string(1 << 20, 'x'));
+        output.write("end");
+        CHECK(read_file(file, 100) == "old");
+        CHECK(output.commit() == (1u << 20) + 3);
+    }
+    CHECK(read_file(file, 1u << 21) == std::string(1 << 20, 'x') + "end");
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a file that is not committed leaves nothing behind") {
+    const Folder folder;
+    {
+        OutputFile output(folder.path / "data.txt");
+        output.write("half");
+        OutputFile moved(std::move(output));
+        moved.write(std::string(1 << 17, 'x'));
+        CHECK(folder.entries() == 1);
+    }
+    CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("two writers of one file do not mix") {
+    const Folder folder;
+    const fs::path file = folder.path / "data.txt";
+    OutputFile first(file), second(file);
+    first.write("first");
+    second.write("second");
+    second.commit();
+    first.commit();
+    CHECK(read_file(file, 100) == "first");
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a disk without room is an error with the reason, and keeps the old file") {
+    const Folder folder;
+    const fs::path file = folder.path / "data.txt";
+    write_whole(file, "old");
+    {
+        const SmallFiles limit(4096);
+        OutputFile output(file);
+        CHECK_THROWS_WITH_AS(output.write(std::string(1 << 20, 'x')), (file.string() + ": cannot write: File too large").c_str(),
+                             FileError);
+        OutputFile at_close(file);
+        at_close.write(std::string(8192, 'x'));
+        CHECK_THROWS_AS(at_close.commit(), FileError);
+    }
+    CHECK(read_file(file, 100) == "old");
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a place that cannot be written is an error") {
+    const Folder folder;
+    CHECK_THROWS_AS(OutputFile(folder.path / "no" / "data.txt"), FileError);
+    fs::create_directories(folder.path / "occupied" / "inside");
+    OutputFile output(folder.path / "occupied");
+    CHECK_THROWS_AS(output.commit(), FileError);  // a folder cannot be replaced by a file
+    CHECK(fs::is_directory(folder.path / "occupied" / "inside"));
+}
+
+TEST_CASE("reading stops one byte behind the limit, and names the file that cannot be read") {
+    const Folder folder;
+    write_whole(folder.path / "data.txt", "0123456789");
+    CHECK(read_file(folder.path / "data.txt", 10) == "0123456789");
+    CHECK(read_file(folder.path / "data.txt", 4) == "01234");
+    CHECK_THROWS_WITH_AS(read_file("no/such/file", 10), "no/such/file: No such file or directory", FileError);
+    CHECK_THROWS_WITH_AS(read_file("/", 10), "/: Is a directory", FileError);
+}
