@@ -28,8 +28,8 @@ struct VertexPair {
     friend constexpr bool operator==(VertexPair, VertexPair) = default;
 };
 
-// The simplex that a query ended with, to start the next query between the same shapes. Any content is safe: indices
-// are range-checked and a wrong hint costs iterations only. The reference edge is for manifolds alone: the edge that the
+// The simplex that a query ended with, to start the next query between the same shapes; empty where shapes of at most
+// eight vertices were not apart. Any content is safe: indices are range-checked and a wrong hint costs iterations only. The reference edge is for manifolds alone: the edge that the
 // last one was clipped against.
 struct SimplexCache {
     std::array<VertexPair, 3> pairs{};
@@ -67,13 +67,15 @@ struct DistanceResult {
     DVec2 normal;           // unit, from A to B; (1, 0) if the cores coincide in a point
     Certificate certificate;
     DistanceStatus status = DistanceStatus::invalid;
-    std::uint16_t iterations = 0;  // support pairs computed
+    std::uint16_t iterations = 0;  // support pairs computed; a look at all faces at once counts as one
     bool reached_cap = false;      // GJK stopped at its iteration bound and the exhaustive search answered
 };
 
 // The signed distance of two shapes. Does not throw or allocate. With a cache, starts from its simplex and stores the
 // final one; the same status and overlapping bounds come out as without, and the same bits where the closest pair is
-// unique. Cost: 2 to 5 iterations of O(n + m) for n, m <= 8.
+// unique. Shapes of at most eight vertices are looked at by all faces of their difference at once, in lanes: the one of
+// largest separation decides overlap and depth, and holds the nearest point or ends in it. GJK answers for more vertices
+// (4 to 18 iterations), and where rounding leaves the faces undecided.
 DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                         SimplexCache* cache = nullptr) noexcept;
 
@@ -95,8 +97,9 @@ struct DistanceTrace {
     DistanceResult result;
 };
 
-// The same query by the same loop, with every iteration recorded. The first support, towards the other shape, is the
-// simplex of the first step; the result counts it too. Allocates.
+// The same query by the GJK loop alone, for any number of vertices, with every iteration recorded. The first support,
+// towards the other shape, is the simplex of the first step; the result counts it too. Its other numbers are those of
+// distance(), bit for bit where the closest pair is unique. Allocates.
 DistanceTrace trace_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b);
 
 }  // namespace tumble

@@ -33,7 +33,8 @@ struct Core {
         return {c * ex - s * ey, s * ex + c * ey};
     }
 
-    int next(int index) const { return index + 1 < count ? index + 1 : 0; }
+    // Without a branch: where an outline ends is as good as random.
+    int next(int index) const { return (index + 1) & -static_cast<int>(index + 1 != count); }
     int previous(int index) const { return index > 0 ? index - 1 : count - 1; }
 };
 

@@ -1,6 +1,9 @@
 #include "narrow/faces.hpp"
 
+#include <algorithm>
+
 #include "narrow/error_bound.hpp"
+#include "narrow/small_features.hpp"
 
 namespace tumble {
 
@@ -12,8 +15,6 @@ FoundFace make_face(const CorePair& pair, DVec2 direction, double height_a, doub
     const double height = (height_a + height_b) - dot(direction, pair.offset);
     return {{direction, -height / length_of_direction, {first, second}}, length_of_direction > 0.0};
 }
-
-VertexPair make_pair_of(int a, int b) { return {static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b)}; }
 
 void keep_deeper(FoundFace& best, const FoundFace& other) {
     if (other.exists && (!best.exists || other.face.separation > best.face.separation)) best = other;
@@ -32,9 +33,26 @@ VertexPair neighbour(const CorePair& pair, DVec2 direction, VertexPair at, int s
     return height(pair, direction, along_a) >= height(pair, direction, along_b) ? along_a : along_b;
 }
 
-// Where edges of both cores are parallel, or as good as, an edge and a support vertex are a part of the face only, and
-// the origin may lie above another part: walks there, as long as the outline below the origin, or up to its next vertex,
-// stays level within the rounding of heights.
+}  // namespace
+
+FoundFace face_of_a(const CorePair& pair, int edge) {
+    const int next = pair.a.next(edge);
+    const DVec2 direction = -perp(pair.a.edge(edge, next));
+    const Support b = support(pair.b, -direction);
+    const double height_a = dot(direction, pair.a.point(edge));
+    return make_face(pair, direction, height_a, b.height, make_pair_of(edge, b.index), make_pair_of(next, b.index));
+}
+
+FoundFace face_of_b(const CorePair& pair, int edge) {
+    const int next = pair.b.next(edge);
+    const DVec2 direction = perp(pair.b.edge(edge, next));
+    const Support a = support(pair.a, direction);
+    const double height_b = -dot(direction, pair.b.point(edge));
+    return make_face(pair, direction, a.height, height_b, make_pair_of(a.index, edge), make_pair_of(a.index, next));
+}
+
+// Walks along the outline below the origin, as long as it, or its part up to the origin, stays level within the rounding
+// of heights.
 void move_below_origin(const CorePair& pair, Face& face) {
     const DVec2 along = perp(face.direction);  // from the first pair to the second
     const double slack = progress_bound(pair) * length(face.direction);
@@ -56,30 +74,35 @@ void move_below_origin(const CorePair& pair, Face& face) {
     }
 }
 
-}  // namespace
+namespace {
 
-FoundFace face_of_a(const CorePair& pair, int edge) {
-    const int next = pair.a.next(edge);
-    const DVec2 direction = -perp(pair.a.edge(edge, next));
-    const Support b = support(pair.b, -direction);
-    const double height_a = dot(direction, pair.a.point(edge));
-    return make_face(pair, direction, height_a, b.height, make_pair_of(edge, b.index), make_pair_of(next, b.index));
+template <int N>
+FoundFace deepest_face_in_lanes(const CorePair& pair) {
+    const TurnedPair<N> turned = {turn<N>(pair.a), turn<N>(pair.b)};
+    const LeadingFaces<N> leading(pair, turned);
+    if (leading.bits == 0) return {};
+    const OwnedFace face = leading.first();
+    const double sign = kSign[face.is_b];
+    return {{{sign * face.outward_x, sign * face.outward_y},
+             face.separation,
+             {pair_of_owner(face.is_b, face.from, face.nearest), pair_of_owner(face.is_b, face.to, face.nearest)}},
+            true};
 }
 
-FoundFace face_of_b(const CorePair& pair, int edge) {
-    const int next = pair.b.next(edge);
-    const DVec2 direction = perp(pair.b.edge(edge, next));
-    const Support a = support(pair.a, direction);
-    const double height_b = -dot(direction, pair.b.point(edge));
-    return make_face(pair, direction, a.height, height_b, make_pair_of(a.index, edge), make_pair_of(a.index, next));
-}
-
-FoundFace deepest_face(const CorePair& pair) {
+FoundFace deepest_face_one_by_one(const CorePair& pair) {
     FoundFace best;
     for (int edge = 0; edge < pair.a.count && pair.a.count > 1; ++edge) keep_deeper(best, face_of_a(pair, edge));
     for (int edge = 0; edge < pair.b.count && pair.b.count > 1; ++edge) keep_deeper(best, face_of_b(pair, edge));
-    if (best.exists) move_below_origin(pair, best.face);
     return best;
+}
+
+}  // namespace
+
+FoundFace deepest_face(const CorePair& pair) {
+    const bool is_small = std::max(pair.a.count, pair.b.count) <= Shape::kInlineVertices;
+    FoundFace deepest = is_small ? deepest_face_in_lanes<8>(pair) : deepest_face_one_by_one(pair);
+    if (deepest.exists) move_below_origin(pair, deepest.face);
+    return deepest;
 }
 
 }  // namespace tumble

@@ -25,4 +25,8 @@ FoundFace face_of_b(const CorePair& pair, int edge);
 // The face of largest separation; ties go to A, then to the lowest edge. None if both cores are points.
 FoundFace deepest_face(const CorePair& pair);
 
+// Where edges of both cores are parallel, or as good as, an edge and a support vertex are a part of the face only, and
+// the origin may lie above another part: moves the pairs there.
+void move_below_origin(const CorePair& pair, Face& face);
+
 }  // namespace tumble

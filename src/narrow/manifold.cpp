@@ -2,6 +2,7 @@
 #include "tumble/manifold.hpp"
 
 #include "narrow/clip.hpp"
+#include "narrow/measure_cores.hpp"
 #include "narrow/reference_edge.hpp"
 
 namespace tumble {
@@ -60,8 +61,7 @@ Manifold collide(const Shape& a, const Pose& world_from_a, const Shape& b, const
                  double speculative_distance, SimplexCache& cache) noexcept {
     const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
     if (!is_valid(pair, a, b)) return {};
-    const auto ignore = [](const Simplex&, const Closest&, const MinkowskiSupport&) {};
-    const CoreDistance core = measure_cores<VoronoiRegions>(pair, &cache, ignore);
+    const CoreDistance core = measure_cores(pair, &cache, [](const CoreDistance& found) { return found; });
     const double radius_a = a.radius(), radius_b = b.radius();
     if (core.distance - (radius_a + radius_b) > speculative_distance) return {};
     const double tolerance = kReferenceTolerance * speculative_distance;

@@ -24,6 +24,21 @@ struct Support {
     return best;
 }
 
+[[gnu::always_inline]] inline VertexPair make_pair_of(int a, int b) {
+    return {static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b)};
+}
+
+// The same by who owns which: 0 for A, 1 for B. By shifting, where the owner is as good as random.
+[[gnu::always_inline]] inline VertexPair pair_of_owner(unsigned is_b, int own, int other) {
+    const unsigned shift = 16 * is_b;
+    const unsigned key = static_cast<unsigned>(own) << shift | static_cast<unsigned>(other) << (16 - shift);
+    return {static_cast<std::uint16_t>(key), static_cast<std::uint16_t>(key >> 16)};
+}
+
+[[gnu::always_inline]] inline int own_vertex(unsigned is_b, VertexPair pair) {
+    return static_cast<int>((pair.a | static_cast<unsigned>(pair.b) << 16) >> (16 * is_b) & 0xffff);
+}
+
 // A vertex w = a - b of A - B, seen from the origin.
 struct MinkowskiVertex {
     DVec2 w;

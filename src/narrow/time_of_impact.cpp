@@ -11,13 +11,14 @@
 #include "narrow/cast_result.hpp"
 #include "narrow/certified_step.hpp"
 #include "narrow/leading_features.hpp"
+#include "narrow/measure_cores.hpp"
 #include "narrow/witness.hpp"
 
 namespace tumble {
 
 namespace {
 
-constexpr auto kUnobserved = [](const Simplex&, const Closest&, const MinkowskiSupport&) {};
+constexpr auto kKeep = [](const CoreDistance& found) { return found; };
 
 class ImpactSearch {
 public:
@@ -47,7 +48,7 @@ private:
         if (led.exists && (led.is_proved || is_at_target)) {
             core_ = led.core;
         } else {
-            core_ = measure_cores<VoronoiRegions>(cores_.pair, &cache_, kUnobserved);
+            core_ = measure_cores(cores_.pair, &cache_, kKeep);
         }
         gap_ = core_.distance - reach_;
         axis_ = axis_of_features();
@@ -72,7 +73,7 @@ private:
         for (; fraction_ + ahead < 1.0; ahead *= 8.0) {
             const CorePair pair = motion_.at(fraction_ + ahead).pair;
             SimplexCache cache = cache_;
-            const double core_distance = measure_cores<VoronoiRegions>(pair, &cache, kUnobserved).distance;
+            const double core_distance = measure_cores(pair, &cache, kKeep).distance;
             if (core_distance - reach_ <= -motion_.error()) return fraction_ + ahead;
         }
         return 1.0;

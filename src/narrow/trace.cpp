@@ -44,8 +44,8 @@ DistanceTrace trace_distance(const Shape& a, const Pose& world_from_a, const Sha
         trace.result = invalid_result();
         return trace;
     }
-    const CoreDistance core = measure_cores<VoronoiRegions>(pair, nullptr, Recorder(pair, trace.steps));
-    trace.result = make_result(pair, core, a, b, world_from_a.position, world_from_b.position);
+    const CoreDistance core = measure_by_gjk<VoronoiRegions>(pair, nullptr, Recorder(pair, trace.steps));
+    trace.result = make_result(core, a, b, world_from_a.position, world_from_b.position);
     return trace;
 }
 

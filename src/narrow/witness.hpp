@@ -11,7 +11,7 @@ struct CoreWitness {
     DVec2 b;
 };
 
-[[gnu::always_inline]] inline CoreWitness core_witness(const CorePair& pair, const CoreDistance& core) {
+inline CoreWitness core_witness(const CorePair& pair, const CoreDistance& core) {
     const VertexPair first = core.pairs[0], second = core.pairs[1];
     const DVec2 a = pair.a.point(first.a), b = pair.b.point(first.b);
     if (core.pair_count == 1) return {a, b};

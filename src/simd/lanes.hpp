@@ -8,9 +8,7 @@
 
 #include <Eigen/Core>
 
-// For functions of lanes in inner loops: they are worth it only if their lanes stay in registers, and the compiler's
-// own estimate leaves the larger ones out of line.
-#define TUMBLE_LANE_FUNCTION [[gnu::always_inline]] inline
+#include "simd/lane_function.hpp"
 
 namespace tumble {
 

@@ -234,14 +234,14 @@ TEST_CASE("1 cm against 10 km") {
     CHECK(r.status == DistanceStatus::separated);
 }
 
-TEST_CASE("the trace is the query: same answer, bounds that close, supports that get nearer") {
+TEST_CASE("the trace is GJK to the same answer: bounds that close, supports that get nearer, each iteration counted") {
     const Shape a = make_box({2, 1}), b = make_polygon(std::array<Vec2, 5>{{{0, 0}, {2, 0.5f}, {2.5f, 2}, {1, 3}, {-1, 1}}});
     const Pose pa = at(0, 0, 10), pb = at(2.5, 1, -20);
     const DistanceTrace trace = trace_distance(a, pa, b, pb);
     const DistanceResult plain = distance(a, pa, b, pb);
     CHECK(trace.result.distance == plain.distance);
-    CHECK(trace.result.iterations == plain.iterations);
-    REQUIRE(trace.steps.size() + 1 == plain.iterations);
+    REQUIRE(trace.steps.size() >= 2);
+    CHECK(trace.steps.size() + 1 == trace.result.iterations);
     double upper = std::numeric_limits<double>::infinity(), lower = -upper;
     for (const TraceStep& step : trace.steps) {
         CHECK(step.upper <= upper);

@@ -1,0 +1,43 @@
+// All faces of A - B at once: an edge of a small core a lane, without a branch.
+#pragma once
+
+#include <limits>
+#include <utility>
+
+#include "narrow/turned_core.hpp"
+
+namespace tumble {
+
+// The faces of one core's edges. Lane i is the edge from vertex i to the next one.
+template <int N>
+struct FaceLanes {
+    DoubleLanes<N> outward_x;   // normal to the edge, as long as it
+    DoubleLanes<N> outward_y;
+    DoubleLanes<N> length;
+    DoubleLanes<N> separation;  // of the cores along it; minus infinity for lanes without an edge
+    IndexLanes<N> nearest;      // the other core's vertex, the lowest of equals
+};
+
+template <int N, std::size_t... Vertex>
+TUMBLE_LANE_FUNCTION LowestLanes<N> lowest_heights(const DoubleLanes<N>& x, const DoubleLanes<N>& y,
+                                                   const TurnedCore<N>& other, std::index_sequence<Vertex...>) {
+    LowestLanes<N> lowest = begin_lowest(x * spread<0>(other.x) + y * spread<0>(other.y));
+    (take_lower(lowest, x * spread<Vertex + 1>(other.x) + y * spread<Vertex + 1>(other.y), Vertex + 1), ...);
+    return lowest;
+}
+
+// `offset` is from the owner's position to the other core's.
+template <int N>
+TUMBLE_LANE_FUNCTION FaceLanes<N> faces_of(const Core& owner, const TurnedCore<N>& own, const TurnedCore<N>& other,
+                                           double offset_x, double offset_y) {
+    const DoubleLanes<N> local_x = load_widened<N>(owner.x), local_y = load_widened<N>(owner.y);
+    const DoubleLanes<N> edge_x = next_lanes(local_x) - local_x, edge_y = next_lanes(local_y) - local_y;
+    const DoubleLanes<N> x = owner.s * edge_x + owner.c * edge_y, y = owner.s * edge_y - owner.c * edge_x;
+    const LowestLanes<N> lowest = lowest_heights(x, y, other, std::make_index_sequence<N - 1>());
+    const DoubleLanes<N> gap = (lowest.value - (x * own.x + y * own.y)) + (offset_x * x + offset_y * y);
+    const DoubleLanes<N> length = square_root(x * x + y * y);
+    const DoubleLanes<N> none(-std::numeric_limits<double>::infinity());
+    return {x, y, length, select_positive(length, gap / length, none), lowest.index};
+}
+
+}  // namespace tumble

@@ -1,0 +1,95 @@
+// Double lanes against one lane at a time.
+#include "simd/double_lanes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace tumble;
+
+namespace {
+
+template <int N>
+struct Numbers {
+    double value[N];
+
+    // Few different values, so that lanes are often equal.
+    explicit Numbers(std::mt19937& random) {
+        std::uniform_int_distribution<int> any(-2, 2);
+        for (double& number : value) number = any(random);
+    }
+    DoubleLanes<N> lanes() const {
+        DoubleLanes<N> result(0.0);
+        std::memcpy(result.part, value, sizeof value);
+        return result;
+    }
+};
+
+template <int N>
+int check_all_operations() {
+    std::mt19937 random(N);
+    int ties = 0;
+    for (int round = 0; round < 1000; ++round) {
+        const Numbers<N> a(random), b(random);
+        const DoubleLanes<N> x = a.lanes(), y = b.lanes();
+        const DoubleLanes<N> sum = x + y, difference = x - y, product = x * y, quotient = x / y, root = square_root(x * x);
+        const DoubleLanes<N> minimum = smaller(x, y), maximum = larger(x, y), next = next_lanes(x), third = spread<2>(x);
+        const DoubleLanes<N> chosen = select_positive(x, y, DoubleLanes<N>(7.0));
+        LowestLanes<N> lowest = begin_lowest(x);
+        take_lower(lowest, y, 5);
+        double largest_value = a.value[0], smallest_value = a.value[0];
+        unsigned equal = 0;
+        for (int i = 0; i < N; ++i) {
+            const double p = a.value[i], q = b.value[i];
+            CHECK(sum[i] == p + q);
+            CHECK(difference[i] == p - q);
+            CHECK(product[i] == p * q);
+            if (q != 0.0) CHECK(quotient[i] == p / q);
+            CHECK(root[i] == std::abs(p));
+            CHECK(minimum[i] == std::min(p, q));
+            CHECK(maximum[i] == std::max(p, q));
+            CHECK(next[i] == a.value[(i + 1) % N]);
+            CHECK(third[i] == a.value[2]);
+            CHECK(chosen[i] == (p > 0.0 ? q : 7.0));
+            CHECK(lowest.value[i] == std::min(p, q));
+            CHECK(lowest.index[i] == (q < p ? 5 : 0));
+            largest_value = std::max(largest_value, p);
+            smallest_value = std::min(smallest_value, p);
+        }
+        CHECK(largest(x) == largest_value);
+        CHECK(smallest(x) == smallest_value);
+        for (int i = 0; i < N; ++i) equal |= static_cast<unsigned>(a.value[i] == largest_value) << i;
+        CHECK(lanes_equal_to(x, largest_value) == equal);
+        ties += std::popcount(equal) > 1;
+    }
+    return ties;
+}
+
+}  // namespace
+
+TEST_CASE("every operation does in each lane what it does to single numbers") {
+    for (const int ties : {check_all_operations<4>(), check_all_operations<8>()}) {
+        CHECK(ties > 300);
+        CHECK(ties < 900);
+    }
+}
+
+TEST_CASE("NaN is not positive, and minus infinity is the largest only of itself") {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    const DoubleLanes<4> chosen = select_positive(DoubleLanes<4>(nan), DoubleLanes<4>(1.0), DoubleLanes<4>(-inf));
+    CHECK(chosen[3] == -inf);
+    CHECK(lanes_equal_to(chosen, largest(chosen)) == 0xf);
+    CHECK(lanes_equal_to(DoubleLanes<8>(nan), nan) == 0);
+}
+
+TEST_CASE("floats are widened without change, denormal ones too") {
+    const float values[8] = {1.0f, -0.1f, 0x1p-149f, 0.0f, -0.0f, 3e38f, -7.5f, 1e-20f};
+    const DoubleLanes<8> wide = load_widened<8>(values);
+    for (int i = 0; i < 8; ++i) CHECK(wide[i] == static_cast<double>(values[i]));
+    const DoubleLanes<4> half = load_widened<4>(values + 3);
+    for (int i = 0; i < 4; ++i) CHECK(half[i] == static_cast<double>(values[3 + i]));
+}
