@@ -1,4 +1,4 @@
-// `tumble bench`: the world step beside Box2D's, in one run, from the same scenes.
+// `tumble bench`: queries of the narrow phase and the world step beside Box2D's, in one run.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -10,6 +10,7 @@
 #include "json_writer.hpp"
 #include "machine.hpp"
 #include "places.hpp"
+#include "query_bench.hpp"
 #include "step_bench.hpp"
 
 namespace tumble::tools {
@@ -19,7 +20,23 @@ namespace {
 struct BenchArguments {
     std::vector<std::string> scenes = {"large_pyramid", "pyramid", "mixed_rain", "capsule_pile"};
     StepBenchOptions steps;
+    QueryBenchOptions queries;
 };
+
+void write_row(const QueryBenchResult& row) {
+    char line[160];
+    std::snprintf(line, sizeof line, "%-26s %12.1f %12.1f %7.2f\n", row.name.c_str(), row.tumble_ns, row.box2d_ns, row.ratio());
+    write_output(line);
+}
+
+void write_row(JsonWriter& json, const QueryBenchResult& row) {
+    json.open_object()
+        .member("case", row.name)
+        .member("tumble_ns", row.tumble_ns)
+        .member("box2d_ns", row.box2d_ns)
+        .member("ratio", row.ratio())
+        .close_object();
+}
 
 void write_row(const StepBenchResult& row) {
     char line[160];
@@ -39,9 +56,21 @@ void write_row(JsonWriter& json, const StepBenchResult& row) {
         .close_object();
 }
 
+void bench_all_queries(const Command& command, const QueryBenchOptions& options, JsonWriter& json) {
+    if (options.pairs == 0) return;
+    if (!command.json) write_output("query                         tumble ns     box2d ns   ratio   (CPU time a query)\n");
+    for (const reference::QueryCase& query_case : reference::query_cases()) {
+        const QueryBenchResult row = bench_queries(query_case, options);
+        write_row(json, row);
+        if (!command.json) write_row(row);
+    }
+}
+
 ExitCode bench(const Command& command, const BenchArguments& options) {
     JsonWriter json;
-    json.open_object().key("distance").open_array().close_array().key("step").open_array();
+    json.open_object().key("distance").open_array();
+    bench_all_queries(command, options.queries, json);
+    json.close_array().key("step").open_array();
     if (!command.json)
         write_output("scene                 bodies  contacts  tumble ms   box2d ms   ratio   (CPU time a step)\n");
     for (const std::string& name : options.scenes) {
@@ -62,8 +91,11 @@ ExitCode bench(const Command& command, const BenchArguments& options) {
 
 void add_bench(CLI::App& app, Command& command) {
     const auto options = std::make_shared<BenchArguments>();
-    CLI::App& app_bench = add_subcommand(app, command, "bench", "Measure the world step beside Box2D");
+    CLI::App& app_bench = add_subcommand(app, command, "bench", "Measure queries and the world step beside Box2D");
     app_bench.add_option("--scenes", options->scenes, "Shipped scenes, or files")->delimiter(',')->capture_default_str();
+    app_bench.add_option("--pairs", options->queries.pairs, "Pairs of shapes a query case; 0: no queries")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 10000000));
     app_bench.add_option("--steps", options->steps.steps, "Steps a run")
         ->capture_default_str()
         ->check(CLI::Range(1, 100000));

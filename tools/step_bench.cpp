@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cpu_clock.hpp"
+#include "median.hpp"
 #include "reference/b2_world.hpp"
 
 namespace tumble::tools {
@@ -18,12 +19,6 @@ double time_steps(World& world, int count) {
     const double start = cpu_seconds();
     for (int i = 0; i < count; ++i) world.step();
     return cpu_seconds() - start;
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 int count_steps(const Scene& scene, const StepBenchOptions& options) {

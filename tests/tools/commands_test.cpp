@@ -95,10 +95,16 @@ TEST_CASE("import writes a scene that runs, and says what it could not carry ove
 }
 
 TEST_CASE("bench times both engines on the same scenes") {
-    const Answer answer = run_tumble({"bench", "--scenes", "pyramid,box_stack", "--steps", "5", "--runs", "1", "--json"});
+    const Answer answer = run_tumble({"bench", "--pairs", "64", "--scenes", "pyramid,box_stack", "--steps", "5", "--runs", "1", "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const json result = json::parse(answer.out);
     for (const char* key : {"distance", "step", "render", "machine"}) CHECK(result.contains(key));
+    REQUIRE(result["distance"].size() > 16);
+    for (const json& query : result["distance"]) {
+        CHECK(query["case"].is_string());
+        CHECK(query["ratio"].get<double>() ==
+              doctest::Approx(query["box2d_ns"].get<double>() / query["tumble_ns"].get<double>()).epsilon(1e-12));
+    }
     REQUIRE(result["step"].size() == 2);
     const json& row = result["step"][0];
     CHECK(row["scene"] == "pyramid");
@@ -106,5 +112,5 @@ TEST_CASE("bench times both engines on the same scenes") {
     CHECK(row["contacts"].get<int>() > 0);
     CHECK(row["ratio"].get<double>() ==
           doctest::Approx(row["box2d_ms"].get<double>() / row["tumble_ms"].get<double>()).epsilon(1e-12));
-    CHECK(run_tumble({"bench", "--scenes", "no_such_scene"}).code == 4);
+    CHECK(run_tumble({"bench", "--pairs", "0", "--scenes", "no_such_scene"}).code == 4);
 }
