@@ -1,6 +1,6 @@
-// libFuzzer target over the query interface: any vertices, poses, radii and caches. A query ends with a decided status, and
-// the trace repeats it. For convex shapes the bounds hold the distance, swapping the shapes changes nothing, and the
-// bounds of a warm and a cold query overlap.
+// libFuzzer target over the query interface: any vertices, poses, radii and caches. A query ends with a decided status.
+// For convex shapes the bounds hold the distance, swapping the shapes changes nothing, the bounds of a warm and a cold
+// query overlap, and the trace repeats the query.
 #include <cmath>
 #include <cstdlib>
 
@@ -47,6 +47,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(cold.status == DistanceStatus::invalid || (warm.lower <= cold.upper && cold.lower <= warm.upper));
     }
     const DistanceTrace trace = trace_distance(a, pose_a, b, pose_b);
-    require(same_bits_or_nan(trace.result.distance, cold.distance));
+    if (fuzzed_a.is_convex && fuzzed_b.is_convex) require(same_bits_or_nan(trace.result.distance, cold.distance));
     return 0;
 }
