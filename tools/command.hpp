@@ -22,7 +22,9 @@ CLI::App& add_subcommand(CLI::App& app, Command& command, const std::string& nam
 void add_run(CLI::App& app, Command& command);
 void add_demo(CLI::App& app, Command& command);
 void add_shot(CLI::App& app, Command& command);
+void add_check(CLI::App& app, Command& command);
 void add_validate(CLI::App& app, Command& command);
+void add_fmt(CLI::App& app, Command& command);
 void add_schema(CLI::App& app, Command& command);
 void add_distance(CLI::App& app, Command& command);
 void add_import(CLI::App& app, Command& command);

@@ -12,14 +12,6 @@
 
 namespace tumble::tools {
 
-namespace {
-
-struct Problem {
-    ExitCode code = ExitCode::internal_error;
-    std::string message;
-    std::vector<Diagnostic> diagnostics;
-};
-
 Problem explain(const std::exception_ptr& exception) {
     try {
         std::rethrow_exception(exception);
@@ -43,8 +35,6 @@ Problem explain(const std::exception_ptr& exception) {
         return {ExitCode::internal_error, "this is a bug in tumble: an exception of unknown type", {}};
     }
 }
-
-}  // namespace
 
 void write_diagnostics(JsonWriter& json, const std::vector<Diagnostic>& diagnostics) {
     json.open_array();

@@ -2,12 +2,23 @@
 #pragma once
 
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "exit_code.hpp"
 #include "json_writer.hpp"
 #include "tumble/scene.hpp"
 
 namespace tumble::tools {
+
+// What went wrong, as the process tells it.
+struct Problem {
+    ExitCode code = ExitCode::internal_error;
+    std::string message;
+    std::vector<Diagnostic> diagnostics;
+};
+
+Problem explain(const std::exception_ptr& exception);
 
 // Says on standard error what went wrong, with --json also as {"error": {...}} on standard output.
 ExitCode report_exception(const std::exception_ptr& exception, bool json);

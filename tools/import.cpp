@@ -1,4 +1,5 @@
 // `tumble import`: a scene from a file of another program.
+#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -7,6 +8,7 @@
 #include "console.hpp"
 #include "json_writer.hpp"
 #include "output_path.hpp"
+#include "run_options.hpp"
 #include "tumble/scene.hpp"
 
 namespace tumble::tools {
@@ -16,6 +18,7 @@ namespace {
 struct ImportArguments {
     std::filesystem::path source;
     std::filesystem::path scene;
+    SvgOptions svg;
     bool force = false;
 };
 
@@ -37,9 +40,16 @@ void write_text(const ImportArguments& options, const ImportedScene& imported) {
         report_warning("not carried over: " + note.feature + " (" + std::to_string(note.count) + ")");
 }
 
+bool is_svg(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return extension == ".svg";
+}
+
 ExitCode import_scene(const Command& command, const ImportArguments& options) {
     refuse_to_overwrite(options.scene, options.force);
-    const ImportedScene imported = import_rube(options.source);
+    const ImportedScene imported = is_svg(options.source) ? import_svg(options.source, options.svg)
+                                                          : import_rube(options.source);
     create_folder_of(options.scene);
     save_scene(imported.scene, options.scene);
     if (command.json)
@@ -53,8 +63,16 @@ ExitCode import_scene(const Command& command, const ImportArguments& options) {
 
 void add_import(CLI::App& app, Command& command) {
     const auto options = std::make_shared<ImportArguments>();
-    CLI::App& app_import = add_subcommand(app, command, "import", "Make a scene from a R.U.B.E. (b2dJson) export");
-    app_import.add_option("FILE", options->source, "The export")->required();
+    CLI::App& app_import = add_subcommand(app, command, "import", "Make a scene from a R.U.B.E. (b2dJson) export or an SVG drawing");
+    app_import.add_option("FILE", options->source, "The export (.json, .js), or the drawing (.svg)")->required();
+    app_import.add_option("--scale", options->svg.metres_per_unit, "Metres of a user unit of an SVG drawing")
+        ->type_name("M")
+        ->capture_default_str()
+        ->check(number_from_to(1e-6, 1e6));
+    app_import.add_option("--tolerance", options->svg.tolerance, "Largest distance of SVG curves from their chords, in m")
+        ->type_name("M")
+        ->capture_default_str()
+        ->check(number_from_to(1e-9, 1e6));
     app_import.add_option("-o,--output", options->scene, "Scene file to write")->type_name("SCENE")->required();
     app_import.add_flag("--force", options->force, "Replace the scene file if it exists");
     app_import.callback(

@@ -19,7 +19,9 @@ ExitCode run_command(CLI::App& app, Command& command, int argument_count, const 
     add_run(app, command);
     add_demo(app, command);
     add_shot(app, command);
+    add_check(app, command);
     add_validate(app, command);
+    add_fmt(app, command);
     add_schema(app, command);
     add_distance(app, command);
     add_import(app, command);

@@ -6,12 +6,16 @@
 
 namespace tumble::tools {
 
-void add_scene_options(CLI::App& subcommand, SceneOptions& options) {
-    subcommand.add_option("SCENE", options.file, "Scene file")->required();
-    subcommand.add_option("--set", options.changes.overrides, "Change a value of the scene; may be given again")
+void add_change_options(CLI::App& subcommand, LoadOptions& changes) {
+    subcommand.add_option("--set", changes.overrides, "Change a value of the scene; may be given again")
         ->type_name("/json/pointer=value")
         ->allow_extra_args(false);
-    subcommand.add_option("--seed", options.changes.seed, "Seed in place of the scene's")->type_name("N");
+    subcommand.add_option("--seed", changes.seed, "Seed in place of the scene's")->type_name("N");
+}
+
+void add_scene_options(CLI::App& subcommand, SceneOptions& options) {
+    subcommand.add_option("SCENE", options.file, "Scene file")->required();
+    add_change_options(subcommand, options.changes);
 }
 
 Scene read_scene(const SceneOptions& options) {

@@ -15,6 +15,9 @@ struct SceneOptions {
     LoadOptions changes;
 };
 
+// --set and --seed.
+void add_change_options(CLI::App& subcommand, LoadOptions& changes);
+
 // SCENE, --set and --seed.
 void add_scene_options(CLI::App& subcommand, SceneOptions& options);
 

@@ -10,7 +10,7 @@
 #include "output_path.hpp"
 #include "run_options.hpp"
 #include "scene_options.hpp"
-#include "tumble/render.hpp"
+#include "scene_shot.hpp"
 
 namespace tumble::tools {
 
@@ -24,37 +24,22 @@ struct ShotArguments {
     bool force = false;
 };
 
-void report_shot(const Command& command, const ShotArguments& options, const World& world, double time) {
+void report_shot(const Command& command, const ShotArguments& options, const SceneRun& run) {
     if (!command.json) {
         write_output(options.file.string() + "\n");
         return;
     }
     JsonWriter json;
-    json.open_object().member("file", options.file.string()).member("step", world.step_count()).member("time", time);
-    json.member("state_hash", to_hex(world.state_hash())).close_object();
+    json.open_object().member("file", options.file.string()).member("step", run.world().step_count());
+    json.member("time", run.time()).member("state_hash", to_hex(run.world().state_hash())).close_object();
     write_output(json.text() + "\n");
 }
 
 ExitCode shoot(const Command& command, const ShotArguments& options) {
     const Scene scene = read_scene(options.scene);
     refuse_to_overwrite(options.file, options.force);
-    SceneWorld built = build_world(scene);
-    const double aspect_ratio = static_cast<double>(options.size.width) / options.size.height;
-    const Camera camera = make_camera(scene, built, aspect_ratio);
-    Renderer renderer(options.size.width, options.size.height);
-
-    const auto step_count = static_cast<std::uint64_t>(std::llround(options.time * scene.world.steps_per_second));
-    Progress progress("step", step_count);
-    for (std::uint64_t step = 0; step < step_count; ++step) {
-        built.world.step();
-        progress.show(step + 1);
-    }
-    const double time = static_cast<double>(step_count) / scene.world.steps_per_second;
-    Image image;
-    renderer.draw(scene, built, move_camera(camera, built.world), time, image);
-    create_folder_of(options.file);
-    write_png(image, options.file);
-    report_shot(command, options, built.world, time);
+    const auto step = static_cast<std::uint64_t>(std::llround(options.time * scene.world.steps_per_second));
+    report_shot(command, options, draw_scene_at(scene, step, options.size, options.file));
     return ExitCode::ok;
 }
 

@@ -10,6 +10,7 @@
 #include "run_folder.hpp"
 #include "step_files.hpp"
 #include "stopwatch.hpp"
+#include "tumble/scene_run.hpp"
 
 namespace tumble::tools {
 
@@ -31,7 +32,7 @@ private:
 
     const RunOptions& options_;
     FrameSchedule schedule_;
-    SceneWorld world_;
+    SceneRun run_;
     std::optional<TrajectoryFile> trajectory_;
     std::optional<HashFile> hashes_;
     std::optional<OutputFile> summary_;
@@ -45,7 +46,7 @@ FrameSchedule make_schedule(const Scene& scene, const RunOptions& options) {
 }
 
 Simulation::Simulation(const Scene& scene, const RunOptions& options)
-    : options_(options), schedule_(make_schedule(scene, options)), world_(build_world(scene)) {
+    : options_(options), schedule_(make_schedule(scene, options)), run_(scene) {
     report_.scene_name = scene.name;
     report_.scene_hash = scene_hash(scene);
     report_.seed = scene.world.seed;
@@ -55,9 +56,9 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
         report_warning("more frames than steps a second: some frames repeat the one before");
     prepare_run_folder(options.folder, with_frames, options.force);
     summary_.emplace(open_output(summary_file(options.folder), options.force));
-    if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, options.force, world_);
+    if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, options.force, run_.built());
     if (!options.hashes.empty()) hashes_.emplace(options.hashes, options.force);
-    if (with_frames) frames_.emplace(scene, world_, options, schedule_);
+    if (with_frames) frames_.emplace(scene, run_.built(), options, schedule_);
 }
 
 void Simulation::run() {
@@ -66,19 +67,19 @@ void Simulation::run() {
     record_step();
     for (std::uint64_t step = 0; step < step_count && !is_interrupted(); ++step) {
         const Stopwatch watch;
-        world_.world.step();
+        run_.step();
         report_.simulate_seconds += watch.seconds();
         record_step();
         progress.show(step + 1);
     }
     close_files();
-    report_.complete = world_.world.step_count() == step_count;
+    report_.complete = run_.world().step_count() == step_count;
 }
 
 void Simulation::record_step() {
-    if (trajectory_) trajectory_->record(world_);
-    if (hashes_) hashes_->record(world_.world);
-    if (frames_) frames_->draw_due(world_);
+    if (trajectory_) trajectory_->record(run_.built());
+    if (hashes_) hashes_->record(run_.world());
+    if (frames_) frames_->draw_due(run_.built());
 }
 
 void Simulation::close_files() {
@@ -88,10 +89,10 @@ void Simulation::close_files() {
 }
 
 void Simulation::update_report() {
-    report_.steps = world_.world.step_count();
-    report_.bodies = world_.bodies.size();
-    report_.contacts = world_.world.counters().contacts;
-    report_.state_hash = world_.world.state_hash();
+    report_.steps = run_.world().step_count();
+    report_.bodies = run_.built().bodies.size();
+    report_.contacts = run_.world().counters().contacts;
+    report_.state_hash = run_.world().state_hash();
     if (frames_) {
         report_.render_seconds = frames_->render_seconds();
         report_.encode_seconds = frames_->encode_seconds();

@@ -203,7 +203,7 @@ struct SceneEvent {
     std::optional<SceneBody> spawn;  // a new body
 };
 
-// A claim that `check` tests: exactly one of `at_rest_by`, `max_penetration` and `inside`.
+// A claim that ExpectationWatch (scene_run.hpp) tests: exactly one of `at_rest_by`, `max_penetration` and `inside`.
 struct SceneExpectation {
     std::optional<double> at_rest_by;       // s
     std::optional<double> max_penetration;  // m

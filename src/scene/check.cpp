@@ -177,6 +177,8 @@ private:
 
     void check_event(const SceneEvent& event, const std::string& pointer, const BodyNames& names) {
         if (diagnostics_.has_errors_in(pointer)) return;
+        const double dt = 1.0 / scene_.world.steps_per_second;
+        if (event.every && *event.every < dt) error(pointer + "/every", "is shorter than a step of " + number_text(dt) + " s");
         if (event.until && !event.every) error(pointer + "/until", "belongs to events with 'every'");
         if (event.impulse) require_body(event.body, pointer, "body", names);
         if (!event.spawn) return;

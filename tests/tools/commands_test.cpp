@@ -33,7 +33,8 @@ TEST_CASE("--version says what was built, by what and for what") {
 }
 
 TEST_CASE("every subcommand has help, on standard output") {
-    for (const char* command : {"run", "demo", "shot", "validate", "schema", "distance", "import", "bench"}) {
+    for (const char* command : {"run", "demo", "shot", "validate", "schema", "distance", "import", "bench", "check", "fmt",
+                                "parity"}) {
         CAPTURE(command);
         const Answer answer = run_tumble({command, "--help"});
         CHECK(answer.code == 0);

@@ -1,0 +1,103 @@
+// `check` and `fmt`, as a script would use them.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "process.hpp"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using tumble::test::Answer;
+using tumble::test::Folder;
+using tumble::test::read_text;
+using tumble::test::run_tumble;
+
+namespace {
+
+// A crate that lies on the floor from the start, and claims so; `place` is the height it claims.
+std::string crate_scene(const std::string& place) {
+    return R"({"format": 1, "name": "crate & floor", "world": {"duration": 1}, "bodies": [
+        {"name": "floor", "type": "static", "shapes": [{"box": {"size": [9, 1]}}]},
+        {"name": "crate", "position": [0, 1], "shapes": [{"box": {"size": [1, 1]}}]}],
+        "expect": [{"at_rest_by": 0.5}, {"body": "crate", "inside": [[-1, )" +
+           place + R"(], [1, 5]]}]})";
+}
+
+}  // namespace
+
+TEST_CASE("every shipped scene that claims something holds it") {
+    std::vector<std::string> arguments{"check", "--json"};
+    for (const json& demo : json::parse(run_tumble({"demo", "--list", "--json"}).out))
+        arguments.push_back(demo["file"].get<std::string>());
+    const Answer answer = run_tumble(arguments);
+    CHECK_MESSAGE(answer.code == 0, answer.out);
+}
+
+TEST_CASE("a claim that does not hold is exit code 7, with what was expected and what happened") {
+    const Folder folder;
+    const std::string good = folder.write("good.json", crate_scene("0.9")), bad = folder.write("bad.json", crate_scene("2"));
+    CHECK(run_tumble({"check", good}).code == 0);
+    CHECK(run_tumble({"check", good}).out == good + ": 2 of 2 claims hold\n");
+
+    const Answer answer = run_tumble({"check", good, bad});
+    CHECK(answer.code == 7);
+    CHECK(answer.out == good + ": 2 of 2 claims hold\n" + bad + ": 1 of 2 claims hold\n");
+    CHECK(answer.err ==
+          "  /expect/1 failed: expected that 'crate' is inside [-1, 2] to [1, 5] at the end\n"
+          "    at step 60: it is at [0, 1]\n");
+    CHECK(run_tumble({"check", bad, "--set", "/expect/1/inside/0/1=0.9"}).code == 0);
+
+    const json document = json::parse(run_tumble({"check", bad, good, "--json", "--jobs", "2"}).out);
+    CHECK(document["passed"] == false);
+    CHECK(document["scenes"][0]["expectations"][1]["pointer"] == "/expect/1");
+    CHECK(document["scenes"][0]["expectations"][1]["passed"] == false);
+    CHECK(document["scenes"][1]["passed"] == true);
+}
+
+TEST_CASE("a scene that cannot be read weighs more than a claim that does not hold") {
+    const Folder folder;
+    const std::string bad = folder.write("bad.json", crate_scene("2")), broken = folder.write("broken.json", "{");
+    CHECK(run_tumble({"check", broken, bad}).code == 3);
+    CHECK(run_tumble({"check", bad, (folder / "missing.json").string()}).code == 4);
+}
+
+TEST_CASE("check writes JUnit, and draws the moment of a failure") {
+    const Folder folder;
+    const std::string bad = folder.write("bad.json", crate_scene("2")), junit = (folder / "results/junit.xml").string();
+    CHECK(run_tumble({"check", bad, "--junit", junit, "--shots", (folder / "shots").string()}).code == 7);
+    const std::string text = read_text(junit);
+    CHECK(text.find("tests=\"2\" failures=\"1\" errors=\"0\"") != std::string::npos);
+    CHECK(text.find("<failure message=\"it is at [0, 1]\"/>") != std::string::npos);
+    CHECK(fs::file_size(folder / "shots/crate___floor-expect-1.png") > 1000);
+    CHECK(run_tumble({"check", bad, "--junit", junit}).code == 4);
+    CHECK(run_tumble({"check", bad, "--junit", junit, "--force"}).code == 7);
+}
+
+TEST_CASE("fmt prints the canonical form, and says what it loses") {
+    const Folder folder;
+    const std::string file = folder.write("a.json", "// mine\n{\"bodies\": [], \"world\": {\"substeps\": 4}, \"format\": 1}");
+    const Answer answer = run_tumble({"fmt", file});
+    CHECK(answer.code == 0);
+    CHECK(answer.out == "{\n  \"format\": 1\n}\n");
+    CHECK(answer.err.find("its comments are not kept") != std::string::npos);
+    CHECK(read_text(file).starts_with("// mine"));
+    CHECK(run_tumble({"fmt", file, "--write"}).code == 0);
+    CHECK(read_text(file) == answer.out);
+    CHECK(json::parse(run_tumble({"fmt", file, "--json"}).out)["canonical"] == true);
+}
+
+TEST_CASE("import reads SVG drawings by their extension") {
+    const Folder folder;
+    const std::string drawing = folder.write(
+        "page.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100"><rect width="20" height="10"/></svg>)");
+    const std::string scene = (folder / "page.json").string();
+    CHECK(run_tumble({"import", drawing, "-o", scene, "--scale", "0.1"}).code == 0);
+    const json written = json::parse(read_text(scene));
+    REQUIRE(written["bodies"].size() == 1);
+    CHECK(written["bodies"][0]["shapes"][0]["box"]["size"] == json::array({2, 1}));
+    CHECK(run_tumble({"import", drawing, "-o", (folder / "b.json").string(), "--scale", "nan"}).code == 2);
+}

@@ -1,0 +1,15 @@
+// One frame of a scene's run, drawn by running it again to that step: runs repeat bit for bit.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "run_options.hpp"
+#include "tumble/scene_run.hpp"
+
+namespace tumble::tools {
+
+// Runs the scene for so many steps, draws what it shows then, and returns the run. Throws what went wrong.
+SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file);
+
+}  // namespace tumble::tools
