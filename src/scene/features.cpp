@@ -33,7 +33,6 @@ bool has_spawn(const SceneEvent& event) { return event.spawn.has_value(); }
 std::vector<std::string> ignored_features(const Scene& scene) {
     Ignored ignored;
     ignored.add("timeline: spawned bodies do not appear", std::ranges::count_if(scene.timeline, &has_spawn));
-    ignored.add("camera follow: the camera stands still", scene.camera.follow.empty() ? 0 : 1);
     ignored.add("one-sided chains: solid on both sides", count_one_sided_chains(scene));
     return ignored.lines;
 }
