@@ -22,9 +22,10 @@ ClippedEdge clip(const ClipInput& input) {
     const Core& incident = input.incident;
     const int first = input.edge, second = reference.next(first);
     const DVec2 origin = reference.point(first), along = reference.edge(first, second);
-    const double side = length(along);
-    const DVec2 tangent = (1.0 / side) * along;
+    const bool is_known = input.nearest >= 0;
+    const DVec2 tangent = is_known ? perp(input.normal) : (1.0 / length(along)) * along;
     const DVec2 normal = -perp(tangent);
+    const double side = dot(along, tangent);
     const DVec2 shift = input.shift - origin;
 
     const auto point_at = [&](DVec2 relative, int reference_vertex, int incident_vertex) {
@@ -32,7 +33,7 @@ ClippedEdge clip(const ClipInput& input) {
     };
     ClippedEdge result;
     result.normal = normal;
-    const int nearest = support(incident, -normal).index;
+    const int nearest = is_known ? input.nearest : support(incident, -normal).index;
     if (incident.count > 1) {
         // The incident edge runs against the reference edge: it ends low along the tangent.
         const int high = facing_edge(incident, nearest, normal), low = incident.next(high);

@@ -14,9 +14,10 @@ FoundFace face_of(const CorePair& pair, ReferenceEdge reference) {
 
 // The edge between two neighbours whose outward normal points along `outward`; none for vertices that are no neighbours.
 ReferenceEdge edge_between_vertices(const Core& core, Side side, int first, int second, DVec2 outward) {
+    if (core.count > 2 && core.next(first) == second) return {side, first, -1, {}};
     const bool is_forward = dot(-perp(core.edge(first, second)), outward) > 0.0;
     const int from = is_forward ? first : second, to = is_forward ? second : first;
-    return core.next(from) == to ? ReferenceEdge{side, from} : ReferenceEdge{};
+    return core.next(from) == to ? ReferenceEdge{side, from, -1, {}} : ReferenceEdge{};
 }
 
 // Corners meet squarely where the face beside one of them is within a hundredth of a radian of the normal: two points
@@ -25,14 +26,14 @@ ReferenceEdge square_edge_at(const Core& core, Side side, int vertex, DVec2 outw
     constexpr double kSquareCosine = 1.0 - 0.5e-4;
     for (const int edge : {core.previous(vertex), vertex}) {
         const DVec2 direction = -perp(core.edge(edge, core.next(edge)));
-        if (dot(direction, outward) > kSquareCosine * length(direction)) return {side, edge};
+        if (dot(direction, outward) > kSquareCosine * length(direction)) return {side, edge, -1, {}};
     }
     return {};
 }
 
 ReferenceEdge edge_of_face(const CorePair& pair, const Face& face) {
     const bool is_on_a = face.pairs[0].b == face.pairs[1].b && pair.a.count > 1;
-    return is_on_a ? ReferenceEdge{Side::a, face.pairs[0].a} : ReferenceEdge{Side::b, face.pairs[0].b};
+    return is_on_a ? ReferenceEdge{Side::a, face.pairs[0].a, -1, {}} : ReferenceEdge{Side::b, face.pairs[0].b, -1, {}};
 }
 
 ReferenceEdge deepest_edge(const CorePair& pair) {
@@ -40,7 +41,7 @@ ReferenceEdge deepest_edge(const CorePair& pair) {
     return deepest.exists ? edge_of_face(pair, deepest.face) : ReferenceEdge{};
 }
 
-ReferenceEdge edge_at_corners(const CorePair& pair, const CoreDistance& core, double tolerance) {
+ReferenceEdge edge_at_corners(const CorePair& pair, const ContactFeature& core, double tolerance) {
     if (core.distance <= tolerance) return deepest_edge(pair);  // too near for the direction between them to be steady
     if (pair.a.count == 1 || pair.b.count == 1) return {};
     const VertexPair at = core.pairs[0];
@@ -48,13 +49,17 @@ ReferenceEdge edge_at_corners(const CorePair& pair, const CoreDistance& core, do
     return found.side != Side::none ? found : square_edge_at(pair.b, Side::b, at.b, -core.normal);
 }
 
-ReferenceEdge edge_of_feature(const CorePair& pair, const CoreDistance& core, double tolerance) {
+ReferenceEdge edge_of_feature(const CorePair& pair, const ContactFeature& core, double tolerance) {
     if (core.pair_count == 1) return edge_at_corners(pair, core, tolerance);
     const VertexPair first = core.pairs[0], second = core.pairs[1];
     const Side side = first.a != second.a ? Side::a : Side::b;
     const int from = side == Side::a ? first.a : first.b, to = side == Side::a ? second.a : second.b;
-    const ReferenceEdge found =
-        edge_between_vertices(core_of(pair, side), side, from, to, normal_out_of(side, core.normal));
+    const bool is_rigid = first.a == second.a || first.b == second.b;
+    ReferenceEdge found = edge_between_vertices(core_of(pair, side), side, from, to, normal_out_of(side, core.normal));
+    if (is_rigid) {
+        found.nearest = side == Side::a ? first.b : first.a;
+        found.normal = normal_out_of(side, core.normal);
+    }
     return found.side != Side::none ? found : deepest_edge(pair);
 }
 
@@ -66,11 +71,11 @@ bool is_usable(const CorePair& pair, ReferenceEdge reference) {
 
 }  // namespace
 
-ReferenceEdge choose_reference_edge(const CorePair& pair, const CoreDistance& core, const SimplexCache& cache,
+ReferenceEdge choose_reference_edge(const CorePair& pair, const ContactFeature& core, const SimplexCache& cache,
                                     double tolerance) {
     if (pair.a.count == 1 && pair.b.count == 1) return {};
     const ReferenceEdge best = edge_of_feature(pair, core, tolerance);
-    const ReferenceEdge previous{cache.reference_side, cache.reference_edge};
+    const ReferenceEdge previous{cache.reference_side, cache.reference_edge, -1, {}};
     const bool is_same = previous.side == best.side && previous.edge == best.edge;
     if (is_same || best.side == Side::none || !is_usable(pair, previous)) return best;
     const FoundFace kept = face_of(pair, previous);
