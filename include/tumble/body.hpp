@@ -24,6 +24,7 @@ struct BodyDef {
     float angular_damping = 0.0f;   // 1/s
     float gravity_scale = 1.0f;
     bool allow_fast_rotation = false;  // more than an eighth of a turn a step; for round things
+    bool bullet = false;               // kept from passing through dynamic bodies too, not only through others
     bool allow_sleep = true;           // false keeps the body's whole island awake
     bool awake = true;                 // false: a dynamic body starts asleep, at rest, until something touches it
 };
@@ -40,9 +41,26 @@ struct SurfaceMaterial {
     friend constexpr bool operator==(const SurfaceMaterial&, const SurfaceMaterial&) = default;
 };
 
+// Which shapes meet: two with the same group other than 0 do if it is positive and do not if it is negative; all others
+// do if each one's mask has a bit of the other's category.
+struct CollisionFilter {
+    std::uint64_t category = 1;
+    std::uint64_t mask = ~std::uint64_t{0};
+    std::int32_t group = 0;
+
+    friend constexpr bool operator==(const CollisionFilter&, const CollisionFilter&) = default;
+};
+
+constexpr bool may_meet(const CollisionFilter& a, const CollisionFilter& b) {
+    if (a.group != 0 && a.group == b.group) return a.group > 0;
+    return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
+}
+
 struct ShapeDef {
     Shape shape{};  // in the body's coordinates
     SurfaceMaterial material{};
+    CollisionFilter filter{};
+    bool sensor = false;  // only notices what overlaps it (not other sensors, and not static if static); has no mass
 };
 
 // What a body is doing at the end of a step.

@@ -108,10 +108,18 @@ struct OutlineGeometry {
 using ShapeGeometry = std::variant<CircleGeometry, CapsuleGeometry, BoxGeometry, PolygonGeometry, SegmentGeometry,
                                    ChainGeometry, OutlineGeometry>;
 
+struct SceneFilter {
+    std::uint64_t category = 1;
+    std::uint64_t mask = 0xffffffff;
+    int group = 0;
+};
+
 struct SceneShape {
     ShapeGeometry geometry;
     std::string material;  // name of a material; empty: the default one
     std::string custom;    // JSON text, or empty
+    std::optional<SceneFilter> filter{};  // which shapes it meets; default: all
+    bool sensor = false;
 };
 
 // Repeaters copy a body, starting at its position; the copies are named name[0], name[1], ...
@@ -148,6 +156,7 @@ struct SceneBody {
     double linear_damping = 0.0;
     double angular_damping = 0.0;
     double gravity_scale = 1.0;
+    bool bullet = false;
     bool awake = true;
     std::optional<SceneRepeat> repeat;
     std::vector<SceneShape> shapes;

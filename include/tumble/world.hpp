@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tumble/body.hpp"
+#include "tumble/events.hpp"
 #include "tumble/id.hpp"
 #include "tumble/joint.hpp"
 #include "tumble/math.hpp"
@@ -22,6 +23,7 @@ struct WorldDef {
     float steps_per_second = 60.0f;  // > 0
     int substeps = 4;                // >= 1
     bool sleeping = true;            // whether bodies at rest fall asleep
+    bool continuous = true;          // whether fast bodies are kept from passing through thin ones
 };
 
 // What the last step did; times are wall clock.
@@ -113,10 +115,13 @@ public:
     // Live bodies and joints in id order; a body's shapes in the order they were added. The spans hold until the next
     // creation or destruction.
     std::span<const BodyId> bodies() const noexcept;
+    std::vector<BodyId> awake_bodies() const;  // those that the next step may move; computed on the call
     std::span<const JointId> joints() const noexcept;
     std::span<const ShapeId> shapes(BodyId id) const;
     const Shape& shape(ShapeId id) const;
     const SurfaceMaterial& material(ShapeId id) const;
+    const CollisionFilter& filter(ShapeId id) const;
+    bool is_sensor(ShapeId id) const;
     BodyId body(ShapeId id) const;
     const JointDef& joint(JointId id) const;
 
@@ -128,8 +133,9 @@ public:
     // wheel), or the distance of the anchors in m (distance, mouse).
     float joint_position(JointId id) const;
 
-    // The joints that the last step broke, in order of their ids, which are stale now.
-    std::span<const JointId> broken_joints() const noexcept;
+
+    // What began, ended, broke and fell asleep in the last step. Holds until the next one.
+    const StepEvents& events() const noexcept;
 
     // Contact points of the last step, in order of shape ids: gaps and places as the step found them, impulses as it
     // left them. Computed on the call: O(contacts).

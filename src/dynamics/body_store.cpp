@@ -15,9 +15,10 @@ BodyId BodyStore::create(const BodyDef& def) {
     frame.type = def.type;
     BodyRecord& record = records[id.index];
     record = BodyRecord{};
-    record.motion = {def.gravity_scale, def.linear_damping, def.angular_damping, 0.0f, def.allow_sleep};
+    record.motion = {def.gravity_scale, def.linear_damping, def.angular_damping, 0.0f, 0.0f, def.allow_sleep};
     if (def.type == BodyType::dynamic_body) record.flags |= kDynamicBody;
     if (def.allow_fast_rotation) record.flags |= kUnlimitedSpin;
+    if (def.bullet) record.flags |= kBulletBody;
     if (def.type != BodyType::static_body) add_solver_body(id.index, def.velocity, def.angular_velocity);
     return id;
 }
@@ -70,17 +71,18 @@ void BodyStore::destroy(BodyId id) {
     ids.recycle(id.index);
 }
 
-void BodyStore::set_mass(BodyId id, const BodyMass& mass, float reach) {
+void BodyStore::set_mass(BodyId id, const BodyMass& mass, float reach, float smallest_extent) {
     BodyFrame& frame = frames[id.index];
     records[id.index].mass = mass;
     records[id.index].motion.reach = reach;
+    records[id.index].motion.smallest_extent = smallest_extent;
     const Vec2 old_offset = frame.center_offset;
     frame.center_offset = rotate(frame.pose.rotation, mass.center);
     frame.center = transform_point(frame.pose, mass.center);
     frame.inv_mass = mass.mass > 0.0f ? 1.0f / mass.mass : 0.0f;
     frame.inv_inertia = mass.inertia > 0.0f ? 1.0f / mass.inertia : 0.0f;
     if (frame.solver_body == kStaticSolverBody) return;
-    moving[frame.solver_body].motion.reach = reach;
+    moving[frame.solver_body].motion = records[id.index].motion;
     SolverBody& body = solver_bodies[frame.solver_body];
     body.velocity += cross(body.angular_velocity, frame.center_offset - old_offset);
 }

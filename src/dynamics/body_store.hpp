@@ -29,6 +29,7 @@ struct BodyMotion {
     float linear_damping = 0.0f;   // 1/s
     float angular_damping = 0.0f;  // 1/s
     float reach = 0.0f;            // of the farthest point of its shapes from the centre of mass, m
+    float smallest_extent = 0.0f;  // of its shapes, m
     bool allow_sleep = true;
 };
 
@@ -62,8 +63,8 @@ public:
     void destroy(BodyId id);  // its shapes and joints are gone already
 
     // Mass, centre of mass and inertia from the sum of the body's shapes. The origin stays where it is, and the
-    // velocity of every material point as it was. `reach` is that of BodyMotion.
-    void set_mass(BodyId id, const BodyMass& mass, float reach);
+    // velocity of every material point as it was. Reach and smallest extent are those of BodyMotion.
+    void set_mass(BodyId id, const BodyMass& mass, float reach, float smallest_extent);
 
     // A dynamic body leaves or joins the solver bodies; asleep it is at rest. Whose island it is in is the caller's
     // to keep.

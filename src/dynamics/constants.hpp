@@ -54,6 +54,15 @@ inline constexpr float kTimeToSleep = 0.5f;
 // Speed limit, m/s: 6.7 m in a step at 60 Hz. Beyond, float deltas and the tree lose their meaning.
 inline constexpr float kMaxSpeed = 400.0f;
 
+// Continuous collision looks at bodies that move by more than this part of their smallest extent in a step: who moves
+// less overlaps visibly at most, and is pushed back. Smaller: more sweeps. Larger: thin things are passed.
+inline constexpr float kContinuousPart = 0.5f;
+
+// The part of a shape that must not pass: the rest may sink in and is pushed out. Larger: sliding over seams stops.
+// Smaller: deeper overlap. The inner parts are for shapes that have sunk in deeper already: they go no further.
+inline constexpr float kContinuousCore = 0.75f;
+inline constexpr float kContinuousInnerCores[] = {0.5f, 0.25f, 0.0f};
+
 // Rotation limit a step, rad: an eighth of a turn. More breaks the linearisation of contacts within the step, and
 // continuous collision. A body may be allowed more (wheels, projectiles: round things).
 inline constexpr float kMaxRotation = static_cast<float>(0.25 * kPi);

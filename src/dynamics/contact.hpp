@@ -17,6 +17,15 @@ struct PointImpulse {
     float tangent = 0.0f;  // along the tangent, the normal turned clockwise
 };
 
+// What a pair of shapes is to the world: solid, or one of them a sensor that only notices the other.
+enum class ContactKind : std::uint8_t { solid, sensor_a, sensor_b };
+
+// How two shapes meet that did not touch before.
+struct Approach {
+    DVec2 point;         // world, at the start of the step
+    float speed = 0.0f;  // m/s, positive if they near each other
+};
+
 struct Contact {
     ProxyPair shapes;          // by index, a < b: the order of contacts
     std::uint32_t body_a = 0;  // by index
@@ -24,7 +33,11 @@ struct Contact {
     Manifold manifold;         // anchors from the bodies' origins
     PointImpulse impulses[2];  // by manifold point
     float rolling_impulse = 0.0f;
-    bool is_new = true;           // not collided yet
+    ContactKind kind = ContactKind::solid;
+    bool is_new = true;           // not collided since it was found or woke
+    bool is_touching = false;     // in this step: surfaces met, or an impulse kept them apart
+    bool was_touching = false;    // when events were last reported
+    Approach approach;            // while it was not touching
     ManifoldReference reference;  // the last full collision
     SimplexCache cache;
     // Of the pair, mixed once when it is found.

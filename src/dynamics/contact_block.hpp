@@ -31,7 +31,7 @@ struct ContactBlockPoint {
     Lanes tangent_mass;
     Lanes tangent_impulse;
     Lanes approach_speed;   // normal velocity before the step, negative if approaching; with restitution only
-    Lanes largest_impulse;  // over the step; with restitution only
+    Lanes largest_impulse;  // normal, over the sub-steps
 };
 
 struct ContactBlock {

@@ -144,9 +144,11 @@ void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGra
         for (int lane = 0; lane < kLaneCount; ++lane) {
             const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
             if (contact == ConstraintGraph::kNoContact) continue;
-            for (int i = 0; i < contacts[contact].manifold.point_count; ++i)
+            for (int i = 0; i < contacts[contact].manifold.point_count; ++i) {
                 contacts[contact].impulses[i] = {block.points[i].normal_impulse[lane],
                                                  block.points[i].tangent_impulse[lane]};
+                contacts[contact].is_touching |= block.points[i].largest_impulse[lane] > 0.0f;
+            }
             contacts[contact].rolling_impulse = block.rolling_impulse[lane];
         }
     }

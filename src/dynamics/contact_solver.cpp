@@ -151,10 +151,6 @@ TUMBLE_LANE_FUNCTION void apply_normals(ContactBlock& block, const NormalProblem
     const Lanes change1 = impulse1 - first.normal_impulse, change2 = impulse2 - second.normal_impulse;
     first.normal_impulse = impulse1;
     second.normal_impulse = impulse2;
-    if (block.has_restitution) {
-        first.largest_impulse = first.largest_impulse.max(impulse1);
-        second.largest_impulse = second.largest_impulse.max(impulse2);
-    }
     apply_normal(block, first, change1, state);
     apply_normal(block, second, change2, state);
 }
@@ -264,6 +260,8 @@ void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
         const NormalRow first = make_rigid_row(block, block.points[0], shift, inv_h, state);
         const NormalRow second = make_rigid_row(block, block.points[1], shift, inv_h, state);
         solve_normals(block, first, second, state);
+        for (ContactBlockPoint& point : block.points)
+            point.largest_impulse = point.largest_impulse.max(point.normal_impulse);
         finish(block, state, bodies);
     }
 }

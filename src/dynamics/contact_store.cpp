@@ -16,6 +16,8 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes) {
     contact.body_a = a.body;
     contact.body_b = b.body;
     contact.speculative_distance = speculative_distance(std::min(a.smaller_extent, b.smaller_extent));
+    if (a.is_sensor) contact.kind = ContactKind::sensor_a;
+    if (b.is_sensor) contact.kind = ContactKind::sensor_b;
     contact.radius_a = a.shape.radius();
     contact.radius_b = b.shape.radius();
     contact.friction = mix_friction(a.material, b.material);
@@ -49,6 +51,33 @@ void carry_impulses_over(Contact& contact, const Manifold& manifold) {
     if (manifold.point_count == 0) contact.rolling_impulse = 0.0f;
 }
 
+const ManifoldPoint& deepest_point(const Manifold& manifold) {
+    const bool second = manifold.point_count > 1 && manifold.points[1].separation < manifold.points[0].separation;
+    return manifold.points[second ? 1 : 0];
+}
+
+// Before the step changes any velocity.
+void look_at_touch(Contact& contact, const BodyStore& bodies) {
+    contact.is_touching = false;
+    if (contact.manifold.point_count == 0) return;
+    const ManifoldPoint& point = deepest_point(contact.manifold);
+    contact.is_touching = point.separation <= 0.0f;
+    if (contact.was_touching) return;
+    const BodyFrame& a = bodies.frames[contact.body_a];
+    const BodyFrame& b = bodies.frames[contact.body_b];
+    const Vec2 velocity_a = velocity_at(bodies.solver_bodies[a.solver_body], point.anchor_a - a.center_offset);
+    const Vec2 velocity_b = velocity_at(bodies.solver_bodies[b.solver_body], point.anchor_b - b.center_offset);
+    contact.approach = {a.pose.position + DVec2(point.anchor_a), dot(velocity_a - velocity_b, contact.manifold.normal)};
+}
+
+void collide_anew(Contact& contact, const ShapeRecord& a, const Pose& pose_a, const ShapeRecord& b,
+                  const Pose& pose_b) {
+    const Manifold manifold = collide(a.shape, pose_a, b.shape, pose_b, contact.speculative_distance, contact.cache);
+    carry_impulses_over(contact, manifold);
+    contact.manifold = manifold;
+    contact.reference = {manifold, pose_a.rotation, pose_b.rotation, pose_b.position - pose_a.position, true};
+}
+
 }  // namespace
 
 void collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
@@ -57,12 +86,18 @@ void collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
     const Pose& pose_a = bodies.frames[contact.body_a].pose;
     const Pose& pose_b = bodies.frames[contact.body_b].pose;
     const float tolerance = kRecyclingPart * contact.speculative_distance;
-    if (recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold)) return;
-    const Manifold manifold = collide(a.shape, pose_a, b.shape, pose_b, contact.speculative_distance, contact.cache);
-    carry_impulses_over(contact, manifold);
-    contact.manifold = manifold;
+    if (!recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold))
+        collide_anew(contact, a, pose_a, b, pose_b);
+    look_at_touch(contact, bodies);
     contact.is_new = false;
-    contact.reference = {manifold, pose_a.rotation, pose_b.rotation, pose_b.position - pose_a.position, true};
+}
+
+void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
+    const Manifold overlap =
+        collide(shapes[contact.shapes.a].shape, bodies.frames[contact.body_a].pose, shapes[contact.shapes.b].shape,
+                bodies.frames[contact.body_b].pose, 0.0, contact.cache);
+    contact.is_touching = overlap.point_count > 0;
+    contact.is_new = false;
 }
 
 }  // namespace tumble

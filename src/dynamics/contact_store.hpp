@@ -24,7 +24,10 @@ public:
 
     // Contacts come back from an island that woke: at once for whoever asks, in their place by merge_woken().
     void add_woken(const std::vector<Contact>& contacts) {
-        woken_.insert(woken_.end(), contacts.begin(), contacts.end());
+        for (const Contact& contact : contacts) {
+            woken_.push_back(contact);
+            woken_.back().is_new = true;
+        }
     }
     const std::vector<Contact>& woken() const { return woken_; }
     void merge_woken();
@@ -39,6 +42,9 @@ private:
 };
 
 Contact make_contact(ProxyPair pair, const ShapeStore& shapes);
+
+// Whether a sensor overlaps now. Its contact has no manifold: nothing that is solved may see one.
+void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes);
 
 // The manifold of this step; impulses stay with the points whose features go on.
 void collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes);

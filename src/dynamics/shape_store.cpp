@@ -1,5 +1,7 @@
 #include "dynamics/shape_store.hpp"
 
+#include <limits>
+
 #include "dynamics/constants.hpp"
 
 namespace tumble {
@@ -17,7 +19,8 @@ ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def, const BodyFr
     const ShapeId id = ids.acquire();
     if (id.index == records_.size()) records_.emplace_back();
     const float smaller = extent(def.shape).smaller;
-    records_[id.index] = {def.shape, def.material, body, smaller, farthest_distance(def.shape, {}), true};
+    const float reach = farthest_distance(def.shape, {});
+    records_[id.index] = {def.shape, def.material, def.filter, body, smaller, reach, def.sensor, true};
     const bool fixed = frame.type == BodyType::static_body;
     const Aabb box = bounds(def.shape, frame.pose);
     broad.add(id.index, fixed ? box : enlarged(box, smaller), fixed ? Mobility::fixed : Mobility::moving);
@@ -48,6 +51,7 @@ BodyMass body_mass(BodyType type, const std::vector<ShapeId>& shapes, const Shap
     DVec2 moment;
     for (const ShapeId id : shapes) {
         const ShapeRecord& record = store[id.index];
+        if (record.is_sensor) continue;
         const MassProperties part = mass_properties(record.shape);
         const double part_mass = static_cast<double>(record.material.density) * part.area;
         const DVec2 center(part.center);
@@ -65,6 +69,13 @@ float body_reach(Vec2 from, const std::vector<ShapeId>& shapes, const ShapeStore
     float reach = 0.0f;
     for (const ShapeId id : shapes) reach = std::max(reach, farthest_distance(store[id.index].shape, from));
     return reach;
+}
+
+float smallest_extent(const std::vector<ShapeId>& shapes, const ShapeStore& store) {
+    float smallest = std::numeric_limits<float>::infinity();
+    for (const ShapeId id : shapes)
+        if (!store[id.index].is_sensor) smallest = std::min(smallest, store[id.index].smaller_extent);
+    return smallest;
 }
 
 }  // namespace tumble

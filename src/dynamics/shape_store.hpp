@@ -15,9 +15,11 @@ namespace tumble {
 struct ShapeRecord {
     Shape shape;  // body coordinates
     SurfaceMaterial material;
+    CollisionFilter filter;
     std::uint32_t body = 0;       // index
     float smaller_extent = 0.0f;  // m
     float reach = 0.0f;           // of the farthest point from the body's origin, m
+    bool is_sensor = false;
     bool is_live = false;
 };
 
@@ -48,5 +50,8 @@ BodyMass body_mass(BodyType type, const std::vector<ShapeId>& shapes, const Shap
 
 // The distance of the farthest point of the shapes from a point in body coordinates.
 float body_reach(Vec2 from, const std::vector<ShapeId>& shapes, const ShapeStore& store);
+
+// The smaller extent of the smallest shape that is no sensor; infinite if there is none.
+float smallest_extent(const std::vector<ShapeId>& shapes, const ShapeStore& store);
 
 }  // namespace tumble

@@ -16,6 +16,8 @@
 #include "dynamics/joint_store.hpp"
 #include "dynamics/shape_store.hpp"
 #include "dynamics/sleeping_islands.hpp"
+#include "tumble/cast.hpp"
+#include "tumble/events.hpp"
 
 namespace tumble {
 
@@ -24,6 +26,7 @@ struct StepSettings {
     float duration = 0.0f;  // of a step, s
     int substeps = 4;
     bool sleeping = true;
+    bool continuous = true;
 };
 
 // Wall clock of the last step's parts.
@@ -42,6 +45,19 @@ struct Sleeper {
     friend constexpr auto operator<=>(Sleeper, Sleeper) = default;
 };
 
+// A body that moves fast enough in this step to be swept.
+struct Mover {
+    static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
+
+    std::uint32_t body = 0;
+    Sweep sweep;
+    Aabb box;                       // of all that its shapes may cover
+    double fraction = 1.0;          // of the step's motion that it makes
+    double next = 1.0;              // of a bullet: the first meeting ahead, or `fraction`
+    std::size_t partner = kNobody;  // whom it meets, if that is a mover
+    bool is_bullet = false;
+};
+
 struct Simulation {
     StepSettings settings;
     BodyStore bodies;
@@ -52,6 +68,7 @@ struct Simulation {
     ConstraintGraph graph;
     std::vector<ContactBlock> blocks;  // of the last step
     SleepingIslands sleeping;
+    StepEvents events;  // of the last step
     StepTimes times;
     bool filters_changed = false;  // a joint was created: contacts may have to go that were allowed
 
@@ -61,15 +78,22 @@ struct Simulation {
     std::vector<std::uint32_t> island_of_root;  // by solver body
     std::vector<JointId> sleeping_joints;
 
+    // Of continuous collision, likewise.
+    std::vector<Mover> movers;
+    std::vector<std::uint32_t> near_shapes;
+
     bool is_live(ProxyPair pair) const { return shapes[pair.a].is_live && shapes[pair.b].is_live; }
 };
 
 // One step. Afterwards find_diverged() tells whether its result is finite; the broad phase follows only if it is.
 void step(Simulation& simulation);
 
-// True if the two shapes may touch: one of them is dynamic and one not at rest for good (asleep, static), and no joint
-// between their bodies forbids it.
+// True if the two shapes may touch: their filters and the joints between their bodies allow it, one of them is dynamic
+// and one not at rest for good (asleep, static). A sensor notices all that is not as static as itself.
 bool may_collide(const Simulation& simulation, ProxyPair shapes);
+
+// The same without regard to type and rest, for solid shapes alone.
+bool may_touch(const Simulation& simulation, ProxyPair shapes);
 
 // The stages, in order.
 void find_pairs(Simulation& simulation);

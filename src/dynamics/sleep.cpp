@@ -54,6 +54,7 @@ void set_contacts_aside(Simulation& simulation) {
     simulation.contacts.keep_if([&](const Contact& contact) {
         const BodyStore& bodies = simulation.bodies;
         if (!simulation.is_live(contact.shapes)) return true;  // the next step drops it
+        if (contact.kind != ContactKind::solid) return true;   // who sleeps in a sensor is still there
         const bool sleeps_a = bodies.is_asleep(contact.body_a), sleeps_b = bodies.is_asleep(contact.body_b);
         if (!sleeps_a && !sleeps_b) return true;
         if (bodies.is_active(contact.body_a) || bodies.is_active(contact.body_b)) return true;
@@ -108,7 +109,10 @@ void fall_asleep(Simulation& simulation) {
     bool any = false;
     for (std::uint32_t i = 1; i < bodies.moving.size() && !any; ++i)
         any = (bodies.solver_bodies[i].flags & kDynamicBody) && !islands.is_kept_awake(islands.root(i));
-    if (any) put_to_sleep(simulation, [&](std::uint32_t i) { return !islands.is_kept_awake(islands.root(i)); });
+    if (!any) return;
+    put_to_sleep(simulation, [&](std::uint32_t i) { return !islands.is_kept_awake(islands.root(i)); });
+    for (const Sleeper& sleeper : simulation.sleepers)
+        simulation.events.fell_asleep.push_back(bodies.ids.at(sleeper.body));
 }
 
 void put_island_to_sleep(Simulation& simulation, std::uint32_t body) {

@@ -14,6 +14,7 @@ namespace tumble {
 enum BodyFlag : std::uint32_t {
     kDynamicBody = 1u << 0,    // has a mass: gravity, damping and impulses act on it
     kUnlimitedSpin = 1u << 1,  // may turn more than kMaxRotation in a step
+    kBulletBody = 1u << 2,     // is swept against other dynamic bodies too
 };
 
 struct alignas(32) SolverBody {

@@ -1,6 +1,8 @@
 // The stages of a step, in the order in which it runs them.
 #include <chrono>
 
+#include "dynamics/continuous.hpp"
+#include "dynamics/events.hpp"
 #include "dynamics/integrate.hpp"
 #include "dynamics/simulation.hpp"
 #include "dynamics/sleep.hpp"
@@ -37,6 +39,7 @@ bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, 
 
 void step(Simulation& simulation) {
     const Clock::time_point start = Clock::now();
+    clear(simulation.events);
     find_pairs(simulation);
     simulation.times.pairs_ms = milliseconds_since(start);
 
@@ -50,24 +53,38 @@ void step(Simulation& simulation) {
     for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation);
     bounce(simulation);
     store_results(simulation);
+    stop_at_impacts(simulation);
     finalize_poses(simulation.bodies);
     simulation.times.solve_ms = milliseconds_since(solve_start);
 
     if (find_diverged(simulation.bodies) == kNoBody) {
         update_proxies(simulation);
+        find_pairs(simulation);
+        report_events(simulation);
         fall_asleep(simulation);
     }
     simulation.times.total_ms = milliseconds_since(start);
 }
 
-bool may_collide(const Simulation& simulation, ProxyPair shapes) {
-    const std::uint32_t a = simulation.shapes[shapes.a].body, b = simulation.shapes[shapes.b].body;
-    if (a == b || !(simulation.bodies.is_dynamic(a) || simulation.bodies.is_dynamic(b))) return false;
-    if (!simulation.bodies.is_active(a) && !simulation.bodies.is_active(b)) return false;
-    return !joined_without_contact(simulation, a, b);
+bool may_touch(const Simulation& simulation, ProxyPair shapes) {
+    const ShapeRecord& a = simulation.shapes[shapes.a];
+    const ShapeRecord& b = simulation.shapes[shapes.b];
+    return a.body != b.body && !a.is_sensor && !b.is_sensor && may_meet(a.filter, b.filter) &&
+           !joined_without_contact(simulation, a.body, b.body);
 }
 
-// New pairs come from boxes that have moved; pairs go when their boxes have parted, which only such a box can cause.
+bool may_collide(const Simulation& simulation, ProxyPair shapes) {
+    const ShapeRecord& a = simulation.shapes[shapes.a];
+    const ShapeRecord& b = simulation.shapes[shapes.b];
+    if (a.is_sensor != b.is_sensor) return a.body != b.body && may_meet(a.filter, b.filter);
+    const BodyStore& bodies = simulation.bodies;
+    const bool can_give_way = bodies.is_dynamic(a.body) || bodies.is_dynamic(b.body);
+    const bool can_come_near = bodies.is_active(a.body) || bodies.is_active(b.body);
+    return can_give_way && can_come_near && may_touch(simulation, shapes);
+}
+
+// Once for what the caller has changed, and once for what the step has moved: nobody enters a sensor unseen. New pairs
+// come from boxes that have moved; pairs go when their boxes have parted, which only such a box can cause.
 void find_pairs(Simulation& simulation) {
     simulation.contacts.merge_woken();
     const bool moved = simulation.broad.has_moved();
@@ -77,7 +94,10 @@ void find_pairs(Simulation& simulation) {
     simulation.contacts.update(new_pairs, simulation.shapes, [&](const Contact& contact) {
         const bool keep = simulation.is_live(contact.shapes) && simulation.broad.overlap(contact.shapes) &&
                           !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
-        if (!keep) simulation.broad.forget(contact.shapes);
+        if (!keep) {
+            report_end(simulation, contact);
+            simulation.broad.forget(contact.shapes);
+        }
         return keep;
     });
     simulation.shapes.forget_destroyed();
@@ -85,7 +105,8 @@ void find_pairs(Simulation& simulation) {
 }
 
 void collide_pairs(Simulation& simulation) {
-    for (Contact& contact : simulation.contacts.all()) collide_contact(contact, simulation.bodies, simulation.shapes);
+    for (Contact& contact : simulation.contacts.all())
+        if (contact.kind == ContactKind::solid) collide_contact(contact, simulation.bodies, simulation.shapes);
 }
 
 // What is touched wakes before it is solved, and may touch the next.
@@ -93,7 +114,8 @@ void collide_woken(Simulation& simulation) {
     while (wake_touched(simulation)) {
         find_pairs(simulation);
         for (Contact& contact : simulation.contacts.all())
-            if (contact.is_new) collide_contact(contact, simulation.bodies, simulation.shapes);
+            if (contact.is_new && contact.kind == ContactKind::solid)
+                collide_contact(contact, simulation.bodies, simulation.shapes);
     }
 }
 
@@ -124,6 +146,7 @@ void bounce(Simulation& simulation) {
 void store_results(Simulation& simulation) {
     store_impulses(simulation.blocks, simulation.graph, simulation.contacts.all());
     simulation.joints.store(joint_context(simulation));
+    simulation.events.broken_joints = simulation.joints.broken();
 }
 
 void update_proxies(Simulation& simulation) {

@@ -21,6 +21,7 @@ WorldDef make_world_def(const SceneSettings& settings) {
     def.steps_per_second = static_cast<float>(settings.steps_per_second);
     def.substeps = settings.substeps;
     def.sleeping = settings.sleeping;
+    def.continuous = settings.continuous;
     return def;
 }
 
@@ -33,8 +34,14 @@ BodyDef make_body_def(const SceneBody& body, const Pose& pose) {
     def.linear_damping = static_cast<float>(body.linear_damping);
     def.angular_damping = static_cast<float>(body.angular_damping);
     def.gravity_scale = static_cast<float>(body.gravity_scale);
+    def.bullet = body.bullet;
     def.awake = body.awake;
     return def;
+}
+
+CollisionFilter make_filter(const SceneShape& shape) {
+    if (!shape.filter) return {};
+    return {shape.filter->category, shape.filter->mask, shape.filter->group};
 }
 
 std::vector<ShapeDef> make_shape_defs(const Scene& scene, const SceneBody& body) {
@@ -42,7 +49,8 @@ std::vector<ShapeDef> make_shape_defs(const Scene& scene, const SceneBody& body)
     for (const SceneShape& shape : body.shapes) {
         const SceneMaterial* material = find_material(scene, shape.material);
         const SurfaceMaterial surface = make_surface(material ? *material : SceneMaterial{});
-        for (const Shape& part : make_shapes(shape.geometry)) defs.push_back({part, surface});
+        for (const Shape& part : make_shapes(shape.geometry))
+            defs.push_back({part, surface, make_filter(shape), shape.sensor});
     }
     return defs;
 }

@@ -55,6 +55,7 @@ inline constexpr Range kStrength{0.0, 1e12};
 inline constexpr Range kTime{0.0, kLongest};
 inline constexpr Range kInterval{0.0, kLongest, true};
 inline constexpr Range kCount{1.0, kMost};
+inline constexpr Range kBits{0.0, 4294967295.0};
 inline constexpr Range kSeed{0.0, 0x1p64};
 
 // What a text may be.
@@ -213,11 +214,24 @@ void visit_alternatives(V& v, Type<ShapeGeometry>) {
 }
 
 template <class V>
+void visit_fields(V& v, Type<SceneFilter>) {
+    v.field({"category", "Bits of what the shape is.", "", kBits}, &SceneFilter::category);
+    v.field({"mask", "Bits of what it meets: each of two shapes must have one of the other's category.", "", kBits},
+            &SceneFilter::mask);
+    v.field({"group", "Of two shapes with the same one other than 0, this alone counts: positive ones meet, negative "
+                      "ones do not.",
+             "", {-1e6, 1e6}},
+            &SceneFilter::group);
+}
+
+template <class V>
 void visit_fields(V& v, Type<SceneShape>) {
     v.one_of({.name = "shape", .description = "What the shape is."}, &SceneShape::geometry);
     v.field(
         {.name = "material", .description = "Name of a material; left out: the defaults of one.", .text = Text::name},
         &SceneShape::material);
+    v.field({"filter", "Which shapes it meets."}, &SceneShape::filter);
+    v.field({"sensor", "Only notices what overlaps it; has no mass."}, &SceneShape::sensor);
     v.json({"custom", "Anything a user wants to keep."}, &SceneShape::custom);
 }
 
@@ -284,6 +298,7 @@ void visit_fields(V& v, Type<SceneBody>) {
     v.field({"angular_damping", "The same for the angular velocity.", "1/s", kNotNegative},
             &SceneBody::angular_damping);
     v.field({"gravity_scale", "Times the world's gravity."}, &SceneBody::gravity_scale);
+    v.field({"bullet", "Kept from passing through dynamic bodies too, not only through others."}, &SceneBody::bullet);
     v.field({"awake", "false: a dynamic body starts asleep, at rest, until something touches it."}, &SceneBody::awake);
     v.field({"repeat", "Makes copies of the body."}, &SceneBody::repeat);
     v.field({"shapes", "What the body is made of."}, &SceneBody::shapes);

@@ -49,7 +49,7 @@ std::vector<ShapePair> report_pairs(const Simulation& simulation) {
     std::vector<ShapePair> pairs;
     pairs.reserve(simulation.contacts.all().size());
     for (const Contact& contact : simulation.contacts.all())
-        if (simulation.is_live(contact.shapes))
+        if (simulation.is_live(contact.shapes) && !contact.is_new)
             pairs.push_back({simulation.shapes.ids.at(contact.shapes.a), simulation.shapes.ids.at(contact.shapes.b)});
     return pairs;
 }

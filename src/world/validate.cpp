@@ -97,7 +97,8 @@ void validate_contacts(const Simulation& simulation) {
         const ShapeRecord& a = simulation.shapes[contact.shapes.a];
         const ShapeRecord& b = simulation.shapes[contact.shapes.b];
         if (!a.is_live || !b.is_live) continue;  // dropped by the next step
-        require(!simulation.bodies.is_asleep(a.body) || !simulation.bodies.is_asleep(b.body), "both sides sleep", i);
+        const bool both_sleep = simulation.bodies.is_asleep(a.body) && simulation.bodies.is_asleep(b.body);
+        require(!both_sleep || contact.kind != ContactKind::solid, "a contact is awake alone", i);
         require(a.body == contact.body_a && b.body == contact.body_b, "a contact names a wrong body", i);
         require(contact.manifold.point_count >= 0 && contact.manifold.point_count <= 2, "manifold points", i);
         for (int point = 0; point < contact.manifold.point_count; ++point)

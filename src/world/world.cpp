@@ -64,7 +64,8 @@ void World::Impl::update_mass(BodyId id) {
     BodyStore& bodies = simulation.bodies;
     const std::vector<ShapeId>& shapes = bodies.records[id.index].shapes;
     const BodyMass mass = body_mass(bodies.frames[id.index].type, shapes, simulation.shapes);
-    bodies.set_mass(id, mass, body_reach(mass.center, shapes, simulation.shapes));
+    bodies.set_mass(id, mass, body_reach(mass.center, shapes, simulation.shapes),
+                    smallest_extent(shapes, simulation.shapes));
 }
 
 // What a new joint does to sleepers: a joint among them sleeps with them, any other wakes them.
@@ -110,7 +111,7 @@ World::World(const WorldDef& def) {
     check(def);
     impl_ = std::make_unique<Impl>();
     impl_->def = def;
-    impl_->simulation.settings = {def.gravity, 1.0f / def.steps_per_second, def.substeps, def.sleeping};
+    impl_->simulation.settings = {def.gravity, 1.0f / def.steps_per_second, def.substeps, def.sleeping, def.continuous};
 }
 
 World::~World() = default;
@@ -191,7 +192,7 @@ void World::step() {
     Simulation& simulation = impl_->simulation;
     if (impl_->diverged_body == kNoBody) {
         tumble::step(simulation);
-        for (const JointId id : simulation.joints.broken()) destroy_joint(id);
+        for (const JointId id : simulation.events.broken_joints) destroy_joint(id);
         ++impl_->step_count;
         impl_->count(impl_->counters);
         impl_->diverged_body = find_diverged(simulation.bodies);
@@ -305,6 +306,14 @@ void World::set_awake(BodyId id, bool awake) {
 std::span<const BodyId> World::bodies() const noexcept {
     return impl_->simulation.bodies.ids.live();
 }
+std::vector<BodyId> World::awake_bodies() const {
+    const BodyStore& bodies = impl_->simulation.bodies;
+    std::vector<BodyId> awake;
+    for (const BodyId id : bodies.ids.live())
+        if (bodies.is_active(id.index)) awake.push_back(id);
+    return awake;
+}
+
 std::span<const JointId> World::joints() const noexcept {
     return impl_->simulation.joints.ids.live();
 }
@@ -322,6 +331,16 @@ const Shape& World::shape(ShapeId id) const {
 const SurfaceMaterial& World::material(ShapeId id) const {
     impl_->require(id);
     return impl_->simulation.shapes[id.index].material;
+}
+
+const CollisionFilter& World::filter(ShapeId id) const {
+    impl_->require(id);
+    return impl_->simulation.shapes[id.index].filter;
+}
+
+bool World::is_sensor(ShapeId id) const {
+    impl_->require(id);
+    return impl_->simulation.shapes[id.index].is_sensor;
 }
 
 BodyId World::body(ShapeId id) const {
@@ -344,8 +363,8 @@ float World::joint_position(JointId id) const {
     return impl_->simulation.joints.position(id);
 }
 
-std::span<const JointId> World::broken_joints() const noexcept {
-    return impl_->simulation.joints.broken();
+const StepEvents& World::events() const noexcept {
+    return impl_->simulation.events;
 }
 
 std::vector<ContactPoint> World::contacts() const {

@@ -20,7 +20,7 @@ BodyId add_body(BodyStore& bodies, BodyType type, DVec2 position, float mass, fl
     def.type = type;
     def.pose.position = position;
     const BodyId id = bodies.create(def);
-    bodies.set_mass(id, type == BodyType::dynamic_body ? BodyMass{mass, {}, inertia} : BodyMass{}, 1.0f);
+    bodies.set_mass(id, type == BodyType::dynamic_body ? BodyMass{mass, {}, inertia} : BodyMass{}, 1.0f, 1.0f);
     return id;
 }
 

@@ -52,6 +52,25 @@ TEST_CASE("degrees, materials and poses arrive as the world counts them") {
     CHECK(built.world.def().gravity == Vec2{0, -10});
 }
 
+TEST_CASE("sleep, bullets, filters and sensors arrive") {
+    const SceneWorld built = build_world(parse_scene(R"({"format": 1, "world": {"sleeping": false, "continuous": false},
+        "bodies": [{"awake": false, "shapes": [{"circle": {"radius": 1}, "sensor": true},
+                                               {"circle": {"radius": 1}, "filter": {"category": 4, "mask": 6, "group": -2}},
+                                               {"circle": {"radius": 1}, "filter": {}}]}]})",
+                                                     ""));
+    const World& world = built.world;
+    CHECK_FALSE(world.def().sleeping);
+    CHECK_FALSE(world.def().continuous);
+    CHECK_FALSE(world.is_awake(built.bodies[0].id));
+    const std::span<const ShapeId> shapes = world.shapes(built.bodies[0].id);
+    CHECK(world.is_sensor(shapes[0]));
+    CHECK_FALSE(world.is_sensor(shapes[1]));
+    CHECK(world.filter(shapes[0]) == CollisionFilter{});
+    CHECK(world.filter(shapes[1]) == CollisionFilter{4, 6, -2});
+    CHECK(may_meet(world.filter(shapes[2]), CollisionFilter{}));
+    CHECK(world.mass(built.bodies[0].id).mass == doctest::Approx(2.0 * kPi));
+}
+
 TEST_CASE("a joint's world anchor becomes local to turned and shifted bodies") {
     const Scene scene = parse_scene(R"({"format": 1,
         "bodies": [{"name": "a", "position": [5, 0], "angle": 90, "shapes": [{"circle": {"radius": 1}}]},

@@ -312,8 +312,8 @@ TEST_CASE("a joint breaks above its force, and not below") {
         int broken_at = -1;
         for (int step = 0; step < 120; ++step) {
             rig.world.step();
-            if (!rig.world.broken_joints().empty()) {
-                CHECK(rig.world.broken_joints()[0] == hinge);
+            if (!rig.world.events().broken_joints.empty()) {
+                CHECK(rig.world.events().broken_joints[0] == hinge);
                 CHECK(broken_at == -1);
                 broken_at = step;
             }

@@ -1,0 +1,218 @@
+#include "dynamics/continuous.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "dynamics/constants.hpp"
+#include "tumble/cast.hpp"
+
+namespace tumble {
+
+namespace {
+
+Sweep sweep_of(const BodyStore& bodies, std::uint32_t body) {
+    const BodyFrame& frame = bodies.frames[body];
+    const SolverBody& moved = bodies.solver_bodies[frame.solver_body];
+    return {bodies.records[body].mass.center, frame.center, frame.center + DVec2(moved.delta_position),
+            angle(frame.pose.rotation), angle(moved.delta_rotation)};
+}
+
+// The part of a sweep from one fraction to another; equal ones give a body at rest.
+Sweep part_of(const Sweep& sweep, double from, double to) {
+    const DVec2 way = sweep.end - sweep.start;
+    return {sweep.local_center, sweep.start + from * way, sweep.start + to * way, sweep.start_angle + from * sweep.turn,
+            (to - from) * sweep.turn};
+}
+
+// A shape shrunk about its middle to a part of its size; 0 leaves the middle point.
+Shape core_of(const ShapeRecord& record, float part) {
+    const Shape& shape = record.shape;
+    const Vec2 middle = mass_properties(shape).center;
+    if (part == 0.0f || shape.vertex_count() > Shape::kInlineVertices)
+        return make_circle(0.5f * part * record.smaller_extent, middle);
+    std::array<Vec2, Shape::kInlineVertices> vertices;
+    for (int i = 0; i < shape.vertex_count(); ++i)
+        vertices[static_cast<std::size_t>(i)] = middle + part * (shape.vertex(i) - middle);
+    return Shape::from_raw({vertices.data(), static_cast<std::size_t>(shape.vertex_count())}, part * shape.radius());
+}
+
+// True if a shape that has sunk in deeper than it may would sink in further, up to its middle.
+bool sinks_deeper(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other, const Sweep& other_sweep) {
+    for (const float part : kContinuousInnerCores) {
+        const CastResult core = time_of_impact(other.shape, other_sweep, core_of(moving, part), sweep);
+        if (core.status != CastStatus::overlapping) return core.status == CastStatus::hit;
+    }
+    return false;
+}
+
+// When a shape must stop for another: 1 if it may go all the way.
+double impact(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other, const Sweep& other_sweep) {
+    const CastResult core = time_of_impact(other.shape, other_sweep, core_of(moving, kContinuousCore), sweep);
+    if (core.status == CastStatus::overlapping) return sinks_deeper(moving, sweep, other, other_sweep) ? 0.0 : 1.0;
+    if (core.status != CastStatus::hit) return 1.0;
+    const CastResult surface = time_of_impact(other.shape, other_sweep, moving.shape, sweep);
+    // Who touched already at the start may sink in as far as its core.
+    const bool touched = surface.status != CastStatus::hit || surface.fraction <= 0.0;
+    return touched ? core.fraction : surface.fraction;
+}
+
+// The box of all that a shape may cover on its way, whatever it turns.
+Aabb box_on_way(const Shape& shape, const Sweep& sweep) {
+    const Shape disc = make_circle(farthest_distance(shape, sweep.local_center));
+    return merge(bounds(disc, {sweep.start, {}}), bounds(disc, {sweep.end, {}}));
+}
+
+class ImpactFinder {
+public:
+    explicit ImpactFinder(Simulation& simulation) : simulation_(simulation), movers_(simulation.movers) {}
+
+    void run() {
+        find_movers();
+        if (movers_.empty()) return;
+        for (Mover& mover : movers_) stop_at_immovable(mover);
+        for (std::size_t i = 0; i < movers_.size(); ++i)
+            if (movers_[i].is_bullet) find_next(i);
+        while (stop_first_bullet()) {
+        }
+        for (const Mover& mover : movers_) shorten(mover);
+    }
+
+private:
+    void find_movers() {
+        movers_.clear();
+        const BodyStore& bodies = simulation_.bodies;
+        for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
+            const SolverBody& body = bodies.solver_bodies[i];
+            if (!(body.flags & kDynamicBody)) continue;
+            const BodyMotion& motion = bodies.moving[i].motion;
+            const float way = length(body.delta_position) + std::abs(body.delta_rotation.s) * motion.reach;
+            if (way <= kContinuousPart * motion.smallest_extent) continue;
+            const std::uint32_t index = bodies.moving[i].body;
+            Mover mover;
+            mover.body = index;
+            mover.sweep = sweep_of(bodies, index);
+            mover.is_bullet = (body.flags & kBulletBody) != 0;
+            for (const ShapeId shape : bodies.records[index].shapes)
+                mover.box = merge(mover.box, box_on_way(simulation_.shapes[shape.index].shape, mover.sweep));
+            movers_.push_back(mover);
+        }
+        std::sort(movers_.begin(), movers_.end(), [](const Mover& a, const Mover& b) { return a.body < b.body; });
+    }
+
+    // Calls visit(own shape, other shape) for each pair that may meet, of a mover and a shape near its way.
+    template <class Visitor>
+    void for_each_near(const Mover& mover, Visitor&& visit) {
+        for (const ShapeId own : simulation_.bodies.records[mover.body].shapes) {
+            const Aabb box = box_on_way(simulation_.shapes[own.index].shape, mover.sweep);
+            near_.clear();
+            simulation_.broad.query(box, [&](std::uint32_t other) { near_.push_back(other); });
+            for (const std::uint32_t other : near_)
+                if (may_touch(simulation_, make_pair_of(own.index, other))) visit(own.index, other);
+        }
+    }
+
+    void stop_at_immovable(Mover& mover) {
+        for_each_near(mover, [&](std::uint32_t own, std::uint32_t other) {
+            const std::uint32_t body = simulation_.shapes[other].body;
+            if (simulation_.bodies.is_dynamic(body)) return;
+            const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
+                                           sweep_of(simulation_.bodies, body));
+            mover.fraction = std::min(mover.fraction, fraction);
+        });
+    }
+
+    // The first meeting of a bullet with anything dynamic before it is stopped.
+    void find_next(std::size_t bullet) {
+        Mover& mover = movers_[bullet];
+        mover.next = mover.fraction;
+        mover.partner = kNobody;
+        for_each_near(mover, [&](std::uint32_t own, std::uint32_t other) {
+            const std::uint32_t body = simulation_.shapes[other].body;
+            if (!simulation_.bodies.is_dynamic(body) || find_mover(body) != kNobody) return;
+            meet(mover, own, other, sweep_of(simulation_.bodies, body), 1.0, kNobody);
+        });
+        // Other fast bodies may come from outside the box.
+        for (std::size_t i = 0; i < movers_.size(); ++i) {
+            if (i == bullet || !overlaps(mover.box, movers_[i].box)) continue;
+            for (const ShapeId own : simulation_.bodies.records[mover.body].shapes)
+                for (const ShapeId other : simulation_.bodies.records[movers_[i].body].shapes)
+                    if (may_touch(simulation_, make_pair_of(own.index, other.index)))
+                        meet(mover, own.index, other.index, movers_[i].sweep, movers_[i].fraction, i);
+        }
+    }
+
+    // The other goes along its sweep until it is stopped, and stands from then on.
+    void meet(Mover& mover, std::uint32_t own, std::uint32_t other, const Sweep& other_sweep, double other_fraction,
+              std::size_t partner) {
+        const ShapeRecord& shape = simulation_.shapes[own];
+        const ShapeRecord& other_shape = simulation_.shapes[other];
+        const double both = std::min(mover.next, other_fraction);
+        const double together =
+            impact(shape, part_of(mover.sweep, 0.0, both), other_shape, part_of(other_sweep, 0.0, both));
+        double fraction = together * both;
+        if (together >= 1.0 && both < mover.next) {
+            const double alone =
+                impact(shape, part_of(mover.sweep, both, mover.next), other_shape, part_of(other_sweep, both, both));
+            fraction = both + alone * (mover.next - both);
+        }
+        if (fraction >= mover.next) return;
+        mover.next = fraction;
+        mover.partner = partner;
+    }
+
+    // Of all meetings ahead the first one happens; those who may come by are
+    // looked at again.
+    bool stop_first_bullet() {
+        std::size_t first = kNobody;
+        for (std::size_t i = 0; i < movers_.size(); ++i)
+            if (movers_[i].next < movers_[i].fraction && (first == kNobody || movers_[i].next < movers_[first].next))
+                first = i;
+        if (first == kNobody) return false;
+        const std::size_t partner = movers_[first].partner;
+        const double fraction = movers_[first].next;
+        movers_[first].fraction = fraction;
+        // The partner may stand already.
+        if (partner != kNobody && movers_[partner].fraction > fraction)
+            movers_[partner].fraction = movers_[partner].next = fraction;
+        for (std::size_t i = 0; i < movers_.size(); ++i) {
+            const bool concerned = overlaps(movers_[i].box, movers_[first].box) ||
+                                   (partner != kNobody && overlaps(movers_[i].box, movers_[partner].box));
+            if (movers_[i].is_bullet && i != first && i != partner && concerned) find_next(i);
+        }
+        return true;
+    }
+
+    std::size_t find_mover(std::uint32_t body) const {
+        const auto found = std::lower_bound(movers_.begin(), movers_.end(), body,
+                                            [](const Mover& mover, std::uint32_t key) { return mover.body < key; });
+        return found != movers_.end() && found->body == body ? static_cast<std::size_t>(found - movers_.begin())
+                                                             : kNobody;
+    }
+
+    // The motion ends at the fraction, and gravity and forces did not act for the rest of the step.
+    void shorten(const Mover& mover) {
+        if (mover.fraction >= 1.0) return;
+        const std::uint32_t index = simulation_.bodies.frames[mover.body].solver_body;
+        SolverBody& body = simulation_.bodies.solver_bodies[index];
+        const MovingBody& moving = simulation_.bodies.moving[index];
+        body.delta_position = to_float(mover.fraction * (mover.sweep.end - mover.sweep.start));
+        body.delta_rotation = make_rotation(mover.fraction * mover.sweep.turn);
+        const float lost = static_cast<float>(1.0 - mover.fraction) * simulation_.settings.duration;
+        body.velocity -= lost * (moving.motion.gravity_scale * simulation_.settings.gravity + moving.acceleration);
+    }
+
+    static constexpr std::size_t kNobody = Mover::kNobody;
+
+    Simulation& simulation_;
+    std::vector<Mover>& movers_;  // by body index
+    std::vector<std::uint32_t>& near_ = simulation_.near_shapes;
+};
+
+}  // namespace
+
+void stop_at_impacts(Simulation& simulation) {
+    if (simulation.settings.continuous) ImpactFinder(simulation).run();
+}
+
+}  // namespace tumble

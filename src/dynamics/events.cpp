@@ -1,0 +1,78 @@
+#include "dynamics/events.hpp"
+
+#include <algorithm>
+
+namespace tumble {
+
+namespace {
+
+// The id that a shape of a contact has, or had: the index of a destroyed shape is not used again before its contacts
+// are gone, so that its generation is one less than the next owner's.
+ShapeId id_of(const ShapeStore& shapes, std::uint32_t index) {
+    ShapeId id = shapes.ids.at(index);
+    if (!shapes[index].is_live) --id.generation;
+    return id;
+}
+
+SensorEvent sensor_event(const Simulation& simulation, const Contact& contact) {
+    const ShapeId a = id_of(simulation.shapes, contact.shapes.a), b = id_of(simulation.shapes, contact.shapes.b);
+    return contact.kind == ContactKind::sensor_a ? SensorEvent{a, b} : SensorEvent{b, a};
+}
+
+ContactBegin contact_begin(const Simulation& simulation, const Contact& contact) {
+    return {id_of(simulation.shapes, contact.shapes.a), id_of(simulation.shapes, contact.shapes.b),
+            contact.approach.point, contact.manifold.normal, contact.approach.speed};
+}
+
+void report_begin(Simulation& simulation, const Contact& contact) {
+    if (contact.kind == ContactKind::solid)
+        simulation.events.contact_begins.push_back(contact_begin(simulation, contact));
+    else
+        simulation.events.sensor_begins.push_back(sensor_event(simulation, contact));
+}
+
+// A sensor whose bodies are all at rest overlaps what it did.
+void update_sensor(const Simulation& simulation, Contact& contact) {
+    const BodyStore& bodies = simulation.bodies;
+    const bool may_change = contact.is_new || bodies.is_active(contact.body_a) || bodies.is_active(contact.body_b);
+    if (may_change) sense_contact(contact, bodies, simulation.shapes);
+}
+
+}  // namespace
+
+void clear(StepEvents& events) {
+    events.contact_begins.clear();
+    events.contact_ends.clear();
+    events.sensor_begins.clear();
+    events.sensor_ends.clear();
+    events.broken_joints.clear();
+    events.fell_asleep.clear();
+}
+
+void report_end(Simulation& simulation, const Contact& contact) {
+    if (!contact.was_touching) return;
+    if (contact.kind == ContactKind::solid)
+        simulation.events.contact_ends.push_back(
+            {id_of(simulation.shapes, contact.shapes.a), id_of(simulation.shapes, contact.shapes.b)});
+    else
+        simulation.events.sensor_ends.push_back(sensor_event(simulation, contact));
+}
+
+void report_events(Simulation& simulation) {
+    for (Contact& contact : simulation.contacts.all()) {
+        if (contact.kind != ContactKind::solid) update_sensor(simulation, contact);
+        if (contact.is_touching == contact.was_touching) continue;
+        if (contact.is_touching)
+            report_begin(simulation, contact);
+        else
+            report_end(simulation, contact);
+        contact.was_touching = contact.is_touching;
+    }
+    // Ends come from two places; sensors are not in the order of their pairs.
+    StepEvents& events = simulation.events;
+    std::sort(events.contact_ends.begin(), events.contact_ends.end());
+    std::sort(events.sensor_begins.begin(), events.sensor_begins.end());
+    std::sort(events.sensor_ends.begin(), events.sensor_ends.end());
+}
+
+}  // namespace tumble

@@ -1,0 +1,16 @@
+// Notices what begins and ends, for the user's lists of events.
+#pragma once
+
+#include "dynamics/simulation.hpp"
+
+namespace tumble {
+
+// A stage of the step: compares whether pairs touch with whether they did. Sensors look where bodies are now.
+void report_events(Simulation& simulation);
+
+void clear(StepEvents& events);
+
+// A contact is about to be dropped: ends it if it touched.
+void report_end(Simulation& simulation, const Contact& contact);
+
+}  // namespace tumble

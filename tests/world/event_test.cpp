@@ -1,0 +1,213 @@
+// Events: each beginning has its end, in its own step, with the numbers of the meeting. Filters and sensors.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+#include "support/worlds.hpp"
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+const Shape kBox = make_box({1.0f, 1.0f});
+
+BodyId add_sensor(World& world, DVec2 position, const Shape& shape, BodyType type = BodyType::static_body) {
+    BodyDef def;
+    def.type = type;
+    def.pose.position = position;
+    const BodyId body = world.create_body(def);
+    world.add_shape(body, {.shape = shape, .sensor = true});
+    return body;
+}
+
+BodyId add_filtered(World& world, DVec2 position, const CollisionFilter& filter) {
+    BodyDef def;
+    def.pose.position = position;
+    const BodyId body = world.create_body(def);
+    world.add_shape(body, {.shape = kBox, .filter = filter});
+    return body;
+}
+
+// Follows begins and ends, and fails on an end without a beginning or a second beginning.
+struct Ledger {
+    std::set<std::pair<ShapeId, ShapeId>> touching;
+    int begins = 0;
+
+    void read(const World& world) {
+        for (const ContactEnd& end : world.events().contact_ends)
+            CHECK(touching.erase({end.shape_a, end.shape_b}) == 1);
+        for (const ContactBegin& begin : world.events().contact_begins) {
+            CHECK(touching.insert({begin.shape_a, begin.shape_b}).second);
+            ++begins;
+        }
+        CHECK(std::is_sorted(world.events().contact_ends.begin(), world.events().contact_ends.end()));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a ball that is dropped begins to touch in the step that stops it, with the speed of its fall") {
+    World world;
+    add_floor(world);
+    const BodyId ball = add_dynamic(world, {2.0, 3.0}, make_circle(0.5f));
+    for (int step = 0; step < 120; ++step) {
+        const float before = world.state(ball).velocity.y;
+        world.step();
+        const bool stopped = world.state(ball).velocity.y > -0.1f && before < -1.0f;
+        CHECK(world.events().contact_begins.size() == (stopped ? 1u : 0u));
+        if (!stopped) continue;
+        const ContactBegin& hit = world.events().contact_begins[0];
+        CHECK(world.body(hit.shape_b) == ball);
+        CHECK(hit.normal == Vec2{0.0f, 1.0f});
+        CHECK(hit.approach_speed == -before);
+        // Fallen 2.5 m: sqrt(2 g h) = 7.07 m/s, less at most the gravity of the step in which it meets the floor.
+        CHECK(hit.approach_speed == doctest::Approx(std::sqrt(50.0)).epsilon(0.03));
+        CHECK(std::abs(hit.point.x - 2.0) < 1e-6);
+        CHECK(std::abs(hit.point.y) < 0.06);  // half of what it falls in a step
+    }
+    CHECK(world.events().contact_ends.empty());
+}
+
+TEST_CASE("a ball that bounces begins and ends once a bounce") {
+    World world;
+    add_floor(world, {.restitution = 0.8f});
+    add_dynamic(world, {0.0, 3.0}, make_circle(0.5f), {.restitution = 0.8f});
+    Ledger ledger;
+    int ends = 0;
+    for (int step = 0; step < 150; ++step) {
+        world.step();
+        ledger.read(world);
+        ends += static_cast<int>(world.events().contact_ends.size());
+    }
+    // Falls at 0.71 s, then every 2 * 0.8^n * 0.71 s: 1.84 s and 2.75 s; 2.5 s hold two bounces.
+    CHECK(ledger.begins == 2);
+    CHECK(ends == 2);
+}
+
+TEST_CASE("whoever is destroyed while touching ends its contacts, asleep or awake") {
+    for (const int wait : {20, 120}) {
+        World world;
+        const BodyId floor = add_floor(world);
+        const BodyId box = add_dynamic(world, {0.0, 0.5}, kBox);
+        const ShapeId floor_shape = world.shapes(floor)[0], box_shape = world.shapes(box)[0];
+        run(world, wait);
+        CHECK(world.is_awake(box) == (wait == 20));
+        world.destroy_body(wait == 20 ? box : floor);
+        const BodyId next = add_dynamic(world, {0.0, 5.0}, kBox);  // takes the index, not the contact
+        CHECK(world.shapes(next)[0] != box_shape);
+        world.step();
+        REQUIRE(world.events().contact_ends.size() == 1);
+        CHECK(world.events().contact_ends[0] == ContactEnd{floor_shape, box_shape});
+        CHECK(world.events().contact_begins.empty());
+    }
+}
+
+TEST_CASE("in a heap every end has its beginning, through sleep and destruction") {
+    World world;
+    add_floor(world);
+    add_static(world, {-5.0, 3.0}, make_box({1.0f, 6.0f}));
+    add_static(world, {5.0, 3.0}, make_box({1.0f, 6.0f}));
+    std::mt19937 random(3);
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < 40; ++i)
+        bodies.push_back(add_dynamic(world, {-3.5 + i % 8, 1.0 + i / 8}, i % 2 ? kBox : make_circle(0.4f),
+                                     {.restitution = 0.5f}, 0.1 * i));
+    Ledger ledger;
+    for (int step = 0; step < 900; ++step) {
+        if (step % 100 == 99) {
+            const std::size_t victim = random() % bodies.size();
+            world.destroy_body(bodies[victim]);
+            bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(victim));
+        }
+        world.step();
+        ledger.read(world);
+    }
+    // What is left are the pairs that rest on each other.
+    std::set<std::pair<ShapeId, ShapeId>> resting;
+    for (const ContactPoint& point : world.contacts())
+        if (point.separation <= 0.0f || point.normal_impulse > 0.0f) resting.insert({point.shape_a, point.shape_b});
+    CHECK(ledger.touching == resting);
+    CHECK(ledger.begins > 200);
+}
+
+TEST_CASE("bodies that fall asleep are told in the step in which they do") {
+    World world = weightless();
+    const BodyId a = add_dynamic(world, {}, kBox), b = add_dynamic(world, {5.0, 0.0}, kBox);
+    world.set_velocity(b, {1.0f, 0.0f}, 0.0f);
+    run(world, 29);
+    CHECK(world.events().fell_asleep.empty());
+    CHECK(world.awake_bodies() == std::vector<BodyId>{a, b});
+    world.step();
+    CHECK(world.events().fell_asleep == std::vector<BodyId>{a});
+    CHECK(world.awake_bodies() == std::vector<BodyId>{b});
+    world.step();
+    CHECK(world.events().fell_asleep.empty());
+}
+
+TEST_CASE("a sensor tells who enters and leaves in the very step, and stops nobody") {
+    for (const float speed : {3.0f, 60.0f}) {  // 5 cm and 1 m a step
+        World world = weightless();
+        const BodyId gate = add_sensor(world, {10.0, 0.0}, make_box({2.0f, 4.0f}));
+        const BodyId ball = add_dynamic(world, {0.013, 0.0}, make_circle(0.5f));
+        world.set_velocity(ball, {speed, 0.0f}, 0.0f);
+        bool was_inside = false;
+        int changes = 0;
+        for (int step = 0; step < 360; ++step) {
+            world.step();
+            const double x = world.state(ball).pose.position.x;
+            const bool is_inside = x > 8.5 && x < 11.5;
+            CHECK(world.events().sensor_begins.size() == (is_inside && !was_inside ? 1u : 0u));
+            CHECK(world.events().sensor_ends.size() == (was_inside && !is_inside ? 1u : 0u));
+            changes += is_inside != was_inside;
+            was_inside = is_inside;
+            for (const SensorEvent& event : world.events().sensor_begins)
+                CHECK(event == SensorEvent{world.shapes(gate)[0], world.shapes(ball)[0]});
+        }
+        CHECK(changes == 2);
+        CHECK(world.state(ball).velocity == Vec2{speed, 0.0f});
+        CHECK(world.contacts().empty());
+    }
+}
+
+TEST_CASE("a sensor has no mass, notices kinematic bodies, and keeps who sleeps in it") {
+    World world = weightless();
+    const BodyId zone = add_sensor(world, {}, make_box({4.0f, 4.0f}));
+    const BodyId ball = add_dynamic(world, {1.0, 0.0}, make_circle(0.5f));
+    const BodyId lift = add_body(world, BodyType::kinematic_body, {-1.0, 0.0}, kBox);
+    add_sensor(world, {0.0, 1.6}, kBox, BodyType::dynamic_body);  // sensors do not notice each other
+    world.step();
+    CHECK(world.events().sensor_begins.size() == 2);
+    run(world, 120);
+    CHECK_FALSE(world.is_awake(ball));
+    CHECK(world.events().sensor_ends.empty());
+    world.destroy_body(zone);
+    world.step();
+    CHECK(world.events().sensor_ends.size() == 2);
+    World other;
+    CHECK(other.mass(add_sensor(other, {}, kBox, BodyType::dynamic_body)).inertia == 0.0f);
+    CHECK(world.is_valid(lift));
+    world.validate();
+}
+
+TEST_CASE("filters: categories must know each other, groups have the last word") {
+    const CollisionFilter all{}, red{2, 1, 0}, blue{4, ~std::uint64_t{0}, 0};
+    CHECK(may_meet(all, red));
+    CHECK_FALSE(may_meet(red, blue));
+    CHECK(may_meet(all, blue));
+    CHECK_FALSE(may_meet({1, 1, -3}, {1, 1, -3}));
+    CHECK(may_meet({1, 0, 5}, {1, 0, 5}));
+    CHECK_FALSE(may_meet({1, 0, 5}, {1, 0, 6}));
+    World world = weightless();
+    const BodyId a = add_filtered(world, {}, red), b = add_filtered(world, {0.5, 0.0}, blue);
+    const BodyId c = add_filtered(world, {1.0, 0.0}, all);
+    world.step();
+    CHECK(world.candidate_pairs().size() == 2);
+    CHECK(world.state(c).pose.position.x > 1.01);  // pushed by b
+    CHECK(world.state(b).pose.position.x < 0.49);
+    CHECK(world.is_valid(a));
+}
