@@ -59,8 +59,11 @@ void report_end(Simulation& simulation, const Contact& contact) {
 }
 
 void report_events(Simulation& simulation) {
+    ContactCounts counts{simulation.sleeping.contact_count(), simulation.sleeping.point_count()};
     for (Contact& contact : simulation.contacts.all()) {
         if (contact.kind != ContactKind::solid) update_sensor(simulation, contact);
+        counts.contacts += contact.manifold.point_count > 0;
+        counts.points += static_cast<std::size_t>(contact.manifold.point_count);
         if (contact.is_touching == contact.was_touching) continue;
         if (contact.is_touching)
             report_begin(simulation, contact);
@@ -68,6 +71,7 @@ void report_events(Simulation& simulation) {
             report_end(simulation, contact);
         contact.was_touching = contact.is_touching;
     }
+    simulation.contact_counts = counts;
     // Ends come from two places; sensors are not in the order of their pairs.
     StepEvents& events = simulation.events;
     std::sort(events.contact_ends.begin(), events.contact_ends.end());

@@ -6,6 +6,7 @@
 namespace tumble {
 
 // A stage of the step: compares whether pairs touch with whether they did. Sensors look where bodies are now.
+// Counts contacts by the way.
 void report_events(Simulation& simulation);
 
 void clear(StepEvents& events);

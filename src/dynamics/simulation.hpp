@@ -45,6 +45,12 @@ struct Sleeper {
     friend constexpr auto operator<=>(Sleeper, Sleeper) = default;
 };
 
+// Contacts with at least one manifold point after a step, awake and asleep.
+struct ContactCounts {
+    std::size_t contacts = 0;
+    std::size_t points = 0;
+};
+
 // A body that moves fast enough in this step to be swept.
 struct Mover {
     static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
@@ -69,6 +75,7 @@ struct Simulation {
     std::vector<ContactBlock> blocks;  // of the last step
     SleepingIslands sleeping;
     StepEvents events;  // of the last step
+    ContactCounts contact_counts;
     StepTimes times;
     bool filters_changed = false;  // a joint was created: contacts may have to go that were allowed
 

@@ -59,7 +59,9 @@ void step(Simulation& simulation) {
 
     if (find_diverged(simulation.bodies) == kNoBody) {
         update_proxies(simulation);
+        const Clock::time_point pairs_start = Clock::now();
         find_pairs(simulation);
+        simulation.times.pairs_ms += milliseconds_since(pairs_start);
         report_events(simulation);
         fall_asleep(simulation);
     }

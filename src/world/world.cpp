@@ -95,12 +95,8 @@ void World::Impl::count(StepCounters& to) const {
     to.colors = simulation.graph.color_count();
     to.awake_bodies = simulation.bodies.awake_dynamic_count();
     to.sleeping_islands = static_cast<int>(simulation.sleeping.count());
-    to.contacts = static_cast<int>(simulation.sleeping.contact_count());
-    to.contact_points = static_cast<int>(simulation.sleeping.point_count());
-    for (const Contact& contact : simulation.contacts.all()) {
-        to.contacts += contact.manifold.point_count > 0;
-        to.contact_points += contact.manifold.point_count;
-    }
+    to.contacts = static_cast<int>(simulation.contact_counts.contacts);
+    to.contact_points = static_cast<int>(simulation.contact_counts.points);
     to.pairs_ms = simulation.times.pairs_ms;
     to.narrow_ms = simulation.times.narrow_ms;
     to.solve_ms = simulation.times.solve_ms;
