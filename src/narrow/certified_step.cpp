@@ -47,7 +47,7 @@ double cosine_curvature(double f, double angle) {
 double sine_curvature(double f, double angle) { return f > 0.0 ? 0.0 : -f * angle * (1.0 / 6.0); }
 
 // A body as its axis sees it: the height of its support vertex and its lever, the height gained per radian.
-struct Side {
+struct Mover {
     const Core& core;
     DVec2 center;
     DVec2 outwards;
@@ -57,20 +57,20 @@ struct Side {
     double lever;
 };
 
-Side make_side(const Core& core, DVec2 center, DVec2 outwards, int at, double rate) {
+Mover make_mover(const Core& core, DVec2 center, DVec2 outwards, int at, double rate) {
     const DVec2 vertex = core.point(at) - center;
     return {core, center, outwards, at, rate, dot(outwards, vertex), std::copysign(1.0, rate) * cross(vertex, outwards)};
 }
 
 // How fast a point of the side's height and of this lever rises: height cos y + lever sin y after a turn by y.
-Bound bound_rise(const Side& side, double lever, double window) {
+Bound bound_rise(const Mover& side, double lever, double window) {
     const double turn = std::abs(side.rate), angle = turn * window;
     return {turn * lever, turn * turn * (cosine_curvature(side.height, angle) + sine_curvature(lever, angle))};
 }
 
 // The lever of the point X of the window. The direction turns away from one neighbour of the vertex, so that the vertex
 // stays the support if the other one is lower.
-double lever_within(const Side& side, double window) {
+double lever_within(const Mover& side, double window) {
     if (side.rate == 0.0 || side.core.count == 1) return side.lever;
     const double back = tangent_above(std::abs(side.rate) * window);
     const DVec2 turned_back = side.outwards - std::copysign(back, side.rate) * perp(side.outwards);
@@ -99,8 +99,8 @@ class AxisBound {
 public:
     AxisBound(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis)
         : motion_(motion), cores_(cores), axis_(axis),
-          a_(make_side(cores.pair.a, cores.center_a, axis.normal, axis.support_a, motion.turn_a() - axis.rate)),
-          b_(make_side(cores.pair.b, cores.center_b, -axis.normal, axis.support_b, motion.turn_b() - axis.rate)) {}
+          a_(make_mover(cores.pair.a, cores.center_a, axis.normal, axis.support_a, motion.turn_a() - axis.rate)),
+          b_(make_mover(cores.pair.b, cores.center_b, -axis.normal, axis.support_b, motion.turn_b() - axis.rate)) {}
 
     // Where nothing turns by more than a radian.
     double cut(double window) const {
@@ -120,8 +120,8 @@ private:
     const Motion& motion_;
     const MovingCores& cores_;
     const SeparatingAxis& axis_;
-    Side a_;
-    Side b_;
+    Mover a_;
+    Mover b_;
 };
 
 }  // namespace
