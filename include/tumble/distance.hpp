@@ -75,7 +75,7 @@ struct DistanceResult {
 // final one; the same status and overlapping bounds come out as without, and the same bits where the closest pair is
 // unique. Shapes of at most eight vertices are looked at by all faces of their difference at once, in lanes: the one of
 // largest separation decides overlap and depth, and holds the nearest point or ends in it. GJK answers for more vertices
-// (4 to 18 iterations), and where rounding leaves the faces undecided.
+// (4 to 18 iterations of O(log n), O(n) if the outline is not strictly convex), and where rounding leaves the faces undecided.
 DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                         SimplexCache* cache = nullptr) noexcept;
 

@@ -17,6 +17,8 @@ namespace tumble {
 struct LargePolygon {
     std::vector<float> x;  // [n], counter-clockwise
     std::vector<float> y;  // [n]
+    std::vector<double> edge_angles;  // [n], ascending from `first_edge` on, in a unit of its own; empty if the outline is
+    std::int32_t first_edge = 0;      // not strictly convex: its supports are then found by looking at all vertices
 };
 
 // What taking the hull did to the points that were given. `kept + duplicate + collinear + interior` is their number.

@@ -7,7 +7,7 @@ CastResult cast_ray(const Shape& shape, const Pose& world_from_shape, DVec2 orig
     static constexpr float kPoint = 0.0f;
     const DVec2 offset = origin - world_from_shape.position;
     const double scale = turned_radius(shape, world_from_shape.rotation) + length(offset);
-    const CorePair pair{make_core(shape, world_from_shape.rotation), {&kPoint, &kPoint, 1, 1.0, 0.0}, offset, scale};
+    const CorePair pair{make_core(shape, world_from_shape.rotation), {&kPoint, &kPoint, 1, 1.0, 0.0, nullptr}, offset, scale};
     if (!is_valid(pair, shape, shape) || !is_valid_motion(translation)) return invalid_cast();
     const double radius = shape.radius();
     const CastPath path = make_path(pair, translation, radius);

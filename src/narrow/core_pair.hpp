@@ -18,6 +18,7 @@ struct Core {
     int count;
     double c;
     double s;
+    const LargePolygon* large;  // null for at most eight vertices
 
     // A vertex in world axes, relative to the body's position. Products of two floats are exact in double: each
     // coordinate carries one rounding.
@@ -46,7 +47,7 @@ struct CorePair {
 };
 
 [[gnu::always_inline]] inline Core make_core(const Shape& shape, Rotation q) {
-    return {shape.x().data(), shape.y().data(), shape.vertex_count(), q.c, q.s};
+    return {shape.x().data(), shape.y().data(), shape.vertex_count(), q.c, q.s, shape.large()};
 }
 
 // |q| R for the core radius R: |q| <= (1 + |q|^2) / 2, equal for unit rotations and without a root.

@@ -36,7 +36,7 @@ Motion::Motion(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep
 
 void Motion::Body::turn_to(double fraction, Core& turned, DVec2& center) const {
     const SinCos q = turn == 0.0 || fraction == 0.0 ? start : sin_cos(start_angle + fraction * turn);
-    turned = {core.x, core.y, core.count, q.cos, q.sin};
+    turned = {core.x, core.y, core.count, q.cos, q.sin, core.large};
     center = {q.cos * local_center.x - q.sin * local_center.y, q.sin * local_center.x + q.cos * local_center.y};
 }
 

@@ -1,7 +1,7 @@
 // Support mappings: the farthest vertex of a core, and of the Minkowski difference A - B, in a direction [GJK88].
 #pragma once
 
-#include "narrow/core_pair.hpp"
+#include "narrow/large_support.hpp"
 #include "tumble/distance.hpp"
 
 namespace tumble {
@@ -11,10 +11,14 @@ struct Support {
     double height;  // direction . vertex, relative to the body's position
 };
 
-// Ties go to the lowest index. The direction is turned into the core's frame once instead of all vertices out of it.
+// Ties go to the lowest index, of large polygons to any. The direction is turned into the core's frame once instead of all vertices out of it.
 [[gnu::always_inline]] inline Support support(const Core& core, DVec2 direction) {
     const double dx = core.c * direction.x + core.s * direction.y;
     const double dy = core.c * direction.y - core.s * direction.x;
+    if (core.large && !core.large->edge_angles.empty()) {
+        const int index = large_support(*core.large, {dx, dy});
+        return {index, dx * core.x[index] + dy * core.y[index]};
+    }
     Support best{0, dx * core.x[0] + dy * core.y[0]};
     for (int i = 1; i < core.count; ++i) {
         const double height = dx * core.x[i] + dy * core.y[i];

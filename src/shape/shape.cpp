@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shape/edge_angles.hpp"
 #include "shape/validate.hpp"
 
 namespace tumble {
@@ -31,6 +32,7 @@ Shape Shape::from_raw(std::span<const Vec2> vertices, float radius) {
             large->x.push_back(vertex.x);
             large->y.push_back(vertex.y);
         }
+        sort_edges(*large);
         shape.large_ = std::move(large);
         return shape;
     }

@@ -1,0 +1,29 @@
+#include "shape/edge_angles.hpp"
+
+#include <algorithm>
+
+#include "shape/orientation.hpp"
+
+namespace tumble {
+
+void sort_edges(LargePolygon& polygon) {
+    const std::size_t count = polygon.x.size();
+    const auto vertex = [&](std::size_t i) { return Vec2{polygon.x[i % count], polygon.y[i % count]}; };
+    std::vector<double> angles;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (orientation(vertex(i), vertex(i + 1), vertex(i + 2)) <= 0) return;
+        angles.push_back(square_angle(DVec2(vertex(i + 1)) - DVec2(vertex(i))));
+    }
+    const auto first = std::min_element(angles.begin(), angles.end());
+    polygon.first_edge = static_cast<std::int32_t>(first - angles.begin());
+    std::rotate(angles.begin(), first, angles.end());
+    // Left turns only, and no angle but at the first edge falls by more than rounding: once round.
+    constexpr double kRounding = 0x1p-48;
+    for (std::size_t i = 1; i < count; ++i) {
+        if (angles[i] < angles[i - 1] - kRounding) return;
+        angles[i] = std::max(angles[i], angles[i - 1]);
+    }
+    polygon.edge_angles = std::move(angles);
+}
+
+}  // namespace tumble

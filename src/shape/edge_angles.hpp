@@ -1,0 +1,21 @@
+// The directions of a large polygon's edges in angular order, so that a support vertex is found by bisection.
+#pragma once
+
+#include <cmath>
+
+#include "tumble/math.hpp"
+#include "tumble/shape.hpp"
+
+namespace tumble {
+
+// Grows with the angle of a direction from the x axis, from 0 to 4, without trigonometry: where the ray leaves the square
+// |x| + |y| = 1. Wrong by a few ulp.
+inline double square_angle(DVec2 direction) {
+    const double share = direction.x / (std::abs(direction.x) + std::abs(direction.y));
+    return direction.y >= 0.0 ? 1.0 - share : 3.0 + share;
+}
+
+// Fills in `edge_angles` and `first_edge` if the outline is strictly convex, counter-clockwise and goes round once.
+void sort_edges(LargePolygon& polygon);
+
+}  // namespace tumble

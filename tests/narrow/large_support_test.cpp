@@ -1,0 +1,84 @@
+// Supports of large polygons by bisection against a look at all vertices.
+#include "narrow/large_support.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+#include "narrow/support.hpp"
+#include "support/random_pairs.hpp"
+
+using namespace tumble;
+using namespace tumble_test;
+
+namespace {
+
+double highest(const Shape& shape, DVec2 direction) {
+    double best = -1e300;
+    for (int i = 0; i < shape.vertex_count(); ++i) best = std::max(best, dot(direction, DVec2(shape.vertex(i))));
+    return best;
+}
+
+void check_supports(const Shape& shape, PairSource& source, int directions) {
+    REQUIRE(shape.large() != nullptr);
+    REQUIRE_FALSE(shape.large()->edge_angles.empty());
+    // What edges shorter than rounding hide: 2 u of the way around.
+    const double rounding = 16.0 * 0x1p-53 * shape.core_radius();
+    for (int sample = 0; sample < directions; ++sample) {
+        DVec2 direction(source.uniform(-1, 1), source.uniform(-1, 1));
+        if (sample % 4 == 0) direction.x = 0.0;
+        if (sample % 4 == 1) {  // across an edge: a tie
+            const int from = source.below(shape.vertex_count());
+            direction = -perp(DVec2(shape.vertex((from + 1) % shape.vertex_count())) - DVec2(shape.vertex(from)));
+        }
+        const int found = large_support(*shape.large(), direction);
+        REQUIRE(found >= 0);
+        REQUIRE(found < shape.vertex_count());
+        CHECK(dot(direction, DVec2(shape.vertex(found))) >= highest(shape, direction) - rounding * length(direction));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the support found by bisection is the highest vertex: round, flat and huge polygons") {
+    PairSource source(95);
+    for (const int count : {9, 10, 17, 100, 1000}) {
+        check_supports(source.ellipse(count, 1, 1), source, 2000);
+        check_supports(source.ellipse(count, 1, 0.01), source, 2000);
+        check_supports(source.ellipse(count, 0.001, 1), source, 2000);
+        check_supports(source.ellipse(count, 1e6, 1e6), source, 500);
+    }
+    check_supports(source.ellipse(60000, 1, 1), source, 200);
+}
+
+TEST_CASE("outlines that bisection would not find its way in are known by their turns") {
+    const auto has_angles = [](const std::vector<Vec2>& points) {
+        return !Shape::from_raw(points, 0).large()->edge_angles.empty();
+    };
+    std::vector<Vec2> points;
+    for (int i = 0; i < 12; ++i) {
+        const SinCos at = sin_cos(i * kPi / 6.0);
+        points.push_back({static_cast<float>(at.cos), static_cast<float>(at.sin)});
+    }
+    CHECK(has_angles(points));
+    CHECK_FALSE(has_angles({points.rbegin(), points.rend()}));  // clockwise
+    std::vector<Vec2> doubled = points;
+    doubled[3] = doubled[4];
+    CHECK_FALSE(has_angles(doubled));
+    std::vector<Vec2> twice_round = points;
+    twice_round.insert(twice_round.end(), points.begin(), points.end());
+    CHECK_FALSE(has_angles(twice_round));
+    std::vector<Vec2> star;
+    for (int i = 0; i < 12; ++i) star.push_back(points[static_cast<std::size_t>(i * 5 % 12)]);
+    CHECK_FALSE(has_angles(star));
+}
+
+TEST_CASE("a direction of zero or NaN ends with some vertex") {
+    PairSource source(96);
+    const Shape shape = source.ellipse(200, 1, 0.5);
+    for (const DVec2 direction : {DVec2{0, 0}, DVec2{std::nan(""), 1}, DVec2{1e308, -1e308}, DVec2{5e-324, 0}}) {
+        const int found = large_support(*shape.large(), direction);
+        CHECK(found >= 0);
+        CHECK(found < 200);
+    }
+}
