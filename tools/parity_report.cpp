@@ -61,7 +61,7 @@ void add_summary(HtmlPage& page, const ParityResult& result, const std::string& 
 void add_definitions(HtmlPage& page) {
     page.heading("What counts as wrong");
     page.paragraph("tumble promises bounds: it is wrong if the exact signed distance lies outside of its [lower, upper], if its status "
-                   "(separated, touching, overlapping) contradicts the exact sign, or if its distance is off by more than rounding in double "
+                   "(separated, touching, overlapping) contradicts the exact sign, if its certificate does not prove them, or if its distance is off by more than rounding in double "
                    "explains, 16 to 20 u L, so that wide bounds do not count as right. L is the sum of the sizes of the cores, their radii and "
                    "the offset of their positions, u = 1.1e-16.");
     page.paragraph("b2Distance promises a float: it is wrong if its distance is off by more than 4 eps S, S being the largest world coordinate "

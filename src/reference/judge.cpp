@@ -81,13 +81,18 @@ bool ours_is_vague(const Comparison& comparison, const ExactSide& exact) {
            (ours.status == DistanceStatus::touching && exceeds(std::abs(exact.value()), promise.bounds));
 }
 
+bool is_certified(const Comparison& comparison) {
+    return check_certificate(comparison.query, comparison.ours) == CertificateVerdict::accepted;
+}
+
 void judge_ours(ParityRow& row, const Comparison& comparison, const ExactSide* exact, double bound, Verdict& verdict) {
     const bool is_wrong = exact && exact->ours_is_wrong(comparison.ours);
     const bool is_vague = exact && ours_is_vague(comparison, *exact);
-    if (is_wrong || is_vague) {
+    const bool is_unproved = exact && !is_wrong && !is_certified(comparison);
+    if (is_wrong || is_vague || is_unproved) {
         ++row.ours_wrong;
         verdict.ours = true;
-        verdict.say(is_wrong ? "tumble's bounds or status" : "tumble's accuracy");
+        verdict.say(is_wrong ? "tumble's bounds or status" : is_vague ? "tumble's accuracy" : "tumble's certificate");
     }
     if (exceeds(witness_error(comparison.query, comparison.ours), bound)) {
         ++row.ours_witness_wrong;

@@ -1,7 +1,8 @@
 // Parity: every distance by tumble and by b2Distance, and exact arithmetic to say who is wrong where they differ.
 //
-// *Wrong* is ours if the exact signed distance is outside [lower, upper], if the status contradicts its sign, or if the
-// distance or a "touching" is farther from the truth than rounding explains (bounds that are wide would prove nothing);
+// *Wrong* is ours if the exact signed distance is outside [lower, upper], if the status contradicts its sign, if the
+// distance or a "touching" is farther from the truth than rounding explains (bounds that are wide would prove nothing), or
+// if its certificate does not prove the bounds;
 // Box2D's if its distance is more than 4 eps S from the exact one (clamped at 0), or its overlap flag contradicts the exact
 // sign; S is the largest world coordinate, eps that of float. *Ill-conditioned*: the engines differ over that tolerance and neither is
 // wrong. Checked exactly: every pair over tolerance, the first pairs of each family, and a seeded share of the rest.

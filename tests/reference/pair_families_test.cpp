@@ -162,8 +162,9 @@ SimplexCache random_cache(Random& random, const PairQuery& query) {
 }
 
 void check_exact(Tally& tally, const PairQuery& query, const DistanceResult& answer, const ExactDistance& exact, std::uint64_t index) {
-    if (!(exact.compare(answer.lower) >= 0 && exact.compare(answer.upper) <= 0))
-        tally.note(tally.bounds_wrong, "exact distance outside the bounds", query, index);
+    const bool is_between = answer.lower <= answer.distance && answer.distance <= answer.upper;
+    if (!(is_between && exact.compare(answer.lower) >= 0 && exact.compare(answer.upper) <= 0))
+        tally.note(tally.bounds_wrong, "distance or exact distance outside the bounds", query, index);
     if (!is_status_right(answer.status, exact.sign())) tally.note(tally.status_wrong, "status", query, index);
 }
 

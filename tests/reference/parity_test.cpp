@@ -111,6 +111,9 @@ TEST_CASE("the judge blames who is wrong") {
     vague.lower = -1.0;
     vague.status = DistanceStatus::touching;
     CHECK(judged(query, vague, box2d).ours_wrong == 1);
+    DistanceResult unproved = right;
+    unproved.certificate.pairs[0].a ^= 1;  // another corner
+    CHECK(judged(query, unproved, box2d).ours_wrong == 1);
     DistanceResult unknown = right;
     unknown.lower = NAN;
     CHECK(judged(query, unknown, box2d).ours_wrong == 1);
