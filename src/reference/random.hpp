@@ -26,7 +26,10 @@ public:
     double sign() { return chance(0.5) ? 1.0 : -1.0; }
 
     // Of the order of magnitude of a power of two with an exponent in [low, high].
-    double magnitude(int low, int high) { return std::ldexp(uniform(1.0, 2.0), integer(low, high)); }
+    double magnitude(int low, int high) {
+        const int exponent = integer(low, high);  // first: the order of arguments is the compiler's choice
+        return std::ldexp(uniform(1.0, 2.0), exponent);
+    }
 
     DVec2 direction() {  // unit up to rounding
         const SinCos v = sin_cos(uniform(-kPi, kPi));
