@@ -29,8 +29,8 @@ struct VertexPair {
 };
 
 // The simplex that a query ended with, to start the next query between the same shapes; empty where shapes of at most
-// eight vertices were not apart. Any content is safe: indices are range-checked and a wrong hint costs iterations only. The reference edge is for manifolds alone: the edge that the
-// last one was clipped against.
+// eight vertices were not apart. Any content is safe: indices are range-checked and a wrong hint costs iterations only.
+// The reference edge is for manifolds alone: the edge that the last one was clipped against.
 struct SimplexCache {
     std::array<VertexPair, 3> pairs{};
     std::uint8_t count = 0;
@@ -75,7 +75,8 @@ struct DistanceResult {
 // final one; the same status and overlapping bounds come out as without, and the same bits where the closest pair is
 // unique. Shapes of at most eight vertices are looked at by all faces of their difference at once, in lanes: the one of
 // largest separation decides overlap and depth, and holds the nearest point or ends in it. GJK answers for more vertices
-// (4 to 18 iterations of O(log n), O(n) if the outline is not strictly convex), and where rounding leaves the faces undecided.
+// (4 to 18 iterations of O(log n), O(n) if the outline is not strictly convex), and where rounding leaves the faces
+// undecided.
 DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                         SimplexCache* cache = nullptr) noexcept;
 
