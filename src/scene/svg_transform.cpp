@@ -62,7 +62,7 @@ Affine make_function(std::string_view name, const Arguments& arguments) {
 bool is_similarity(const Affine& map) {
     const double xx = length_sq(map.x_axis), yy = length_sq(map.y_axis), xy = dot(map.x_axis, map.y_axis);
     constexpr double kAgreement = 1e-12;  // of a dozen products
-    return std::abs(xx - yy) <= kAgreement * xx && std::abs(xy) <= kRounding * xx;
+    return std::abs(xx - yy) <= kAgreement * xx && std::abs(xy) <= kAgreement * xx;
 }
 
 SinCos sin_cos_degrees(double degrees) {
