@@ -3,6 +3,7 @@
 #include <rapidjson/document.h>
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -45,9 +46,12 @@ public:
         return found;
     }
 
-    // Negative zero, which the strict reader keeps in poses alone, is unusual too.
+    // A number is still text within the line, because rapidjson's exact conversion is undefined for 0e72; what stands
+    // behind a quote is a string. Negative zero, which the strict reader keeps in poses alone, is unusual too.
     double number(const Value& value) {
-        const double number = value.IsNumber() ? value.GetDouble() : NAN;
+        double number = NAN;
+        if (value.IsString() && value.GetString()[-1] != '"')
+            std::from_chars(value.GetString(), value.GetString() + value.GetStringLength(), number);
         const bool is_usual = std::abs(number) <= kPlainLargest && !(number == 0.0 && std::signbit(number));
         require(is_usual);
         return is_usual ? number : 0.0;
@@ -168,7 +172,7 @@ std::optional<DistanceQuery> read_plain_query(std::string_view line) {
     alignas(std::max_align_t) char values[4096], stack[4096];  // enough for a usual line
     Pool value_pool(values, sizeof values), stack_pool(stack, sizeof stack);
     Document document(&value_pool, kStackBytes, &stack_pool);
-    document.ParseInsitu<rapidjson::kParseFullPrecisionFlag | rapidjson::kParseIterativeFlag>(text.data());
+    document.ParseInsitu<rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseIterativeFlag>(text.data());
     if (document.HasParseError()) return std::nullopt;
     return read_query(document);
 }
