@@ -32,7 +32,9 @@ std::string crate_scene(const std::string& place) {
 TEST_CASE("every shipped scene that claims something holds it") {
     std::vector<std::string> arguments{"check", "--json"};
     for (const json& demo : json::parse(run_tumble({"demo", "--list", "--json"}).out))
-        arguments.push_back(demo["file"].get<std::string>());
+        if (const std::string file = demo["file"]; read_text(file).find("\"expect\"") != std::string::npos)
+            arguments.push_back(file);
+    REQUIRE(arguments.size() > 5);
     const Answer answer = run_tumble(arguments);
     CHECK_MESSAGE(answer.code == 0, answer.out);
 }
