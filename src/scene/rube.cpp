@@ -93,7 +93,7 @@ private:
         for (const RubeObject& fixture : body.list("fixture"))
             if (const std::optional<RubeFixture> read = read_rube_fixture(fixture, notes_); read && active)
                 result.shapes.push_back({read->geometry, material_of(read->surface), read->custom});
-        note_body(body, result, active);
+        read_behaviour(body, result, active);
         body.note_unread("body", notes_);
         active_.push_back(active);
         scene_.bodies.push_back(std::move(result));
@@ -111,7 +111,7 @@ private:
             result.custom = "{\"customProperties\": " + properties + "}";
     }
 
-    void note_body(RubeObject& body, SceneBody& result, bool active) {
+    void read_behaviour(RubeObject& body, SceneBody& result, bool active) {
         const bool awake = body.flag("awake"), may_sleep = body.flag("allowSleep", true);
         const bool bullet = body.flag("bullet"), fixed = body.flag("fixedRotation");
         const double mass = body.number("massData-mass"), inertia = body.number("massData-I");
@@ -121,9 +121,9 @@ private:
             result.type = BodyType::static_body;
         }
         if (result.type != BodyType::dynamic_body) return;
-        if (!awake) notes_.add("bodies that start asleep");
+        result.awake = awake;
+        result.bullet = bullet;
         if (!may_sleep) notes_.add("bodies that may not sleep");
-        if (bullet) notes_.add("bullet bodies");
         if (fixed) notes_.add("bodies that may not turn");
         if (differs_in_mass(result, mass > 0.0 ? mass : 1.0, fixed ? 0.0 : inertia))
             notes_.add("masses that are not those of the shapes");
