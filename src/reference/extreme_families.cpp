@@ -32,7 +32,8 @@ PairQuery make_denormal(Random& random) {
 }
 
 PairQuery make_tiny_offset(Random& random) {
-    PairQuery query = grid_pair(random, random.integer(-149, -4), random.integer(-1074, -150));
+    const int exponent = random.integer(-149, -4);
+    PairQuery query = grid_pair(random, exponent, random.integer(-1074, -150));
     if (random.chance(0.3)) query.b = query.a;
     return query;
 }
@@ -42,12 +43,15 @@ PairQuery make_huge(Random& random) {
     return grid_pair(random, exponent, exponent);
 }
 
-PairQuery make_huge_offset(Random& random) { return grid_pair(random, random.integer(-20, 100), random.integer(100, 490)); }
+PairQuery make_huge_offset(Random& random) {
+    const int exponent = random.integer(-20, 100);
+    return grid_pair(random, exponent, random.integer(100, 490));
+}
 
 // Beyond 2^500 m squares and their products leave the range of double, and queries refuse.
 PairQuery make_out_of_range(Random& random) {
     PairQuery query = grid_pair(random, random.integer(-20, 100), 0);
-    query.pose_b.position += random.magnitude(502, 1020) * random.direction();
+    query.pose_b.position += random.vector(502, 1020);
     return query;
 }
 

@@ -15,7 +15,7 @@ PairQuery make_pair(Random& random, int exponent) {
 
 void place_anyhow(PairQuery& query, Random& random, double gap) {
     switch (random.integer(0, 2)) {
-        case 0: return place_vertex_to_vertex(query, random.direction(), gap);
+        case 0: return place_vertex_to_vertex(query, random, gap);
         case 1: return place_vertex_to_edge(query, random, gap);
         default: return place_edge_to_edge(query, random, gap);
     }
@@ -46,7 +46,7 @@ PairQuery make_parallel_edges(Random& random) {
     const DVec2 from = rotate(query.pose_a.rotation, DVec2(query.a.vertex(i)));
     const DVec2 edge = rotate(query.pose_a.rotation, DVec2(query.a.vertex(i + 1 == count ? 0 : i + 1))) - from;
     const double side = length(edge);
-    const double gap = random.chance(0.2) ? 0.0 : random.sign() * random.magnitude(-40, 0);
+    const double gap = random.chance(0.2) ? 0.0 : random.signed_magnitude(-40, 0);
     // The edge of B runs from -from to -(from + edge): laid on A's edge, then slid along it and off it.
     query.pose_b.position = query.pose_a.position + 2.0 * from + random.uniform(0.05, 1.95) * edge -
                             (gap / (side > 0.0 ? side : 1.0)) * perp(edge);
@@ -56,7 +56,7 @@ PairQuery make_parallel_edges(Random& random) {
 PairQuery make_almost_parallel(Random& random) {
     PairQuery query{random_box(random, 0), random.chance(0.5) ? random_box(random, 0) : random_polygon(random, 8, 0),
                     {random.point(4.0), {}}, {}};
-    const double gap = random.magnitude(-30, -1), angle = random.sign() * random.magnitude(-27, -7);
+    const double gap = random.magnitude(-30, -1), angle = random.signed_magnitude(-27, -7);
     if (random.chance(0.5)) {
         // An angle far below the rounding of a cosine and sine taken from it: (1, s) literally.
         query.b = query.a;

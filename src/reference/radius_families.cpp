@@ -14,9 +14,9 @@ PairQuery make_large_radii(Random& random) {
     const auto radius = [&] { return random.chance(0.3) ? 0.0 : random.magnitude(-3, 1); };
     PairQuery query{random_polygon(random, 8, exponent, radius()), random_polygon(random, 8, exponent, radius()),
                     {random.point(4.0), random.rotation()}, {{}, random.rotation()}};
-    const double gap = random.sign() * random.magnitude(-40, 0);
+    const double gap = random.signed_magnitude(-40, 0);
     if (random.chance(0.5)) {
-        place_vertex_to_vertex(query, random.direction(), gap);
+        place_vertex_to_vertex(query, random, gap);
     } else {
         place_vertex_to_edge(query, random, gap);
     }
@@ -32,7 +32,7 @@ constexpr std::array kPythagoras{Triple{3, 4, 5}, Triple{5, 12, 13}, Triple{8, 1
 // Circles whose centres are exactly rA + rB apart, or off that by a few ulps.
 PairQuery make_touching_circles(Random& random) {
     const Triple triple = kPythagoras[static_cast<std::size_t>(random.integer(0, 5))];
-    const double unit = std::ldexp(random.integer(1, 1000), random.integer(-20, 0));
+    const double multiple = random.integer(1, 1000), unit = std::ldexp(multiple, random.integer(-20, 0));
     const double reach = triple.hypotenuse * unit, radius_a = std::ldexp(std::floor(std::ldexp(reach, 18)), -19);
     const double radius_b = reach - static_cast<float>(radius_a);
     PairQuery query{Shape::from_raw(std::array{Vec2{}}, static_cast<float>(radius_a)),

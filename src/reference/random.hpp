@@ -1,7 +1,8 @@
 // Random numbers for generators: counter-based, so that any pair of a run can be made again from (seed, index) alone.
 //
 // SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014) and our own mapping to doubles,
-// because those of <random> differ between standard libraries.
+// because those of <random> differ between standard libraries. Where a caller draws twice, it does so in two statements or
+// in one braced list: the order of arguments and operands is the compiler's choice, and a pair must not be.
 #pragma once
 
 #include <cmath>
@@ -27,13 +28,21 @@ public:
 
     // Of the order of magnitude of a power of two with an exponent in [low, high].
     double magnitude(int low, int high) {
-        const int exponent = integer(low, high);  // first: the order of arguments is the compiler's choice
+        const int exponent = integer(low, high);
         return std::ldexp(uniform(1.0, 2.0), exponent);
+    }
+    double signed_magnitude(int low, int high) {
+        const double of_sign = sign();
+        return of_sign * magnitude(low, high);
     }
 
     DVec2 direction() {  // unit up to rounding
         const SinCos v = sin_cos(uniform(-kPi, kPi));
         return {v.cos, v.sin};
+    }
+    DVec2 vector(int low, int high) {  // of such a magnitude, in any direction
+        const double along = magnitude(low, high);
+        return along * direction();
     }
     Rotation rotation() { return make_rotation(uniform(-kPi, kPi)); }
     DVec2 point(double half_side) { return {uniform(-half_side, half_side), uniform(-half_side, half_side)}; }

@@ -87,7 +87,8 @@ Shape box(double half_width, double half_height, double radius, Vec2 center) {
 }
 
 Shape random_box(Random& random, int exponent, double radius) {
-    return box(random.magnitude(exponent - 2, exponent - 1), random.magnitude(exponent - 2, exponent - 1), radius);
+    const double half_width = random.magnitude(exponent - 2, exponent - 1);
+    return box(half_width, random.magnitude(exponent - 2, exponent - 1), radius);
 }
 
 Shape random_shape(Random& random, int exponent) {
@@ -119,6 +120,10 @@ void place_vertex_to_vertex(PairQuery& query, DVec2 normal, double gap) {
     const DVec2 on_a = support_point(query.a, query.pose_a.rotation, normal);
     const DVec2 on_b = support_point(query.b, query.pose_b.rotation, -normal);
     query.pose_b.position = query.pose_a.position + (on_a - on_b + (gap + radii(query)) * normal);
+}
+
+void place_vertex_to_vertex(PairQuery& query, Random& random, double gap) {
+    place_vertex_to_vertex(query, random.direction(), gap);
 }
 
 void place_vertex_to_edge(PairQuery& query, Random& random, double gap) {

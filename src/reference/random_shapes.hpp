@@ -45,6 +45,7 @@ DVec2 support_point(const Shape& shape, Rotation q, DVec2 direction);
 // Moves B so that a vertex of each faces the other along the unit vector `normal` (from A to B): the signed distance
 // is `gap` up to the rounding of the position if it is positive, at most that if it is negative.
 void place_vertex_to_vertex(PairQuery& query, DVec2 normal, double gap);
+void place_vertex_to_vertex(PairQuery& query, Random& random, double gap);  // along any direction
 
 // Moves B so that a vertex of B faces an edge of A, or A's vertex if it has one only; the same with edges of B.
 void place_vertex_to_edge(PairQuery& query, Random& random, double gap);

@@ -12,7 +12,7 @@ namespace {
 // Half of them near each other, half of them anyhow.
 void place(PairQuery& query, Random& random, double size) {
     if (random.chance(0.5)) {
-        place_vertex_to_edge(query, random, random.sign() * size * random.magnitude(-30, -5));
+        place_vertex_to_edge(query, random, size * random.signed_magnitude(-30, -5));
     } else {
         query.pose_b.position = query.pose_a.position + random.point(2.0 * size);
     }
@@ -32,7 +32,7 @@ PairQuery make_ground(Random& random) {
     if (random.chance(0.5)) query.pose_a.rotation = random.rotation();
     const DVec2 up = rotate(query.pose_a.rotation, DVec2{0.0, 1.0});
     const DVec2 on_ground = rotate(query.pose_a.rotation, DVec2{random.uniform(-1.0, 1.0) * half_width, half_height});
-    const double gap = random.sign() * random.magnitude(-24, -5);
+    const double gap = random.signed_magnitude(-24, -5);
     query.pose_b.position = on_ground + (gap + query.b.radius()) * up - support_point(query.b, query.pose_b.rotation, -up);
     return query;
 }
@@ -57,7 +57,7 @@ PairQuery make_mixed_scales(Random& random) {
 Rotation drifted(Random& random) {
     const Rotation q = random.rotation();
     const auto factor = static_cast<float>(random.chance(0.2) ? random.uniform(0.5, 2.0)
-                                                               : 1.0 + random.sign() * random.magnitude(-22, -5));
+                                                               : 1.0 + random.signed_magnitude(-22, -5));
     return {factor * q.c, factor * q.s};
 }
 

@@ -5,6 +5,7 @@
 
 #include "reference/parallel_blocks.hpp"
 #include "reference/parity_block.hpp"
+#include "tumble/scene_run.hpp"
 
 namespace tumble::reference {
 
@@ -42,14 +43,14 @@ void name_cases(ParityRow& row) {
 ParityResult run_scene_parity(const Scene& scene, const ParityOptions& options, std::uint64_t steps) {
     const auto start = std::chrono::steady_clock::now();
     if (steps == 0) steps = static_cast<std::uint64_t>(std::llround(scene.world.duration * scene.world.steps_per_second));
-    SceneWorld built = build_world(scene);
+    SceneRun run(scene);
     ParityResult result;
     result.seed = options.seed;
     ParityRow& row = result.families.emplace_back();
     row.name = scene.name;
     for (std::uint64_t step = 0; step < steps; ++step) {
-        built.world.step();
-        compare_step(row, candidate_queries(built.world), options);
+        run.step();
+        compare_step(row, candidate_queries(run.world()), options);
         if (options.progress) options.progress(row.pairs);
     }
     name_cases(row);

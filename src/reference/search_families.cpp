@@ -27,16 +27,17 @@ PairQuery make_trajectory(std::uint64_t seed, std::uint64_t index) {
 PairQuery mutated(const PairQuery& query, Random& random) {
     PairQuery next = query;
     switch (random.integer(0, 3)) {
-        case 0: next.pose_b.position += random.magnitude(-52, -1) * random.direction(); break;
+        case 0: next.pose_b.position += random.vector(-52, -1); break;
         case 1: next.pose_b.position.x = std::nextafter(next.pose_b.position.x, random.sign() * HUGE_VAL); break;
         case 2: next.pose_b.rotation.s = std::nextafterf(next.pose_b.rotation.s, random.chance(0.5) ? 2.0f : -2.0f); break;
-        default: next.pose_b.rotation = make_rotation(angle(next.pose_b.rotation) + random.sign() * random.magnitude(-24, -2));
+        default: next.pose_b.rotation = make_rotation(angle(next.pose_b.rotation) + random.signed_magnitude(-24, -2));
     }
     return next;
 }
 
+// Of the loop, which serves small shapes too where their faces are undecided.
 double iterations(const PairQuery& query) {
-    return distance(query.a, query.pose_a, query.b, query.pose_b).iterations;
+    return trace_distance(query.a, query.pose_a, query.b, query.pose_b).result.iterations;
 }
 
 double relative_error(const PairQuery& query) {

@@ -26,7 +26,8 @@ Shape shrunk(const Shape& shape, int halvings) {
 PairQuery make_nested(Random& random) {
     PairQuery query;
     query.a = random_shape(random, 0);
-    query.b = shrunk(random.chance(0.7) ? query.a : random_shape(random, 0), random.integer(0, 6));
+    const int halvings = random.integer(0, 6);
+    query.b = shrunk(random.chance(0.7) ? query.a : random_shape(random, 0), halvings);
     query.pose_a = query.pose_b = {random.point(8.0), random.rotation()};
     if (random.chance(0.5)) query.pose_b.rotation = random.rotation();
     if (random.chance(0.2)) query.pose_b.position += 0.1 * random.direction();
@@ -64,9 +65,9 @@ void place_with_ties(PairQuery& query, Random& random) {
     switch (random.integer(0, 4)) {
         case 0: query.pose_b.position = query.pose_a.position; break;
         case 1: query.pose_b.position = query.pose_a.position + random.point(2.0); break;
-        case 2: place_vertex_to_vertex(query, random.direction(), random.sign() * random.magnitude(-40, 0)); break;
-        case 3: place_vertex_to_edge(query, random, random.sign() * random.magnitude(-40, 0)); break;
-        default: place_edge_to_edge(query, random, random.sign() * random.magnitude(-40, 0)); break;
+        case 2: place_vertex_to_vertex(query, random, random.signed_magnitude(-40, 0)); break;
+        case 3: place_vertex_to_edge(query, random, random.signed_magnitude(-40, 0)); break;
+        default: place_edge_to_edge(query, random, random.signed_magnitude(-40, 0)); break;
     }
 }
 

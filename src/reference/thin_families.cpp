@@ -9,24 +9,28 @@ namespace tumble::reference {
 
 namespace {
 
-PairQuery pair_of(Random& random, Shape a, Shape b, double reach) {
+struct Shapes {
+    Shape a, b;
+};
+
+PairQuery pair_of(Random& random, Shapes shapes, double reach) {
     const DVec2 origin = random.point(4.0);
-    return {std::move(a), std::move(b), {origin, random.rotation()}, {origin + random.point(reach), random.rotation()}};
+    return {std::move(shapes.a), std::move(shapes.b), {origin, random.rotation()}, {origin + random.point(reach), random.rotation()}};
 }
 
 Shape sliver() { return box(5.0, 0.5e-7); }
 
 PairQuery make_slivers(Random& random) {
-    PairQuery query = pair_of(random, sliver(), random.chance(0.5) ? sliver() : random_shape(random, 0), 8.0);
+    PairQuery query = pair_of(random, {sliver(), random.chance(0.5) ? sliver() : random_shape(random, 0)}, 8.0);
     if (random.chance(0.4)) place_vertex_to_edge(query, random, random.magnitude(-40, -7));
     return query;
 }
 
 PairQuery make_crossed_slivers(Random& random) {
-    PairQuery query = pair_of(random, sliver(), sliver(), 2.0);
+    PairQuery query = pair_of(random, {sliver(), sliver()}, 2.0);
     if (random.chance(0.3)) {  // almost along each other
         query.pose_a.rotation = {1.0f, 0.0f};
-        query.pose_b.rotation = {1.0f, static_cast<float>(random.sign() * random.magnitude(-30, -10))};
+        query.pose_b.rotation = {1.0f, static_cast<float>(random.signed_magnitude(-30, -10))};
         query.pose_b.position = query.pose_a.position + DVec2{random.uniform(-1.0, 1.0), random.uniform(-1e-7, 1e-7)};
     }
     return query;
@@ -41,11 +45,11 @@ Shape ulp_cornered_square(Random& random) {
 }
 
 PairQuery make_ulp_edges(Random& random) {
-    PairQuery query = pair_of(random, ulp_cornered_square(random),
-                              random.chance(0.5) ? ulp_cornered_square(random) : random_shape(random, 0), 2.0);
+    PairQuery query = pair_of(random, {ulp_cornered_square(random),
+                                       random.chance(0.5) ? ulp_cornered_square(random) : random_shape(random, 0)}, 2.0);
     if (random.chance(0.6)) {
         const DVec2 corner = rotate(query.pose_a.rotation, DVec2{std::sqrt(0.5), std::sqrt(0.5)});
-        place_vertex_to_vertex(query, corner, random.sign() * random.magnitude(-40, 0));
+        place_vertex_to_vertex(query, corner, random.signed_magnitude(-40, 0));
     }
     return query;
 }
@@ -62,9 +66,9 @@ Shape with_duplicates(Random& random, const Shape& shape) {
 }
 
 PairQuery make_duplicate_vertices(Random& random) {
-    PairQuery query = pair_of(random, with_duplicates(random, random_polygon(random, 5, 0)),
-                              with_duplicates(random, random_shape(random, 0)), 3.0);
-    if (random.chance(0.4)) place_vertex_to_vertex(query, random.direction(), random.sign() * random.magnitude(-40, -7));
+    PairQuery query = pair_of(random, {with_duplicates(random, random_polygon(random, 5, 0)),
+                                       with_duplicates(random, random_shape(random, 0))}, 3.0);
+    if (random.chance(0.4)) place_vertex_to_vertex(query, random, random.signed_magnitude(-40, -7));
     return query;
 }
 
@@ -83,8 +87,8 @@ Shape with_midpoints(Random& random) {
 }
 
 PairQuery make_collinear_vertices(Random& random) {
-    PairQuery query = pair_of(random, with_midpoints(random), with_midpoints(random), 3.0);
-    if (random.chance(0.5)) place_edge_to_edge(query, random, random.sign() * random.magnitude(-40, -7));
+    PairQuery query = pair_of(random, {with_midpoints(random), with_midpoints(random)}, 3.0);
+    if (random.chance(0.5)) place_edge_to_edge(query, random, random.signed_magnitude(-40, -7));
     return query;
 }
 
@@ -99,8 +103,8 @@ Shape collapsed_polygon(Random& random) {
 }
 
 PairQuery make_collapsed(Random& random) {
-    PairQuery query = pair_of(random, collapsed_polygon(random),
-                              random.chance(0.5) ? collapsed_polygon(random) : random_shape(random, 0), 2.0);
+    PairQuery query = pair_of(random, {collapsed_polygon(random),
+                                       random.chance(0.5) ? collapsed_polygon(random) : random_shape(random, 0)}, 2.0);
     if (random.chance(0.3)) {  // on one line or in one point, exactly
         query.b = query.a;
         query.pose_b = query.pose_a;

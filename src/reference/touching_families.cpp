@@ -39,7 +39,8 @@ GridEdge grid_edge(const Shape& shape, Rotation q, int i) {
 PairQuery make_touching_vertices(Random& random) {
     PairQuery query = grid_pair(random, random.integer(-20, 4));
     // Steep odd components: no edge of the grid is normal to it, so that one vertex of each is extreme.
-    const DVec2 normal{random.sign() * (37.0 + 2.0 * random.integer(0, 99)), random.sign() * 331.0};
+    const double across = random.sign(), up = random.sign();
+    const DVec2 normal{across * (37.0 + 2.0 * random.integer(0, 99)), up * 331.0};
     query.pose_b.position = query.pose_a.position + (support_point(query.a, query.pose_a.rotation, normal) -
                                                      support_point(query.b, query.pose_b.rotation, -normal));
     return query;

@@ -85,7 +85,7 @@ PairQuery random_query(Random& random) {
     PairQuery query{random_shape(random, 0), random_shape(random, 0), at(0.0, 0.0, random.rotation()),
                     {random.point(2.0), random.rotation()}};
     if (random.chance(0.2)) query.a = random_polygon(random, 20, 0);
-    if (random.chance(0.2)) place_vertex_to_edge(query, random, random.sign() * random.magnitude(-40, 0));
+    if (random.chance(0.2)) place_vertex_to_edge(query, random, random.signed_magnitude(-40, 0));
     return query;
 }
 
