@@ -9,9 +9,8 @@
 #include "console.hpp"
 #include "distance_query.hpp"
 #include "input_error.hpp"
-#include "output_path.hpp"
+#include "trace_output.hpp"
 #include "tumble/distance.hpp"
-#include "tumble/drawing.hpp"
 #include "tumble/scene.hpp"
 
 namespace tumble::tools {
@@ -29,17 +28,10 @@ DistanceResult answer(const DistanceQuery& query) {
     return tumble::distance(query.a, query.a_pose, query.b, query.b_pose);
 }
 
-void draw_iterations(const DistanceQuery& query, const DistanceArguments& options) {
-    const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose);
-    OutputFile file = open_output(options.trace, options.force);
-    file.write(to_svg(draw_trace(query.a, query.a_pose, query.b, query.b_pose, trace)));
-    file.commit();
-}
-
 ExitCode answer_arguments(const Command& command, const DistanceArguments& options) {
     const DistanceQuery query = parse_query_arguments(options.a, options.b);
     const DistanceResult result = answer(query);
-    if (!options.trace.empty()) draw_iterations(query, options);
+    if (!options.trace.empty()) write_trace(options.trace, query, options.force);
     if (!command.json) {
         write_output(answer_text(result));
         return ExitCode::ok;
@@ -85,8 +77,8 @@ ExitCode answer_lines() {
 }
 
 ExitCode run(const Command& command, const DistanceArguments& options) {
-    if (!options.trace.empty() && (options.from_input || options.trace.extension() != ".svg"))
-        throw CLI::ValidationError("--trace", "expected a file F.svg, for one query, got " + options.trace.string());
+    if (!options.trace.empty() && (options.from_input || !is_trace_file(options.trace)))
+        throw CLI::ValidationError("--trace", "expected a file .png, .svg or .json, for one query, got " + options.trace.string());
     if (options.from_input) return answer_lines();
     if (options.a.empty() || options.b.empty())
         throw CLI::RequiredError("A and B, two shapes as JSON, or --stdin,");
@@ -101,8 +93,8 @@ void add_distance(CLI::App& app, Command& command) {
     distance.add_option("A", options->a, R"(A shape, as in {"circle": {"radius": 1}, "pose": {"position": [2, 0]}})");
     distance.add_option("B", options->b, "Another");
     distance.add_flag("--stdin", options->from_input, "A query a line on standard input, an answer a line out");
-    distance.add_option("--trace", options->trace, "Draw the iterations of the one query")->type_name("F.svg");
-    distance.add_flag("--force", options->force, "Replace the drawing if it exists");
+    distance.add_option("--trace", options->trace, "Write the iterations of the one query")->type_name("F.png|.svg|.json");
+    distance.add_flag("--force", options->force, "Replace the trace if it exists");
     distance.callback([&command, options] { command.action = [&command, options] { return run(command, *options); }; });
 }
 

@@ -50,6 +50,7 @@ public:
     void add(const DrawnPolygon& polygon) {
         std::vector<DVec2> points;
         for (const DVec2 point : polygon.points) points.push_back(to_canvas(point));
+        points = thinned(points);
         if (points.empty()) return;
         if (signed_area(points) < 0.0) std::reverse(points.begin(), points.end());
         if (polygon.fill.a != 0) fill(points, polygon.fill);

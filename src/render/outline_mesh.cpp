@@ -45,14 +45,6 @@ std::vector<DVec2> rounded(const std::vector<DVec2>& core, double radius) {
     return outline;
 }
 
-std::vector<DVec2> thinned(const std::vector<DVec2>& outline) {
-    std::vector<DVec2> kept;
-    for (const DVec2 point : outline)
-        if (kept.empty() || length(point - kept.back()) >= kLeastSpacing) kept.push_back(point);
-    while (kept.size() > 1 && length(kept.back() - kept.front()) < kLeastSpacing) kept.pop_back();
-    return kept;
-}
-
 // How far the outline can be moved inwards before it turns inside out: the least distance of the mean of its points
 // from an edge.
 double depth_of_middle(std::span<const DVec2> outline) {
@@ -68,6 +60,14 @@ double depth_of_middle(std::span<const DVec2> outline) {
 }
 
 }  // namespace
+
+std::vector<DVec2> thinned(const std::vector<DVec2>& outline) {
+    std::vector<DVec2> kept;
+    for (const DVec2 point : outline)
+        if (kept.empty() || length(point - kept.back()) >= kLeastSpacing) kept.push_back(point);
+    while (kept.size() > 1 && length(kept.back() - kept.front()) < kLeastSpacing) kept.pop_back();
+    return kept;
+}
 
 std::vector<DVec2> pixel_outline(const View& view, const Shape& shape, const Pose& pose) {
     std::vector<DVec2> core(static_cast<std::size_t>(shape.vertex_count()));

@@ -6,9 +6,19 @@
 
 namespace tumble::render {
 
+PixelRect draw_frame(Drawing& drawing, PixelRect rect, const std::string& title, const std::string& caption) {
+    constexpr double kTitle = 28.0, kCaption = 26.0;
+    const double right = rect.left + rect.width, bottom = rect.top + rect.height;
+    drawing.polygon({{rect.left, rect.top}, {right, rect.top}, {right, bottom}, {rect.left, bottom}}, kTransparent, 1.0,
+                    ink::kFrame);
+    drawing.text({rect.left + 8.0, rect.top + 19.0}, title, 13.0, ink::kText);
+    drawing.text({rect.left + 8.0, bottom - 10.0}, caption, 12.0, ink::kText);
+    return {rect.left, rect.top + kTitle, rect.width, rect.height - kTitle - (caption.empty() ? 0.0 : kCaption)};
+}
+
 Panel::Panel(Drawing& drawing, PixelRect rect, std::span<const DVec2> points)
     : drawing_(drawing), rect_(rect), middle_{rect.left + 0.5 * rect.width, rect.top + 0.5 * rect.height} {
-    constexpr double kMargin = 0.12;  // of the panel, on each side
+    constexpr double kMargin = 0.1;  // of the panel, on each side
     DVec2 lower = points.front(), upper = points.front();
     for (const DVec2 p : points) {
         lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
@@ -25,22 +35,20 @@ DVec2 Panel::to_pixels(DVec2 point) const {
     return middle_ + DVec2{up.x, -up.y};
 }
 
-void Panel::frame(const std::string& title) {
-    const double right = rect_.left + rect_.width, bottom = rect_.top + rect_.height;
-    drawing_.polygon({{rect_.left, rect_.top}, {right, rect_.top}, {right, bottom}, {rect_.left, bottom}}, kTransparent, 1.0,
-                     ink::kFrame);
-    drawing_.text({rect_.left + 8.0, rect_.top + 19.0}, title, 13.0, ink::kText);
-}
-
 void Panel::fill(std::span<const DVec2> outline, Color fill, double outline_width, Color color) {
     if (outline.size() == 1) dot(outline[0], 2.0, color);
     if (outline.size() == 2) line(outline[0], outline[1], outline_width, color);
     if (outline.size() < 3) return;
     std::vector<DVec2> pixels;
     for (const DVec2 p : outline) pixels.push_back(view_.to_pixels(p));
+    const bool is_whole = std::ranges::all_of(pixels, [this](DVec2 p) { return view_.sees(p, 0.0); });
     pixels = clip_polygon(view_, 0.0, std::move(pixels));
     for (DVec2& p : pixels) p = middle_ + DVec2{p.x, -p.y};
-    if (pixels.size() >= 3) drawing_.polygon(std::move(pixels), fill, outline_width, color);
+    if (pixels.size() >= 3) drawing_.polygon(std::move(pixels), fill, is_whole ? outline_width : 0.0, color);
+    if (is_whole) return;
+    // Its own edges alone: where the rectangle cuts it, there is none.
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        line(outline[i], outline[i + 1 < outline.size() ? i + 1 : 0], outline_width, color);
 }
 
 void Panel::dot(DVec2 at, double radius_px, Color color) {

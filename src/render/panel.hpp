@@ -15,6 +15,9 @@ struct PixelRect {
     double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
 };
 
+// A frame with its title above and a caption below; gives what is left between them.
+PixelRect draw_frame(Drawing& drawing, PixelRect rect, const std::string& title, const std::string& caption = {});
+
 class Panel {
 public:
     // Fits all points into the rectangle, with a margin and equal scales on both axes.
@@ -22,7 +25,6 @@ public:
 
     DVec2 to_pixels(DVec2 point) const;
 
-    void frame(const std::string& title);
     // The outline is convex; what lies outside of the rectangle is cut off, of lines too.
     void fill(std::span<const DVec2> outline, Color fill, double outline_width, Color color);
     void dot(DVec2 at, double radius_px, Color color);

@@ -113,3 +113,28 @@ done)";
     CHECK(json::parse(answer.out.substr(0, answer.out.find('\n')))["distance"] == 1);
     CHECK(json::parse(answer.out.substr(answer.out.find('\n')))["distance"] == 2);
 }
+
+TEST_CASE("a trace is a picture or JSON, by its extension, and replaces nothing by itself") {
+    const tumble::test::Folder folder;
+    const std::string box = R"({"box": {"size": [2, 1]}})", turned = R"({"box": {"size": [2, 1]}, "pose": {"position": [4, 1], "angle": 30}})";
+    const auto trace = [&](const std::string& file) {
+        return run_tumble({"distance", box, turned, "--json", "--trace", (folder / file).string()});
+    };
+    REQUIRE(trace("t.json").code == 0);
+    CHECK(trace("t.json").code == 4);
+    const json document = json::parse(tumble::test::read_text(folder / "t.json"));
+    REQUIRE(document["steps"].size() >= 1);
+    CHECK(document["steps"].size() + 1 == document["result"]["iterations"]);  // the first support starts the first step
+    const json& last = document["steps"].back();
+    // Bounds on the cores' distance, which is that of the boxes: without radii.
+    CHECK(last["lower"].get<double>() <= document["result"]["distance"].get<double>() * (1.0 + 1e-14));
+    CHECK(last["upper"].get<double>() >= document["result"]["distance"].get<double>() * (1.0 - 1e-14));
+    CHECK(document["result"]["distance"] == json::parse(trace("u.json").out)["distance"]);
+    REQUIRE(trace("t.svg").code == 0);
+    CHECK(tumble::test::read_text(folder / "t.svg").starts_with("<svg"));
+    REQUIRE(trace("t.png").code == 0);
+    CHECK(tumble::test::read_text(folder / "t.png").starts_with("\x89" "PNG"));
+    CHECK(trace("t.png").code == 4);
+    CHECK(trace("t.gif").code == 2);
+    CHECK(trace("t").code == 2);
+}

@@ -1,0 +1,64 @@
+#include "trace_output.hpp"
+
+#include <string>
+
+#include "output_path.hpp"
+#include "tumble/drawing.hpp"
+#include "tumble/render.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+void write_vector(JsonWriter& json, const char* key, DVec2 v) {
+    json.key(key).open_array().value(v.x).value(v.y).close_array();
+}
+
+void write_pair(JsonWriter& json, VertexPair pair) { json.open_array().value(pair.a).value(pair.b).close_array(); }
+
+void write_step(JsonWriter& json, const TraceStep& step) {
+    json.open_object().key("simplex").open_array();
+    for (std::size_t i = 0; i < step.count; ++i) write_pair(json, step.simplex[i]);
+    json.close_array().key("vertices").open_array();
+    for (std::size_t i = 0; i < step.count; ++i)
+        json.open_array().value(step.vertices[i].x).value(step.vertices[i].y).close_array();
+    json.close_array();
+    write_vector(json, "closest", step.closest);
+    write_vector(json, "direction", step.direction);
+    write_pair(json.key("support"), step.support);
+    write_vector(json, "support_vertex", step.support_vertex);
+    json.member("lower", step.lower).member("upper", step.upper).close_object();
+}
+
+std::string trace_json(const DistanceQuery& query, const DistanceTrace& trace) {
+    JsonWriter json;
+    json.open_object().key("steps").open_array();
+    for (const TraceStep& step : trace.steps) write_step(json, step);
+    write_answer(json.close_array().key("result"), query, trace.result);
+    return json.close_object().text() + "\n";
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text, bool force) {
+    OutputFile output = open_output(file, force);
+    output.write(text);
+    output.commit();
+}
+
+}  // namespace
+
+bool is_trace_file(const std::filesystem::path& file) {
+    const std::filesystem::path extension = file.extension();
+    return extension == ".png" || extension == ".svg" || extension == ".json";
+}
+
+void write_trace(const std::filesystem::path& file, const DistanceQuery& query, bool force) {
+    const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose);
+    if (file.extension() == ".json") return write_text(file, trace_json(query, trace), force);
+    const Drawing drawing = draw_trace(query.a, query.a_pose, query.b, query.b_pose, trace);
+    if (file.extension() == ".svg") return write_text(file, to_svg(drawing), force);
+    refuse_to_overwrite(file, force);
+    create_folder_of(file);
+    write_png(draw_image(drawing), file);
+}
+
+}  // namespace tumble::tools
