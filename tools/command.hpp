@@ -23,6 +23,7 @@ void add_run(CLI::App& app, Command& command);
 void add_demo(CLI::App& app, Command& command);
 void add_shot(CLI::App& app, Command& command);
 void add_check(CLI::App& app, Command& command);
+void add_diff(CLI::App& app, Command& command);
 void add_validate(CLI::App& app, Command& command);
 void add_fmt(CLI::App& app, Command& command);
 void add_schema(CLI::App& app, Command& command);

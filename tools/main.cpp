@@ -20,6 +20,7 @@ ExitCode run_command(CLI::App& app, Command& command, int argument_count, const 
     add_demo(app, command);
     add_shot(app, command);
     add_check(app, command);
+    add_diff(app, command);
     add_validate(app, command);
     add_fmt(app, command);
     add_schema(app, command);

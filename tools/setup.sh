@@ -15,6 +15,7 @@ build_packages=(
     'nlohmann-json3-dev:reads scene files'
     'rapidjson-dev:reads distance queries by the million'
     'libcli11-dev:reads the command line'
+    'libfccp-dev:reads trajectories'
     'libxxhash-dev:state and scene hashes'
     'libosmesa6-dev:draws frames without a display'
     'libgl-dev:types and constants of OpenGL'

@@ -94,6 +94,7 @@ const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"libdeflate.h", {"render"}},
     {"nlohmann", {"scene", "tools"}},
     {"rapidjson", {"tools"}},
+    {"libfccp", {"tools"}},
     {"CLI", {"tools"}},
     {"xxhash.h", {"world", "scene"}},
     {"box2d", {"reference"}},

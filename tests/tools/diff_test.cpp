@@ -1,0 +1,103 @@
+// `tumble diff`: where two runs first differ, by closed cases.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+#include "process.hpp"
+
+using nlohmann::json;
+using tumble::test::Answer;
+using tumble::test::Folder;
+using tumble::test::run_tumble;
+
+namespace {
+
+constexpr const char* kHeader = "step,time,body,x,y,angle,vx,vy,omega\n";
+
+json compare(const Answer& answer) {
+    REQUIRE_MESSAGE(!answer.out.empty(), answer.err);
+    return json::parse(answer.out);
+}
+
+}  // namespace
+
+TEST_CASE("the first step, body and component that differ are named, with ulps and length") {
+    const Folder folder;
+    const std::string start = std::string(kHeader) + "0,0,ball,1,2,0,0,0,0\n0,0,\"a, b\",0,0,0,0,0,0\n";
+    const std::string a = folder.write("a.csv", start + "1,0.5,ball,1,2,0,0.25,0,0\n1,0.5,\"a, b\",1,0,0,0,0,0\n");
+    // The double after 1 is 1 + 2^-52; the float after 0.25 is 0.25 + 2^-25.
+    const std::string b = folder.write("b.csv", start + "1,0.5,ball,1,2,0,0.25,0,0\n1,0.5,\"a, b\",1.0000000000000002,0,0,0,0,0\n");
+    const std::string c = folder.write("c.csv", start + "1,0.5,ball,1,2,0,0.25000003,0,0\n1,0.5,\"a, b\",2,0,0,0,0,0\n");
+    CHECK(run_tumble({"diff", a, a}).code == 0);
+    const Answer near = run_tumble({"diff", a, b, "--json"});
+    CHECK(near.code == 7);
+    const json first = compare(near)["first"];
+    CHECK(first["step"] == 1);
+    CHECK(first["time"] == 0.5);
+    CHECK(first["body"] == "a, b");
+    CHECK(first["component"] == "x");
+    CHECK(first["ulps"] == 1);
+    CHECK(first["apart"] == 0x1p-52);
+    CHECK(first["differing_bodies"] == 1);
+    const json float_component = compare(run_tumble({"diff", a, c, "--json"}))["first"];
+    CHECK(float_component["component"] == "vx");
+    CHECK(float_component["ulps"] == 1);
+    CHECK(float_component["apart"] == 0x1p-25);
+    CHECK(float_component["differing_bodies"] == 2);
+    CHECK(run_tumble({"diff", a, b, "--tolerance", "1e-15"}).code == 0);
+    CHECK(run_tumble({"diff", a, c, "--tolerance", "0.5"}).code == 7);
+}
+
+TEST_CASE("a run that ends early or has other bodies differs") {
+    const Folder folder;
+    const std::string line = "0,0,ball,1,2,0,0,0,0\n";
+    const std::string a = folder.write("a.csv", kHeader + line + "1,0.5,ball,1,2,0,0,0,0\n");
+    const std::string shorter = folder.write("b.csv", kHeader + line);
+    const std::string renamed = folder.write("c.csv", std::string(kHeader) + "0,0,box,1,2,0,0,0,0\n1,0.5,box,1,2,0,0,0,0\n");
+    const Answer ended = run_tumble({"diff", a, shorter});
+    CHECK(ended.code == 7);
+    CHECK(ended.out.find("step 1 (0.5 s): B ends before it") != std::string::npos);
+    const Answer other = run_tumble({"diff", a, renamed});
+    CHECK(other.code == 7);
+    CHECK(other.out.find("'ball': the body is in A only") != std::string::npos);
+}
+
+TEST_CASE("a scene agrees with the trajectory that it wrote, and the contacts of a difference are shown") {
+    const Folder folder;
+    const std::string scene = folder.write("ball.json", R"({"format": 1, "world": {"duration": 0.5}, "bodies": [
+        {"name": "ground", "type": "static", "shapes": [{"box": {"size": [10, 1]}}]},
+        {"name": "ball", "position": [0, 0.99], "shapes": [{"circle": {"radius": 0.5}}]}]})");
+    const std::string run = (folder / "run").string();
+    REQUIRE(run_tumble({"run", scene, "--no-frames", "-o", run, "--trajectory", run + "/trajectory.csv"}).code == 0);
+    CHECK(run_tumble({"diff", run, scene}).code == 0);
+    REQUIRE(run_tumble({"run", scene, "--no-frames", "--force", "-o", run, "--trajectory", run + "/moved.csv", "--set",
+                        "/bodies/1/position=[0, 0.98]"}).code == 0);
+    const json first = compare(run_tumble({"diff", scene, run + "/moved.csv", "--json"}))["first"];
+    CHECK(first["step"] == 0);
+    CHECK(first["body"] == "ball");
+    const std::string wider = folder.write("wider.json", R"({"format": 1, "world": {"duration": 0.5}, "bodies": [
+        {"name": "ground", "type": "static", "shapes": [{"box": {"size": [10, 1.01]}}]},
+        {"name": "ball", "position": [0, 0.99], "shapes": [{"circle": {"radius": 0.5}}]}]})");
+    const json touching = compare(run_tumble({"diff", scene, wider, "--json"}))["first"];
+    CHECK(touching["step"] == 1);
+    REQUIRE(touching["contacts_a"].size() == 1);
+    CHECK(touching["contacts_a"][0].get<std::string>().find("ball") != std::string::npos);
+}
+
+TEST_CASE("what is no trajectory is refused with its line") {
+    const Folder folder;
+    const std::string good = folder.write("a.csv", std::string(kHeader) + "0,0,ball,1,2,0,0,0,0\n");
+    const auto refuse = [&](const std::string& text) {
+        const Answer answer = run_tumble({"diff", good, folder.write("bad.csv", text)});
+        CHECK(answer.code == 3);
+        return answer.err;
+    };
+    CHECK(refuse("step,time\n0,0\n").find("column") != std::string::npos);
+    CHECK(refuse(std::string(kHeader) + "0,0,ball,1,2,0\n").find("line 2") != std::string::npos);
+    CHECK(refuse(std::string(kHeader) + "0,0,ball,1,two,0,0,0,0\n").find("bad.csv:2: expected a number, got 'two'") != std::string::npos);
+    CHECK(refuse("").size() > 10);
+    CHECK(run_tumble({"diff", good, (folder / "none.csv").string()}).code == 4);
+    CHECK(run_tumble({"diff", good}).code == 2);
+}

@@ -1,0 +1,205 @@
+// `tumble diff`: where two runs first differ.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "body_states.hpp"
+#include "command.hpp"
+#include "console.hpp"
+#include "json_writer.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct DiffArguments {
+    std::string a, b;
+    double tolerance = 0.0;
+};
+
+struct Difference {
+    std::uint64_t step = 0;
+    double time = 0.0;      // s
+    std::string what;       // for differences other than of numbers: "B ends before it"
+    std::string body;
+    std::size_t component = 0;
+    double a = 0.0, b = 0.0;
+    std::size_t differing_bodies = 0;  // in this step
+    std::vector<std::string> contacts_a, contacts_b;
+};
+
+struct Comparison {
+    std::uint64_t steps = 0;   // that are equal
+    std::size_t bodies = 0;    // most in a step
+    std::optional<Difference> first;
+};
+
+// The floating-point numbers from one to the other, both zeros being one.
+template <class Integer, class Number>
+std::uint64_t ulps_between(Number a, Number b) {
+    const auto ordered = [](Number value) {
+        const auto bits = std::bit_cast<Integer>(value);
+        return bits < 0 ? std::numeric_limits<Integer>::min() - bits : bits;
+    };
+    const Integer x = ordered(a), y = ordered(b);
+    return x > y ? static_cast<std::uint64_t>(x) - static_cast<std::uint64_t>(y)
+                 : static_cast<std::uint64_t>(y) - static_cast<std::uint64_t>(x);
+}
+
+std::uint64_t ulps(const Difference& difference) {
+    if (difference.component < kPreciseComponents) return ulps_between<std::int64_t>(difference.a, difference.b);
+    return ulps_between<std::int32_t>(static_cast<float>(difference.a), static_cast<float>(difference.b));
+}
+
+std::string_view unit_of(std::size_t component) {
+    constexpr std::array<std::string_view, kComponents.size()> kUnits{"m", "m", "rad", "m/s", "m/s", "rad/s"};
+    return kUnits[component];
+}
+
+// The first component that differs by more than the tolerance; NaN differs from all but NaN.
+std::optional<std::size_t> first_differing(const NamedState& a, const NamedState& b, double tolerance) {
+    for (std::size_t i = 0; i < kComponents.size(); ++i) {
+        const double x = a.values[i], y = b.values[i];
+        const bool same = x == y || std::abs(x - y) <= tolerance || (std::isnan(x) && std::isnan(y));
+        if (!same) return i;
+    }
+    return std::nullopt;
+}
+
+// Bodies stand in the order of their ids in both.
+std::optional<Difference> compare_step(const StepStates& a, const StepStates& b, double tolerance) {
+    Difference first;
+    first.step = a.step;
+    first.time = a.time;
+    if (a.step != b.step) {
+        first.what = "A goes on with step " + std::to_string(a.step) + ", B with step " + std::to_string(b.step);
+        return first;
+    }
+    for (std::size_t i = 0; i < std::max(a.bodies.size(), b.bodies.size()); ++i) {
+        const bool in_both = i < a.bodies.size() && i < b.bodies.size() && a.bodies[i].body == b.bodies[i].body;
+        if (!in_both) {
+            if (first.differing_bodies > 0) break;
+            first.body = i < a.bodies.size() ? a.bodies[i].body : b.bodies[i].body;
+            first.what = std::string("the body is in ") + (i < a.bodies.size() ? "A" : "B") + " only, or in another place";
+            return first;
+        }
+        const std::optional<std::size_t> component = first_differing(a.bodies[i], b.bodies[i], tolerance);
+        if (!component) continue;
+        if (first.differing_bodies++ > 0) continue;
+        first.body = a.bodies[i].body;
+        first.component = *component;
+        first.a = a.bodies[i].values[*component];
+        first.b = b.bodies[i].values[*component];
+    }
+    if (first.differing_bodies == 0) return std::nullopt;
+    return first;
+}
+
+Comparison compare(const DiffArguments& options) {
+    const std::unique_ptr<StateSource> source_a = open_states(options.a), source_b = open_states(options.b);
+    Comparison comparison;
+    StepStates a, b;
+    for (;; ++comparison.steps) {
+        const bool more_a = source_a->next(a), more_b = source_b->next(b);
+        if (!more_a && !more_b) return comparison;
+        if (more_a != more_b) {
+            const StepStates& longer = more_a ? a : b;
+            comparison.first.emplace();
+            comparison.first->step = longer.step;
+            comparison.first->time = longer.time;
+            comparison.first->what = std::string(more_a ? "B" : "A") + " ends before it";
+            return comparison;
+        }
+        comparison.bodies = std::max(comparison.bodies, a.bodies.size());
+        comparison.first = compare_step(a, b, options.tolerance);
+        if (!comparison.first) continue;
+        comparison.first->contacts_a = source_a->contacts_of(comparison.first->body);
+        comparison.first->contacts_b = source_b->contacts_of(comparison.first->body);
+        return comparison;
+    }
+}
+
+void append_value(std::string& text, std::size_t component, double value) {
+    if (component < kDoubleComponents)
+        append_number(text, value);
+    else
+        append_number(text, static_cast<float>(value));
+}
+
+void append_contacts(std::string& text, const char* of, const std::vector<std::string>& contacts) {
+    for (const std::string& contact : contacts) text += std::string("  contact in ") + of + ": " + contact + "\n";
+}
+
+std::string as_text(const Comparison& comparison, double tolerance) {
+    if (!comparison.first) {
+        const std::string how = tolerance > 0.0 ? "equal within the tolerance" : "equal bit for bit";
+        return how + ": " + std::to_string(comparison.steps) + " steps of " + std::to_string(comparison.bodies) + " bodies\n";
+    }
+    const Difference& first = *comparison.first;
+    std::string text = "the first difference is at step " + std::to_string(first.step) + " (";
+    append_number(text, first.time);
+    text += " s)";
+    if (!first.body.empty()) text += ", body '" + first.body + "'";
+    if (!first.what.empty()) return text + ": " + first.what + "\n";
+    text += ", " + std::string(kComponents[first.component]);
+    append_value(text += "\n  A ", first.component, first.a);
+    append_value(text += "\n  B ", first.component, first.b);
+    append_number(text += "\n  apart by ", std::abs(first.a - first.b));
+    text += " " + std::string(unit_of(first.component)) + ", " + std::to_string(ulps(first)) + " ulps; " +
+            std::to_string(first.differing_bodies) + " of " + std::to_string(comparison.bodies) + " bodies differ in this step\n";
+    append_contacts(text, "A", first.contacts_a);
+    append_contacts(text, "B", first.contacts_b);
+    return text;
+}
+
+void write_contacts(JsonWriter& json, const char* key, const std::vector<std::string>& contacts) {
+    json.key(key).open_array();
+    for (const std::string& contact : contacts) json.value(contact);
+    json.close_array();
+}
+
+std::string as_json(const Comparison& comparison) {
+    JsonWriter json;
+    json.open_object().member("equal", !comparison.first).member("equal_steps", comparison.steps).member("bodies", comparison.bodies);
+    if (comparison.first) {
+        const Difference& first = *comparison.first;
+        json.key("first").open_object().member("step", first.step).member("time", first.time).member("body", first.body);
+        if (!first.what.empty()) {
+            json.member("what", first.what);
+        } else {
+            json.member("component", kComponents[first.component]).member("a", first.a).member("b", first.b);
+            json.member("apart", std::abs(first.a - first.b)).member("ulps", ulps(first));
+            json.member("differing_bodies", first.differing_bodies);
+            write_contacts(json, "contacts_a", first.contacts_a);
+            write_contacts(json, "contacts_b", first.contacts_b);
+        }
+        json.close_object();
+    }
+    return json.close_object().text() + "\n";
+}
+
+ExitCode run_diff(const Command& command, const DiffArguments& options) {
+    const Comparison comparison = compare(options);
+    write_output(command.json ? as_json(comparison) : as_text(comparison, options.tolerance));
+    return comparison.first ? ExitCode::failed : ExitCode::ok;
+}
+
+}  // namespace
+
+void add_diff(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<DiffArguments>();
+    CLI::App& diff = add_subcommand(app, command, "diff", "Say where two runs first differ; exit code 7 if they do");
+    diff.add_option("A", options->a, "A trajectory (.csv), the folder of a run that holds one, or a scene to run")->required();
+    diff.add_option("B", options->b, "Another")->required();
+    diff.add_option("--tolerance", options->tolerance, "Differences up to this (m, rad, m/s, rad/s) do not count")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
+    diff.callback([&command, options] { command.action = [&command, options] { return run_diff(command, *options); }; });
+}
+
+}  // namespace tumble::tools
