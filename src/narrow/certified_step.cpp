@@ -10,11 +10,6 @@ namespace tumble {
 
 namespace {
 
-// An upper bound on tan(x) for 0 <= x <= 1: (tan x - x) / x^3 grows with x, to tan 1 - 1 = 0.55741.
-double tangent_above(double x) { return x * (1.0 + 0.5575 * x * x); }
-
-double positive_part(double x) { return x > 0.0 ? x : 0.0; }
-
 // Lower bound gap - closing x - curvature x^2 on the separation, or what one term of it contributes.
 struct Bound {
     double closing;
@@ -22,6 +17,15 @@ struct Bound {
 
     friend Bound operator+(Bound a, Bound b) { return {a.closing + b.closing, a.curvature + b.curvature}; }
 };
+
+// An upper bound on tan(x) for 0 <= x <= 1: (tan x - x) / x^3 grows with x, to tan 1 - 1 = 0.55741.
+double tangent_above(double x) {
+    return x * (1.0 + 0.5575 * x * x);
+}
+
+double positive_part(double x) {
+    return x > 0.0 ? x : 0.0;
+}
 
 // The first positive root of gap = closing x + curvature x^2, in the form that does not cancel; at most the window.
 double root_of(Bound bound, double gap, double window) {
@@ -32,19 +36,23 @@ double root_of(Bound bound, double gap, double window) {
     return std::min((std::sqrt(discriminant) - bound.closing) / (2.0 * bound.curvature), window);
 }
 
-// That root without a square root, from its series in the curvature; it may fall short of it or beyond by the third order.
+// That root without a square root, from its series in the curvature; it may fall short of it or beyond by the third
+// order.
 double root_to_second_order(Bound bound, double gap) {
     if (!(bound.closing > 0.0)) return std::numeric_limits<double>::infinity();
     const double inverse = 1.0 / bound.closing, root = gap * inverse;
     return root * (1.0 + positive_part(-bound.curvature * root * inverse));
 }
 
-// f cos y <= f + c y^2 and f sin y <= f y + c y^2 for 0 <= y <= angle <= 1, from the alternating Taylor series: the term
-// of second order is kept as it is, the first one left out is bounded at the end.
+// f cos y <= f + c y^2 and f sin y <= f y + c y^2 for 0 <= y <= angle <= 1, from the alternating Taylor series: the
+// term of second order is kept as it is, the first one left out is bounded at the end. Without branches on signs, which
+// are as good as random.
 double cosine_curvature(double f, double angle) {
-    return f > 0.0 ? -0.5 * f * (1.0 - angle * angle * (1.0 / 12.0)) : -0.5 * f;
+    return -0.5 * f + positive_part(f) * (angle * angle * (1.0 / 24.0));
 }
-double sine_curvature(double f, double angle) { return f > 0.0 ? 0.0 : -f * angle * (1.0 / 6.0); }
+double sine_curvature(double f, double angle) {
+    return positive_part(-f) * (angle * (1.0 / 6.0));
+}
 
 // A body as its axis sees it: the height of its support vertex and its lever, the height gained per radian.
 struct Mover {
@@ -57,91 +65,139 @@ struct Mover {
     double lever;
 };
 
-Mover make_mover(const Core& core, DVec2 center, DVec2 outwards, int at, double rate) {
+[[gnu::always_inline]] inline Mover make_mover(const Core& core, DVec2 center, DVec2 outwards, int at, double rate) {
     const DVec2 vertex = core.point(at) - center;
-    return {core, center, outwards, at, rate, dot(outwards, vertex), std::copysign(1.0, rate) * cross(vertex, outwards)};
+    return {
+        core, center, outwards, at, rate, dot(outwards, vertex), std::copysign(1.0, rate) * cross(vertex, outwards)};
 }
 
 // How fast a point of the side's height and of this lever rises: height cos y + lever sin y after a turn by y.
-Bound bound_rise(const Mover& side, double lever, double window) {
+[[gnu::always_inline]] inline Bound bound_rise(const Mover& side, double lever, double window) {
     const double turn = std::abs(side.rate), angle = turn * window;
     return {turn * lever, turn * turn * (cosine_curvature(side.height, angle) + sine_curvature(lever, angle))};
 }
 
+// The height that a core has in the direction turned back by an angle of this tangent, as a lever.
+[[gnu::noinline]] double lever_of_support(const Core& core, DVec2 center, double height, DVec2 turned_back,
+                                          double back) {
+    return ((support(core, turned_back).height - dot(turned_back, center)) - height) / back;
+}
+
 // The lever of the point X of the window. The direction turns away from one neighbour of the vertex, so that the vertex
 // stays the support if the other one is lower.
-double lever_within(const Mover& side, double window) {
-    if (side.rate == 0.0 || side.core.count == 1) return side.lever;
+[[gnu::always_inline]] inline double lever_within(const Mover& side, double window) {
+    const Core& core = side.core;
+    if (side.rate == 0.0 || core.count == 1) return side.lever;
     const double back = tangent_above(std::abs(side.rate) * window);
     const DVec2 turned_back = side.outwards - std::copysign(back, side.rate) * perp(side.outwards);
-    const int neighbour = side.rate > 0.0 ? side.core.previous(side.at) : side.core.next(side.at);
-    if (dot(turned_back, side.core.edge(side.at, neighbour)) < 0.0) return side.lever;
-    const double height = support(side.core, turned_back).height - dot(turned_back, side.center);
-    return std::max(side.lever, (height - side.height) / back);
+    const int next = core.next(side.at), previous = core.previous(side.at);
+    if (dot(turned_back, core.edge(side.at, side.rate > 0.0 ? previous : next)) < 0.0) return side.lever;
+    return std::max(side.lever, lever_of_support(core, side.center, side.height, turned_back, back));
 }
 
-// How fast the centres approach along a normal that turns at `rate`: -(far + along x) cos y + (aside + across x) sin y
-// after the fraction x and a turn by y.
-Bound bound_approach(DVec2 separation, DVec2 velocity, DVec2 normal, double rate, double window) {
-    const double along = dot(normal, velocity);
-    if (rate == 0.0) return {-along, 0.0};
-    const double turn = std::abs(rate), angle = turn * window;
-    const double far = dot(normal, separation), aside = std::copysign(1.0, rate) * cross(separation, normal);
-    const double across = std::copysign(1.0, rate) * cross(velocity, normal);
-    const double mixed = across > 0.0 ? across : across * (1.0 - angle * angle * (1.0 / 6.0));
-    const double curvature = turn * turn * (cosine_curvature(-far, angle) + sine_curvature(aside, angle) +
-                                            0.5 * positive_part(along) * window);
-    return {turn * aside - along, curvature + turn * mixed};
-}
+// How the centres approach along a normal that turns: by -(far + along x) cos y + (aside + across x) sin y after the
+// fraction x and a turn by y.
+struct Approach {
+    double turn;
+    double far;
+    double aside;
+    double along;
+    double across;
 
-// The three terms of the bound, for windows to be chosen.
-class AxisBound {
-public:
-    AxisBound(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis)
-        : motion_(motion), cores_(cores), axis_(axis),
-          a_(make_mover(cores.pair.a, cores.center_a, axis.normal, axis.support_a, motion.turn_a() - axis.rate)),
-          b_(make_mover(cores.pair.b, cores.center_b, -axis.normal, axis.support_b, motion.turn_b() - axis.rate)) {}
-
-    // Where nothing turns by more than a radian.
-    double cut(double window) const {
-        const double fastest = std::max({std::abs(a_.rate), std::abs(b_.rate), std::abs(axis_.rate)});
-        return fastest * window > 1.0 ? 1.0 / fastest : window;
+    [[gnu::always_inline]] Bound bound(double window) const {
+        const double angle = turn * window, mixed = across + positive_part(-across) * (angle * angle * (1.0 / 6.0));
+        const double curvature =
+            turn * turn *
+            (cosine_curvature(-far, angle) + sine_curvature(aside, angle) + 0.5 * positive_part(along) * window);
+        return {turn * aside - along, curvature + turn * mixed};
     }
-
-    Bound of_support_vertices(double window) const { return bound(a_.lever, b_.lever, window); }
-    Bound of_all(double window) const { return bound(lever_within(a_, window), lever_within(b_, window), window); }
-
-private:
-    Bound bound(double lever_a, double lever_b, double window) const {
-        return bound_approach(cores_.separation, motion_.velocity(), axis_.normal, axis_.rate, window) +
-               (bound_rise(a_, lever_a, window) + bound_rise(b_, lever_b, window));
-    }
-
-    const Motion& motion_;
-    const MovingCores& cores_;
-    const SeparatingAxis& axis_;
-    Mover a_;
-    Mover b_;
 };
+
+[[gnu::always_inline]] inline Approach make_approach(DVec2 separation, DVec2 velocity, DVec2 normal, double rate) {
+    const double sign = std::copysign(1.0, rate);
+    return {std::abs(rate), dot(normal, separation), sign * cross(separation, normal), dot(normal, velocity),
+            sign * cross(velocity, normal)};
+}
+
+// Where nothing turns by more than a radian.
+double cut(double window, double fastest) {
+    return fastest * window > 1.0 ? 1.0 / fastest : window;
+}
+
+// The terms of the bound along an axis that turns with one core, and the other moves...
+struct FaceView {
+    Approach approach;
+    Mover mover;
+
+    double fastest() const { return std::max(approach.turn, std::abs(mover.rate)); }
+    [[gnu::always_inline]] Bound of_support_vertices(double window) const {
+        return approach.bound(window) + bound_rise(mover, mover.lever, window);
+    }
+    [[gnu::always_inline]] Bound of_all(double window) const {
+        return approach.bound(window) + bound_rise(mover, lever_within(mover, window), window);
+    }
+};
+
+// ... and along one that does not turn.
+struct FixedView {
+    Approach approach;
+    Mover a;
+    Mover b;
+
+    double fastest() const { return std::max(std::abs(a.rate), std::abs(b.rate)); }
+    [[gnu::always_inline]] Bound of_support_vertices(double window) const {
+        return approach.bound(window) + (bound_rise(a, a.lever, window) + bound_rise(b, b.lever, window));
+    }
+    [[gnu::always_inline]] Bound of_all(double window) const {
+        return approach.bound(window) +
+               (bound_rise(a, lever_within(a, window), window) + bound_rise(b, lever_within(b, window), window));
+    }
+};
+
+// Calls use(view) with the one that fits the axis.
+template <typename Use>
+[[gnu::always_inline]] inline auto with_view(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis,
+                                             Use use) {
+    const Approach approach = make_approach(cores.separation, motion.velocity(), axis.normal, axis.rate);
+    const Core* const both[2] = {&cores.pair.a, &cores.pair.b};
+    const DVec2* const centers[2] = {&cores.center_a, &cores.center_b};
+    const double turns[2] = {motion.turn_a(), motion.turn_b()};
+    constexpr double kOutwards[2] = {1.0, -1.0};
+    const auto mover = [&](int side) __attribute__((always_inline)) {
+        return make_mover(*both[side], *centers[side], kOutwards[side] * axis.normal, axis.supports[side],
+                          turns[side] - axis.rate);
+    };
+    if (axis.owner >= 0) return use(FaceView{approach, mover(1 - axis.owner)});
+    return use(FixedView{approach, mover(0), mover(1)});
+}
 
 }  // namespace
 
-double certified_step(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis, double gap, double left) {
-    const AxisBound bound(motion, cores, axis);
-    const double longest = bound.cut(left);
-    const double window = std::min(longest, root_to_second_order(bound.of_support_vertices(0.0), gap));
-    return root_of(bound.of_all(window), gap, window);
+double certified_step(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis, double gap,
+                      double left) {
+    constexpr int kRetries = 4;
+    return with_view(
+        motion, cores, axis, [ gap, left ](const auto& view) __attribute__((always_inline)) {
+            const double longest = cut(left, view.fastest());
+            double window = std::min(longest, root_to_second_order(view.of_support_vertices(0.0), gap));
+            double step = root_of(view.of_all(window), gap, window);
+            // A window in which the support changes may allow much less than one in which it does not.
+            for (int retry = 0; retry < kRetries && 0.0 < step && step < 0.25 * window; ++retry) {
+                window = std::sqrt(step * window);
+                step = std::max(step, root_of(view.of_all(window), gap, window));
+            }
+            return step;
+        });
 }
 
-double closing_rate(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis) {
-    return AxisBound(motion, cores, axis).of_support_vertices(0.0).closing;
-}
-
-bool closes(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis) {
+Closing closing_along(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis) {
     constexpr double kInstant = 0x1p-20;  // of a radian, or of the motion
-    const AxisBound bound(motion, cores, axis);
-    if (bound.of_support_vertices(0.0).closing > motion.error()) return true;
-    return bound.of_all(kInstant * bound.cut(1.0)).closing > motion.error();
+    return with_view(motion, cores, axis, [&motion](const auto& view) {
+        const double rate = view.of_support_vertices(0.0).closing;
+        const bool is_proved =
+            rate > motion.error() || view.of_all(kInstant * cut(1.0, view.fastest())).closing > motion.error();
+        return Closing{rate, is_proved};
+    });
 }
 
 }  // namespace tumble

@@ -4,35 +4,91 @@ namespace tumble {
 
 namespace {
 
-// True if the vertex is higher in the direction than its neighbours, but for one that ends the same edge of the simplex.
-// For a convex core that makes it the support. Strictly higher: equal neighbours may hide a higher vertex behind them.
-bool is_support(const Core& core, int vertex, int partner, DVec2 direction) {
+DVec2 turned_by(const Core& core, DVec2 local) {
+    return {core.c * local.x - core.s * local.y, core.s * local.x + core.c * local.y};
+}
+DVec2 turned_back(const Core& core, DVec2 world) {
+    return {core.c * world.x + core.s * world.y, core.c * world.y - core.s * world.x};
+}
+
+DVec2 local_edge(const Core& core, int from, int to) {
+    return {static_cast<double>(core.x[to]) - core.x[from], static_cast<double>(core.y[to]) - core.y[from]};
+}
+
+// True if the vertex is higher in the direction than its neighbours, which for a convex core makes it the support.
+// Strictly higher: equal neighbours may hide a higher vertex behind them.
+bool is_support(const Core& core, int vertex, DVec2 direction) {
     if (core.count == 1) return true;
-    const int next = core.next(vertex), previous = core.previous(vertex);
-    return (next == partner || dot(direction, core.edge(vertex, next)) < 0.0) &&
-           (previous == partner || dot(direction, core.edge(vertex, previous)) < 0.0);
+    const DVec2 local = turned_back(core, direction);
+    return (dot(local, local_edge(core, vertex, core.next(vertex))) < 0.0) &
+           (dot(local, local_edge(core, vertex, core.previous(vertex))) < 0.0);
+}
+
+bool follow_face(const CorePair& pair, LeadingFeature& feature) {
+    const Core* const cores[2] = {&pair.a, &pair.b};
+    const Core& owner = *cores[feature.owner];
+    const Core& other = *cores[1 - feature.owner];
+    const int from = own_vertex(feature.owner, feature.pairs[0]), to = own_vertex(feature.owner, feature.pairs[1]);
+    const double sign = kSign[feature.owner];
+    const DVec2 along = turned_by(owner, feature.local_edge), outwards = -feature.outwards * perp(along);
+    const int nearest = support(other, -outwards).index;
+    const DVec2 above = (other.point(nearest) - owner.point(from)) + sign * pair.offset;
+    const double foot = dot(along, above);
+    feature.distance = dot(outwards, above);
+    feature.normal.x = sign * outwards.x;
+    feature.normal.y = sign * outwards.y;
+    feature.pairs[0] = pair_of_owner(feature.owner, from, nearest);
+    feature.pairs[1] = pair_of_owner(feature.owner, to, nearest);
+    return (foot > 0.0) & (foot < feature.edge_length) &
+           (feature.distance > 0.0);  // else the other is behind the owner
+}
+
+bool follow_vertices(const CorePair& pair, LeadingFeature& feature) {
+    const VertexPair at = feature.pairs[0];
+    const DVec2 apart = (pair.b.point(at.b) - pair.a.point(at.a)) + pair.offset;
+    feature.distance = length(apart);
+    if (!(feature.distance > 0.0)) return false;
+    feature.normal.x = apart.x / feature.distance;
+    feature.normal.y = apart.y / feature.distance;
+    return is_support(pair.a, at.a, apart) && is_support(pair.b, at.b, -apart);
 }
 
 }  // namespace
 
-LedDistance distance_of_simplex(const CorePair& pair, const SimplexCache& cache) {
-    LedDistance led;
-    if (cache.count == 0 || cache.count == 3) return led;
-    Simplex simplex = simplex_of_cache(pair, cache);
-    const Closest closest = VoronoiRegions::reduce(pair, simplex);
-    if (closest.contains_origin) return led;
-    const double inverse_length = 1.0 / length(closest.direction);
-    const VertexPair first = simplex.vertices[0].pair(), last = simplex.vertices[simplex.count - 1].pair();
-    led.core.distance = closest.toward * inverse_length;
-    led.core.normal = inverse_length * closest.direction;
-    led.core.pairs[0] = first;
-    led.core.pairs[1] = last;
-    led.core.pair_count = simplex.count;
-    led.exists = true;
-    const bool is_rigid = first.a == last.a || first.b == last.b;
-    led.is_proved = is_rigid && is_support(pair.a, first.a, last.a, closest.direction) &&
-                    is_support(pair.b, first.b, last.b, -closest.direction);
-    return led;
+void take(LeadingFeature& feature, const CorePair& pair, const CoreDistance& core) {
+    const VertexPair first = core.pairs[0], second = core.pairs[core.pair_count - 1];
+    feature.distance = core.distance;
+    feature.normal.x = core.normal.x;
+    feature.normal.y = core.normal.y;
+    feature.pairs[0].a = first.a;
+    feature.pairs[0].b = first.b;
+    feature.pairs[1].a = second.a;
+    feature.pairs[1].b = second.b;
+    const bool is_same_a = first.a == second.a, is_same_b = first.b == second.b;
+    feature.kind = is_same_a && is_same_b ? LeadingFeature::Kind::vertices : LeadingFeature::Kind::none;
+    if (is_same_a == is_same_b) return;
+    feature.owner = is_same_a;
+    const Core* const cores[2] = {&pair.a, &pair.b};
+    const Core& owner = *cores[feature.owner];
+    const DVec2 edge = local_edge(owner, own_vertex(feature.owner, first), own_vertex(feature.owner, second));
+    feature.edge_length = length(edge);
+    if (!(feature.edge_length > 0.0)) return;
+    feature.kind = LeadingFeature::Kind::face;
+    feature.local_edge.x = edge.x / feature.edge_length;
+    feature.local_edge.y = edge.y / feature.edge_length;
+    feature.outwards = std::copysign(1.0, kSign[feature.owner] * cross(feature.normal, turned_by(owner, edge)));
+}
+
+bool follow(const CorePair& pair, LeadingFeature& feature) {
+    switch (feature.kind) {
+        case LeadingFeature::Kind::face:
+            return follow_face(pair, feature);
+        case LeadingFeature::Kind::vertices:
+            return follow_vertices(pair, feature);
+        case LeadingFeature::Kind::none:
+            return false;
+    }
+    return false;
 }
 
 }  // namespace tumble

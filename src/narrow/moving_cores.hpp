@@ -7,8 +7,8 @@
 namespace tumble {
 
 struct MovingCores {
-    CorePair pair;     // rotations in double
-    DVec2 center_a;    // the centres of mass in world axes, each relative to its body's position
+    CorePair pair;   // rotations in double
+    DVec2 center_a;  // the centres of mass in world axes, each relative to its body's position
     DVec2 center_b;
     DVec2 separation;  // from A's centre of mass to B's
 };
@@ -22,9 +22,13 @@ public:
     bool is_valid() const { return is_valid_; }
     MovingCores at(double fraction) const;
 
+    // Moves cores that at() made to another fraction, number by number: a structure that is stored by parts and copied
+    // whole waits for them.
+    void move(MovingCores& cores, double fraction) const;
+
     DVec2 velocity() const { return velocity_; }  // of B's centre relative to A's, m a whole motion
-    double turn_a() const { return a_.turn; }
-    double turn_b() const { return b_.turn; }
+    double turn_a() const { return a_.turns; }
+    double turn_b() const { return b_.turns; }
     double extent_a() const { return a_.extent; }  // of the cores from their centres of mass, at least
     double extent_b() const { return b_.extent; }
 
@@ -36,11 +40,10 @@ private:
         Core core;
         DVec2 local_center;
         double extent;
-        double start_angle;
-        double turn;
+        double turns;  // radians
         SinCos start;
 
-        void turn_to(double fraction, Core& turned, DVec2& center) const;
+        void turn(double fraction, Core& core_there, DVec2& center) const;
     };
 
     static Body make_body(const Shape& shape, const Sweep& sweep);
