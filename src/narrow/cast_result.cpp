@@ -14,6 +14,21 @@ DVec2 core_point(const Core& a, const CastFeature& feature) {
     return feature.from.a == feature.to.a ? from : from + feature.along * a.edge(feature.from.a, feature.to.a);
 }
 
+// The hit at a contact, which is reported no later than the motion ends.
+CastResult met_at(const CastContact& contact, std::int32_t iterations, const Core& a, double radius_a,
+                  DVec2 position_a) {
+    const CastFeature& feature = contact.feature;
+    CastResult result;
+    result.status = CastStatus::hit;
+    result.fraction = std::fmin(contact.fraction, 1.0);
+    result.lower = contact.lower;
+    result.upper = contact.upper;
+    result.normal = feature.normal;
+    result.point = position_a + (core_point(a, feature) + radius_a * feature.normal);
+    result.iterations = iterations;
+    return result;
+}
+
 }  // namespace
 
 CastResult invalid_cast() {
@@ -29,19 +44,6 @@ CastPath make_path(const CorePair& pair, DVec2 translation, double reach) {
     const double distance_to_go = length(translation);
     const double error = 16.0 * kUnitRoundoff * (pair.scale + reach);
     return {translation, distance_to_go >= kSmallestScale ? distance_to_go : 0.0, reach, error};
-}
-
-CastResult met_at(const CastContact& contact, std::int32_t iterations, const Core& a, double radius_a, DVec2 position_a) {
-    const CastFeature& feature = contact.feature;
-    CastResult result;
-    result.status = CastStatus::hit;
-    result.fraction = std::fmin(contact.fraction, 1.0);
-    result.lower = contact.lower;
-    result.upper = contact.upper;
-    result.normal = feature.normal;
-    result.point = position_a + (core_point(a, feature) + radius_a * feature.normal);
-    result.iterations = iterations;
-    return result;
 }
 
 CastResult cast_result(const ClippedPath& clipped, const CastPath& path, const Core& a, double radius_a,

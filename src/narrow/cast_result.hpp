@@ -22,9 +22,6 @@ bool is_valid_motion(DVec2 translation);
 // vertices, so that its own length does not enter.
 CastPath make_path(const CorePair& pair, DVec2 translation, double reach);
 
-// The hit at a contact, which is reported no later than the motion ends.
-CastResult met_at(const CastContact& contact, std::int32_t iterations, const Core& a, double radius_a, DVec2 position_a);
-
 // Points are those of A's core, moved to its surface by the radius.
 CastResult cast_result(const ClippedPath& clipped, const CastPath& path, const Core& a, double radius_a,
                        DVec2 position_a);

@@ -47,6 +47,16 @@ TUMBLE_LANE_FUNCTION unsigned equal_bits(const Double4& a, const Double4& b) {
 #endif
 }
 
+TUMBLE_LANE_FUNCTION unsigned less_bits(const Double4& a, const Double4& b) {
+#if defined(__AVX__)
+    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
+#else
+    unsigned bits = 0;
+    for (int i = 0; i < 4; ++i) bits |= static_cast<unsigned>(a[i] < b[i]) << i;
+    return bits;
+#endif
+}
+
 }  // namespace simd
 
 template <int N>
@@ -224,6 +234,15 @@ TUMBLE_LANE_FUNCTION unsigned lanes_equal_to(const DoubleLanes<N>& lanes, double
     const DoubleLanes<N> values(value);
     unsigned bits = 0;
     for (int i = 0; i < N / 4; ++i) bits |= simd::equal_bits(lanes.part[i], values.part[i]) << (4 * i);
+    return bits;
+}
+
+// Bit i is set where lane i is less.
+template <int N>
+TUMBLE_LANE_FUNCTION unsigned lanes_less_than(const DoubleLanes<N>& lanes, double value) {
+    const DoubleLanes<N> values(value);
+    unsigned bits = 0;
+    for (int i = 0; i < N / 4; ++i) bits |= simd::less_bits(lanes.part[i], values.part[i]) << (4 * i);
     return bits;
 }
 
