@@ -1,20 +1,22 @@
 #include "narrow/reference_edge.hpp"
 
+#include "narrow/small_features.hpp"
+
 namespace tumble {
 
 namespace {
 
-const Core& core_of(const CorePair& pair, Side side) { return side == Side::a ? pair.a : pair.b; }
-
-DVec2 normal_out_of(Side side, DVec2 normal) { return side == Side::a ? normal : -normal; }
+const Core& core_of(const CorePair& pair, Side side) {
+    return side == Side::a ? pair.a : pair.b;
+}
 
 FoundFace face_of(const CorePair& pair, ReferenceEdge reference) {
     return reference.side == Side::a ? face_of_a(pair, reference.edge) : face_of_b(pair, reference.edge);
 }
 
-// The edge between two neighbours whose outward normal points along `outward`; none for vertices that are no neighbours.
+// The edge between two neighbours whose outward normal points along `outward`; none for vertices that are no
+// neighbours.
 ReferenceEdge edge_between_vertices(const Core& core, Side side, int first, int second, DVec2 outward) {
-    if (core.count > 2 && core.next(first) == second) return {side, first, -1, {}};
     const bool is_forward = dot(-perp(core.edge(first, second)), outward) > 0.0;
     const int from = is_forward ? first : second, to = is_forward ? second : first;
     return core.next(from) == to ? ReferenceEdge{side, from, -1, {}} : ReferenceEdge{};
@@ -49,18 +51,34 @@ ReferenceEdge edge_at_corners(const CorePair& pair, const ContactFeature& core, 
     return found.side != Side::none ? found : square_edge_at(pair.b, Side::b, at.b, -core.normal);
 }
 
-ReferenceEdge edge_of_feature(const CorePair& pair, const ContactFeature& core, double tolerance) {
-    if (core.pair_count == 1) return edge_at_corners(pair, core, tolerance);
+void set(ReferenceEdge& edge, const ReferenceEdge& found) {
+    edge.side = found.side;
+    edge.edge = found.edge;
+    edge.nearest = found.nearest;
+    edge.normal.x = found.normal.x;
+    edge.normal.y = found.normal.y;
+}
+
+void set_edge_of_face(const CorePair& pair, const ContactFeature& core, ReferenceEdge& edge) {
     const VertexPair first = core.pairs[0], second = core.pairs[1];
-    const Side side = first.a != second.a ? Side::a : Side::b;
-    const int from = side == Side::a ? first.a : first.b, to = side == Side::a ? second.a : second.b;
-    const bool is_rigid = first.a == second.a || first.b == second.b;
-    ReferenceEdge found = edge_between_vertices(core_of(pair, side), side, from, to, normal_out_of(side, core.normal));
-    if (is_rigid) {
-        found.nearest = side == Side::a ? first.b : first.a;
-        found.normal = normal_out_of(side, core.normal);
+    const bool is_on_a = first.a != second.a;
+    const Side side = is_on_a ? Side::a : Side::b;
+    const int from = is_on_a ? first.a : first.b, to = is_on_a ? second.a : second.b;
+    const double sign = kSign[!is_on_a];
+    const DVec2 outward{sign * core.normal.x, sign * core.normal.y};
+    const Core& owner = core_of(pair, side);
+    if (owner.count > 2 && owner.next(from) == to) {
+        edge.side = side;
+        edge.edge = from;
+    } else {
+        set(edge, edge_between_vertices(owner, side, from, to, outward));
     }
-    return found.side != Side::none ? found : deepest_edge(pair);
+    if (edge.side == Side::none) return set(edge, deepest_edge(pair));
+    const bool is_rigid = first.a == second.a || first.b == second.b;
+    if (!is_rigid) return;
+    edge.nearest = is_on_a ? first.b : first.a;
+    edge.normal.x = outward.x;
+    edge.normal.y = outward.y;
 }
 
 bool is_usable(const CorePair& pair, ReferenceEdge reference) {
@@ -71,15 +89,24 @@ bool is_usable(const CorePair& pair, ReferenceEdge reference) {
 
 }  // namespace
 
+// One edge, written number by number: a structure that is stored by parts and copied whole waits for them.
 ReferenceEdge choose_reference_edge(const CorePair& pair, const ContactFeature& core, const SimplexCache& cache,
                                     double tolerance) {
-    if (pair.a.count == 1 && pair.b.count == 1) return {};
-    const ReferenceEdge best = edge_of_feature(pair, core, tolerance);
+    ReferenceEdge best;
+    if (pair.a.count == 1 && pair.b.count == 1) return best;
+    if (core.pair_count == 1) {
+        set(best, edge_at_corners(pair, core, tolerance));
+    } else {
+        set_edge_of_face(pair, core, best);
+    }
+    const int other_side = static_cast<int>(cache.reference_side) - static_cast<int>(best.side);
+    const int other_edge = static_cast<int>(cache.reference_edge) - best.edge;
+    if ((other_side | other_edge) == 0 || best.side == Side::none) return best;
     const ReferenceEdge previous{cache.reference_side, cache.reference_edge, -1, {}};
-    const bool is_same = previous.side == best.side && previous.edge == best.edge;
-    if (is_same || best.side == Side::none || !is_usable(pair, previous)) return best;
+    if (!is_usable(pair, previous)) return best;
     const FoundFace kept = face_of(pair, previous);
-    return kept.exists && kept.face.separation >= core.distance - tolerance ? previous : best;
+    if (kept.exists && kept.face.separation >= core.distance - tolerance) set(best, previous);
+    return best;
 }
 
 }  // namespace tumble

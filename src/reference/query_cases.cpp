@@ -203,16 +203,16 @@ QueryCase manifold_case(const std::string& name, Kind kind, double gap, bool is_
 }
 
 struct ImpactPairs {
-    struct Motion {
-        Sweep a, b;
+    struct OurQuery {
+        Shape a, b;
+        Sweep sweep_a, sweep_b;
     };
-    std::vector<Pair> ours;
-    std::vector<Motion> motions;
+    std::vector<OurQuery> ours;
     Proxies proxies;
     std::vector<b2TOIInput> theirs;
 
-    ImpactPairs(std::vector<Pair> pairs, std::uint64_t seed) : ours(std::move(pairs)), proxies(vertex_total(ours)) {
-        for (std::size_t i = 0; i < ours.size(); ++i) add(ours[i], Random(~seed, i));
+    ImpactPairs(const std::vector<Pair>& pairs, std::uint64_t seed) : proxies(vertex_total(pairs)) {
+        for (std::size_t i = 0; i < pairs.size(); ++i) add(pairs[i], Random(~seed, i));
     }
 
 private:
@@ -234,10 +234,9 @@ private:
         const auto sweep = [&](const Pose& pose, DVec2 motion) {
             return Sweep{{}, pose.position, pose.position + motion, angle(pose.rotation), random.uniform(-1.0, 1.0)};
         };
-        Motion& motion = motions.emplace_back();
-        motion.a = sweep(pair.pose_a, {});
-        motion.b = sweep(pair.pose_b, way);
-        theirs.push_back({proxies.make(pair.a), proxies.make(pair.b), to_b2(motion.a), to_b2(motion.b), 1.0f});
+        const Sweep sweep_a = sweep(pair.pose_a, {}), sweep_b = sweep(pair.pose_b, way);
+        ours.push_back({pair.a, pair.b, sweep_a, sweep_b});
+        theirs.push_back({proxies.make(pair.a), proxies.make(pair.b), to_b2(sweep_a), to_b2(sweep_b), 1.0f});
     }
 };
 
@@ -246,10 +245,8 @@ QueryCase impact_case(const std::string& name, Kind kind) {
                 const auto pairs = std::make_shared<ImpactPairs>(random_pairs(kind, kind, 0.5, count, seed), seed);
                 return {[=] {
                             double sum = 0.0;
-                            for (std::size_t i = 0; i < pairs->ours.size(); ++i) {
-                                const Pair& pair = pairs->ours[i];
-                                sum += time_of_impact(pair.a, pairs->motions[i].a, pair.b, pairs->motions[i].b, kTarget).fraction;
-                            }
+                            for (const ImpactPairs::OurQuery& query : pairs->ours)
+                                sum += time_of_impact(query.a, query.sweep_a, query.b, query.sweep_b, kTarget).fraction;
                             return sum;
                         },
                         [=] {
@@ -264,23 +261,31 @@ QueryCase impact_case(const std::string& name, Kind kind) {
             }};
 }
 
-// From the place of the pair's second shape towards the first one's centre: each ray hits.
+// From the place of the pair's second shape towards the first one's centre: each ray hits. Each engine's list holds what
+// its query needs and no more, as reading it is a part of a query this short.
 template <class B2Shape>
 struct RayQueries {
-    std::vector<Pair> ours;
-    struct Query {
+    struct OurQuery {
+        Shape shape;
+        Pose pose;
+        DVec2 origin, translation;
+    };
+    struct TheirQuery {
         B2Shape shape;
         b2Transform pose;
         b2RayCastInput input;
     };
-    std::vector<Query> theirs;
+    std::vector<OurQuery> ours;
+    std::vector<TheirQuery> theirs;
 
-    explicit RayQueries(std::vector<Pair> pairs) : ours(std::move(pairs)) {
-        for (const Pair& pair : ours) {
-            Query& query = theirs.emplace_back();
+    explicit RayQueries(const std::vector<Pair>& pairs) {
+        for (const Pair& pair : pairs) {
+            const DVec2 origin = pair.pose_b.position, end = pair.pose_a.position;
+            ours.push_back({pair.a, pair.pose_a, origin, end - origin});
+            TheirQuery& query = theirs.emplace_back();
             set(query.shape, pair.a);
             query.pose = to_b2(pair.pose_a);
-            query.input = {to_b2(pair.pose_b.position), to_b2(pair.pose_a.position), 1.0f};
+            query.input = {to_b2(origin), to_b2(end), 1.0f};
         }
     }
 
@@ -297,9 +302,8 @@ QueryCase ray_case(const std::string& name, Kind kind) {
                 const auto rays = std::make_shared<RayQueries<B2Shape>>(random_pairs(kind, kind, 1.0, count, seed));
                 return {[=] {
                             double sum = 0.0;
-                            for (const Pair& pair : rays->ours)
-                                sum += cast_ray(pair.a, pair.pose_a, pair.pose_b.position,
-                                                pair.pose_a.position - pair.pose_b.position).fraction;
+                            for (const auto& query : rays->ours)
+                                sum += cast_ray(query.shape, query.pose, query.origin, query.translation).fraction;
                             return sum;
                         },
                         [=] {
