@@ -29,7 +29,7 @@ Verdict judge(const std::string& file) {
     Verdict verdict;
     verdict.file = file;
     try {
-        const Scene scene = load_scene(file, &verdict.diagnostics);
+        const Scene scene = load_scene(file, {.overrides = {}, .seed = {}, .lint = true}, &verdict.diagnostics);
         const SceneWorld built = build_world(scene);
         verdict.bodies = built.bodies.size();
         verdict.joints = built.joints.size();

@@ -239,6 +239,7 @@ struct Scene {
 struct LoadOptions {
     std::vector<std::string> overrides;  // "/json/pointer=value" each; a value that is not JSON is taken as a string
     std::optional<std::uint64_t> seed;   // replaces /world/seed
+    bool lint = false;  // warn of what is valid but likely to disappoint; builds the world and steps it once
 };
 
 // Reads a scene. Throws FileError (not readable) or SceneError (not valid). Warnings, if asked for, are appended.

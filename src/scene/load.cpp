@@ -2,6 +2,7 @@
 // the one before allow, so that a user sees all of them at once.
 #include "scene/check.hpp"
 #include "scene/input.hpp"
+#include "scene/lint.hpp"
 #include "scene/override.hpp"
 #include "scene/reader.hpp"
 #include "scene/writer.hpp"
@@ -19,6 +20,7 @@ Scene parse_scene(std::string_view text, const std::string& file_name, const Loa
         scene::apply_overrides(options, *value, diagnostics);
         result = scene::read_scene(*value, diagnostics);
         scene::check_scene(result, diagnostics);
+        if (options.lint && !diagnostics.has_errors()) scene::add_lints(result, diagnostics);
     }
     diagnostics.finish(warnings);
     return result;

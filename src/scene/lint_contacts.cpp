@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scene/lint.hpp"
+
+namespace tumble::scene {
+
+namespace {
+
+constexpr double kOverlap = 0.02;      // of the smaller extent: twice the overlap that contacts keep at rest, and
+constexpr double kOverlapLimit = 0.01; // m: never more
+constexpr double kAcross = 0.5;        // cosine: steeper contacts carry no weight
+constexpr double kVisibleSag = 0.05;   // of the smaller extent of the body that sinks
+
+// Each contact point gives like a spring of 30 Hz on the mass that it moves, 60 Hz against what does not move (rad/s).
+constexpr double kContactSpring = 2.0 * kPi * 30.0, kGroundSpring = 2.0 * kContactSpring;
+
+// All points between two bodies, as one.
+struct Touch {
+    std::size_t a = 0, b = 0;  // built bodies
+    double separation = 0.0;   // the least, m
+    DVec2 normal;              // of that point, from A to B
+    double stiffness = 0.0;    // of all points along their normals, N/m
+};
+
+class ContactLinter {
+public:
+    ContactLinter(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics)
+        : scene_(scene), built_(started), diagnostics_(diagnostics), up_(-1.0 * scene.world.gravity) {
+        for (std::size_t i = 0; i < built_.bodies.size(); ++i) index_[built_.bodies[i].id.index] = i;
+        std::map<std::pair<std::size_t, std::size_t>, Touch> touches;
+        for (const ContactPoint& contact : built_.world.contacts()) {
+            const std::size_t a = index_.at(contact.body_a.index), b = index_.at(contact.body_b.index);
+            Touch& touch = touches.try_emplace({a, b}, Touch{a, b, HUGE_VAL, {}, 0.0}).first->second;
+            const double spring = is_dynamic(a) && is_dynamic(b) ? kContactSpring : kGroundSpring;
+            touch.stiffness += spring * spring / (mobility(a, contact) + mobility(b, contact));
+            if (double{contact.separation} >= touch.separation) continue;
+            touch.separation = double{contact.separation};
+            touch.normal = DVec2(contact.normal);
+        }
+        for (const auto& [pair, touch] : touches) touches_.push_back(touch);
+    }
+
+    void check_overlaps() {
+        std::set<std::pair<std::size_t, std::size_t>> said;
+        for (const Touch& touch : touches_) {
+            const double allowed = std::min(kOverlap * std::min(extent_of(touch.a), extent_of(touch.b)), kOverlapLimit);
+            if (touch.separation >= -allowed || !said.insert({source(touch.a), source(touch.b)}).second) continue;
+            warn(touch.b, name(touch.b) + " starts " + brief(-touch.separation) + " m inside " + name(touch.a) +
+                              ": they are pushed apart, by up to 3 m/s",
+                 "move one of them, or keep them from meeting by a filter");
+        }
+    }
+
+    void check_masses() {
+        std::set<std::pair<std::size_t, std::size_t>> said;
+        for (const Touch& touch : touches_) {
+            if (!is_dynamic(touch.a) || !is_dynamic(touch.b)) continue;
+            const double ratio = mass_ratio(built_.world, id(touch.a), id(touch.b));
+            if (ratio <= kLargeMassRatio || !said.insert({source(touch.a), source(touch.b)}).second) continue;
+            warn(touch.b, name(touch.a) + " of " + brief(mass(touch.a)) + " kg touches " + name(touch.b) + " of " +
+                              brief(mass(touch.b)) + " kg: what is over 100 times lighter is squeezed",
+                 "bring the densities nearer to each other, or give the world more substeps");
+        }
+    }
+
+    void check_sleepers() {
+        std::set<std::size_t> held;  // by a contact or a joint
+        for (const Touch& touch : touches_) held.insert({touch.a, touch.b});
+        for (const JointId joint : built_.world.joints())
+            std::visit([&](const auto& def) { held.insert({index_.at(def.body_a.index), index_.at(def.body_b.index)}); },
+                       built_.world.joint(joint));
+        std::set<std::size_t> said;
+        for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
+            const SceneBody& body = scene_.bodies[source(i)];
+            const bool falls = length(up_) > 0.0 && body.gravity_scale != 0.0;
+            if (body.awake || !is_dynamic(i) || !falls || held.contains(i) || !said.insert(source(i)).second) continue;
+            warn(i, name(i) + " sleeps in the air: it falls only once something touches it",
+                 R"(leave out "awake": false, or lower it onto what holds it)");
+        }
+    }
+
+    // Loads go down from body to body, sinking adds up from the ground.
+    void check_stacks() {
+        if (!(length(up_) > 0.0)) return;
+        struct Support {
+            std::size_t body = 0;
+            double stiffness = 0.0;
+        };
+        std::vector<std::vector<Support>> below(built_.bodies.size());
+        for (const Touch& touch : touches_) {
+            const double rise = dot(touch.normal, up_) / length(up_);
+            if (rise > kAcross) below[touch.b].push_back({touch.a, touch.stiffness});
+            if (rise < -kAcross) below[touch.a].push_back({touch.b, touch.stiffness});
+        }
+        std::vector<std::size_t> upwards(built_.bodies.size());
+        std::iota(upwards.begin(), upwards.end(), std::size_t{0});
+        std::ranges::stable_sort(upwards, {}, [this](std::size_t i) { return height(i); });
+        std::vector<double> load(built_.bodies.size()), sunk(built_.bodies.size());  // N; m
+        for (std::size_t k = upwards.size(); k-- > 0;) {
+            const std::size_t i = upwards[k];
+            if (!is_dynamic(i)) continue;
+            load[i] += mass(i) * length(up_);
+            for (const Support& under : below[i]) load[under.body] += load[i] / static_cast<double>(below[i].size());
+        }
+        std::size_t worst = upwards.size();
+        for (const std::size_t i : upwards) {
+            if (!is_dynamic(i)) continue;
+            const double share = load[i] / static_cast<double>(below[i].size());
+            for (const Support& under : below[i]) sunk[i] = std::max(sunk[i], sunk[under.body] + share / under.stiffness);
+            const bool is_visible = sunk[i] > kVisibleSag * extent_of(i);
+            if (is_visible && (worst == upwards.size() || sunk[i] > sunk[worst])) worst = i;
+        }
+        if (worst == upwards.size()) return;
+        warn(worst, "what " + name(worst) + " stands on will sink by about " + brief(sunk[worst]) + " m under its weight",
+             "contacts give a little each: fewer or lighter bodies on top of each other, or lower gravity");
+    }
+
+private:
+    void warn(std::size_t body, const std::string& message, const std::string& hint) {
+        diagnostics_.warning("/bodies/" + std::to_string(source(body)), message, hint);
+    }
+
+    BodyId id(std::size_t body) const { return built_.bodies[body].id; }
+    std::size_t source(std::size_t body) const { return built_.bodies[body].source; }
+    std::string name(std::size_t body) const { return display_name(built_, body); }
+    bool is_dynamic(std::size_t body) const { return built_.world.type(id(body)) == BodyType::dynamic_body; }
+    double mass(std::size_t body) const { return double{built_.world.mass(id(body)).mass}; }
+    double height(std::size_t body) const { return dot(built_.world.state(id(body)).pose.position, up_); }
+
+    // How far a unit impulse at a contact point moves the body there (1/kg).
+    double mobility(std::size_t body, const ContactPoint& contact) const {
+        if (!is_dynamic(body)) return 0.0;
+        const BodyMass own = built_.world.mass(id(body));
+        const DVec2 lever = contact.point - transform_point(built_.world.state(id(body)).pose, own.center);
+        const double turn = cross(lever, DVec2(contact.normal));
+        return 1.0 / double{own.mass} + (own.inertia > 0.0f ? turn * turn / double{own.inertia} : 0.0);
+    }
+
+    double extent_of(std::size_t body) const {
+        double least = HUGE_VAL;
+        for (const ShapeId shape : built_.world.shapes(id(body))) {
+            const Extent size = extent(built_.world.shape(shape));
+            least = std::min(least, double{size.smaller > 0.0f ? size.smaller : size.larger});
+        }
+        return least;
+    }
+
+    const Scene& scene_;
+    const SceneWorld& built_;
+    Diagnostics& diagnostics_;
+    DVec2 up_;                                     // gravity, the other way round (m/s^2)
+    std::map<std::uint32_t, std::size_t> index_;   // of BodyId::index
+    std::vector<Touch> touches_;                   // in the order of the bodies
+};
+
+}  // namespace
+
+void add_contact_lints(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics) {
+    ContactLinter linter(scene, started, diagnostics);
+    linter.check_overlaps();
+    linter.check_masses();
+    linter.check_sleepers();
+    linter.check_stacks();
+}
+
+}  // namespace tumble::scene
