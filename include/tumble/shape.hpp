@@ -40,6 +40,10 @@ public:
     int vertex_count() const noexcept { return count_; }
     float radius() const noexcept { return radius_; }
 
+    // True if the outline is convex and counter-clockwise, exactly: no vertex lies to the right of an edge, and for
+    // n > 8 none on the line of another's. Only then do queries look at faces; they look at all vertices else.
+    bool is_convex() const noexcept { return is_convex_; }
+
     // The largest distance of a core vertex from the local origin, correct to a few ulp (m); not finite if a vertex is
     // not. Error bounds of the narrow phase are relative to it.
     double core_radius() const noexcept { return core_radius_; }
@@ -67,7 +71,8 @@ public:
 private:
     std::size_t size() const noexcept { return static_cast<std::size_t>(count_); }
 
-    std::int32_t count_ = 0;
+    std::uint16_t count_ = 0;
+    bool is_convex_ = true;
     float radius_ = 0.0f;
     double core_radius_ = 0.0;
     float x_[kInlineVertices] = {};

@@ -151,7 +151,7 @@ bool cast_at_sharp_polygon(const Ray& ray, CastResult& result) {
 
 [[gnu::noinline]] CastResult cast_in_general(const Shape& shape, const Ray& ray) {
     static constexpr float kPoint = 0.0f;
-    const CorePair pair{ray.core, {&kPoint, &kPoint, 1, 1.0, 0.0, nullptr}, ray.offset, ray.scale};
+    const CorePair pair{ray.core, {&kPoint, &kPoint, 1, 1.0, 0.0, nullptr, true}, ray.offset, ray.scale};
     if (!is_valid(pair, shape, shape) || !is_valid_motion(ray.motion)) return invalid_cast();
     const CastPath path = make_path(pair, ray.motion, ray.radius);
     return cast_result(clip_path(pair, path), path, pair.a, ray.radius, ray.position);

@@ -80,7 +80,7 @@ CoreDistance unseparated_cores(const CorePair& pair, const GjkResult& gjk) {
 
 // By the feature that the simplex is, as every query of small cores ends.
 bool measure_small_simplex(const CorePair& pair, const Simplex& simplex, CoreDistance& result) {
-    if (simplex.count > 2 || std::max(pair.a.count, pair.b.count) > Shape::kInlineVertices) return false;
+    if (simplex.count > 2 || !has_few_faces(pair)) return false;
     if (pair.a.count == 1 && pair.b.count == 1) return measure_points(pair, result) && result.lower > 0.0;
     const VertexPair first = simplex.vertices[0].pair(), second = simplex.vertices[1].pair();
     if (simplex.count == 1)
@@ -116,7 +116,6 @@ bool measure_parallel_faces(const CorePair& pair, CoreDistance& result) {
     const TurnedPair<8> turned = {turn<8>(pair.a), turn<8>(pair.b)};
     for (LeadingFaces<8> leading(pair, turned); leading.bits != 0; leading.bits &= leading.bits - 1) {
         const Foot foot = measure_by_face(pair, leading.first(), result);
-        if (foot == Foot::nowhere) continue;
         if (result.overlap && foot != Foot::inside) move_below_origin(pair, result);
         if (result.overlap || (foot == Foot::inside && result.lower > 0.0)) return true;
     }
@@ -145,7 +144,7 @@ CoreDistance search_small_cores(const CorePair& pair, SimplexCache* cache) {
     return result;
 }
 
-CoreDistance measure_large_cores(const CorePair& pair, SimplexCache* cache) {
+CoreDistance measure_any_cores(const CorePair& pair, SimplexCache* cache) {
     return measure_by_gjk<VoronoiRegions>(pair, cache, kUnobserved);
 }
 

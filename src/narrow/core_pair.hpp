@@ -4,6 +4,7 @@
 // the shapes negates every number exactly, and far from the origin nothing is lost but the rounding of the offset.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "tumble/math.hpp"
@@ -19,6 +20,7 @@ struct Core {
     double c;
     double s;
     const LargePolygon* large;  // null for at most eight vertices
+    bool is_convex;
 
     // A vertex in world axes, relative to the body's position. Products of two floats are exact in double: each
     // coordinate carries one rounding.
@@ -47,7 +49,12 @@ struct CorePair {
 };
 
 [[gnu::always_inline]] inline Core make_core(const Shape& shape, Rotation q) {
-    return {shape.x().data(), shape.y().data(), shape.vertex_count(), q.c, q.s, shape.large()};
+    return {shape.x().data(), shape.y().data(), shape.vertex_count(), q.c, q.s, shape.large(), shape.is_convex()};
+}
+
+// True if all faces of A - B are those of the outlines' edges, few enough to be looked at in lanes.
+[[gnu::always_inline]] inline bool has_few_faces(const CorePair& pair) {
+    return std::max(pair.a.count, pair.b.count) <= Shape::kInlineVertices && pair.a.is_convex && pair.b.is_convex;
 }
 
 // |q| R for the core radius R: |q| <= (1 + |q|^2) / 2, equal for unit rotations and without a root.

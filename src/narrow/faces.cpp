@@ -99,8 +99,7 @@ FoundFace deepest_face_one_by_one(const CorePair& pair) {
 }  // namespace
 
 FoundFace deepest_face(const CorePair& pair) {
-    const bool is_small = std::max(pair.a.count, pair.b.count) <= Shape::kInlineVertices;
-    FoundFace deepest = is_small ? deepest_face_in_lanes<8>(pair) : deepest_face_one_by_one(pair);
+    FoundFace deepest = has_few_faces(pair) ? deepest_face_in_lanes<8>(pair) : deepest_face_one_by_one(pair);
     if (deepest.exists) move_below_origin(pair, deepest.face);
     return deepest;
 }

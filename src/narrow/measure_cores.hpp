@@ -11,8 +11,8 @@ namespace tumble {
 // For at most eight vertices where the leading face does not decide: parallel faces, contact within rounding.
 CoreDistance search_small_cores(const CorePair& pair, SimplexCache* cache);
 
-// GJK for any number of vertices.
-CoreDistance measure_large_cores(const CorePair& pair, SimplexCache* cache);
+// GJK for any number of vertices, and for outlines that are not convex.
+CoreDistance measure_any_cores(const CorePair& pair, SimplexCache* cache);
 
 [[gnu::always_inline]] inline bool measure_points(const CorePair& pair, CoreDistance& result) {
     const DVec2 a = pair.a.point(0), b = pair.b.point(0);
@@ -41,7 +41,7 @@ TUMBLE_LANE_FUNCTION bool measure_from_face(const LeadingFaces<N>& leading, Core
     const OwnedFace face = leading.first();
     const Foot foot = measure_by_face(leading.pair, face, result);
     if (foot == Foot::inside) return result.lower > 0.0 || result.overlap;
-    if (foot == Foot::nowhere || !(result.lower > 0.0) || !std::has_single_bit(leading.bits)) return false;
+    if (!(result.lower > 0.0) || !std::has_single_bit(leading.bits)) return false;
     const int end = foot == Foot::beyond_first ? face.from : face.to;
     return measure_by_vertex<N>(leading.pair, leading.turned, pair_of_owner(face.is_b, end, face.nearest), result);
 }
@@ -97,9 +97,8 @@ template <typename Finish>
         if (measure_points(pair, result)) return finish(result);
         return finish(search_small_cores(pair, cache));
     }
-    if (largest <= 4) return measure_small<4>(pair, cache, finish);
-    if (largest <= 8) return measure_small<8>(pair, cache, finish);
-    return finish(measure_large_cores(pair, cache));
+    if (!has_few_faces(pair)) return finish(measure_any_cores(pair, cache));
+    return largest <= 4 ? measure_small<4>(pair, cache, finish) : measure_small<8>(pair, cache, finish);
 }
 
 }  // namespace tumble

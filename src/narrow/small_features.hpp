@@ -51,14 +51,12 @@ struct OwnedFace {
     double outward_y;
     double length;  // of `outward`
     double separation;
-    double overhang;                              // how much higher than the edge the owner is; 0 within rounding, if convex
     double first_x, first_y, second_x, second_y;  // the ends
     double other_x, other_y;                      // the other core's vertex, relative to the other core's position
 };
 
-// Where the foot of the origin lies on a face: between its ends, or beyond one of them. Nowhere for an edge that is none of
-// the hull's: of a clockwise outline, or one that crosses itself.
-enum class Foot { inside, beyond_first, beyond_second, nowhere };
+// Where the foot of the origin lies on a face: between its ends, or beyond one of them.
+enum class Foot { inside, beyond_first, beyond_second };
 
 // The face's separation is a lower bound, and the distance if the foot is inside.
 [[gnu::always_inline]] inline Foot measure_by_face(const CorePair& pair, const OwnedFace& face, CoreDistance& result) {
@@ -88,7 +86,6 @@ enum class Foot { inside, beyond_first, beyond_second, nowhere };
     // The edge is outward turned by a quarter: (-y, x).
     const double before_x = (face.first_x - face.other_x) - offset_x, before_y = (face.first_y - face.other_y) - offset_y;
     const double behind_x = (face.second_x - face.other_x) - offset_x, behind_y = (face.second_y - face.other_y) - offset_y;
-    if (face.overhang > error_bound(pair) * face.length) return Foot::nowhere;
     if (before_y * face.outward_x - before_x * face.outward_y >= 0.0) return Foot::beyond_first;
     return behind_y * face.outward_x - behind_x * face.outward_y <= 0.0 ? Foot::beyond_second : Foot::inside;
 }
@@ -98,7 +95,7 @@ template <int N>
 TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, int from) {
     const Core* const cores[2] = {&pair.a, &pair.b};
     const Core& owner = *cores[is_b];
-    const TurnedCore<N> own = turn<N>(owner), other = turn<N>(*cores[1 - is_b]);
+    const TurnedCore<N> other = turn<N>(*cores[1 - is_b]);
     const double sign = kSign[is_b], offset_x = sign * pair.offset.x, offset_y = sign * pair.offset.y;
     const int to = owner.next(from);
     const DVec2 edge = owner.edge(from, to), first = owner.point(from), second = owner.point(to);
@@ -110,7 +107,6 @@ TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, in
     const double gap = (lowest - own_height) + (offset_x * x + offset_y * y);
     const double length = std::sqrt(x * x + y * y);
     return {is_b,    from,    to,       nearest,  x,                y,               length, gap / length,
-            largest(heights(own, x, y)) - own_height,
             first.x, first.y, second.x, second.y, other.x[nearest], other.y[nearest]};
 }
 
@@ -149,8 +145,7 @@ OwnedFace LeadingFaces<N>::first() const {
     const TurnedCore<N>& other = turned[1 - is_b];
     const int to = cores[is_b]->next(from), nearest = face.nearest[from];
     const double x = face.outward_x[from], y = face.outward_y[from];
-    const double overhang = largest(heights(own, x, y)) - (x * own.x[from] + y * own.y[from]);
-    return {is_b, from, to, nearest, x, y, face.length[from], separation, overhang,
+    return {is_b, from, to, nearest, x, y, face.length[from], separation,
             own.x[from], own.y[from], own.x[to], own.y[to], other.x[nearest], other.y[nearest]};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shape/convexity.hpp"
 #include "shape/edge_angles.hpp"
 #include "shape/validate.hpp"
 
@@ -17,7 +18,7 @@ bool operator==(const Shape& a, const Shape& b) noexcept {
 Shape Shape::from_raw(std::span<const Vec2> vertices, float radius) {
     require_vertex_count(vertices.size());
     Shape shape;
-    shape.count_ = static_cast<std::int32_t>(vertices.size());
+    shape.count_ = static_cast<std::uint16_t>(vertices.size());
     shape.radius_ = radius;
     double farthest_sq = 0.0;
     for (const Vec2 vertex : vertices) {
@@ -33,9 +34,11 @@ Shape Shape::from_raw(std::span<const Vec2> vertices, float radius) {
             large->y.push_back(vertex.y);
         }
         sort_edges(*large);
+        shape.is_convex_ = !large->edge_angles.empty();
         shape.large_ = std::move(large);
         return shape;
     }
+    shape.is_convex_ = is_convex_outline(vertices);
     for (std::size_t lane = 0; lane < kInlineVertices && !vertices.empty(); ++lane) {
         const Vec2 vertex = vertices[lane < vertices.size() ? lane : 0];
         shape.x_[lane] = vertex.x;

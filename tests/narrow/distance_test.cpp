@@ -157,6 +157,20 @@ TEST_CASE("degenerate polygons answer like what they are: duplicate and collinea
     CHECK(distance(padded, at(0, 0), kBox, at(0.5, -2.5)).distance == 0.5);
 }
 
+TEST_CASE("the distance of vertices in any order is that of their hull") {
+    const Shape box = Shape::from_raw(std::array<Vec2, 4>{{{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}}}, 0);
+    const Shape clockwise = Shape::from_raw(std::array<Vec2, 4>{{{-0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, -0.5f}, {-0.5f, -0.5f}}}, 0);
+    const Shape bow_tie = Shape::from_raw(std::array<Vec2, 4>{{{-0.5f, -0.5f}, {0.5f, 0.5f}, {0.5f, -0.5f}, {-0.5f, 0.5f}}}, 0);
+    for (const Pose& pose : {at(2, 0.25, 10), at(-1, 1.25, 33), at(0.5, -1.25, 80)}) {
+        const double expected = distance(box, at(0, 0), box, pose).distance;
+        REQUIRE(expected > 0.0);
+        for (const Shape& shape : {clockwise, bow_tie}) {
+            CHECK(distance(shape, at(0, 0), box, pose).distance == doctest::Approx(expected).epsilon(1e-14));
+            CHECK(distance(box, at(0, 0), shape, pose).distance == doctest::Approx(expected).epsilon(1e-14));
+        }
+    }
+}
+
 TEST_CASE("identical shapes at one pose are as deep as they are thin") {
     const DistanceResult r = distance(make_box({4, 1}), at(7, 8, 30), make_box({4, 1}), at(7, 8, 30));
     CHECK(r.distance == doctest::Approx(-1.0).epsilon(1e-7));

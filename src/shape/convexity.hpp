@@ -1,0 +1,14 @@
+// Whether the vertices of a small shape are a convex outline: what lets its edges stand for the faces of its hull.
+#pragma once
+
+#include <span>
+
+#include "tumble/math.hpp"
+
+namespace tumble {
+
+// True if no vertex lies to the right of any edge, exactly: counter-clockwise, once round, with collinear and duplicate
+// vertices allowed. One or two vertices are convex. O(n^2).
+bool is_convex_outline(std::span<const Vec2> vertices);
+
+}  // namespace tumble
