@@ -19,6 +19,7 @@ struct LargePolygon {
     std::vector<float> y;  // [n]
     std::vector<double> edge_angles;  // [n], ascending from `first_edge` on, in a unit of its own; empty if the outline is
     std::int32_t first_edge = 0;      // not strictly convex: its supports are then found by looking at all vertices
+    std::vector<std::uint16_t> edges_before;  // [2 n + 1], how many edges lie before each of 2 n equal parts of the circle
 };
 
 // What taking the hull did to the points that were given. `kept + duplicate + collinear + interior` is their number.

@@ -35,20 +35,34 @@ VertexPair neighbour(const CorePair& pair, DVec2 direction, VertexPair at, int s
 
 }  // namespace
 
-FoundFace face_of_a(const CorePair& pair, int edge) {
-    const int next = pair.a.next(edge);
-    const DVec2 direction = -perp(pair.a.edge(edge, next));
-    const Support b = support(pair.b, -direction);
+namespace {
+
+// An edge's outward normal, as long as it, and from A to B also for edges of B.
+DVec2 normal_of_a(const CorePair& pair, int edge) { return -perp(pair.a.edge(edge, pair.a.next(edge))); }
+DVec2 normal_of_b(const CorePair& pair, int edge) { return perp(pair.b.edge(edge, pair.b.next(edge))); }
+
+FoundFace face_of_a(const CorePair& pair, int edge, DVec2 direction, Support b) {
     const double height_a = dot(direction, pair.a.point(edge));
-    return make_face(pair, direction, height_a, b.height, make_pair_of(edge, b.index), make_pair_of(next, b.index));
+    return make_face(pair, direction, height_a, b.height, make_pair_of(edge, b.index),
+                     make_pair_of(pair.a.next(edge), b.index));
+}
+
+FoundFace face_of_b(const CorePair& pair, int edge, DVec2 direction, Support a) {
+    const double height_b = -dot(direction, pair.b.point(edge));
+    return make_face(pair, direction, a.height, height_b, make_pair_of(a.index, edge),
+                     make_pair_of(a.index, pair.b.next(edge)));
+}
+
+}  // namespace
+
+FoundFace face_of_a(const CorePair& pair, int edge) {
+    const DVec2 direction = normal_of_a(pair, edge);
+    return face_of_a(pair, edge, direction, support(pair.b, -direction));
 }
 
 FoundFace face_of_b(const CorePair& pair, int edge) {
-    const int next = pair.b.next(edge);
-    const DVec2 direction = perp(pair.b.edge(edge, next));
-    const Support a = support(pair.a, direction);
-    const double height_b = -dot(direction, pair.b.point(edge));
-    return make_face(pair, direction, a.height, height_b, make_pair_of(a.index, edge), make_pair_of(a.index, next));
+    const DVec2 direction = normal_of_b(pair, edge);
+    return face_of_b(pair, edge, direction, support(pair.a, direction));
 }
 
 // Walks along the outline below the origin, as long as it, or its part up to the origin, stays level within the rounding
@@ -89,10 +103,37 @@ FoundFace deepest_face_in_lanes(const CorePair& pair) {
             true};
 }
 
+// The supports of a core for directions that go round with the edges of the other: each climbs from the one before, so that
+// all of them take as many steps as the core has vertices.
+class SupportsAround {
+public:
+    explicit SupportsAround(const Core& core) : core_(core) {}
+
+    Support operator()(DVec2 direction) {
+        const bool is_near = has_edge_angles(core_) && dot(direction, previous_) > 0.0;
+        const DVec2 local = to_local(core_, direction);
+        index_ = is_near ? climb(*core_.large, local, index_) : support(core_, direction).index;
+        previous_ = direction;
+        return support_at(core_, local, index_);
+    }
+
+private:
+    const Core& core_;
+    DVec2 previous_;
+    int index_ = 0;
+};
+
 FoundFace deepest_face_one_by_one(const CorePair& pair) {
     FoundFace best;
-    for (int edge = 0; edge < pair.a.count && pair.a.count > 1; ++edge) keep_deeper(best, face_of_a(pair, edge));
-    for (int edge = 0; edge < pair.b.count && pair.b.count > 1; ++edge) keep_deeper(best, face_of_b(pair, edge));
+    SupportsAround of_b(pair.b), of_a(pair.a);
+    for (int edge = 0; edge < pair.a.count && pair.a.count > 1; ++edge) {
+        const DVec2 direction = normal_of_a(pair, edge);
+        keep_deeper(best, face_of_a(pair, edge, direction, of_b(-direction)));
+    }
+    for (int edge = 0; edge < pair.b.count && pair.b.count > 1; ++edge) {
+        const DVec2 direction = normal_of_b(pair, edge);
+        keep_deeper(best, face_of_b(pair, edge, direction, of_a(direction)));
+    }
     return best;
 }
 

@@ -6,36 +6,43 @@ namespace tumble {
 
 namespace {
 
-// The first edge, counted from `first_edge`, that is not before the angle; their number if all are. Without a branch that
-// could be mispredicted.
-std::size_t first_not_before(const std::vector<double>& angles, double angle) {
-    const double* first = angles.data();
-    for (std::size_t left = angles.size(); left > 1;) {
+// The first edge, counted from `first_edge`, that is not before the angle; their number if all are. Its sector of the
+// circle leaves one edge or two to look at, where edges are about as long as each other, and is bisected else.
+std::size_t first_not_before(const LargePolygon& polygon, double angle) {
+    const std::size_t sector = sector_of(angle, polygon.edges_before.size() - 1);
+    std::size_t first = polygon.edges_before[sector];
+    for (std::size_t left = polygon.edges_before[sector + 1] - first; left > 1;) {
         const std::size_t half = left / 2;
-        first += first[half - 1] < angle ? half : 0;
+        first += polygon.edge_angles[first + half - 1] < angle ? half : 0;
         left -= half;
     }
-    return static_cast<std::size_t>(first - angles.data()) + (*first < angle);
+    return first < polygon.edge_angles.size() ? first + (polygon.edge_angles[first] < angle) : first;
 }
 
 }  // namespace
 
-int large_support(const LargePolygon& polygon, DVec2 direction) {
+int climb(const LargePolygon& polygon, DVec2 direction, int from) {
     const int count = static_cast<int>(polygon.x.size());
     const auto next = [count](int i) { return i + 1 < count ? i + 1 : 0; };
     const auto previous = [count](int i) { return i > 0 ? i - 1 : count - 1; };
-    const auto rise = [&](int from, int to) {  // along the edge; its coordinates are exact or round once
-        const auto i = static_cast<std::size_t>(from), j = static_cast<std::size_t>(to);
+    const auto rise = [&](int at, int to) {  // along the edge; its coordinates are exact or round once
+        const auto i = static_cast<std::size_t>(at), j = static_cast<std::size_t>(to);
         return direction.x * (static_cast<double>(polygon.x[j]) - polygon.x[i]) +
                direction.y * (static_cast<double>(polygon.y[j]) - polygon.y[i]);
     };
-    // Edges rise until they point a quarter turn to the left of the direction.
-    const auto falling = static_cast<int>(first_not_before(polygon.edge_angles, square_angle(perp(direction))));
-    int at = (polygon.first_edge + falling) % count;
+    int at = from;
     int steps = count;  // for a direction of zero or infinity
     while (steps-- > 0 && rise(at, next(at)) > 0.0) at = next(at);
     while (steps-- > 0 && rise(at, previous(at)) > 0.0) at = previous(at);
     return at;
+}
+
+int large_support(const LargePolygon& polygon, DVec2 direction) {
+    const int count = static_cast<int>(polygon.x.size());
+    // Edges rise until they point a quarter turn to the left of the direction.
+    const auto falling = static_cast<int>(first_not_before(polygon, square_angle(perp(direction))));
+    const int at = polygon.first_edge + falling;
+    return climb(polygon, direction, at < count ? at : at - count);
 }
 
 }  // namespace tumble

@@ -11,19 +11,26 @@ struct Support {
     double height;  // direction . vertex, relative to the body's position
 };
 
-// Ties go to the lowest index, of large polygons to any. The direction is turned into the core's frame once instead of all vertices out of it.
+// A direction in the core's own frame: it is turned there once, instead of all vertices out of it.
+[[gnu::always_inline]] inline DVec2 to_local(const Core& core, DVec2 direction) {
+    return {core.c * direction.x + core.s * direction.y, core.c * direction.y - core.s * direction.x};
+}
+
+[[gnu::always_inline]] inline Support support_at(const Core& core, DVec2 local, int index) {
+    return {index, local.x * core.x[index] + local.y * core.y[index]};
+}
+
+[[gnu::always_inline]] inline bool has_edge_angles(const Core& core) { return core.large && core.is_convex; }
+
+// Ties go to the lowest index, of large polygons to any.
 [[gnu::always_inline]] inline Support support(const Core& core, DVec2 direction) {
-    const double dx = core.c * direction.x + core.s * direction.y;
-    const double dy = core.c * direction.y - core.s * direction.x;
-    if (core.large && !core.large->edge_angles.empty()) {
-        const int index = large_support(*core.large, {dx, dy});
-        return {index, dx * core.x[index] + dy * core.y[index]};
-    }
-    Support best{0, dx * core.x[0] + dy * core.y[0]};
+    const DVec2 local = to_local(core, direction);
+    if (has_edge_angles(core)) return support_at(core, local, large_support(*core.large, local));
+    Support best = support_at(core, local, 0);
     for (int i = 1; i < core.count; ++i) {
-        const double height = dx * core.x[i] + dy * core.y[i];
-        best.index = height > best.height ? i : best.index;
-        best.height = height > best.height ? height : best.height;
+        const Support other = support_at(core, local, i);
+        best.index = other.height > best.height ? i : best.index;
+        best.height = other.height > best.height ? other.height : best.height;
     }
     return best;
 }

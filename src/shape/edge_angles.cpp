@@ -1,6 +1,7 @@
 #include "shape/edge_angles.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "shape/orientation.hpp"
 
@@ -23,6 +24,10 @@ void sort_edges(LargePolygon& polygon) {
         if (angles[i] < angles[i - 1] - kRounding) return;
         angles[i] = std::max(angles[i], angles[i - 1]);
     }
+    const std::size_t sectors = 2 * count;  // one an edge is 6 % slower, four are as fast
+    polygon.edges_before.assign(sectors + 1, 0);
+    for (const double angle : angles) ++polygon.edges_before[sector_of(angle, sectors) + 1];
+    std::partial_sum(polygon.edges_before.begin(), polygon.edges_before.end(), polygon.edges_before.begin());
     polygon.edge_angles = std::move(angles);
 }
 

@@ -15,7 +15,13 @@ inline double square_angle(DVec2 direction) {
     return direction.y >= 0.0 ? 1.0 - share : 3.0 + share;
 }
 
-// Fills in `edge_angles` and `first_edge` if the outline is strictly convex, counter-clockwise and goes round once.
+// Which of equal parts of the circle a square angle lies in; the last one for NaN. Monotone in the angle.
+inline std::size_t sector_of(double angle, std::size_t sectors) {
+    const double at = angle * (0.25 * static_cast<double>(sectors));
+    return at < static_cast<double>(sectors) ? static_cast<std::size_t>(at) : sectors - 1;
+}
+
+// Fills in `edge_angles`, `edges_before` and `first_edge` if the outline is strictly convex, counter-clockwise and goes round once.
 void sort_edges(LargePolygon& polygon);
 
 }  // namespace tumble

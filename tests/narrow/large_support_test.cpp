@@ -5,7 +5,8 @@
 
 #include <array>
 
-#include "narrow/support.hpp"
+#include "narrow/error_bound.hpp"
+#include "narrow/faces.hpp"
 #include "support/random_pairs.hpp"
 
 using namespace tumble;
@@ -49,6 +50,36 @@ TEST_CASE("the support found by bisection is the highest vertex: round, flat and
         check_supports(source.ellipse(count, 1e6, 1e6), source, 500);
     }
     check_supports(source.ellipse(60000, 1, 1), source, 200);
+}
+
+TEST_CASE("climbing from the support of a direction less than a quarter turn away finds the highest vertex") {
+    PairSource source(97);
+    for (const Shape& shape : {source.ellipse(10, 1, 1), source.ellipse(1000, 1, 1), source.ellipse(300, 1, 0.001)}) {
+        const double rounding = 16.0 * 0x1p-53 * shape.core_radius();
+        for (int sample = 0; sample < 2000; ++sample) {
+            const DVec2 before(source.uniform(-1, 1), source.uniform(-1, 1));
+            const SinCos turn = sin_cos(source.uniform(-1.57, 1.57));
+            const DVec2 direction(turn.cos * before.x - turn.sin * before.y, turn.sin * before.x + turn.cos * before.y);
+            const int found = climb(*shape.large(), direction, large_support(*shape.large(), before));
+            CHECK(dot(direction, DVec2(shape.vertex(found))) >= highest(shape, direction) - rounding * length(direction));
+        }
+    }
+}
+
+TEST_CASE("the deepest face of large overlapping polygons is the deepest of all, one after the other") {
+    PairSource source(98);
+    for (int sample = 0; sample < 300; ++sample) {
+        const int count = 9 + source.below(120);
+        const Shape a = source.ellipse(count, 1, source.uniform(0.01, 1.0));
+        const Shape b = sample % 3 ? source.ellipse(9 + source.below(120), 0.5, 0.3) : make_segment({-0.4f, 0.1f}, {0.5f, 0.2f});
+        const Pose pose_a = source.pose(0.2), pose_b = source.pose(0.2);
+        const CorePair pair = make_core_pair(a, pose_a, b, pose_b);
+        double deepest = -1e300;
+        for (int edge = 0; edge < a.vertex_count(); ++edge) deepest = std::max(deepest, face_of_a(pair, edge).face.separation);
+        for (int edge = 0; edge < b.vertex_count(); ++edge) deepest = std::max(deepest, face_of_b(pair, edge).face.separation);
+        // Supports of equal height may be another vertex, whose height rounds otherwise.
+        CHECK(std::abs(deepest_face(pair).face.separation - deepest) <= error_bound(pair));
+    }
 }
 
 TEST_CASE("outlines that bisection would not find its way in are known by their turns") {
