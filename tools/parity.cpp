@@ -1,4 +1,4 @@
-// `tumble parity`: distances beside Box2D's b2Distance, with exact arithmetic as the judge.
+// `tumble parity`: distances, rays, casts and times of impact beside Box2D's, with exact arithmetic as the judge.
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -11,6 +11,7 @@
 #include "output_path.hpp"
 #include "parity_report.hpp"
 #include "places.hpp"
+#include "reference/cast_families.hpp"
 #include "reference/pair_families.hpp"
 #include "reference/parity.hpp"
 
@@ -27,11 +28,13 @@ struct ParityArguments {
 };
 
 void list_families() {
-    for (const reference::PairFamily& family : reference::pair_families()) {
+    const auto list = [](const auto& family) {
         std::string line(family.name);
         line.resize(24, ' ');
         write_output(line + std::string(family.description) + "\n");
-    }
+    };
+    for (const reference::PairFamily& family : reference::pair_families()) list(family);
+    for (const reference::CastFamily& family : reference::cast_families()) list(family);
 }
 
 // The rows of all scenes as one result.
@@ -50,7 +53,7 @@ reference::ParityResult compare_scenes(const ParityArguments& options) {
 
 reference::ParityResult compare_random_pairs(const ParityArguments& options) {
     for (const std::string& name : options.parity.families)
-        if (reference::find_pair_family(name) == nullptr)
+        if (!reference::find_pair_family(name) && !reference::find_cast_family(name))
             throw InputError("there is no family '" + name + "'; tumble parity --list names them all");
     Progress progress("pairs", options.parity.pairs);
     reference::ParityOptions parity = options.parity;

@@ -9,6 +9,7 @@
 #include "html.hpp"
 #include "parity_explanation.hpp"
 #include "parity_plots.hpp"
+#include "reference/cast_families.hpp"
 #include "reference/pair_families.hpp"
 
 namespace tumble::tools {
@@ -62,7 +63,9 @@ void add_definitions(HtmlPage& page) {
     page.heading("What counts as wrong");
     page.paragraph("tumble promises bounds: it is wrong if the exact signed distance lies outside of its [lower, upper], if its status "
                    "(separated, touching, overlapping) contradicts the exact sign, if its certificate does not prove them, or if its distance is off by more than rounding in double "
-                   "explains, 16 to 20 u L, so that wide bounds do not count as right. L is the sum of the sizes of the cores, their radii and "
+                   "explains, 16 to 20 u L, so that wide bounds do not count as right. Of moving shapes (rays, casts, times of impact) it is wrong if a "
+                   "distance below the target by 4 E goes unnoticed, if there is no contact within 4 E where it says so, or if its bracket does "
+                   "not hold, E being its own bound of about 24 u L; errors are the gaps left at the fraction. L is the sum of the sizes of the cores, their radii and "
                    "the offset of their positions, u = 1.1e-16.");
     page.paragraph("b2Distance promises a float: it is wrong if its distance is off by more than 4 eps S, S being the largest world coordinate "
                    "of the pair and eps = 1.19e-7, or if it gives 0, which is how it says overlap, where the exact distance is positive, or "
@@ -95,9 +98,11 @@ void add_family_table(HtmlPage& page, const ParityResult& result) {
 
 void add_family_descriptions(HtmlPage& page, const ParityResult& result) {
     std::vector<std::vector<HtmlCell>> rows;
-    for (const ParityRow& row : result.families)
-        if (const reference::PairFamily* family = reference::find_pair_family(row.name))
-            rows.push_back({{.text = row.name}, {.text = std::string(family->description)}});
+    for (const ParityRow& row : result.families) {
+        const reference::PairFamily* still = reference::find_pair_family(row.name);
+        const reference::CastFamily* moving = reference::find_cast_family(row.name);
+        if (still || moving) rows.push_back({{.text = row.name}, {.text = std::string(still ? still->description : moving->description)}});
+    }
     if (rows.empty()) return;
     const std::vector<std::string> header = {"family", "what its pairs are"};
     page.begin_details("what the pairs of each family are");

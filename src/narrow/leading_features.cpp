@@ -20,8 +20,9 @@ DVec2 local_edge(const Core& core, int from, int to) {
 bool is_support(const Core& core, int vertex, DVec2 direction) {
     if (core.count == 1) return true;
     const DVec2 local = turned_back(core, direction);
-    return (dot(local, local_edge(core, vertex, core.next(vertex))) < 0.0) &
-           (dot(local, local_edge(core, vertex, core.previous(vertex))) < 0.0);
+    const double up_to_next = dot(local, local_edge(core, vertex, core.next(vertex)));
+    const double up_to_previous = dot(local, local_edge(core, vertex, core.previous(vertex)));
+    return up_to_next < 0.0 && up_to_previous < 0.0;
 }
 
 bool follow_face(const CorePair& pair, LeadingFeature& feature) {

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "support/random_pairs.hpp"
+#include "tumble/cast.hpp"
 #include "tumble/manifold.hpp"
 
 namespace {
@@ -40,4 +41,23 @@ TEST_CASE("distance and collide do not allocate") {
     }
     CHECK(allocations > 0);  // the shapes themselves: the counter counts
     CHECK(sum != 0.0);
+}
+
+TEST_CASE("rays, casts and times of impact do not allocate") {
+    using namespace tumble;
+    tumble_test::PairSource source(82);
+    int hits = 0;
+    for (int sample = 0; sample < 2000; ++sample) {
+        const tumble_test::Pair pair = source.pair();
+        const DVec2 offset = pair.pose_b.position - pair.pose_a.position, way = -1.5 * offset;
+        const Sweep still{{}, pair.pose_a.position, pair.pose_a.position, 0.0, 0.5};
+        const Sweep moving{{}, pair.pose_b.position, pair.pose_b.position + way, 1.0, sample % 3 - 1.0};
+        const long before = allocations;
+        hits += cast_ray(pair.a, pair.pose_a, pair.pose_b.position, way).status == CastStatus::hit;
+        hits += cast_shape(pair.a, pair.pose_a, pair.b, pair.pose_b, way, 0.01).status == CastStatus::hit;
+        hits += swept_overlap(pair.a, pair.pose_a, pair.b, pair.pose_b, way) == DistanceStatus::overlapping;
+        hits += time_of_impact(pair.a, still, pair.b, moving).status == CastStatus::hit;
+        CHECK(allocations == before);
+    }
+    CHECK(hits > 2000);  // of 8000: the searches went to their ends
 }

@@ -1,0 +1,103 @@
+// Rays, casts and times of impact over their families, against closed forms and proved intervals in long double; and
+// that the judge does find a wrong answer. TUMBLE_PAIRS=1000000 asks for a million pairs a family.
+#include "reference/cast_families.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <string>
+
+#include "reference/cast_judge.hpp"
+#include "support/moving_pairs.hpp"
+
+using namespace tumble;
+using namespace tumble::reference;
+
+namespace {
+
+constexpr std::uint64_t kSeed = 7;
+
+CastQuery boxes_approaching(CastKind kind) {
+    CastQuery query;
+    query.kind = kind;
+    query.a = query.b = make_box({1, 1});
+    query.pose_b.position = {3, 0.25};
+    query.translation = {-4, 0};
+    query.sweep_a = {{}, {}, {}, 0.0, 0.0};
+    query.sweep_b = {{}, {3, 0.25}, {-1, 0.25}, 0.0, kind == CastKind::impact ? 0.5 : 0.0};
+    return query;
+}
+
+}  // namespace
+
+TEST_CASE("no family of moving pairs has a miss, a false hit or a bracket that does not hold") {
+    for (const CastFamily& family : cast_families()) {
+        std::map<std::string, std::uint64_t> tally;
+        const std::uint64_t count = tumble_test::pair_count() >= 1000000 ? 1000000 : tumble_test::pair_count() / 4;
+        for (std::uint64_t index = 0; index < count; ++index) {
+            const CastQuery query = family.generate(kSeed, index);
+            const CastVerdict verdict = judge(TrueMotion(query), ask_tumble(query));
+            ++tally[to_string(verdict)];
+            INFO(family.name << ", pair " << index << ": " << to_string(verdict));
+            CHECK(!is_wrong(verdict));
+        }
+        const auto share = [&](CastVerdict verdict) {
+            return static_cast<double>(tally[to_string(verdict)]) / static_cast<double>(count);
+        };
+        INFO(family.name);
+        CHECK(share(CastVerdict::hit) > 0.3);
+        CHECK(share(CastVerdict::miss) > 0.3);
+        CHECK(share(CastVerdict::overlap) > 0.01);
+        CHECK(share(CastVerdict::graze) < 0.001);
+        std::string line(family.name);
+        for (const auto& [verdict, number] : tally) line += ", " + verdict + " " + std::to_string(number);
+        MESSAGE(line);
+    }
+}
+
+TEST_CASE("the judge of moving pairs sees a late hit, an early one, a miss and a bracket beside the truth") {
+    for (const CastKind kind : {CastKind::shape, CastKind::impact}) {
+        const CastQuery query = boxes_approaching(kind);
+        const TrueMotion truth(query);
+        const CastResult right = ask_tumble(query);
+        REQUIRE(right.status == CastStatus::hit);
+        CHECK(judge(truth, right) == CastVerdict::hit);
+        const auto moved = [&](double by) {
+            CastResult result = right;
+            result.lower += by;
+            result.fraction += by;
+            result.upper += by;
+            return judge(truth, result);
+        };
+        CHECK(moved(1e-12) == CastVerdict::missed);
+        CHECK(moved(-1e-12) == CastVerdict::false_hit);
+        CastResult blind = right;
+        blind.status = CastStatus::miss;
+        CHECK(judge(truth, blind) == CastVerdict::missed);
+        CastResult narrow = right;
+        narrow.upper = narrow.fraction = narrow.lower = right.fraction - (right.upper - right.fraction);
+        CHECK(is_wrong(judge(truth, narrow)));
+        CastResult inside = right;
+        inside.status = CastStatus::overlapping;
+        CHECK(judge(truth, inside) == CastVerdict::false_hit);
+    }
+    CastQuery beside = boxes_approaching(CastKind::shape);
+    beside.pose_b.position.y = 1.0 + 1e-9;
+    CHECK(judge(TrueMotion(beside), ask_tumble(beside)) == CastVerdict::miss);
+    CastResult made_up = ask_tumble(boxes_approaching(CastKind::shape));
+    CHECK(judge(TrueMotion(beside), made_up) == CastVerdict::false_hit);
+}
+
+TEST_CASE("Box2D agrees about boxes that meet, within its slop") {
+    for (const CastKind kind : {CastKind::ray, CastKind::shape, CastKind::impact}) {
+        CastQuery query = boxes_approaching(kind);
+        query.target = b2_target(kind);
+        if (kind == CastKind::ray) query.b = make_circle(0);
+        const std::optional<B2Cast> box2d = ask_box2d(query);
+        REQUIRE(box2d);
+        CHECK(box2d->hits);
+        CHECK(judge(TrueMotion(query), *box2d, box2d->tolerance + 1e-6) == CastVerdict::hit);
+        query.target += 0.1;  // another question than the one that it answers
+        if (kind != CastKind::ray) CHECK(!ask_box2d(query));
+    }
+}
