@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -20,18 +21,27 @@ namespace {
 struct DistanceArguments {
     std::string a, b;
     bool from_input = false;
+    std::string sub_algorithm;    // empty: distance() as it is
     std::filesystem::path trace;  // empty: not drawn
     bool force = false;
 };
 
-DistanceResult answer(const DistanceQuery& query) {
-    return tumble::distance(query.a, query.a_pose, query.b, query.b_pose);
+const std::map<std::string, SubAlgorithm> kSubAlgorithms = {{"voronoi", SubAlgorithm::voronoi},
+                                                           {"johnson", SubAlgorithm::johnson},
+                                                           {"signed-volumes", SubAlgorithm::signed_volumes}};
+
+DistanceResult answer(const DistanceQuery& query, const DistanceArguments& options) {
+    if (options.sub_algorithm.empty()) return tumble::distance(query.a, query.a_pose, query.b, query.b_pose);
+    return gjk_distance(query.a, query.a_pose, query.b, query.b_pose, kSubAlgorithms.at(options.sub_algorithm));
 }
 
 ExitCode answer_arguments(const Command& command, const DistanceArguments& options) {
     const DistanceQuery query = parse_query_arguments(options.a, options.b);
-    const DistanceResult result = answer(query);
-    if (!options.trace.empty()) write_trace(options.trace, query, options.force);
+    const DistanceResult result = answer(query, options);
+    if (!options.trace.empty()) {
+        const std::string& by = options.sub_algorithm.empty() ? "voronoi" : options.sub_algorithm;
+        write_trace(options.trace, query, kSubAlgorithms.at(by), options.force);
+    }
     if (!command.json) {
         write_output(answer_text(result));
         return ExitCode::ok;
@@ -49,7 +59,7 @@ void write_line_error(JsonWriter& json, const std::string& message, std::uint64_
 
 // A line that is no query is answered by its error, and the next one is read. Who writes a line and waits gets its answer
 // before we wait for the next one.
-ExitCode answer_lines() {
+ExitCode answer_lines(const DistanceArguments& options) {
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);
     ExitCode code = ExitCode::ok;
@@ -60,7 +70,7 @@ ExitCode answer_lines() {
         json.clear();
         try {
             const DistanceQuery query = parse_query_line(line);
-            write_answer(json, query, answer(query));
+            write_answer(json, query, answer(query, options));
         } catch (const InputError& error) {
             write_line_error(json, error.what(), number);
             code = ExitCode::invalid_input;
@@ -79,7 +89,7 @@ ExitCode answer_lines() {
 ExitCode run(const Command& command, const DistanceArguments& options) {
     if (!options.trace.empty() && (options.from_input || !is_trace_file(options.trace)))
         throw CLI::ValidationError("--trace", "expected a file .png, .svg or .json, for one query, got " + options.trace.string());
-    if (options.from_input) return answer_lines();
+    if (options.from_input) return answer_lines(options);
     if (options.a.empty() || options.b.empty())
         throw CLI::RequiredError("A and B, two shapes as JSON, or --stdin,");
     return answer_arguments(command, options);
@@ -93,6 +103,9 @@ void add_distance(CLI::App& app, Command& command) {
     distance.add_option("A", options->a, R"(A shape, as in {"circle": {"radius": 1}, "pose": {"position": [2, 0]}})");
     distance.add_option("B", options->b, "Another");
     distance.add_flag("--stdin", options->from_input, "A query a line on standard input, an answer a line out");
+    distance.add_option("--sub-algorithm", options->sub_algorithm, "By the GJK loop alone, with this subalgorithm")
+        ->check(CLI::IsMember(&kSubAlgorithms))
+        ->type_name("NAME");
     distance.add_option("--trace", options->trace, "Write the iterations of the one query")->type_name("F.png|.svg|.json");
     distance.add_flag("--force", options->force, "Replace the trace if it exists");
     distance.callback([&command, options] { command.action = [&command, options] { return run(command, *options); }; });

@@ -51,8 +51,8 @@ bool is_trace_file(const std::filesystem::path& file) {
     return extension == ".png" || extension == ".svg" || extension == ".json";
 }
 
-void write_trace(const std::filesystem::path& file, const DistanceQuery& query, bool force) {
-    const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose);
+void write_trace(const std::filesystem::path& file, const DistanceQuery& query, SubAlgorithm sub_algorithm, bool force) {
+    const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose, sub_algorithm);
     if (file.extension() == ".json") return write_text(file, trace_json(query, trace), force);
     const Drawing drawing = draw_trace(query.a, query.a_pose, query.b, query.b_pose, trace);
     if (file.extension() == ".svg") return write_text(file, to_svg(drawing), force);

@@ -11,6 +11,6 @@ namespace tumble::tools {
 bool is_trace_file(const std::filesystem::path& file);
 
 // Throws FileError, or RenderError for a PNG.
-void write_trace(const std::filesystem::path& file, const DistanceQuery& query, bool force);
+void write_trace(const std::filesystem::path& file, const DistanceQuery& query, SubAlgorithm sub_algorithm, bool force);
 
 }  // namespace tumble::tools

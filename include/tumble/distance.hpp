@@ -5,7 +5,7 @@
 // tolerance: scaling the input by 2^k scales the answer bit for bit.
 //
 // Sources: Gilbert, Johnson, Keerthi 1988 [GJK88]; van den Bergen 1999, 2004 [vdB99, vdB04]; Ericson, Real-Time
-// Collision Detection, 2004, 9.5 [Eri04].
+// Collision Detection, 2004, 9.5 [Eri04]; Montanari, Petrinic, Barbieri 2017 [MPB17].
 #pragma once
 
 #include <array>
@@ -80,6 +80,18 @@ struct DistanceResult {
 DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                         SimplexCache* cache = nullptr) noexcept;
 
+// How the loop finds the point of a simplex nearest to the origin. They agree but for rounding.
+enum class SubAlgorithm : std::uint8_t {
+    voronoi,         // by the regions of its vertices and edges [Eri04, 5.1.5]; the fastest, and what distance() uses
+    johnson,         // by recursive cofactors, with the backup procedure [GJK88]
+    signed_volumes,  // by the signs of lengths and areas [MPB17]
+};
+
+// The same query by the GJK loop alone, for any number of vertices: what distance() answers, bit for bit where the closest
+// pair is unique, but for the certificate's choice among proofs and the iterations. Does not throw or allocate.
+DistanceResult gjk_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                            SubAlgorithm sub_algorithm = SubAlgorithm::voronoi, SimplexCache* cache = nullptr) noexcept;
+
 // One iteration of the loop, to be drawn or read. Vectors are in world axes, relative to A's position.
 struct TraceStep {
     std::array<VertexPair, 3> simplex{};  // before the new support is added
@@ -98,9 +110,9 @@ struct DistanceTrace {
     DistanceResult result;
 };
 
-// The same query by the GJK loop alone, for any number of vertices, with every iteration recorded. The first support,
-// towards the other shape, is the simplex of the first step; the result counts it too. Its other numbers are those of
-// distance(), bit for bit where the closest pair is unique. Allocates.
-DistanceTrace trace_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b);
+// gjk_distance() with every iteration recorded. The first support, towards the other shape, is the simplex of the first
+// step; the result counts it too. Allocates.
+DistanceTrace trace_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                             SubAlgorithm sub_algorithm = SubAlgorithm::voronoi);
 
 }  // namespace tumble

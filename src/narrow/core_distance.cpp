@@ -124,8 +124,13 @@ bool measure_parallel_faces(const CorePair& pair, CoreDistance& result) {
 
 }  // namespace
 
-CoreDistance conclude(const CorePair& pair, const GjkResult& gjk) {
+CoreDistance conclude(const CorePair& pair, GjkResult gjk) {
     CoreDistance result = measure_simplex(pair, gjk);
+    // A face that separates disproves a triangle that rounding alone closed around the origin.
+    if (gjk.closest.contains_origin && result.lower > 0.0) {
+        gjk = exhaustive_search(pair, gjk);
+        result = measure_simplex(pair, gjk);
+    }
     find_witness(pair, result);
     result.iterations = gjk.iterations;
     result.reached_cap = gjk.reached_cap;

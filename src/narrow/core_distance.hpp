@@ -37,18 +37,18 @@ GjkResult exhaustive_search(const CorePair& pair, GjkResult stopped);
 }
 
 // The answer that GJK's last simplex gives.
-CoreDistance conclude(const CorePair& pair, const GjkResult& gjk);
+CoreDistance conclude(const CorePair& pair, GjkResult gjk);
 
 inline constexpr auto kUnobserved = [](const Simplex&, const Closest&, const MinkowskiSupport&) {};
 
 // By GJK alone. A cache, if given, supplies the first simplex and receives the last.
-template <typename SubAlgorithm, typename Observer>
+template <typename Reducer, typename Observer>
 [[gnu::always_inline]] inline CoreDistance measure_by_gjk(const CorePair& pair, SimplexCache* cache,
                                                          Observer&& observe) {
     Simplex start;
     if (cache) start = simplex_of_cache(pair, *cache);
     const bool is_cold = start.count == 0;
-    GjkResult gjk = run_gjk<SubAlgorithm>(pair, is_cold ? first_simplex(pair) : start, observe);
+    GjkResult gjk = run_gjk<Reducer>(pair, is_cold ? first_simplex(pair) : start, observe);
     if (gjk.reached_cap || stopped_early(pair, gjk)) gjk = exhaustive_search(pair, gjk);
     gjk.iterations += is_cold;
     if (cache) store(gjk.simplex, *cache);

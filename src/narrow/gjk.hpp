@@ -49,14 +49,15 @@ struct GjkResult {
     ++simplex.count;
 }
 
-// `observe(simplex, closest, support)` sees each iteration before the support is added.
-template <typename SubAlgorithm, typename Observer>
+// `Reducer::reduce(pair, simplex)` reduces the simplex to the smallest subset that holds the point nearest to the origin,
+// and says where that is. `observe(simplex, closest, support)` sees each iteration before the support is added.
+template <typename Reducer, typename Observer>
 [[gnu::always_inline]] inline GjkResult run_gjk(const CorePair& pair, Simplex simplex, Observer&& observe) {
     const int cap = iteration_cap(pair);
     GjkResult best;
     best.closest.distance_sq = std::numeric_limits<double>::infinity();
     for (;;) {
-        const Closest closest = SubAlgorithm::reduce(pair, simplex);
+        const Closest closest = Reducer::reduce(pair, simplex);
         if (!(closest.distance_sq < best.closest.distance_sq)) return best;  // rounding: the previous one was as near
         best.simplex = simplex;
         best.closest = closest;

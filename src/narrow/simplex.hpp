@@ -50,4 +50,28 @@ DVec2 short_edge_between(const CorePair& pair, VertexPair from, VertexPair to);
     return short_edge_between(pair, from.pair(), to.pair());
 }
 
+// What a distance subalgorithm ends with: the simplex is reduced to the smallest subset that holds the nearest point.
+
+[[gnu::always_inline]] inline Closest keep_vertex(Simplex& simplex, int vertex) {
+    simplex.vertices[0] = simplex.vertices[vertex];
+    simplex.count = 1;
+    return closest_on_vertex(simplex.vertices[0]);
+}
+
+[[gnu::always_inline]] inline Closest keep_edge(Simplex& simplex, int from, int to, DVec2 edge) {
+    const MinkowskiVertex kept_from = simplex.vertices[from], kept_to = simplex.vertices[to];
+    simplex.vertices[0] = kept_from;
+    simplex.vertices[1] = kept_to;
+    simplex.count = 2;
+    return closest_on_edge(kept_from, kept_to, edge);
+}
+
+// Two vertices, by how far the edge runs past the origin from either end: Voronoi regions and Johnson's cofactors alike.
+[[gnu::always_inline]] inline Closest reduce_edge(const CorePair& pair, Simplex& simplex) {
+    const DVec2 edge = edge_between(pair, simplex.vertices[0], simplex.vertices[1]);
+    if (dot(simplex.vertices[0].w, edge) >= 0.0) return keep_vertex(simplex, 0);
+    if (dot(simplex.vertices[1].w, edge) <= 0.0) return keep_vertex(simplex, 1);
+    return keep_edge(simplex, 0, 1, edge);
+}
+
 }  // namespace tumble

@@ -16,27 +16,6 @@ struct VoronoiRegions {
     }
 
 private:
-    [[gnu::always_inline]] static Closest keep_vertex(Simplex& simplex, int vertex) {
-        simplex.vertices[0] = simplex.vertices[vertex];
-        simplex.count = 1;
-        return closest_on_vertex(simplex.vertices[0]);
-    }
-
-    [[gnu::always_inline]] static Closest keep_edge(Simplex& simplex, int from, int to, DVec2 edge) {
-        const MinkowskiVertex kept_from = simplex.vertices[from], kept_to = simplex.vertices[to];
-        simplex.vertices[0] = kept_from;
-        simplex.vertices[1] = kept_to;
-        simplex.count = 2;
-        return closest_on_edge(kept_from, kept_to, edge);
-    }
-
-    [[gnu::always_inline]] static Closest reduce_edge(const CorePair& pair, Simplex& simplex) {
-        const DVec2 edge = edge_between(pair, simplex.vertices[0], simplex.vertices[1]);
-        if (dot(simplex.vertices[0].w, edge) >= 0.0) return keep_vertex(simplex, 0);
-        if (dot(simplex.vertices[1].w, edge) <= 0.0) return keep_vertex(simplex, 1);
-        return keep_edge(simplex, 0, 1, edge);
-    }
-
     [[gnu::always_inline]] static Closest reduce_triangle(const CorePair& pair, Simplex& simplex) {
         const MinkowskiVertex(&v)[3] = simplex.vertices;
         const DVec2 e01 = edge_between(pair, v[0], v[1]), e12 = edge_between(pair, v[1], v[2]),

@@ -27,7 +27,7 @@ void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
-TEST_CASE("distance and collide do not allocate") {
+TEST_CASE("distance, by any way, and collide do not allocate") {
     using namespace tumble_test;
     PairSource source(81);
     double sum = 0.0;
@@ -36,6 +36,8 @@ TEST_CASE("distance and collide do not allocate") {
         tumble::SimplexCache cache;
         const long before = allocations;
         sum += measure(pair, &cache).distance;
+        for (const auto by : {tumble::SubAlgorithm::voronoi, tumble::SubAlgorithm::johnson, tumble::SubAlgorithm::signed_volumes})
+            sum += tumble::gjk_distance(pair.a, pair.pose_a, pair.b, pair.pose_b, by, &cache).distance;
         sum += tumble::collide(pair.a, pair.pose_a, pair.b, pair.pose_b, 0.02, cache).point_count;
         CHECK(allocations == before);
     }

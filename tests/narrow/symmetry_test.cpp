@@ -152,23 +152,43 @@ TEST_CASE("where the closest pair is not unique, warm and cold give one status a
     }
 }
 
-TEST_CASE("the loop that is traced and the query give the same bits") {
+TEST_CASE("the loop by any subalgorithm, traced or not, and the query give the same bits") {
     PairSource source(67);
     int by_faces = 0, separated = 0;
     for (int sample = 0; sample < kPairs; ++sample) {
         const Pair pair = rounded_pair(source, sample);
-        const DistanceResult one = measure(pair);
-        const DistanceTrace trace = trace_distance(pair.a, pair.pose_a, pair.b, pair.pose_b);
-        check_same_numbers(one, trace.result);
-        CHECK(one.normal == trace.result.normal);
-        CHECK(one.point_a == trace.result.point_a);
-        CHECK(one.point_b == trace.result.point_b);
-        CHECK(one.certificate.direction == trace.result.certificate.direction);
-        CHECK(trace.steps.size() + 1 == trace.result.iterations);
+        const auto by = static_cast<SubAlgorithm>(sample % 3);
+        const DistanceResult one = measure(pair), loop = gjk_distance(pair.a, pair.pose_a, pair.b, pair.pose_b, by);
+        const DistanceTrace trace = trace_distance(pair.a, pair.pose_a, pair.b, pair.pose_b, by);
+        for (const DistanceResult& other : {loop, trace.result}) {
+            check_same_numbers(one, other);
+            CHECK(one.normal == other.normal);
+            CHECK(one.point_a == other.point_a);
+            CHECK(one.point_b == other.point_b);
+            CHECK(one.certificate.direction == other.certificate.direction);
+            CHECK(trace.steps.size() + 1 == other.iterations);
+        }
         by_faces += std::max(pair.a.vertex_count(), pair.b.vertex_count()) <= Shape::kInlineVertices;
         separated += one.status == DistanceStatus::separated;
     }
     CHECK(by_faces > 0.5 * kPairs);
     CHECK(separated > 0.3 * kPairs);
     CHECK(separated < 0.8 * kPairs);
+}
+
+TEST_CASE("a cache warms the loop by any subalgorithm") {
+    PairSource source(68);
+    int fewer = 0;
+    for (int sample = 0; sample < kPairs; ++sample) {
+        const Pair pair = rounded_pair(source, sample);
+        const auto by = static_cast<SubAlgorithm>(sample % 3);
+        SimplexCache cache;
+        const DistanceResult cold = gjk_distance(pair.a, pair.pose_a, pair.b, pair.pose_b, by, &cache);
+        const DistanceResult warm = gjk_distance(pair.a, pair.pose_a, pair.b, pair.pose_b, by, &cache);
+        check_same_numbers(cold, warm);
+        CHECK(warm.normal == cold.normal);
+        CHECK(warm.iterations <= cold.iterations);
+        fewer += warm.iterations < cold.iterations;
+    }
+    CHECK(fewer > kPairs / 2);
 }

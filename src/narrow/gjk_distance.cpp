@@ -1,7 +1,9 @@
-// The same loop with an observer that writes every iteration down.
+// The GJK loop by itself, with any distance subalgorithm: measured, or with an observer that writes every iteration down.
 #include <limits>
 
 #include "narrow/distance_result.hpp"
+#include "narrow/johnson.hpp"
+#include "narrow/signed_volumes.hpp"
 
 namespace tumble {
 
@@ -35,16 +37,36 @@ private:
     double lower_ = -std::numeric_limits<double>::infinity();
 };
 
+// The subalgorithm is chosen here, outside the loop.
+template <typename Observer>
+CoreDistance measure_by(SubAlgorithm sub_algorithm, const CorePair& pair, SimplexCache* cache, Observer&& observe) {
+    switch (sub_algorithm) {
+        case SubAlgorithm::voronoi: break;
+        case SubAlgorithm::johnson: return measure_by_gjk<Johnson>(pair, cache, observe);
+        case SubAlgorithm::signed_volumes: return measure_by_gjk<SignedVolumes>(pair, cache, observe);
+    }
+    return measure_by_gjk<VoronoiRegions>(pair, cache, observe);
+}
+
 }  // namespace
 
-DistanceTrace trace_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b) {
+DistanceResult gjk_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                            SubAlgorithm sub_algorithm, SimplexCache* cache) noexcept {
+    const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
+    if (!is_valid(pair, a, b)) return invalid_result();
+    const CoreDistance core = measure_by(sub_algorithm, pair, cache, kUnobserved);
+    return make_result(core, a, b, world_from_a.position, world_from_b.position);
+}
+
+DistanceTrace trace_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                             SubAlgorithm sub_algorithm) {
     DistanceTrace trace;
     const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
     if (!is_valid(pair, a, b)) {
         trace.result = invalid_result();
         return trace;
     }
-    const CoreDistance core = measure_by_gjk<VoronoiRegions>(pair, nullptr, Recorder(pair, trace.steps));
+    const CoreDistance core = measure_by(sub_algorithm, pair, nullptr, Recorder(pair, trace.steps));
     trace.result = make_result(core, a, b, world_from_a.position, world_from_b.position);
     return trace;
 }

@@ -1,0 +1,128 @@
+// Every hard family by each of the distance subalgorithms, and by looking at all: as strictly as distance() itself.
+// The environment variable TUMBLE_PAIRS sets the pairs of each family (1000); families of large polygons take a fiftieth.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "narrow/distance_result.hpp"
+#include "reference/certificate.hpp"
+#include "reference/exact_distance.hpp"
+#include "reference/pair_families.hpp"
+#include "reference/parallel_blocks.hpp"
+
+using namespace tumble;
+using namespace tumble::reference;
+
+namespace {
+
+constexpr std::uint64_t kSeed = 20261122;
+constexpr std::uint64_t kBlock = 100;
+
+using Answer = DistanceResult (*)(const PairQuery&);
+
+struct Method {
+    const char* name;
+    Answer answer;
+};
+
+template <SubAlgorithm kBy>
+DistanceResult by_gjk(const PairQuery& q) {
+    return gjk_distance(q.a, q.pose_a, q.b, q.pose_b, kBy);
+}
+
+// The distance over all vertices and edges, and the depth over all faces: no loop at all.
+DistanceResult by_all(const PairQuery& q) {
+    const CorePair pair = make_core_pair(q.a, q.pose_a, q.b, q.pose_b);
+    if (!is_valid(pair, q.a, q.b)) return invalid_result();
+    const CoreDistance core = conclude(pair, exhaustive_search(pair, {}));
+    return make_result(core, q.a, q.b, q.pose_a.position, q.pose_b.position);
+}
+
+constexpr Method kMethods[] = {{"voronoi", by_gjk<SubAlgorithm::voronoi>},
+                               {"johnson", by_gjk<SubAlgorithm::johnson>},
+                               {"signed_volumes", by_gjk<SubAlgorithm::signed_volumes>},
+                               {"exhaustive", by_all}};
+
+struct Counts {
+    std::uint64_t wrong = 0, rejected = 0, disagreeing = 0, same = 0, pairs = 0, separated = 0;
+    std::string example;
+
+    void note(std::uint64_t& count, const std::string& what, const PairQuery& query) {
+        if (count++ == 0 && example.empty()) example = what + ": " + to_hex(query);
+    }
+    void merge(const Counts& later) {
+        wrong += later.wrong;
+        rejected += later.rejected;
+        disagreeing += later.disagreeing;
+        same += later.same;
+        pairs += later.pairs;
+        separated += later.separated;
+        if (example.empty()) example = later.example;
+    }
+};
+
+bool is_right(const DistanceResult& r, const ExactDistance& exact) {
+    const bool in_bounds = r.lower <= r.distance && r.distance <= r.upper && exact.compare(r.lower) >= 0 && exact.compare(r.upper) <= 0;
+    const bool is_sign_right = (r.status == DistanceStatus::separated && exact.sign() > 0) ||
+                               (r.status == DistanceStatus::overlapping && exact.sign() < 0) ||
+                               r.status == DistanceStatus::touching;
+    return in_bounds && is_sign_right;
+}
+
+void check_pair(Counts& counts, const PairFamily& family, std::uint64_t index) {
+    const PairQuery query = family.generate(kSeed, index);
+    const DistanceResult one = distance(query.a, query.pose_a, query.b, query.pose_b);
+    std::optional<ExactDistance> exact;
+    if (family.kind == FamilyKind::exact) exact.emplace(query);
+    for (const Method& method : kMethods) {
+        const DistanceResult other = method.answer(query);
+        ++counts.pairs;
+        if (family.kind == FamilyKind::invalid) {
+            if (other.status != DistanceStatus::invalid) counts.note(counts.wrong, method.name, query);
+            continue;
+        }
+        if (exact && !is_right(other, *exact)) counts.note(counts.wrong, method.name, query);
+        if (check_certificate(query, other) != CertificateVerdict::accepted) counts.note(counts.rejected, method.name, query);
+        if (!(std::max(one.lower, other.lower) <= std::min(one.upper, other.upper)))
+            counts.note(counts.disagreeing, method.name, query);
+        counts.same += one.distance == other.distance && one.normal == other.normal;
+        counts.separated += one.status == DistanceStatus::separated;
+    }
+}
+
+Counts check_family(const PairFamily& family) {
+    const char* wanted = std::getenv("TUMBLE_PAIRS");
+    const std::uint64_t all = wanted ? std::strtoull(wanted, nullptr, 10) : 1000;
+    const std::uint64_t pairs = family.kind == FamilyKind::large ? std::max<std::uint64_t>(all / 50, 1) : all;
+    Counts counts;
+    run_blocks<Counts>(
+        (pairs + kBlock - 1) / kBlock, 0,
+        [&](std::size_t block) {
+            Counts part;
+            for (std::uint64_t i = block * kBlock; i < std::min((block + 1) * kBlock, pairs); ++i) check_pair(part, family, i);
+            return part;
+        },
+        [&](std::size_t, const Counts& part) { counts.merge(part); });
+    return counts;
+}
+
+}  // namespace
+
+TEST_CASE("every family by every subalgorithm: exact distance in the bounds, right status, certificates that hold") {
+    Counts total;
+    for (const PairFamily& family : pair_families()) {
+        const Counts counts = check_family(family);
+        INFO(family.name << ": " << counts.example);
+        CHECK(counts.wrong == 0);
+        CHECK(counts.rejected == 0);
+        CHECK(counts.disagreeing == 0);
+        total.merge(counts);
+    }
+    CHECK(10 * total.same > 9 * total.pairs);  // mostly one closest feature: then the same bits
+    CHECK(10 * total.separated > 3 * total.pairs);
+    CHECK(10 * total.separated < 7 * total.pairs);
+    MESSAGE(total.pairs << " answers, " << total.same << " of them distance()'s bits");
+}
