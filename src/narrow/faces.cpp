@@ -41,14 +41,20 @@ namespace {
 DVec2 normal_of_a(const CorePair& pair, int edge) { return -perp(pair.a.edge(edge, pair.a.next(edge))); }
 DVec2 normal_of_b(const CorePair& pair, int edge) { return perp(pair.b.edge(edge, pair.b.next(edge))); }
 
+// The height of an edge in the direction of its normal. Above an edge of an outline that is not convex other vertices may
+// stand: then theirs, so that the separation stays a lower bound.
+double own_height(const Core& core, int edge, DVec2 outward) {
+    return core.is_convex ? dot(outward, core.point(edge)) : support(core, outward).height;
+}
+
 FoundFace face_of_a(const CorePair& pair, int edge, DVec2 direction, Support b) {
-    const double height_a = dot(direction, pair.a.point(edge));
+    const double height_a = own_height(pair.a, edge, direction);
     return make_face(pair, direction, height_a, b.height, make_pair_of(edge, b.index),
                      make_pair_of(pair.a.next(edge), b.index));
 }
 
 FoundFace face_of_b(const CorePair& pair, int edge, DVec2 direction, Support a) {
-    const double height_b = -dot(direction, pair.b.point(edge));
+    const double height_b = own_height(pair.b, edge, -direction);
     return make_face(pair, direction, a.height, height_b, make_pair_of(a.index, edge),
                      make_pair_of(a.index, pair.b.next(edge)));
 }
