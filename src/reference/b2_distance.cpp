@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "reference/b2_types.hpp"
+
 namespace tumble::reference {
 
 namespace {
@@ -30,14 +32,6 @@ private:
     std::vector<b2Vec2> large_;
     const b2Vec2* data_ = nullptr;
 };
-
-b2Transform to_b2(const Pose& pose) {
-    b2Transform transform;
-    transform.p.Set(static_cast<float>(pose.position.x), static_cast<float>(pose.position.y));
-    transform.q.c = pose.rotation.c;
-    transform.q.s = pose.rotation.s;
-    return transform;
-}
 
 bool fits_float(const PairQuery& query) {
     const auto fits = [](DVec2 position) { return is_finite(to_float(position)); };

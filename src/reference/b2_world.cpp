@@ -7,15 +7,13 @@
 #include <map>
 
 #include "reference/b2_fixtures.hpp"
+#include "reference/b2_types.hpp"
 
 namespace tumble::reference {
 
 namespace {
 
-b2Vec2 to_b2(Vec2 v) { return {v.x, v.y}; }
-b2Vec2 to_b2(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-
-b2BodyType to_b2(BodyType type) {
+b2BodyType b2_type(BodyType type) {
     switch (type) {
         case BodyType::static_body: return b2_staticBody;
         case BodyType::kinematic_body: return b2_kinematicBody;
@@ -27,7 +25,7 @@ b2BodyType to_b2(BodyType type) {
 b2BodyDef body_def(const World& world, BodyId id, const SceneBody& source) {
     const BodyState state = world.state(id);
     b2BodyDef def;
-    def.type = to_b2(world.type(id));
+    def.type = b2_type(world.type(id));
     def.position = to_b2(state.pose.position);
     def.angle = static_cast<float>(angle(state.pose.rotation));
     def.linearVelocity = to_b2(state.velocity);

@@ -7,23 +7,13 @@
 
 #include <array>
 
+#include "reference/b2_types.hpp"
+
 namespace tumble::reference {
 
 namespace {
 
-b2Vec2 to_b2(DVec2 v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y)};
-}
-
-b2Transform to_b2(const Pose& pose) {
-    b2Transform transform;
-    transform.p = to_b2(pose.position);
-    transform.q.c = pose.rotation.c;
-    transform.q.s = pose.rotation.s;
-    return transform;
-}
-
-b2Sweep to_b2(const Sweep& sweep) {
+b2Sweep b2_sweep(const Sweep& sweep) {
     b2Sweep result;
     result.localCenter.Set(sweep.local_center.x, sweep.local_center.y);
     result.c0 = to_b2(sweep.start);
@@ -90,7 +80,7 @@ B2Cast cast_b2_shape(const CastQuery& query) {
 
 B2Cast find_b2_impact(const CastQuery& query) {
     const Vertices a(query.a), b(query.b);
-    const b2TOIInput input{a.proxy(), b.proxy(), to_b2(query.sweep_a), to_b2(query.sweep_b), 1.0f};
+    const b2TOIInput input{a.proxy(), b.proxy(), b2_sweep(query.sweep_a), b2_sweep(query.sweep_b), 1.0f};
     b2TOIOutput output;
     b2TimeOfImpact(&output, &input);
     return {output.state == b2TOIOutput::e_touching, output.state == b2TOIOutput::e_overlapped, output.t,

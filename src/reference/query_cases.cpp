@@ -9,6 +9,7 @@
 #include <array>
 #include <memory>
 
+#include "reference/b2_types.hpp"
 #include "reference/random.hpp"
 #include "tumble/cast.hpp"
 #include "tumble/distance.hpp"
@@ -66,16 +67,6 @@ Pair random_pair(Kind kind_a, Kind kind_b, double gap, Random& random) {
         pair.pose_b.position += (gap - now.distance) * now.normal;
     }
     return pair;
-}
-
-b2Vec2 to_b2(DVec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-
-b2Transform to_b2(const Pose& pose) {
-    b2Transform transform;
-    transform.p = to_b2(pose.position);
-    transform.q.c = pose.rotation.c;
-    transform.q.s = pose.rotation.s;
-    return transform;
 }
 
 std::vector<b2Vec2> vertices_of(const Shape& shape) {
