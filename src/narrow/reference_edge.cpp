@@ -33,9 +33,12 @@ ReferenceEdge square_edge_at(const Core& core, Side side, int vertex, DVec2 outw
     return {};
 }
 
+// By the direction of the face: its ends come in either order, and the two edges of a segment have the same ends.
 ReferenceEdge edge_of_face(const CorePair& pair, const Face& face) {
     const bool is_on_a = face.pairs[0].b == face.pairs[1].b && pair.a.count > 1;
-    return is_on_a ? ReferenceEdge{Side::a, face.pairs[0].a, -1, {}} : ReferenceEdge{Side::b, face.pairs[0].b, -1, {}};
+    const int from = is_on_a ? face.pairs[0].a : face.pairs[0].b, to = is_on_a ? face.pairs[1].a : face.pairs[1].b;
+    const Side side = is_on_a ? Side::a : Side::b;
+    return edge_between_vertices(core_of(pair, side), side, from, to, kSign[!is_on_a] * face.direction);
 }
 
 ReferenceEdge deepest_edge(const CorePair& pair) {

@@ -7,6 +7,9 @@
 #include <random>
 #include <set>
 
+#include "support/moving_pairs.hpp"
+#include "support/random_pairs.hpp"
+
 using namespace tumble;
 
 namespace {
@@ -169,8 +172,8 @@ TEST_CASE("random manifolds: the deepest point agrees with the signed distance, 
             return make_polygon(points, sample % 3 ? 0.0f : 0.1f);
         };
         const Shape a = polygon(1 + sample % 9), b = polygon(1 + sample / 9 % 12);
-        const Pose pa = at(unit(random), unit(random), 180 * unit(random));
-        Pose pb = at(2 * unit(random), 2 * unit(random), 180 * unit(random));
+        const Pose pa{{unit(random), unit(random)}, make_rotation_degrees(180 * unit(random))};
+        Pose pb{{2 * unit(random), 2 * unit(random)}, make_rotation_degrees(180 * unit(random))};
         const DistanceResult first = distance(a, pa, b, pb);
         pb.position += (0.02 * unit(random) - first.distance) * first.normal;
         const DistanceResult sd = distance(a, pa, b, pb);
@@ -197,4 +200,60 @@ TEST_CASE("random manifolds: the deepest point agrees with the signed distance, 
     CHECK(touching > 10000);
     CHECK(two_points > touching / 20);
     CHECK(two_points < touching);
+}
+
+TEST_CASE("swapping the shapes gives the same contact seen from the other one") {
+    tumble_test::PairSource source(42);
+    int compared = 0, two_points = 0;
+    for (int sample = 0; sample < 20000; ++sample) {
+        const tumble_test::Pair pair = source.near_pair();
+        const Manifold found = collide_cold(pair.a, pair.pose_a, pair.b, pair.pose_b);
+        const Manifold swapped = collide_cold(pair.b, pair.pose_b, pair.a, pair.pose_a);
+        INFO("sample ", sample);
+        REQUIRE(found.point_count == swapped.point_count);
+        if (found.point_count == 0) continue;
+        ++compared;
+        two_points += found.point_count == 2;
+        // The same features, and with them the same arithmetic but for the rounding to float: of anchors of up to 6 m.
+        check_near(found.normal + swapped.normal, 0, 0);
+        for (int i = 0; i < found.point_count; ++i) {
+            const ManifoldPoint& point = found.points[i];
+            const ManifoldPoint& other = swapped.points[found.point_count - 1 - i];
+            CHECK(point.feature == (other.feature >> 16 | other.feature << 16));
+            CHECK(std::abs(point.separation - other.separation) < 1e-6f);
+            check_near(point.anchor_a - other.anchor_b, 0, 0);
+            check_near(point.anchor_b - other.anchor_a, 0, 0);
+        }
+    }
+    CHECK(compared > 10000);
+    CHECK(two_points > 500);
+}
+
+TEST_CASE("a manifold at a scale of 2^k is the manifold scaled, bit for bit, from a nanometre to a million kilometres") {
+    tumble_test::PairSource source(43);
+    int compared = 0;
+    for (int sample = 0; sample < 20000; ++sample) {
+        const tumble_test::Pair pair = source.near_pair();
+        const int exponent = source.below(61) - 30;
+        const auto scaled = [exponent](const Pose& pose) {
+            return Pose{{std::ldexp(pose.position.x, exponent), std::ldexp(pose.position.y, exponent)}, pose.rotation};
+        };
+        const Manifold found = collide_cold(pair.a, pair.pose_a, pair.b, pair.pose_b);
+        const Manifold other = collide_cold(tumble_test::scaled(pair.a, exponent), scaled(pair.pose_a), tumble_test::scaled(pair.b, exponent),
+                                            scaled(pair.pose_b), std::ldexp(kSpeculative, exponent));
+        INFO("sample ", sample, " exponent ", exponent);
+        REQUIRE(found.point_count == other.point_count);
+        REQUIRE((found.normal == other.normal || found.point_count == 0));
+        const auto is_scaled = [exponent](Vec2 from, Vec2 to) {
+            return std::ldexp(from.x, exponent) == to.x && std::ldexp(from.y, exponent) == to.y;
+        };
+        for (int i = 0; i < found.point_count; ++i) {
+            ++compared;
+            REQUIRE(found.points[i].feature == other.points[i].feature);
+            REQUIRE(std::ldexp(found.points[i].separation, exponent) == other.points[i].separation);
+            REQUIRE(is_scaled(found.points[i].anchor_a, other.points[i].anchor_a));
+            REQUIRE(is_scaled(found.points[i].anchor_b, other.points[i].anchor_b));
+        }
+    }
+    CHECK(compared > 10000);
 }
