@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "tumble/cast.hpp"
 #include "tumble/distance.hpp"
 #include "tumble/math.hpp"
 #include "tumble/shape.hpp"
@@ -42,5 +43,22 @@ struct CompoundOverlap {
 // equal input; `touching` if none is proved to, but the sign of one could not be decided.
 CompoundOverlap compound_overlap(std::span<const Shape> a, const Pose& world_from_a, std::span<const Shape> b,
                                  const Pose& world_from_b);
+
+struct CompoundCast {
+    // Of the pair of parts that meets first; of equal fractions the lowest part_a, then part_b. `overlapping` with the
+    // first pair in the order of visit if any overlaps at the start.
+    CastResult first;
+    std::int32_t part_a = -1;  // -1 if nothing is met
+    std::int32_t part_b = -1;
+    std::int32_t queries = 0;  // pairs that were cast
+};
+
+// The casts of cast.hpp against bodies of many shapes: the same bits as the first of all pairs. Most pairs are left out by
+// when their boxes can meet at the earliest. `invalid` and allocation as for compound_distance().
+CompoundCast compound_cast_ray(std::span<const Shape> parts, const Pose& world_from_parts, DVec2 origin, DVec2 translation);
+CompoundCast compound_cast_shape(std::span<const Shape> a, const Pose& world_from_a, std::span<const Shape> b,
+                                 const Pose& world_from_b, DVec2 translation, double target = 0.0);
+CompoundCast compound_time_of_impact(std::span<const Shape> a, const Sweep& sweep_a, std::span<const Shape> b,
+                                     const Sweep& sweep_b, double target = 0.0);
 
 }  // namespace tumble

@@ -1,5 +1,4 @@
-// Best first in two levels: A's parts in the order of their boxes' distance from all of B, and for each of them B's
-// parts in the order of theirs; both lists end where no pair can change the answer any more.
+// Distance and overlap of compounds: pairs of parts in the order of their boxes' distance.
 #include "tumble/compound.hpp"
 
 #include <array>
@@ -8,52 +7,13 @@
 #include <utility>
 
 #include "narrow/distance_result.hpp"
-#include "narrow/part_boxes.hpp"
+#include "narrow/part_pairs.hpp"
 
 namespace tumble {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kStackBytes = 8192;  // for the boxes and lists of 250 parts of both together, then the heap
-
-struct Candidate {
-    double bound = 0.0;
-    std::int32_t part = 0;
-
-    friend bool operator<(const Candidate& a, const Candidate& b) {
-        return a.bound != b.bound ? a.bound < b.bound : a.part < b.part;
-    }
-};
-
-using Candidates = std::pmr::vector<Candidate>;
-
-// The parts whose boxes come nearer to `box` than `limit`, nearest first.
-void sort_candidates(const PartBoxes& parts, const Aabb& box, double limit, Candidates& candidates) {
-    candidates.clear();
-    for (std::size_t part = 0; part < parts.boxes.size(); ++part) {
-        const double bound = separation(box, parts.boxes[part]);
-        if (bound <= limit) candidates.push_back({bound, static_cast<std::int32_t>(part)});
-    }
-    std::sort(candidates.begin(), candidates.end());
-}
-
-// Calls query(part_a, part_b) for the pairs whose bound is at most limit(), which may sink meanwhile.
-template <class Limit, class Query>
-void visit_pairs(const PartBoxes& a, const PartBoxes& b, std::pmr::memory_resource* memory, Limit limit, Query query) {
-    Candidates rows(memory), row(memory);
-    rows.reserve(a.boxes.size());
-    row.reserve(b.boxes.size());
-    sort_candidates(a, b.all, limit(), rows);
-    for (const Candidate& of_a : rows) {
-        if (of_a.bound > limit()) break;
-        sort_candidates(b, a.boxes[static_cast<std::size_t>(of_a.part)], limit(), row);
-        for (const Candidate& of_b : row) {
-            if (of_b.bound > limit()) break;
-            query(of_a.part, of_b.part);
-        }
-    }
-}
 
 // Two compounds in world axes relative to A's position, as distance() sees each pair.
 class PartPairs {
@@ -80,7 +40,7 @@ public:
 
     template <class Limit, class Query>
     void visit(Limit limit, Query visitor) {
-        visit_pairs(boxes_a_, boxes_b_, &memory_, limit, visitor);
+        visit_part_pairs(boxes_a_, boxes_b_, &memory_, separation, limit, visitor);
     }
 
 private:
@@ -88,7 +48,7 @@ private:
     std::span<const Shape> b_;
     const Pose& world_from_a_;
     const Pose& world_from_b_;
-    std::array<std::byte, kStackBytes> buffer_;
+    std::array<std::byte, kPartBytes> buffer_;
     std::pmr::monotonic_buffer_resource memory_;
     PartBoxes boxes_a_;
     PartBoxes boxes_b_;

@@ -177,3 +177,100 @@ TEST_CASE("two large decomposed outlines: few of a million pairs are asked for")
     MESSAGE("distance calls: " << found.queries << " of " << all.queries);
     CHECK(found.queries < all.queries / 1000);
 }
+
+namespace {
+
+// The first of all pairs in order; `overlapping` if any is.
+template <class Cast>
+CompoundCast first_by_brute_force(std::size_t parts_a, std::size_t parts_b, Cast cast) {
+    CompoundCast best;
+    best.first.status = CastStatus::miss;
+    best.first.fraction = 2.0;
+    for (std::size_t i = 0; i < parts_a; ++i)
+        for (std::size_t j = 0; j < parts_b; ++j) {
+            const CastResult found = cast(i, j);
+            ++best.queries;
+            const bool is_earlier = found.status == CastStatus::hit && found.fraction < best.first.fraction;
+            const bool overlaps = found.status == CastStatus::overlapping;
+            if (best.first.status == CastStatus::overlapping || !(overlaps || is_earlier)) continue;
+            best.first = found;
+            best.part_a = static_cast<std::int32_t>(i);
+            best.part_b = static_cast<std::int32_t>(j);
+        }
+    return best;
+}
+
+struct CastTally {
+    int hits = 0, misses = 0, overlaps = 0;
+    long asked = 0, pairs = 0;
+
+    void compare(const CompoundCast& found, const CompoundCast& expected) {
+        asked += found.queries;
+        pairs += expected.queries;
+        REQUIRE(found.first.status == expected.first.status);
+        hits += found.first.status == CastStatus::hit;
+        misses += found.first.status == CastStatus::miss;
+        overlaps += found.first.status == CastStatus::overlapping;
+        if (found.first.status != CastStatus::hit) return;
+        REQUIRE(found.first.fraction == expected.first.fraction);
+        REQUIRE(found.part_a == expected.part_a);
+        REQUIRE(found.part_b == expected.part_b);
+        REQUIRE(found.first.point == expected.first.point);
+        REQUIRE(found.first.normal == expected.first.normal);
+    }
+
+    void check_counts() const {
+        CHECK(hits > 100);
+        CHECK(misses > 100);
+        CHECK(overlaps > 5);
+        CHECK(asked < pairs / 2);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("casts of compounds give the bits of the first of all pairs, from fewer queries") {
+    CastTally rays, casts, impacts;
+    for (unsigned sample = 0; sample < 600; ++sample) {
+        std::mt19937_64 random(sample);
+        const Parts a = random_parts(1 + sample % 20, random), b = random_parts(1 + sample % 7, random);
+        const Pose pose_a = random_pose(100.0, random);
+        Pose pose_b = random_pose(9.0, random);
+        pose_b.position += pose_a.position;
+        const DVec2 aim = random_pose(7.0, random).position, way = 1.2 * (pose_a.position + aim - pose_b.position);
+        const double target = sample % 3 ? 0.0 : 0.1;
+        rays.compare(compound_cast_ray(a, pose_a, pose_b.position, way),
+                     first_by_brute_force(a.size(), 1, [&](std::size_t i, std::size_t) {
+                         return cast_ray(a[i], pose_a, pose_b.position, way);
+                     }));
+        casts.compare(compound_cast_shape(a, pose_a, b, pose_b, way, target),
+                      first_by_brute_force(a.size(), b.size(), [&](std::size_t i, std::size_t j) {
+                          return cast_shape(a[i], pose_a, b[j], pose_b, way, target);
+                      }));
+        const Sweep sweep_a{{0.5f, 0.25f}, pose_a.position, pose_a.position + 0.1 * way, angle(pose_a.rotation), 0.5};
+        const Sweep sweep_b{{-0.5f, 1.0f}, pose_b.position, pose_b.position + way, angle(pose_b.rotation), sample % 2 ? -1.5 : 0.0};
+        impacts.compare(compound_time_of_impact(a, sweep_a, b, sweep_b, target),
+                        first_by_brute_force(a.size(), b.size(), [&](std::size_t i, std::size_t j) {
+                            return time_of_impact(a[i], sweep_a, b[j], sweep_b, target);
+                        }));
+    }
+    rays.check_counts();
+    casts.check_counts();
+    impacts.check_counts();
+}
+
+TEST_CASE("casts of no parts, and of parts or motions that are not finite, are invalid") {
+    const Parts one = {make_circle(1)}, none, bad = {make_circle(1), Shape{}};
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(compound_cast_ray(none, {}, {-5, 0}, {9, 0}).first.status == CastStatus::invalid);
+    CHECK(compound_cast_ray(bad, {}, {-5, 0}, {9, 0}).first.status == CastStatus::invalid);
+    CHECK(compound_cast_ray(one, {}, {-5, 0}, {nan, 0}).first.status == CastStatus::invalid);
+    CHECK(compound_cast_ray(one, {}, {-5, 0}, {9, 0}).first.fraction == 4.0 / 9.0);
+    CHECK(compound_cast_shape(one, {}, bad, {{5, 0}, {}}, {-9, 0}).first.status == CastStatus::invalid);
+    CHECK(compound_cast_shape(one, {}, one, {{5, 0}, {}}, {-9, 0}, -1.0).first.status == CastStatus::invalid);
+    const Sweep still{{}, {}, {}, 0.0, 0.0}, coming{{}, {5, 0}, {-5, 0}, 0.0, 1.0}, mad{{}, {5, 0}, {nan, 0}, 0.0, 1.0};
+    CHECK(compound_time_of_impact(one, still, one, coming).first.status == CastStatus::hit);
+    CHECK(compound_time_of_impact(one, still, one, mad).first.status == CastStatus::invalid);
+    CHECK(compound_time_of_impact(one, still, one, coming, -1.0).first.status == CastStatus::invalid);
+    CHECK(compound_time_of_impact(none, still, one, coming).first.status == CastStatus::invalid);
+}
