@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "tumble/chain.hpp"
 #include "tumble/id.hpp"
 #include "tumble/math.hpp"
 #include "tumble/shape.hpp"
@@ -61,6 +63,7 @@ struct ShapeDef {
     SurfaceMaterial material{};
     CollisionFilter filter{};
     bool sensor = false;  // only notices what overlaps it (not other sensors, and not static if static); has no mass
+    std::optional<ChainLink> link{};  // of a chain's segment: the points beside it, so that no seam is felt
 };
 
 // What a body is doing at the end of a step.

@@ -8,6 +8,16 @@
 
 namespace tumble {
 
+namespace {
+
+// The smaller one; a segment has none across and leaves the scale to the other.
+float extent_of_pair(float a, float b) {
+    const float smaller = std::min(a, b);
+    return smaller > 0.0f ? smaller : std::max(a, b);
+}
+
+}  // namespace
+
 Contact make_contact(ProxyPair pair, const ShapeStore& shapes) {
     const ShapeRecord& a = shapes[pair.a];
     const ShapeRecord& b = shapes[pair.b];
@@ -15,7 +25,7 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes) {
     contact.shapes = pair;
     contact.body_a = a.body;
     contact.body_b = b.body;
-    contact.speculative_distance = speculative_distance(std::min(a.smaller_extent, b.smaller_extent));
+    contact.speculative_distance = speculative_distance(extent_of_pair(a.smaller_extent, b.smaller_extent));
     if (a.is_sensor) contact.kind = ContactKind::sensor_a;
     if (b.is_sensor) contact.kind = ContactKind::sensor_b;
     contact.radius_a = a.shape.radius();
@@ -70,9 +80,31 @@ void look_at_touch(Contact& contact, const BodyStore& bodies) {
     contact.approach = {a.pose.position + DVec2(point.anchor_a), dot(velocity_a - velocity_b, contact.manifold.normal)};
 }
 
+// The same manifold seen from the other body.
+Manifold swapped(const Manifold& manifold) {
+    Manifold result;
+    result.normal = -manifold.normal;
+    result.point_count = manifold.point_count;
+    for (int i = 0; i < manifold.point_count; ++i) {
+        const ManifoldPoint& point = manifold.points[manifold.point_count - 1 - i];
+        result.points[i] = {point.anchor_b, point.anchor_a, point.separation,
+                            point.feature >> 16 | point.feature << 16};
+    }
+    return result;
+}
+
+// The cache belongs to the order of the shapes here: a chain's segment comes first.
+Manifold collide_shapes(const ShapeRecord& a, const Pose& pose_a, const ShapeRecord& b, const Pose& pose_b,
+                        Contact& contact) {
+    const float speculative = contact.speculative_distance;
+    if (a.link) return collide_link(a.shape, *a.link, pose_a, b.shape, pose_b, speculative, contact.cache);
+    if (b.link) return swapped(collide_link(b.shape, *b.link, pose_b, a.shape, pose_a, speculative, contact.cache));
+    return collide(a.shape, pose_a, b.shape, pose_b, speculative, contact.cache);
+}
+
 void collide_anew(Contact& contact, const ShapeRecord& a, const Pose& pose_a, const ShapeRecord& b,
                   const Pose& pose_b) {
-    const Manifold manifold = collide(a.shape, pose_a, b.shape, pose_b, contact.speculative_distance, contact.cache);
+    const Manifold manifold = collide_shapes(a, pose_a, b, pose_b, contact);
     carry_impulses_over(contact, manifold);
     contact.manifold = manifold;
     contact.reference = {manifold, pose_a.rotation, pose_b.rotation, pose_b.position - pose_a.position, true};

@@ -48,6 +48,8 @@ bool sinks_deeper(const ShapeRecord& moving, const Sweep& sweep, const ShapeReco
 
 // When a shape must stop for another: 1 if it may go all the way.
 double impact(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other, const Sweep& other_sweep) {
+    if (other.link && is_behind(other.shape, *other.link, pose_at(other_sweep, 0.0), moving.shape, pose_at(sweep, 0.0)))
+        return 1.0;
     const CastResult core = time_of_impact(other.shape, other_sweep, core_of(moving, kContinuousCore), sweep);
     if (core.status == CastStatus::overlapping) return sinks_deeper(moving, sweep, other, other_sweep) ? 0.0 : 1.0;
     if (core.status != CastStatus::hit) return 1.0;

@@ -20,7 +20,7 @@ ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def, const BodyFr
     if (id.index == records_.size()) records_.emplace_back();
     const float smaller = extent(def.shape).smaller;
     const float reach = farthest_distance(def.shape, {});
-    records_[id.index] = {def.shape, def.material, def.filter, body, smaller, reach, def.sensor, true};
+    records_[id.index] = {def.shape, def.material, def.filter, body, smaller, reach, def.sensor, true, def.link};
     const bool fixed = frame.type == BodyType::static_body;
     const Aabb box = bounds(def.shape, frame.pose);
     broad.add(id.index, fixed ? box : enlarged(box, smaller), fixed ? Mobility::fixed : Mobility::moving);

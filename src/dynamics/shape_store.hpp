@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "broad/broad_phase.hpp"
@@ -21,6 +22,7 @@ struct ShapeRecord {
     float reach = 0.0f;           // of the farthest point from the body's origin, m
     bool is_sensor = false;
     bool is_live = false;
+    std::optional<ChainLink> link;  // of a chain's segment
 };
 
 class ShapeStore {

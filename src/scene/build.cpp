@@ -44,13 +44,26 @@ CollisionFilter make_filter(const SceneShape& shape) {
     return {shape.filter->category, shape.filter->mask, shape.filter->group};
 }
 
+// Of the segments of a chain; none for other shapes.
+std::vector<ChainLink> make_links(const ShapeGeometry& geometry) {
+    const ChainGeometry* chain = std::get_if<ChainGeometry>(&geometry);
+    if (!chain) return {};
+    std::vector<Vec2> points;
+    for (const DVec2 point : chain->points) points.push_back(to_float(point));
+    return make_chain_links(points, chain->loop, !chain->two_sided);
+}
+
 std::vector<ShapeDef> make_shape_defs(const Scene& scene, const SceneBody& body) {
     std::vector<ShapeDef> defs;
     for (const SceneShape& shape : body.shapes) {
         const SceneMaterial* material = find_material(scene, shape.material);
         const SurfaceMaterial surface = make_surface(material ? *material : SceneMaterial{});
-        for (const Shape& part : make_shapes(shape.geometry))
-            defs.push_back({part, surface, make_filter(shape), shape.sensor});
+        const std::vector<ChainLink> links = make_links(shape.geometry);
+        std::size_t next = 0;
+        for (const Shape& part : make_shapes(shape.geometry)) {
+            defs.push_back({part, surface, make_filter(shape), shape.sensor, {}});
+            if (!links.empty()) defs.back().link = links[next++];
+        }
     }
     return defs;
 }

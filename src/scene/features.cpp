@@ -15,17 +15,6 @@ struct Ignored {
     }
 };
 
-std::ptrdiff_t count_one_sided_chains(const Scene& scene) {
-    std::ptrdiff_t count = 0;
-    for (const SceneBody& body : scene.bodies) {
-        for (const SceneShape& shape : body.shapes) {
-            const ChainGeometry* chain = std::get_if<ChainGeometry>(&shape.geometry);
-            if (chain && !chain->two_sided) ++count;
-        }
-    }
-    return count;
-}
-
 bool has_spawn(const SceneEvent& event) { return event.spawn.has_value(); }
 
 }  // namespace
@@ -33,7 +22,6 @@ bool has_spawn(const SceneEvent& event) { return event.spawn.has_value(); }
 std::vector<std::string> ignored_features(const Scene& scene) {
     Ignored ignored;
     ignored.add("timeline: spawned bodies do not appear", std::ranges::count_if(scene.timeline, &has_spawn));
-    ignored.add("one-sided chains: solid on both sides", count_one_sided_chains(scene));
     return ignored.lines;
 }
 

@@ -40,6 +40,8 @@ void check(const ShapeDef& def) {
     require_not_negative(def.shape.radius(), "shape radius");
     for (int i = 0; i < def.shape.vertex_count(); ++i)
         require(is_finite(def.shape.vertex(i)), "shape vertex", "finite", def.shape.vertex(i));
+    for (const Vec2 beside : {def.link.value_or(ChainLink{}).before, def.link.value_or(ChainLink{}).after})
+        require(is_finite(beside), "shape link", "finite", beside);
     require_not_negative(def.material.density, "shape density");
     require_not_negative(def.material.friction, "shape friction");
     const float restitution = def.material.restitution;

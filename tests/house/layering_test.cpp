@@ -78,10 +78,10 @@ const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"math", {"math.hpp"}},
     {"simd", {"math.hpp"}},
     {"shape", {"math.hpp", "shape.hpp", "outline.hpp"}},
-    {"narrow", {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp"}},
+    {"narrow", {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp"}},
     {"broad", {"math.hpp"}},
     {"dynamics",
-     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "id.hpp", "body.hpp",
+     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp", "id.hpp", "body.hpp",
       "joint.hpp", "events.hpp"}},
 };
 
