@@ -108,7 +108,7 @@ TUMBLE_LANE_FUNCTION Crossing cross_face(const SeenVertices<N>& seen, int from, 
 
 // The line enters by the face from its left to its right, and leaves by the other one that crosses it.
 template <int N>
-bool cast_at_sharp_polygon(const Ray& ray, CastResult& result) {
+[[gnu::always_inline]] inline bool cast_at_sharp_polygon(const Ray& ray, CastResult& result) {
     const Core& core = ray.core;
     const SeenVertices<N> seen = see<N>(core, ray.offset, ray.motion);
     const auto count = static_cast<unsigned>(core.count), all = (1u << count) - 1u;
@@ -149,8 +149,27 @@ bool cast_at_sharp_polygon(const Ray& ray, CastResult& result) {
     return count <= 4 ? cast_at_sharp_polygon<4>(ray, result) : cast_at_sharp_polygon<8>(ray, result);
 }
 
-[[gnu::noinline]] CastResult cast_in_general(const Shape& shape, const Ray& ray) {
+[[gnu::always_inline]] inline Ray make_ray(const Shape& shape, const Pose& world_from_shape, DVec2 origin,
+                                           DVec2 translation) {
+    const DVec2 offset = origin - world_from_shape.position;
+    const double radius = shape.radius();
+    const double scale = turned_radius(shape, world_from_shape.rotation) + (std::abs(offset.x) + std::abs(offset.y));
+    return {make_core(shape, world_from_shape.rotation),
+            world_from_shape.position,
+            offset,
+            translation,
+            length_sq(translation),
+            std::abs(translation.x) + std::abs(translation.y),
+            radius,
+            scale,
+            16.0 * kUnitRoundoff * (scale + radius)};
+}
+
+// Makes the ray anew: handed over, it would have to pass through memory in the clear cases as well.
+[[gnu::noinline]] CastResult cast_in_general(const Shape& shape, const Pose& world_from_shape, DVec2 origin,
+                                             DVec2 translation) {
     static constexpr float kPoint = 0.0f;
+    const Ray ray = make_ray(shape, world_from_shape, origin, translation);
     const CorePair pair{ray.core, {&kPoint, &kPoint, 1, 1.0, 0.0, nullptr, true}, ray.offset, ray.scale};
     if (!is_valid(pair, shape, shape) || !is_valid_motion(ray.motion)) return invalid_cast();
     const CastPath path = make_path(pair, ray.motion, ray.radius);
@@ -160,21 +179,11 @@ bool cast_at_sharp_polygon(const Ray& ray, CastResult& result) {
 }  // namespace
 
 CastResult cast_ray(const Shape& shape, const Pose& world_from_shape, DVec2 origin, DVec2 translation) noexcept {
-    const DVec2 offset = origin - world_from_shape.position;
-    const double radius = shape.radius();
-    const double scale = turned_radius(shape, world_from_shape.rotation) + (std::abs(offset.x) + std::abs(offset.y));
-    const Ray ray{make_core(shape, world_from_shape.rotation),
-                  world_from_shape.position,
-                  offset,
-                  translation,
-                  length_sq(translation),
-                  std::abs(translation.x) + std::abs(translation.y),
-                  radius,
-                  scale,
-                  16.0 * kUnitRoundoff * (scale + radius)};
+    // One result for all returns: a second one would be copied whole.
     CastResult result;
-    if (cast_at_clear(ray, result)) return result;
-    return cast_in_general(shape, ray);
+    const bool is_clear = cast_at_clear(make_ray(shape, world_from_shape, origin, translation), result);
+    if (!is_clear) result = cast_in_general(shape, world_from_shape, origin, translation);
+    return result;
 }
 
 }  // namespace tumble

@@ -148,3 +148,26 @@ TEST_CASE("a scene made by a program is checked as a file is") {
     scene.world.substeps = 0;
     CHECK_THROWS_AS(build_world(scene), SceneError);
 }
+
+TEST_CASE("the segments of a chain become neighbours, open on the right of its direction or on both sides") {
+    const auto falls_to = [](const std::string& chain, double from, double speed) {
+        const Scene scene = parse_scene(R"({"format": 1, "bodies": [
+            {"type": "static", "shapes": [{"chain": )" + chain + R"(, "material": "ice"}]},
+            {"position": [-4, )" + std::to_string(from) + R"(], "velocity": [)" + std::to_string(speed) + R"(, 0],
+             "shapes": [{"box": {"size": [0.5, 0.5]}, "material": "ice"}]}],
+            "materials": {"ice": {"friction": 0}}})", "");
+        SceneWorld built = build_world(scene);
+        for (int step = 0; step < 60; ++step) built.world.step();
+        return built.world.state(built.bodies[1].id).pose;
+    };
+    const std::string points = R"([[9, 0], [4.3, 0], [2, 0], [0.1, 0], [-1.9, 0], [-3.1, 0], [-9, 0]])";
+    const std::string one_sided = "{\"points\": " + points + "}", two_sided = "{\"points\": " + points + ", \"two_sided\": true}";
+    const Pose slid = falls_to(one_sided, 0.25, 8.0);  // its right is up
+    CHECK(slid.position.x == doctest::Approx(4.0).epsilon(1e-5));
+    CHECK(slid.position.y == doctest::Approx(0.25).epsilon(1e-3));
+    CHECK(std::abs(slid.rotation.s) < 1e-3f);
+    CHECK(falls_to(two_sided, 0.25, 8.0).position.x == doctest::Approx(4.0).epsilon(1e-5));
+    const std::string reversed = R"({"points": [[-9, 0], [0.1, 0], [9, 0]]})";
+    CHECK(falls_to(reversed, 0.25, 0.0).position.y < -1.0);
+    CHECK(falls_to(R"({"points": [[-9, 0], [0.1, 0], [9, 0]], "two_sided": true})", 0.25, 0.0).position.y > 0.2);
+}
