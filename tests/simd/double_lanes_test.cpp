@@ -64,6 +64,9 @@ int check_all_operations() {
         CHECK(smallest(x) == smallest_value);
         for (int i = 0; i < N; ++i) equal |= static_cast<unsigned>(a.value[i] == largest_value) << i;
         CHECK(lanes_equal_to(x, largest_value) == equal);
+        unsigned less = 0;
+        for (int i = 0; i < N; ++i) less |= static_cast<unsigned>(a.value[i] < b.value[0]) << i;
+        CHECK(lanes_less_than(x, b.value[0]) == less);
         ties += std::popcount(equal) > 1;
     }
     return ties;
@@ -84,6 +87,8 @@ TEST_CASE("NaN is not positive, and minus infinity is the largest only of itself
     CHECK(chosen[3] == -inf);
     CHECK(lanes_equal_to(chosen, largest(chosen)) == 0xf);
     CHECK(lanes_equal_to(DoubleLanes<8>(nan), nan) == 0);
+    CHECK(lanes_less_than(DoubleLanes<8>(nan), 1.0) == 0);
+    CHECK(lanes_less_than(DoubleLanes<8>(-0.0), 0.0) == 0);
 }
 
 TEST_CASE("floats are widened without change, denormal ones too") {
