@@ -13,9 +13,9 @@ namespace tumble {
 
 namespace {
 
-constexpr double kFlat = 0.01;    // rad: corners below it are met as if they were flat
+constexpr double kFlat = 0.01;     // rad: corners below it are met as if they were flat
 constexpr double kUpright = 1e-6;  // rad: what the rounding of a normal to float may make it lean
-constexpr double kBeyond = 1e-3;  // rad: a normal that far beyond the neighbour's is the neighbour's to give
+constexpr double kBeyond = 1e-3;   // rad: a normal that far beyond the neighbour's is the neighbour's to give
 
 enum class Corner : std::uint8_t { free, flat_or_hollow, round };
 
@@ -44,11 +44,6 @@ struct OpenSegment {
     End head;
 };
 
-DVec2 turned(const Core& core, Vec2 point) {
-    const DVec2 p(point);
-    return {core.c * p.x - core.s * p.y, core.s * p.x + core.c * p.y};
-}
-
 OpenSegment open_segment(const Core& core, const ChainLink& link, bool is_reversed) {
     OpenSegment segment;
     segment.first = is_reversed;
@@ -58,7 +53,7 @@ OpenSegment open_segment(const Core& core, const ChainLink& link, bool is_revers
     segment.normal = -perp(segment.tangent);
     const DVec2 to = segment.from + segment.edge;
     const Vec2 before = is_reversed ? link.after : link.before, after = is_reversed ? link.before : link.after;
-    const DVec2 edge_before = segment.from - turned(core, before), edge_after = turned(core, after) - to;
+    const DVec2 edge_before = segment.from - core.turned(DVec2(before)), edge_after = core.turned(DVec2(after)) - to;
     if (is_reversed ? link.has_after : link.has_before)
         segment.tail = end_between(edge_before, segment.edge, edge_before);
     if (is_reversed ? link.has_before : link.has_after)
@@ -84,7 +79,7 @@ bool is_left(const CorePair& pair, const ChainLink& link) {
     const double along = dot(edge, middle);
     const bool is_before = along < 0.0 && link.has_before, is_after = along > length_sq(edge) && link.has_after;
     if (!is_before && !is_after) return is_left_of_edge;
-    const DVec2 beside = is_before ? from - turned(core, link.before) : turned(core, link.after) - to;
+    const DVec2 beside = is_before ? from - core.turned(DVec2(link.before)) : core.turned(DVec2(link.after)) - to;
     const bool is_left_of_neighbour = cross(beside, is_before ? middle : middle - edge) > 0.0;
     const double turn = is_before ? cross(beside, edge) : cross(edge, beside);
     return turn > 0.0 ? is_left_of_edge && is_left_of_neighbour : is_left_of_edge || is_left_of_neighbour;

@@ -22,18 +22,19 @@ struct Core {
     const LargePolygon* large;  // null for at most eight vertices
     bool is_convex;
 
+    // A vector of the shape's coordinates in world axes, and back.
+    DVec2 turned(DVec2 v) const { return {c * v.x - s * v.y, s * v.x + c * v.y}; }
+    DVec2 turned_back(DVec2 v) const { return {c * v.x + s * v.y, c * v.y - s * v.x}; }
+
     // A vertex in world axes, relative to the body's position. Products of two floats are exact in double: each
     // coordinate carries one rounding.
-    DVec2 point(int index) const {
-        const double px = x[index], py = y[index];
-        return {c * px - s * py, s * px + c * py};
-    }
+    DVec2 point(int index) const { return turned({x[index], y[index]}); }
 
     // The edge from one vertex to another: as a difference of local coordinates it keeps its relative accuracy however
     // short it is.
-    DVec2 edge(int from, int to) const {
-        const double ex = static_cast<double>(x[to]) - x[from], ey = static_cast<double>(y[to]) - y[from];
-        return {c * ex - s * ey, s * ex + c * ey};
+    DVec2 edge(int from, int to) const { return turned(local_edge(from, to)); }
+    DVec2 local_edge(int from, int to) const {
+        return {static_cast<double>(x[to]) - x[from], static_cast<double>(y[to]) - y[from]};
     }
 
     // Without a branch: where an outline ends is as good as random.

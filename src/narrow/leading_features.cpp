@@ -4,24 +4,13 @@ namespace tumble {
 
 namespace {
 
-DVec2 turned_by(const Core& core, DVec2 local) {
-    return {core.c * local.x - core.s * local.y, core.s * local.x + core.c * local.y};
-}
-DVec2 turned_back(const Core& core, DVec2 world) {
-    return {core.c * world.x + core.s * world.y, core.c * world.y - core.s * world.x};
-}
-
-DVec2 local_edge(const Core& core, int from, int to) {
-    return {static_cast<double>(core.x[to]) - core.x[from], static_cast<double>(core.y[to]) - core.y[from]};
-}
-
 // True if the vertex is higher in the direction than its neighbours, which for a convex core makes it the support.
 // Strictly higher: equal neighbours may hide a higher vertex behind them.
 bool is_support(const Core& core, int vertex, DVec2 direction) {
     if (core.count == 1) return true;
-    const DVec2 local = turned_back(core, direction);
-    const double up_to_next = dot(local, local_edge(core, vertex, core.next(vertex)));
-    const double up_to_previous = dot(local, local_edge(core, vertex, core.previous(vertex)));
+    const DVec2 local = core.turned_back(direction);
+    const double up_to_next = dot(local, core.local_edge(vertex, core.next(vertex)));
+    const double up_to_previous = dot(local, core.local_edge(vertex, core.previous(vertex)));
     return up_to_next < 0.0 && up_to_previous < 0.0;
 }
 
@@ -31,7 +20,7 @@ bool follow_face(const CorePair& pair, LeadingFeature& feature) {
     const Core& other = *cores[1 - feature.owner];
     const int from = own_vertex(feature.owner, feature.pairs[0]), to = own_vertex(feature.owner, feature.pairs[1]);
     const double sign = kSign[feature.owner];
-    const DVec2 along = turned_by(owner, feature.local_edge), outwards = -feature.outwards * perp(along);
+    const DVec2 along = owner.turned(feature.local_edge), outwards = -feature.outwards * perp(along);
     const int nearest = support(other, -outwards).index;
     const DVec2 above = (other.point(nearest) - owner.point(from)) + sign * pair.offset;
     const double foot = dot(along, above);
@@ -71,13 +60,13 @@ void take(LeadingFeature& feature, const CorePair& pair, const CoreDistance& cor
     feature.owner = is_same_a;
     const Core* const cores[2] = {&pair.a, &pair.b};
     const Core& owner = *cores[feature.owner];
-    const DVec2 edge = local_edge(owner, own_vertex(feature.owner, first), own_vertex(feature.owner, second));
+    const DVec2 edge = owner.local_edge(own_vertex(feature.owner, first), own_vertex(feature.owner, second));
     feature.edge_length = length(edge);
     if (!(feature.edge_length > 0.0)) return;
     feature.kind = LeadingFeature::Kind::face;
     feature.local_edge.x = edge.x / feature.edge_length;
     feature.local_edge.y = edge.y / feature.edge_length;
-    feature.outwards = std::copysign(1.0, kSign[feature.owner] * cross(feature.normal, turned_by(owner, edge)));
+    feature.outwards = std::copysign(1.0, kSign[feature.owner] * cross(feature.normal, owner.turned(edge)));
 }
 
 bool follow(const CorePair& pair, LeadingFeature& feature) {
