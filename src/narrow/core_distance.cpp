@@ -50,23 +50,17 @@ CoreDistance face_distance(const CorePair& pair, const Face& face) {
     return result;
 }
 
-// Within rounding of contact both views are true: GJK's simplex bounds from above, the face from below.
+// Within rounding of contact both views are true: GJK's simplex bounds from above, the face from below. Where the face gives
+// the answer it bounds from above too: it lies as far from the origin as it is deep.
 CoreDistance touching_cores(const CorePair& pair, const GjkResult& gjk, const CoreDistance& by_face) {
-    if (gjk.closest.contains_origin) {
-        CoreDistance result = by_face;
-        result.upper = std::max(result.distance, error_bound(pair));
-        return result;
-    }
+    CoreDistance result = by_face;
+    result.upper = std::abs(by_face.distance) + error_bound(pair);
+    if (gjk.closest.contains_origin) return result;
     const CoreDistance by_gjk = separated_cores(pair, gjk);
-    CoreDistance result = by_face.distance > 0.0 ? by_gjk : by_face;
-    if (by_face.lower >= by_gjk.lower) {
-        result.lower = by_face.lower;
-        result.direction = by_face.direction;
-    } else {
-        result.lower = by_gjk.lower;
-        result.direction = by_gjk.direction;
-    }
-    result.upper = by_gjk.upper;
+    if (by_face.distance > 0.0) result = by_gjk;
+    const CoreDistance& lower = by_face.lower >= by_gjk.lower ? by_face : by_gjk;
+    result.lower = lower.lower;
+    result.direction = lower.direction;
     return result;
 }
 
