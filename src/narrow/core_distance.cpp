@@ -19,7 +19,7 @@ CoreDistance separated_cores(const CorePair& pair, const GjkResult& gjk) {
     result.direction = closest.direction;
     result.normal = quotient(closest.direction, length_of_direction);
     result.pairs[0] = gjk.simplex.vertices[0].pair();
-    result.pairs[1] = gjk.simplex.vertices[1].pair();
+    result.pairs[1] = gjk.simplex.vertices[gjk.simplex.count - 1].pair();
     result.pair_count = gjk.simplex.count;
     return result;
 }

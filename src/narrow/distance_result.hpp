@@ -12,12 +12,11 @@ DistanceResult invalid_result();
     return upper < 0.0 ? DistanceStatus::overlapping : DistanceStatus::touching;
 }
 
-[[gnu::always_inline]] inline DistanceResult make_result(const CoreDistance& core, const Shape& a, const Shape& b,
-                                                         DVec2 position_a, DVec2 position_b) {
+[[gnu::always_inline]] inline void write_result(DistanceResult& result, const CoreDistance& core, const Shape& a,
+                                                const Shape& b, DVec2 position_a, DVec2 position_b) {
     const double radius_a = a.radius(), radius_b = b.radius(), radii = radius_a + radius_b;
     const double rounding = radii > 0.0 ? 4.0 * kUnitRoundoff * (radii + std::abs(core.distance)) : 0.0;
     // By single numbers: g++ 12 copies a struct that was just written by halves as a whole, and waits for it (20 ns).
-    DistanceResult result;
     result.distance = core.distance - radii;
     result.lower = (core.lower - radii) - rounding;
     result.upper = (core.upper - radii) + rounding;
@@ -38,6 +37,12 @@ DistanceResult invalid_result();
     result.status = status_of(result.lower, result.upper);
     result.iterations = static_cast<std::uint16_t>(core.iterations);
     result.reached_cap = core.reached_cap;
+}
+
+[[gnu::always_inline]] inline DistanceResult make_result(const CoreDistance& core, const Shape& a, const Shape& b,
+                                                         DVec2 position_a, DVec2 position_b) {
+    DistanceResult result;
+    write_result(result, core, a, b, position_a, position_b);
     return result;
 }
 

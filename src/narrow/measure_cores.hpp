@@ -34,16 +34,18 @@ CoreDistance measure_any_cores(const CorePair& pair, SimplexCache* cache);
     return distance > 0.0;
 }
 
-// The leading face, if the foot is inside; else the vertex that it ends with. Where faces are equally separated, no
-// vertex: which one is tried would depend on the order of the shapes.
-template <int N>
-TUMBLE_LANE_FUNCTION bool measure_from_face(const LeadingFaces<N>& leading, CoreDistance& result) {
-    const OwnedFace face = leading.first();
-    const Foot foot = measure_by_face(leading.pair, face, result);
-    if (foot == Foot::inside) return result.lower > 0.0 || result.overlap;
-    if (!(result.lower > 0.0) || !std::has_single_bit(leading.bits)) return false;
-    const int end = foot == Foot::beyond_first ? face.from : face.to;
-    return measure_by_vertex<N>(leading.pair, leading.turned, pair_of_owner(face.is_b, end, face.nearest), result);
+// What the leading face, measured, says: it is the answer if the foot is inside, else the vertex that it ends with. Where
+// faces are equally separated, no vertex: which one is tried would depend on the order of the shapes.
+enum class Decision { face, vertex, none };
+
+[[gnu::always_inline]] inline Decision decide(Foot foot, bool leads_alone, const CoreDistance& by_face) {
+    const bool is_apart = by_face.lower > 0.0;
+    if (foot == Foot::inside) return is_apart || by_face.overlap ? Decision::face : Decision::none;
+    return is_apart && leads_alone ? Decision::vertex : Decision::none;
+}
+
+[[gnu::always_inline]] inline VertexPair end_of(const OwnedFace& face, Foot foot) {
+    return pair_of_owner(face.is_b, foot == Foot::beyond_first ? face.from : face.to, face.nearest);
 }
 
 // The face between two pairs, if they are the ends of one and the nearest point lies in it. Any pairs are safe.
@@ -77,7 +79,12 @@ TUMBLE_LANE_FUNCTION bool measure_features(const CorePair& pair, SimplexCache* c
         return true;
     result.iterations = 2;
     const LeadingFaces<N> leading(pair, turned);
-    return leading.bits != 0 && measure_from_face(leading, result);
+    if (leading.bits == 0) return false;
+    const OwnedFace face = leading.first();
+    const Foot foot = measure_by_face(pair, face, result);
+    const Decision decision = decide(foot, std::has_single_bit(leading.bits), result);
+    if (decision == Decision::vertex) return measure_by_vertex<N>(pair, turned, end_of(face, foot), result);
+    return decision == Decision::face;
 }
 
 template <int N, typename Finish>

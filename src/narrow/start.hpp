@@ -24,8 +24,10 @@ namespace tumble {
 }
 
 [[gnu::always_inline]] inline void store(const Simplex& simplex, SimplexCache& cache) {
-    cache.pairs = {simplex.vertices[0].pair(), simplex.vertices[1].pair(), simplex.vertices[2].pair()};
     cache.count = static_cast<std::uint8_t>(simplex.count);
+    cache.pairs[0] = simplex.vertices[0].pair();
+    if (simplex.count > 1) cache.pairs[1] = simplex.vertices[1].pair();
+    if (simplex.count > 2) cache.pairs[2] = simplex.vertices[2].pair();
 }
 
 // The support in the direction from A's position to B's: nearer than an arbitrary vertex, and as symmetric.

@@ -41,6 +41,14 @@ TEST_CASE("distance, by any way, and collide do not allocate") {
         sum += tumble::collide(pair.a, pair.pose_a, pair.b, pair.pose_b, 0.02, cache).point_count;
         CHECK(allocations == before);
     }
+    std::vector<Pair> pairs;
+    for (int sample = 0; sample < 100; ++sample) pairs.push_back(source.pair());
+    std::vector<tumble::PosedPair> posed;
+    for (const Pair& pair : pairs) posed.push_back({&pair.a, pair.pose_a, &pair.b, pair.pose_b});
+    std::vector<tumble::DistanceResult> results(posed.size());
+    const long before = allocations;
+    tumble::distance_batch(posed, results);
+    CHECK(allocations == before);
     CHECK(allocations > 0);  // the shapes themselves: the counter counts
     CHECK(sum != 0.0);
 }

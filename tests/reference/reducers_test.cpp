@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "narrow/distance_result.hpp"
 #include "reference/certificate.hpp"
@@ -45,6 +46,12 @@ constexpr Method kMethods[] = {{"voronoi", by_gjk<SubAlgorithm::voronoi>},
                                {"johnson", by_gjk<SubAlgorithm::johnson>},
                                {"signed_volumes", by_gjk<SubAlgorithm::signed_volumes>},
                                {"exhaustive", by_all}};
+
+std::uint64_t pairs_of(const PairFamily& family) {
+    const char* wanted = std::getenv("TUMBLE_PAIRS");
+    const std::uint64_t all = wanted ? std::strtoull(wanted, nullptr, 10) : 1000;
+    return family.kind == FamilyKind::large ? std::max<std::uint64_t>(all / 50, 1) : all;
+}
 
 struct Counts {
     std::uint64_t wrong = 0, rejected = 0, disagreeing = 0, same = 0, pairs = 0, separated = 0;
@@ -94,9 +101,7 @@ void check_pair(Counts& counts, const PairFamily& family, std::uint64_t index) {
 }
 
 Counts check_family(const PairFamily& family) {
-    const char* wanted = std::getenv("TUMBLE_PAIRS");
-    const std::uint64_t all = wanted ? std::strtoull(wanted, nullptr, 10) : 1000;
-    const std::uint64_t pairs = family.kind == FamilyKind::large ? std::max<std::uint64_t>(all / 50, 1) : all;
+    const std::uint64_t pairs = pairs_of(family);
     Counts counts;
     run_blocks<Counts>(
         (pairs + kBlock - 1) / kBlock, 0,
@@ -125,4 +130,27 @@ TEST_CASE("every family by every subalgorithm: exact distance in the bounds, rig
     CHECK(10 * total.separated > 3 * total.pairs);
     CHECK(10 * total.separated < 7 * total.pairs);
     MESSAGE(total.pairs << " answers, " << total.same << " of them distance()'s bits");
+}
+
+TEST_CASE("every family in batches: distance() bit for bit") {
+    std::uint64_t pairs = 0;
+    for (const PairFamily& family : pair_families()) {
+        std::vector<PairQuery> queries;
+        for (std::uint64_t i = 0; i < pairs_of(family); ++i) queries.push_back(family.generate(kSeed, i));
+        std::vector<PosedPair> posed;
+        for (const PairQuery& q : queries) posed.push_back({&q.a, q.pose_a, &q.b, q.pose_b});
+        std::vector<DistanceResult> results(posed.size());
+        distance_batch(posed, results);
+        INFO(family.name);
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            const PairQuery& q = queries[i];
+            const DistanceResult one = distance(q.a, q.pose_a, q.b, q.pose_b), &other = results[i];
+            const bool is_same = one.distance == other.distance && one.lower == other.lower && one.upper == other.upper &&
+                                 one.point_a == other.point_a && one.point_b == other.point_b && one.normal == other.normal;
+            CHECK(one.status == other.status);
+            if (one.status != DistanceStatus::invalid && !is_same) FAIL_CHECK(to_hex(q));
+        }
+        pairs += queries.size();
+    }
+    CHECK(pairs > 1000);
 }
