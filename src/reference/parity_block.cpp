@@ -32,6 +32,16 @@ private:
 
 DistanceResult ask_tumble(const PairQuery& query) { return distance(query.a, query.pose_a, query.b, query.pose_b); }
 
+// The same bits, a pair a lane.
+std::vector<DistanceResult> ask_tumble(const std::vector<PairQuery>& queries) {
+    std::vector<PosedPair> pairs;
+    pairs.reserve(queries.size());
+    for (const PairQuery& query : queries) pairs.push_back({&query.a, query.pose_a, &query.b, query.pose_b});
+    std::vector<DistanceResult> answers(pairs.size());
+    distance_batch(pairs, answers);
+    return answers;
+}
+
 // One block at a time: Box2D counts its calls in plain globals. Bare cores are asked without `useRadii`, which would call
 // everything within 1.2e-7 m an overlap.
 std::vector<std::optional<B2Distance>> ask_box2d(const std::vector<PairQuery>& queries) {
@@ -67,9 +77,7 @@ bool is_sampled(std::uint64_t index, const ParityOptions& options) {
 }
 
 void judge(ParityRow& row, const Inquiries& inquiries, const ParityOptions& options) {
-    std::vector<DistanceResult> ours;
-    ours.reserve(inquiries.queries.size());
-    for (const PairQuery& query : inquiries.queries) ours.push_back(ask_tumble(query));
+    const std::vector<DistanceResult> ours = ask_tumble(inquiries.queries);
     const std::vector<std::optional<B2Distance>> box2d = ask_box2d(inquiries.queries);
     ExactSource source;
     for (std::size_t i = 0; i < inquiries.queries.size(); ++i) {

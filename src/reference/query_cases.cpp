@@ -150,6 +150,23 @@ QueryCase distance_case(const std::string& name, Kind kind_a, Kind kind_b, doubl
             }};
 }
 
+// All pairs in one call.
+QueryCase batch_case(const std::string& name, Kind kind, double gap) {
+    return {name, [=](int count, std::uint64_t seed) -> QueryRuns {
+                const auto pairs = std::make_shared<DistancePairs>(random_pairs(kind, kind, gap, count, seed));
+                std::vector<PosedPair> posed;
+                for (const Pair& pair : pairs->ours) posed.push_back({&pair.a, pair.pose_a, &pair.b, pair.pose_b});
+                const auto results = std::make_shared<std::vector<DistanceResult>>(posed.size());
+                return {[=] {
+                            distance_batch(posed, *results);
+                            double sum = 0.0;
+                            for (const DistanceResult& result : *results) sum += result.distance;
+                            return sum;
+                        },
+                        [=] { return run_box2d(pairs->theirs, false); }};
+            }};
+}
+
 struct ManifoldPairs {
     std::vector<Pair> ours;
     struct Query {
@@ -328,6 +345,8 @@ std::vector<QueryCase> query_cases() {
     std::vector<QueryCase> cases;
     for (const Row& row : distances)
         for (const bool is_warm : {false, true}) cases.push_back(distance_case(row.name, row.a, row.b, row.gap, is_warm));
+    cases.push_back(batch_case("box-box near batch", Kind::box, kNear));
+    cases.push_back(batch_case("8-gon near batch", Kind::octagon, kNear));
     for (const bool is_warm : {false, true}) {
         cases.push_back(manifold_case("manifold box-box", Kind::box, kResting, is_warm));
         cases.push_back(manifold_case("manifold 8-gon", Kind::octagon, kResting, is_warm));

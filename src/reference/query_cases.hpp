@@ -22,7 +22,7 @@ struct QueryCase {
     std::function<QueryRuns(int pairs, std::uint64_t seed)> make;  // the pairs of both engines live as long as the runs
 };
 
-// Distances cold and warm by kind and nearness, manifolds, times of impact of approaching bodies, rays that hit.
+// Distances cold, warm and in batches by kind and nearness, manifolds, times of impact of approaching bodies, rays that hit.
 std::vector<QueryCase> query_cases();
 
 }  // namespace tumble::reference
