@@ -24,7 +24,8 @@ FrameOutput::FrameOutput(const Scene& scene, const SceneWorld& world, const RunO
       schedule_(schedule),
       renderer_(options.size.width, options.size.height),
       camera_(make_camera(scene, world, aspect_ratio(options.size))),
-      writer_(encoder_threads()) {}
+      writer_(encoder_threads()),
+      overlay_(options.overlay) {}
 
 void FrameOutput::draw_due(const SceneWorld& world) {
     const Stopwatch watch;
@@ -33,7 +34,7 @@ void FrameOutput::draw_due(const SceneWorld& world) {
     while (next_frame_ < schedule_.frame_count() && schedule_.step_of_frame(next_frame_) == step) {
         camera_ = move_camera(camera_, world.world);
         Image image = writer_.take_image();
-        renderer_.draw(scene_, world, camera_, time, image);
+        renderer_.draw(scene_, world, camera_, time, image, overlay_);
         writer_.submit(std::move(image), frame_file(folder_, next_frame_));
         ++next_frame_;
     }

@@ -33,6 +33,7 @@ private:
     Renderer renderer_;
     Camera camera_;
     FrameWriter writer_;
+    Overlay overlay_;
     std::uint64_t next_frame_ = 0;
     double render_seconds_ = 0.0;
     double encode_seconds_ = 0.0;

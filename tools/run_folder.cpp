@@ -22,6 +22,7 @@ void remove_earlier_run(const fs::path& folder) {
         for (const fs::directory_entry& entry : fs::directory_iterator(frames))
             if (is_frame(entry.path())) fs::remove(entry.path());
     fs::remove(summary_file(folder));
+    fs::remove(events_file(folder));
 }
 
 }  // namespace
@@ -33,6 +34,8 @@ fs::path frame_file(const fs::path& folder, std::uint64_t frame) {
 }
 
 fs::path summary_file(const fs::path& folder) { return folder / "summary.json"; }
+
+fs::path events_file(const fs::path& folder) { return folder / "events.csv"; }
 
 void prepare_run_folder(const fs::path& folder, bool with_frames, bool force) {
     std::error_code error;

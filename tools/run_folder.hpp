@@ -14,5 +14,6 @@ void prepare_run_folder(const std::filesystem::path& folder, bool with_frames, b
 std::filesystem::path frame_file(const std::filesystem::path& folder, std::uint64_t frame);
 
 std::filesystem::path summary_file(const std::filesystem::path& folder);
+std::filesystem::path events_file(const std::filesystem::path& folder);
 
 }  // namespace tumble::tools

@@ -1,6 +1,8 @@
 #include "run_options.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -35,6 +37,12 @@ FrameSize parse_size(const std::string& text) {
                                              std::to_string(kMaxSize) + " pixels, got " + text);
 }
 
+std::string overlay_names() {
+    std::string names;
+    for (const OverlayPart& part : kOverlayParts) names += (names.empty() ? "" : ",") + std::string(part.name);
+    return names;
+}
+
 }  // namespace
 
 CLI::Validator number_from_to(double lowest, double highest) {
@@ -56,6 +64,20 @@ void add_size_option(CLI::App& subcommand, FrameSize& size) {
         ->default_str("1280x720");
 }
 
+void add_overlay_option(CLI::App& subcommand, Overlay& overlay) {
+    const auto parse = [&overlay](const std::string& text) {
+        std::istringstream list(text);
+        for (std::string name; std::getline(list, name, ',');) {
+            const auto found = std::ranges::find(kOverlayParts, name, &OverlayPart::name);
+            if (found == kOverlayParts.end())
+                throw CLI::ValidationError("--overlay", "'" + name + "' is none of " + overlay_names());
+            overlay.*found->member = true;
+        }
+    };
+    subcommand.add_option_function<std::string>("--overlay", parse, "Draw over the shapes: " + overlay_names())
+        ->type_name("LIST");
+}
+
 void add_run_options(CLI::App& subcommand, RunOptions& options) {
     subcommand.add_option("-o,--output", options.folder, "Folder for the results, default out/<scene name>")
         ->type_name("DIR");
@@ -68,7 +90,10 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         ->check(number_from_to(1e-3, kMaxRate));
     add_size_option(subcommand, options.size);
     subcommand.add_flag("--no-frames", options.no_frames, "Simulate only");
+    add_overlay_option(subcommand, options.overlay);
     subcommand.add_option("--trajectory", options.trajectory, "Write pose and velocity of each body after each step")
+        ->type_name("F.csv");
+    subcommand.add_option("--contacts", options.contacts, "Write every contact point after each step")
         ->type_name("F.csv");
     subcommand.add_option("--hashes", options.hashes, "Write the state hash after each step")->type_name("F.csv");
     subcommand.add_flag("--force", options.force, "Replace what an earlier run left in the folder");

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "tumble/render.hpp"
+
 namespace tumble::tools {
 
 inline constexpr double kMaxDuration = 1e6;  // s: 11 days of simulated time
@@ -24,7 +26,9 @@ struct RunOptions {
     bool no_frames = false;
     bool force = false;                   // replace what an earlier run left
     std::filesystem::path trajectory;     // empty: not written
+    std::filesystem::path contacts;       // empty: not written
     std::filesystem::path hashes;         // empty: not written
+    Overlay overlay;                      // what the frames show beside the shapes
 };
 
 // Accepts numbers in [lowest, highest] only: unlike CLI::Range, not NaN.
@@ -33,7 +37,10 @@ CLI::Validator number_from_to(double lowest, double highest);
 // --size WxH
 void add_size_option(CLI::App& subcommand, FrameSize& size);
 
-// -o, --duration, --fps, --size, --no-frames, --trajectory, --hashes, --force
+// --overlay LIST
+void add_overlay_option(CLI::App& subcommand, Overlay& overlay);
+
+// -o, --duration, --fps, --size, --no-frames, --overlay, --trajectory, --contacts, --hashes, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 
 }  // namespace tumble::tools

@@ -1,5 +1,7 @@
 #include "run_report.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 
 #include "json_writer.hpp"
@@ -19,6 +21,50 @@ void append_line(std::string& text, const std::string& label, const std::string&
     text += "  " + label + std::string(label.size() < 12 ? 12 - label.size() : 1, ' ') + content + "\n";
 }
 
+struct Stage {
+    const char* name;
+    double StageTimes::*ms;
+};
+constexpr Stage kStages[] = {{"pairs", &StageTimes::pairs},           {"collide", &StageTimes::collide},
+                             {"prepare", &StageTimes::prepare},       {"solve", &StageTimes::solve},
+                             {"continuous", &StageTimes::continuous}, {"proxies", &StageTimes::proxies},
+                             {"events", &StageTimes::events},         {"sleep", &StageTimes::sleep},
+                             {"step", &StageTimes::step}};
+
+void add_counters(JsonWriter& json, const RunReport& report) {
+    const StepCounters& last = report.counters;
+    json.key("counters")
+        .open_object()
+        .member("bodies", last.bodies)
+        .member("awake_bodies", last.awake_bodies)
+        .member("islands", report.islands)
+        .member("sleeping_islands", last.sleeping_islands)
+        .member("contacts", last.contacts)
+        .member("contact_points", last.contact_points)
+        .member("joints", last.joints)
+        .member("colors", last.colors)
+        .member("pairs", last.pairs)
+        .member("collided", last.collided)
+        .member("gjk_iterations", last.gjk_iterations)
+        .close_object();
+    json.key("ms_per_step").open_object();
+    const double steps = static_cast<double>(std::max<std::uint64_t>(report.steps, 1));
+    for (const Stage& stage : kStages) json.member(stage.name, report.stages.*stage.ms / steps);
+    json.close_object();
+    const WorldMemory& memory = report.memory;
+    json.key("memory_bytes")
+        .open_object()
+        .member("bodies", memory.bodies)
+        .member("shapes", memory.shapes)
+        .member("joints", memory.joints)
+        .member("broad_phase", memory.broad_phase)
+        .member("contacts", memory.contacts)
+        .member("solver", memory.solver)
+        .member("other", memory.other)
+        .member("total", memory.total())
+        .close_object();
+}
+
 std::string describe(const WrittenFiles& files) {
     const std::string size = format("%.1f MB", static_cast<double>(files.bytes) / 1e6);
     if (files.count == 1) return files.path.string() + ", " + size;
@@ -26,6 +72,10 @@ std::string describe(const WrittenFiles& files) {
 }
 
 }  // namespace
+
+void add_times(StageTimes& sum, const StageTimes& step) {
+    for (const Stage& stage : kStages) sum.*stage.ms += step.*stage.ms;
+}
 
 std::string to_json(const RunReport& report) {
     JsonWriter json;
@@ -44,8 +94,9 @@ std::string to_json(const RunReport& report) {
         .member("total", report.total_seconds)
         .close_object();
     json.member("bodies", report.bodies)
-        .member("contacts", report.contacts)
+        .member("contacts", report.counters.contacts)
         .member("state_hash", to_hex(report.state_hash));
+    add_counters(json, report);
     json.key("files").open_array();
     for (const WrittenFiles& files : report.files)
         json.open_object()
@@ -61,7 +112,7 @@ std::string to_json(const RunReport& report) {
 std::string to_text(const RunReport& report) {
     std::string text = report.scene_name + ": " + std::to_string(report.steps) + " steps of " +
                        format("%.3g ms", 1e3 * report.dt) + ", " + std::to_string(report.bodies) + " bodies, " +
-                       std::to_string(report.contacts) + " contacts at the end" +
+                       std::to_string(report.counters.contacts) + " contacts at the end" +
                        (report.complete ? "" : ", not complete") + "\n";
     for (const WrittenFiles& files : report.files) append_line(text, files.kind, describe(files));
     append_line(text, "state hash", to_hex(report.state_hash));

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "tumble/counters.hpp"
+
 namespace tumble::tools {
 
 // Files that a run wrote, all of one kind.
 struct WrittenFiles {
-    std::string kind;               // "frames", "trajectory", "hashes"
+    std::string kind;               // "frames", "events", "trajectory", "contacts", "hashes"
     std::filesystem::path path;     // of the first
     std::uint64_t count = 0;
     std::uint64_t bytes = 0;        // of all
@@ -27,11 +29,17 @@ struct RunReport {
     double encode_seconds = 0.0;    // summed over the encoder's threads
     double total_seconds = 0.0;
     std::size_t bodies = 0;
-    int contacts = 0;             // at the end
+    StepCounters counters;        // of the last step
+    int islands = 0;              // at the end, awake and asleep
+    StageTimes stages;            // summed over the steps, ms
+    WorldMemory memory;           // at the end
     std::uint64_t state_hash = 0;
     std::vector<WrittenFiles> files;
     bool complete = false;
 };
+
+// Adds the times of a step to a sum.
+void add_times(StageTimes& sum, const StageTimes& step);
 
 std::string to_json(const RunReport& report);
 

@@ -5,11 +5,13 @@
 #include <filesystem>
 
 #include "run_options.hpp"
+#include "tumble/render.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {
 
 // Runs the scene for so many steps, draws what it shows then, and returns the run. Throws what went wrong.
-SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file);
+SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
+                       const Overlay& overlay = {});
 
 }  // namespace tumble::tools

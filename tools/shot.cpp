@@ -21,6 +21,7 @@ struct ShotArguments {
     double time = 0.0;
     std::filesystem::path file;
     FrameSize size;
+    Overlay overlay;
     bool force = false;
 };
 
@@ -39,7 +40,7 @@ ExitCode shoot(const Command& command, const ShotArguments& options) {
     const Scene scene = read_scene(options.scene);
     refuse_to_overwrite(options.file, options.force);
     const auto step = static_cast<std::uint64_t>(std::llround(options.time * scene.world.steps_per_second));
-    report_shot(command, options, draw_scene_at(scene, step, options.size, options.file));
+    report_shot(command, options, draw_scene_at(scene, step, options.size, options.file, options.overlay));
     return ExitCode::ok;
 }
 
@@ -55,6 +56,7 @@ void add_shot(CLI::App& app, Command& command) {
         ->check(number_from_to(0.0, kMaxDuration));
     shot.add_option("-o,--output", options->file, "PNG file to write")->type_name("F.png")->required();
     add_size_option(shot, options->size);
+    add_overlay_option(shot, options->overlay);
     shot.add_flag("--force", options->force, "Replace the file if it exists");
     shot.callback([&command, options] { command.action = [&command, options] { return shoot(command, *options); }; });
 }

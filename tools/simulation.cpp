@@ -1,5 +1,6 @@
 #include "simulation.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "console.hpp"
@@ -33,7 +34,9 @@ private:
     const RunOptions& options_;
     FrameSchedule schedule_;
     SceneRun run_;
+    std::optional<EventsFile> events_;
     std::optional<TrajectoryFile> trajectory_;
+    std::optional<ContactsFile> contacts_;
     std::optional<HashFile> hashes_;
     std::optional<OutputFile> summary_;
     std::optional<FrameOutput> frames_;
@@ -56,6 +59,8 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
         report_warning("more frames than steps a second: some frames repeat the one before");
     prepare_run_folder(options.folder, with_frames, options.force);
     summary_.emplace(open_output(summary_file(options.folder), options.force));
+    events_.emplace(events_file(options.folder), options.force, scene, run_.built());
+    if (!options.contacts.empty()) contacts_.emplace(options.contacts, options.force, run_.built());
     if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, options.force, run_.built());
     if (!options.hashes.empty()) hashes_.emplace(options.hashes, options.force);
     if (with_frames) frames_.emplace(scene, run_.built(), options, schedule_);
@@ -69,6 +74,7 @@ void Simulation::run() {
         const Stopwatch watch;
         run_.step();
         report_.simulate_seconds += watch.seconds();
+        add_times(report_.stages, run_.world().counters().ms);
         record_step();
         progress.show(step + 1);
     }
@@ -77,13 +83,17 @@ void Simulation::run() {
 }
 
 void Simulation::record_step() {
+    events_->record(run_.world());
     if (trajectory_) trajectory_->record(run_.built());
+    if (contacts_) contacts_->record(run_.world());
     if (hashes_) hashes_->record(run_.world());
     if (frames_) frames_->draw_due(run_.built());
 }
 
 void Simulation::close_files() {
     if (frames_) report_.files.push_back(frames_->finish());
+    report_.files.push_back({"events", events_file(options_.folder), 1, events_->file().commit()});
+    if (contacts_) report_.files.push_back({"contacts", options_.contacts, 1, contacts_->file().commit()});
     if (trajectory_) report_.files.push_back({"trajectory", options_.trajectory, 1, trajectory_->file().commit()});
     if (hashes_) report_.files.push_back({"hashes", options_.hashes, 1, hashes_->file().commit()});
 }
@@ -91,7 +101,10 @@ void Simulation::close_files() {
 void Simulation::update_report() {
     report_.steps = run_.world().step_count();
     report_.bodies = run_.built().bodies.size();
-    report_.contacts = run_.world().counters().contacts;
+    report_.counters = run_.world().counters();
+    const std::vector<int> islands = run_.world().islands();
+    if (!islands.empty()) report_.islands = std::ranges::max(islands) + 1;
+    report_.memory = run_.world().memory();
     report_.state_hash = run_.world().state_hash();
     if (frames_) {
         report_.render_seconds = frames_->render_seconds();

@@ -17,6 +17,23 @@ enum class BodyType : std::uint8_t {
     dynamic_body,
 };
 
+struct BodyMass {
+    float mass = 0.0f;     // kg; 0 for static, kinematic and disabled bodies
+    Vec2 center;           // centre of mass, body coordinates
+    float inertia = 0.0f;  // about the centre of mass, kg m^2; 0: it does not turn
+
+    friend constexpr bool operator==(const BodyMass&, const BodyMass&) = default;
+};
+
+// What a dynamic body may not do, in the axes of the world: what is locked has no velocity, and no force changes that.
+struct BodyLocks {
+    bool x = false;
+    bool y = false;
+    bool rotation = false;
+
+    friend constexpr bool operator==(const BodyLocks&, const BodyLocks&) = default;
+};
+
 struct BodyDef {
     BodyType type = BodyType::dynamic_body;
     Pose pose{};                    // of the body's origin
@@ -29,6 +46,9 @@ struct BodyDef {
     bool bullet = false;               // kept from passing through dynamic bodies too, not only through others
     bool allow_sleep = true;           // false keeps the body's whole island awake
     bool awake = true;                 // false: a dynamic body starts asleep, at rest, until something touches it
+    BodyLocks locks{};
+    bool enabled = true;              // false: it is kept, but nothing meets it and it does not move
+    std::optional<BodyMass> mass{};   // in place of what the shapes weigh; mass > 0, inertia >= 0; for dynamic bodies
 };
 
 // How a surface behaves in contact. Of two surfaces the friction is sqrt(f1 f2), the restitution the larger, the
@@ -71,12 +91,6 @@ struct BodyState {
     Pose pose;                      // of the body's origin
     Vec2 velocity;                  // of the centre of mass, m/s
     float angular_velocity = 0.0f;  // rad/s; a body asleep is at rest
-};
-
-struct BodyMass {
-    float mass = 0.0f;     // kg; 0 for static and kinematic bodies
-    Vec2 center;           // centre of mass, body coordinates
-    float inertia = 0.0f;  // about the centre of mass, kg m^2
 };
 
 }  // namespace tumble

@@ -37,6 +37,7 @@ struct SimplexCache {
     std::uint8_t count = 0;
     Side reference_side = Side::none;
     std::uint16_t reference_edge = 0;  // by its first vertex
+    std::uint16_t iterations = 0;      // of the last manifold's distance query, to be counted
 };
 
 enum class DistanceStatus : std::uint8_t {

@@ -1,11 +1,13 @@
 // Frames without a display: a draw list made from a scene's world, drawn off-screen, written as PNG.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tumble/drawing.hpp"
@@ -39,6 +41,29 @@ Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ra
 // The camera where the body it follows is now; unchanged if it follows none, or one that is gone.
 Camera move_camera(Camera camera, const World& world);
 
+// What a frame shows beside the shapes, each with a line in the legend.
+struct Overlay {
+    bool contacts = false;  // points, by whether the surfaces overlap
+    bool normals = false;   // from A to B at each point
+    bool aabbs = false;     // the box around each shape
+    bool islands = false;   // a colour an island, pale if it sleeps
+    bool velocity = false;  // of each centre of mass
+    bool joints = false;    // from each body to its anchor
+
+    bool any() const noexcept { return contacts || normals || aabbs || islands || velocity || joints; }
+};
+
+struct OverlayPart {
+    std::string_view name;
+    bool Overlay::*member;
+};
+inline constexpr std::array<OverlayPart, 6> kOverlayParts{{{"contacts", &Overlay::contacts},
+                                                           {"normals", &Overlay::normals},
+                                                           {"aabbs", &Overlay::aabbs},
+                                                           {"islands", &Overlay::islands},
+                                                           {"velocity", &Overlay::velocity},
+                                                           {"joints", &Overlay::joints}}};
+
 // Draws frames of one size. Holds the off-screen context: use it from the thread that made it.
 class Renderer {
 public:
@@ -49,7 +74,8 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
 
     // Draws the world as it is now, with the scene's name and `time` (s) as text, into `image`, resized as needed.
-    void draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image);
+    void draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image,
+              const Overlay& overlay = {});
 
 private:
     struct Impl;

@@ -54,6 +54,7 @@ struct SceneSettings {
     std::uint64_t seed = 1;
     bool sleeping = true;
     bool continuous = true;
+    double scale = 1.0;  // m, the size of a typical body: see WorldDef
 };
 
 struct SceneCamera {
@@ -146,6 +147,12 @@ struct ScatterRepeat {  // at random in a box about the position, drawn from the
 
 using SceneRepeat = std::variant<GridRepeat, PyramidRepeat, RingRepeat, ScatterRepeat>;
 
+struct SceneMass {
+    double mass = 0.0;     // kg
+    DVec2 center;          // body coordinates, m
+    double inertia = 0.0;  // about the centre, kg m^2; 0: it does not turn
+};
+
 struct SceneBody {
     std::string name;
     BodyType type = BodyType::dynamic_body;
@@ -158,6 +165,13 @@ struct SceneBody {
     double gravity_scale = 1.0;
     bool bullet = false;
     bool awake = true;
+    bool fixed_rotation = false;
+    bool lock_x = false;
+    bool lock_y = false;
+    bool enabled = true;
+    bool allow_sleep = true;
+    bool allow_fast_rotation = false;
+    std::optional<SceneMass> mass{};  // in place of that of the shapes
     std::optional<SceneRepeat> repeat;
     std::vector<SceneShape> shapes;
     std::string custom;

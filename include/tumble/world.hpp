@@ -4,17 +4,21 @@
 // src/dynamics/constants.hpp). Equal calls give equal bits: across runs, compilers, instruction sets and build types.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
 #include "tumble/body.hpp"
+#include "tumble/counters.hpp"
 #include "tumble/events.hpp"
 #include "tumble/id.hpp"
 #include "tumble/joint.hpp"
 #include "tumble/math.hpp"
+#include "tumble/query.hpp"
 
 namespace tumble {
 
@@ -24,21 +28,11 @@ struct WorldDef {
     int substeps = 4;                // >= 1
     bool sleeping = true;            // whether bodies at rest fall asleep
     bool continuous = true;          // whether fast bodies are kept from passing through thin ones
-};
 
-// What the last step did; times are wall clock.
-struct StepCounters {
-    int bodies = 0;        // all live bodies
-    int awake_bodies = 0;  // of those that can sleep: dynamic ones
-    int sleeping_islands = 0;
-    int contacts = 0;  // pairs with at least one manifold point, those of sleeping bodies too
-    int contact_points = 0;
-    int joints = 0;
-    int colors = 0;  // of the constraint graph
-    double pairs_ms = 0.0;
-    double narrow_ms = 0.0;
-    double solve_ms = 0.0;
-    double step_ms = 0.0;
+    // The size of a typical body (m, > 0). The stepper's own lengths, speeds and frequencies are those of things of 1 m;
+    // they follow the scale s as gravity makes things follow it: lengths by s, speeds by its root, frequencies by the
+    // inverse of its root. A world of marbles (0.02) then behaves as one of boulders, at 1 / sqrt(s) times the step rate.
+    float scale = 1.0f;
 };
 
 // One contact point after a step, to be drawn, tested or written to a file.
@@ -77,6 +71,7 @@ public:
     BodyId create_body(const BodyDef& def);
     void destroy_body(BodyId id);  // with its shapes and joints
     ShapeId add_shape(BodyId body, const ShapeDef& def);
+    void remove_shape(ShapeId id);
     JointId create_joint(const JointDef& def);
     void destroy_joint(JointId id);
 
@@ -98,7 +93,42 @@ public:
     BodyState state(BodyId id) const;
     BodyMass mass(BodyId id) const;
 
+    // The definition that would make the body as it is now, all that was set since included.
+    BodyDef definition(BodyId id) const;
+
+    // Moves a body to a pose at once: nothing on the way is met, and its velocity stays. Contacts of the new place begin
+    // in the next step, those that it has left end there; what overlaps is pushed out. The body wakes, and so does what
+    // leant on it, is tied to it or is met by it now.
+    void set_transform(BodyId id, const Pose& pose);
+
+    // Of the centre of mass. What is locked stays 0; static bodies have none to set.
     void set_velocity(BodyId id, Vec2 velocity, float angular_velocity);
+
+    // Another type: a body that becomes static stops, and what leant on it wakes.
+    void set_type(BodyId id, BodyType type);
+
+    // A disabled body keeps its place, shapes and joints, but is not part of the world: it does not move, its joints do
+    // not hold, nothing meets it and no query sees it. Its velocity is gone when it comes back.
+    void set_enabled(BodyId id, bool enabled);
+    bool is_enabled(BodyId id) const;
+
+    // How a body moves, as in BodyDef. They wake it.
+    void set_locks(BodyId id, BodyLocks locks);
+    void set_damping(BodyId id, float linear, float angular);
+    void set_gravity_scale(BodyId id, float scale);
+    void set_bullet(BodyId id, bool bullet);
+    void set_allow_fast_rotation(BodyId id, bool allowed);
+    void set_allow_sleep(BodyId id, bool allowed);
+
+    // A mass in place of that of the shapes, or that of the shapes again. Every point keeps its velocity.
+    void set_mass(BodyId id, const std::optional<BodyMass>& mass);
+
+    // Another surface or filter, for contacts that exist too. Density counts at once. O(contacts), and wakes the body.
+    void set_material(ShapeId id, const SurfaceMaterial& material);
+    void set_filter(ShapeId id, const CollisionFilter& filter);
+
+    // Wakes every body.
+    void set_gravity(Vec2 gravity);
 
     // A force (N, world axes) at a world point and a torque (N m), during the next step only; an impulse (N s) and an
     // angular impulse (N m s) at once. They act on dynamic bodies, and do nothing to others.
@@ -116,6 +146,10 @@ public:
     // creation or destruction.
     std::span<const BodyId> bodies() const noexcept;
     std::vector<BodyId> awake_bodies() const;  // those that the next step may move; computed on the call
+
+    // The island of each body, [bodies().size()], numbered from 0 by their lowest bodies: dynamic bodies that touch or
+    // are joined, awake or asleep. -1 for bodies that have none. Computed on the call: O(bodies + contacts).
+    std::vector<int> islands() const;
     std::span<const JointId> joints() const noexcept;
     std::span<const ShapeId> shapes(BodyId id) const;
     const Shape& shape(ShapeId id) const;
@@ -133,6 +167,27 @@ public:
     // wheel), or the distance of the anchors in m (distance, mouse).
     float joint_position(JointId id) const;
 
+    // The first shape that a ray from `origin` to `origin + translation` enters, or all of them, the nearest first. A
+    // shape that holds the origin is not entered.
+    std::optional<CastHit> cast_ray(DVec2 origin, DVec2 translation, const QueryFilter& filter = {}) const;
+    std::vector<CastHit> cast_ray_all(DVec2 origin, DVec2 translation, const QueryFilter& filter = {}) const;
+
+    // The first shape that a shape meets on its way by `translation`, without turning. It meets what it overlaps at the
+    // start at fraction 0; what it only touches there, if it moves towards it.
+    std::optional<CastHit> cast_shape(const Shape& shape, const Pose& pose, DVec2 translation,
+                                      const QueryFilter& filter = {}) const;
+
+    // The shapes that a shape overlaps (touching counts where rounding cannot tell), or whose bounding boxes share a
+    // point with the box from `lower` to `upper`. In id order.
+    std::vector<ShapeId> overlap_shape(const Shape& shape, const Pose& pose, const QueryFilter& filter = {}) const;
+    std::vector<ShapeId> overlap_box(DVec2 lower, DVec2 upper, const QueryFilter& filter = {}) const;
+
+    // The shape nearest to a point, no farther than max_distance (m, may be infinite). Inside several, the one that the
+    // point is deepest in.
+    std::optional<ClosestHit> closest(DVec2 point, double max_distance, const QueryFilter& filter = {}) const;
+
+    // The distance of two bodies, by their nearest solid shapes: O(n log n + n m) for n and m of them.
+    BodyDistance distance(BodyId a, BodyId b) const;
 
     // What began, ended, broke and fell asleep in the last step. Holds until the next one.
     const StepEvents& events() const noexcept;
@@ -151,12 +206,27 @@ public:
 
     const StepCounters& counters() const noexcept;
 
+    // O(bodies).
+    WorldMemory memory() const;
+
+    // All that the world is, to go on from: the loaded world steps with the same bits as this one. The bytes are those
+    // of this version on every machine (little-endian); their size is about that of memory().
+    std::vector<std::byte> save() const;
+
+    // Throws SnapshotError for what is not a whole snapshot of this version.
+    static World load(std::span<const std::byte> snapshot);
+
     // Walks every invariant of stores, tree and graph; throws std::logic_error that names the first one broken.
     void validate() const;
 
 private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
+};
+
+// A snapshot that cannot be loaded: cut short, damaged, or of another version.
+class SnapshotError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
 };
 
 // A pose or a velocity is no longer finite. The world may be read but not stepped.

@@ -47,7 +47,19 @@ public:
         moving_.query(box, visit);
     }
 
+    // The same with any condition on boxes: see AabbTree::search().
+    template <class MayHold, class Visitor>
+    void search(MayHold&& may_hold, Visitor&& visit) const {
+        fixed_.search(may_hold, visit);
+        moving_.search(may_hold, visit);
+    }
+
     void validate() const;
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.fixed_, self.moving_, self.proxies_, self.asked_, self.known_);
+    }
 
 private:
     struct Proxy {

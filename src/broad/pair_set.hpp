@@ -27,6 +27,11 @@ public:
     void erase(ProxyPair pair);   // no effect if not contained
     std::size_t size() const { return size_; }
 
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.slots_, self.size_);
+    }
+
 private:
     static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
     static std::uint64_t pack(ProxyPair pair) { return std::uint64_t{pair.a} << 32 | pair.b; }

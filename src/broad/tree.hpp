@@ -31,13 +31,25 @@ public:
 
     // Calls visit(key) for each leaf whose box overlaps, in an order that depends on the tree. O(log n + results).
     template <class Visitor>
-    void query(const Aabb& box, Visitor&& visit) const;
+    void query(const Aabb& box, Visitor&& visit) const {
+        search([&](const Aabb& node_box) { return overlaps(node_box, box); }, visit);
+    }
+
+    // Calls visit(key) for each leaf for whose box, and the boxes around it, may_hold(box) is true. A box
+    // that it refuses holds none that it would take; it may become stricter as leaves are visited.
+    template <class MayHold, class Visitor>
+    void search(MayHold&& may_hold, Visitor&& visit) const;
 
     // Sum of the perimeters of the inner nodes: proportional to the expected cost of a query.
     double cost() const;
 
     // Walks every link and box; throws std::logic_error that names the first one broken.
     void validate() const;
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.nodes_, self.free_, self.root_, self.leaf_count_);
+    }
 
 private:
     struct NodeData {
@@ -47,6 +59,11 @@ private:
         std::uint32_t key = 0;           // of a leaf
 
         bool is_leaf() const { return child[0] == kNone; }
+
+        template <class Self, class Visitor>
+        static void visit_members(Self& self, Visitor&& visit) {
+            visit(self.box, self.parent, self.child, self.key);
+        }
     };
 
     NodeData& at(Node node) { return nodes_[static_cast<std::size_t>(node)]; }
@@ -80,12 +97,12 @@ inline AabbTree::Node AabbTree::after_subtree(Node node) const {
     return kNone;
 }
 
-template <class Visitor>
-void AabbTree::query(const Aabb& box, Visitor&& visit) const {
+template <class MayHold, class Visitor>
+void AabbTree::search(MayHold&& may_hold, Visitor&& visit) const {
     Node node = root_;
     while (node != kNone) {
         const NodeData& data = at(node);
-        const bool hit = overlaps(data.box, box);
+        const bool hit = may_hold(data.box);
         if (hit && data.is_leaf()) visit(data.key);
         node = hit && !data.is_leaf() ? data.child[0] : after_subtree(node);
     }

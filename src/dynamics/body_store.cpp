@@ -12,15 +12,73 @@ BodyId BodyStore::create(const BodyDef& def) {
     frame = BodyFrame{};
     frame.pose = def.pose;
     frame.center = def.pose.position;
-    frame.type = def.type;
     BodyRecord& record = records[id.index];
     record = BodyRecord{};
+    record.own_mass = def.mass;
+    record.type = def.type;
+    record.is_enabled = def.enabled;
     record.motion = {def.gravity_scale, def.linear_damping, def.angular_damping, 0.0f, 0.0f, def.allow_sleep};
-    if (def.type == BodyType::dynamic_body) record.flags |= kDynamicBody;
     if (def.allow_fast_rotation) record.flags |= kUnlimitedSpin;
     if (def.bullet) record.flags |= kBulletBody;
-    if (def.type != BodyType::static_body) add_solver_body(id.index, def.velocity, def.angular_velocity);
+    if (def.locks.x) record.flags |= kLockX;
+    if (def.locks.y) record.flags |= kLockY;
+    if (def.locks.rotation) record.flags |= kLockRotation;
+    place(id.index, def.enabled ? def.type : BodyType::static_body, def.velocity, def.angular_velocity);
     return id;
+}
+
+// Gives a body that is not among the solver bodies the type that it is simulated as.
+void BodyStore::place(std::uint32_t body, BodyType type, Vec2 velocity, float angular_velocity) {
+    frames[body].type = type;
+    std::uint32_t& flags = records[body].flags;
+    flags = type == BodyType::dynamic_body ? flags | kDynamicBody : flags & ~kDynamicBody;
+    if (type != BodyType::static_body) add_solver_body(body, velocity, angular_velocity);
+}
+
+void BodyStore::set_type(std::uint32_t body, BodyType type) {
+    records[body].type = type;
+    if (!records[body].is_enabled) return;
+    const SolverBody old = solver_bodies[frames[body].solver_body];
+    if (frames[body].solver_body != kStaticSolverBody) remove_solver_body(body);
+    place(body, type, old.velocity, old.angular_velocity);
+}
+
+void BodyStore::set_enabled(std::uint32_t body, bool enabled) {
+    records[body].is_enabled = enabled;
+    if (frames[body].solver_body != kStaticSolverBody) remove_solver_body(body);
+    place(body, enabled ? records[body].type : BodyType::static_body, {}, 0.0f);
+}
+
+void BodyStore::set_flag(std::uint32_t body, BodyFlag flag, bool value) {
+    std::uint32_t& flags = records[body].flags;
+    flags = value ? flags | flag : flags & ~flag;
+    apply_flags(body);
+}
+
+// Locks act on dynamic bodies alone.
+void BodyStore::apply_flags(std::uint32_t body) {
+    const std::uint32_t flags = records[body].flags;
+    const bool is_locked = is_dynamic(body);
+    frames[body].locks_x = is_locked && (flags & kLockX);
+    frames[body].locks_y = is_locked && (flags & kLockY);
+    if (frames[body].solver_body == kStaticSolverBody) return;
+    SolverBody& solved = solver_bodies[frames[body].solver_body];
+    solved.flags = flags;
+    if (!is_locked) return;
+    solved.velocity = allowed(flags, solved.velocity);
+    solved.angular_velocity = allowed(flags, solved.angular_velocity);
+}
+
+void BodyStore::set_motion(std::uint32_t body, const BodyMotion& motion) {
+    records[body].motion = motion;
+    if (frames[body].solver_body != kStaticSolverBody) moving[frames[body].solver_body].motion = motion;
+}
+
+void BodyStore::set_pose(std::uint32_t body, const Pose& pose) {
+    BodyFrame& frame = frames[body];
+    frame.pose = pose;
+    frame.center_offset = rotate(pose.rotation, records[body].mass.center);
+    frame.center = transform_point(pose, records[body].mass.center);
 }
 
 void BodyStore::add_solver_body(std::uint32_t body, Vec2 velocity, float angular_velocity) {
@@ -28,12 +86,12 @@ void BodyStore::add_solver_body(std::uint32_t body, Vec2 velocity, float angular
     SolverBody added;
     added.velocity = velocity;
     added.angular_velocity = angular_velocity;
-    added.flags = records[body].flags;
     solver_bodies.push_back(added);
     MovingBody motion;
     motion.body = body;
     motion.motion = records[body].motion;
     moving.push_back(motion);
+    apply_flags(body);
     awake_dynamic_count_ += is_dynamic(body);
 }
 
@@ -80,11 +138,13 @@ void BodyStore::set_mass(BodyId id, const BodyMass& mass, float reach, float sma
     frame.center_offset = rotate(frame.pose.rotation, mass.center);
     frame.center = transform_point(frame.pose, mass.center);
     frame.inv_mass = mass.mass > 0.0f ? 1.0f / mass.mass : 0.0f;
-    frame.inv_inertia = mass.inertia > 0.0f ? 1.0f / mass.inertia : 0.0f;
+    const bool turns = mass.inertia > 0.0f && !(records[id.index].flags & kLockRotation);
+    frame.inv_inertia = turns ? 1.0f / mass.inertia : 0.0f;
     if (frame.solver_body == kStaticSolverBody) return;
     moving[frame.solver_body].motion = records[id.index].motion;
     SolverBody& body = solver_bodies[frame.solver_body];
     body.velocity += cross(body.angular_velocity, frame.center_offset - old_offset);
+    apply_flags(id.index);
 }
 
 }  // namespace tumble

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "dynamics/id_pool.hpp"
@@ -19,7 +20,12 @@ struct alignas(64) BodyFrame {
     float inv_mass = 0.0f;  // 0 if not dynamic
     float inv_inertia = 0.0f;
     std::uint32_t solver_body = kStaticSolverBody;  // the static one if asleep
-    BodyType type = BodyType::static_body;
+    BodyType type = BodyType::static_body;  // as it is simulated: static if disabled
+    bool locks_x = false;
+    bool locks_y = false;
+
+    // What a unit impulse along each axis does to the velocity.
+    Vec2 inv_masses() const { return {locks_x ? 0.0f : inv_mass, locks_y ? 0.0f : inv_mass}; }
 };
 static_assert(sizeof(BodyFrame) == 64);
 
@@ -38,6 +44,9 @@ inline constexpr std::uint32_t kNoIsland = 0xffffffffu;
 // What else is known of a body. By body index.
 struct BodyRecord {
     BodyMass mass;
+    std::optional<BodyMass> own_mass;  // in place of that of its shapes
+    BodyType type = BodyType::static_body;  // as defined, disabled or not
+    bool is_enabled = true;
     BodyMotion motion;
     std::uint32_t flags = 0;           // BodyFlag
     std::uint32_t island = kNoIsland;  // the sleeping island that holds it
@@ -66,6 +75,13 @@ public:
     // velocity of every material point as it was. Reach and smallest extent are those of BodyMotion.
     void set_mass(BodyId id, const BodyMass& mass, float reach, float smallest_extent);
 
+    // Changes what only creation could: keeps the velocity as far as type and locks allow. The mass is to be set anew.
+    void set_type(std::uint32_t body, BodyType type);
+    void set_enabled(std::uint32_t body, bool enabled);
+    void set_flag(std::uint32_t body, BodyFlag flag, bool value);
+    void set_motion(std::uint32_t body, const BodyMotion& motion);
+    void set_pose(std::uint32_t body, const Pose& pose);
+
     // A dynamic body leaves or joins the solver bodies; asleep it is at rest. Whose island it is in is the caller's
     // to keep.
     void put_to_sleep(std::uint32_t body);
@@ -85,9 +101,16 @@ public:
     std::vector<SolverBody> solver_bodies;  // [0] is the static one; the others move
     std::vector<MovingBody> moving;         // by solver body; [0] unused
 
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.ids, self.frames, self.records, self.solver_bodies, self.moving, self.awake_dynamic_count_);
+    }
+
 private:
+    void place(std::uint32_t body, BodyType type, Vec2 velocity, float angular_velocity);
     void add_solver_body(std::uint32_t body, Vec2 velocity, float angular_velocity);
     void remove_solver_body(std::uint32_t body);
+    void apply_flags(std::uint32_t body);
 
     int awake_dynamic_count_ = 0;
 };

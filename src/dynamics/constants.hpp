@@ -1,10 +1,12 @@
 // Every tuning constant of the stepper, with unit, reason, and what breaks if it changes.
 //
 // The values are those that today's soft-step engines agree on (Box2D 3.x, Rapier), so that scenes behave alike;
-// lengths are relative to the shapes, so that a world of 2 cm things behaves like one of 2 m things.
+// lengths are relative to the shapes, so that a 2 cm ball does not touch at a 2 cm gap. Those in m, m/s, Hz and s are
+// for things of 1 m: a world of another scale has the values of its Tuning.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "tumble/math.hpp"
 
@@ -67,18 +69,40 @@ inline constexpr float kContinuousInnerCores[] = {0.5f, 0.25f, 0.0f};
 // continuous collision. A body may be allowed more (wheels, projectiles: round things).
 inline constexpr float kMaxRotation = static_cast<float>(0.25 * kPi);
 
+// Bodies that are locked along an axis are at a dead point where they give way by less than this part of what they would
+// without the lock: pushed within 6 degrees of the locked axis. Smaller: such pushes throw them aside. Larger: they are
+// held less.
+inline constexpr float kDeadPoint = 0.01f;
+
 // Colours of the constraint graph: those of contacts between moving bodies, and of contacts with one that is not
 // dynamic. The latter are solved last in each pass, which makes the ground win. Together at most 24: with more, the
 // last colours hold too few contacts to fill lanes. What finds no colour is solved alone in a lane group.
 inline constexpr int kDynamicColors = 16;
 inline constexpr int kStaticColors = 8;
 
-constexpr float speculative_distance(float smaller_extent) {
-    return std::min(kSpeculativeDistance, kSpeculativePart * smaller_extent);
-}
+// The constants of a world whose typical body is `scale` m large. Under the same gravity, lengths s take times sqrt(s).
+struct Tuning {
+    float max_speculative_distance = kSpeculativeDistance;
+    float max_aabb_margin = kAabbMargin;
+    float push_out_speed = kPushOutSpeed;
+    float restitution_threshold = kRestitutionThreshold;
+    float sleep_speed = kSleepSpeed;
+    float max_speed = kMaxSpeed;
+    float contact_hertz = kContactHertz;
+    float joint_hertz = kJointHertz;
+    float time_to_sleep = kTimeToSleep;
 
-constexpr float aabb_margin(float smaller_extent) {
-    return std::min(kAabbMargin, kAabbMarginPart * smaller_extent);
+    float speculative_distance(float smaller_extent) const {
+        return std::min(max_speculative_distance, kSpeculativePart * smaller_extent);
+    }
+    float aabb_margin(float smaller_extent) const { return std::min(max_aabb_margin, kAabbMarginPart * smaller_extent); }
+};
+
+inline Tuning make_tuning(float scale) {
+    const float root = std::sqrt(scale), inverse = 1.0f / root;
+    return {scale * kSpeculativeDistance, scale * kAabbMargin, root * kPushOutSpeed, root * kRestitutionThreshold,
+            root * kSleepSpeed,           root * kMaxSpeed,    inverse * kContactHertz, inverse * kJointHertz,
+            root * kTimeToSleep};
 }
 
 }  // namespace tumble

@@ -32,6 +32,11 @@ public:
         return std::span<const std::uint32_t, kLaneCount>(lanes_.data() + index * kLaneCount, kLaneCount);
     }
 
+    std::size_t bytes() const {
+        return used_colors_.capacity() * sizeof(std::uint32_t) + contact_colors_.capacity() +
+               lanes_.capacity() * sizeof(std::uint32_t);
+    }
+
 private:
     static constexpr int kColors = kDynamicColors + kStaticColors;
     static constexpr std::uint8_t kNoColor = kColors;

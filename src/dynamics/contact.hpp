@@ -48,6 +48,14 @@ struct Contact {
     float restitution = 0.0f;
     float rolling_resistance = 0.0f;  // m
     float tangent_speed = 0.0f;       // m/s
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.shapes, self.body_a, self.body_b, self.manifold, self.impulses, self.rolling_impulse, self.kind,
+              self.is_new, self.is_touching, self.was_touching, self.approach, self.reference, self.cache,
+              self.speculative_distance, self.radius_a, self.radius_b, self.friction, self.restitution,
+              self.rolling_resistance, self.tangent_speed);
+    }
 };
 
 // The tangent of a contact normal: with B on top of A it points to the right.

@@ -38,12 +38,17 @@ struct ContactBlock {
     std::uint32_t body_a[kLaneCount];  // solver bodies
     std::uint32_t body_b[kLaneCount];
     Lanes normal_x, normal_y;  // from A to B
-    Lanes inv_mass_a, inv_mass_b, inv_inertia_a, inv_inertia_b;
+    Lanes inv_mass_ax, inv_mass_ay;  // along the axes of the world: bodies may be locked
+    Lanes inv_mass_bx, inv_mass_by;
+    Lanes linear_normal, linear_tangent;  // of both bodies together, along normal and tangent
+    Lanes inv_inertia_a, inv_inertia_b;
     ContactBlockPoint points[2];
     Lanes coupling;  // what a normal impulse at one point does to the velocity at the other, 1/kg
     Lanes friction;
     Softness softness;
     // The rest is read only if one of the lanes has it.
+    bool has_locks;
+    Lanes least_response;  // below which bodies that are locked do not give way, 1/kg
     bool has_radius;
     bool has_restitution;
     bool has_tangent_speed;
@@ -57,8 +62,8 @@ struct ContactBlock {
 };
 
 // Fills one block per block of the graph from manifolds and bodies.
-void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph, float h,
-                      std::vector<ContactBlock>& blocks);
+void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
+                      const Tuning& tuning, float h, std::vector<ContactBlock>& blocks);
 
 // Takes the impulses back, so that they warm the next step.
 void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts);
@@ -66,13 +71,13 @@ void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGra
 // Applies the impulses of the last sub-step again.
 void warm_start_contacts(std::span<const ContactBlock> blocks, std::span<SolverBody> bodies);
 
-// Normal impulses with the soft bias that removes overlap.
-void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h);
+// Normal impulses with the soft bias that removes overlap, no faster than the push-out speed.
+void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, float push_out_speed);
 
 // Normal impulses without the bias, which take its velocity away again; friction and rolling resistance.
 void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h);
 
-// Bounces: once after the sub-steps, where an impulse stopped an approach.
-void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies);
+// Bounces: once after the sub-steps, where an impulse stopped an approach faster than the threshold.
+void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float threshold);
 
 }  // namespace tumble

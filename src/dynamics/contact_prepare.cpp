@@ -14,7 +14,8 @@ ContactBlock make_neutral_block() {
     std::fill_n(block.body_a, kLaneCount, kStaticSolverBody);
     std::fill_n(block.body_b, kLaneCount, kStaticSolverBody);
     for (Lanes* lanes :
-         {&block.normal_x, &block.normal_y, &block.inv_mass_a, &block.inv_mass_b, &block.inv_inertia_a,
+         {&block.normal_x, &block.normal_y, &block.inv_mass_ax, &block.inv_mass_ay, &block.inv_mass_bx,
+          &block.inv_mass_by, &block.linear_normal, &block.linear_tangent, &block.least_response, &block.inv_inertia_a,
           &block.inv_inertia_b, &block.coupling, &block.friction, &block.radius_a, &block.radius_b, &block.restitution,
           &block.tangent_speed, &block.rolling_resistance, &block.rolling_mass, &block.rolling_impulse})
         *lanes = zero;
@@ -27,8 +28,25 @@ ContactBlock make_neutral_block() {
         point.separation = Lanes::Constant(kAbsentGap);
         point.inverse_mass = Lanes::Ones();
     }
-    block.has_radius = block.has_restitution = block.has_tangent_speed = block.has_rolling_resistance = false;
+    block.has_locks = block.has_radius = block.has_restitution = block.has_tangent_speed =
+        block.has_rolling_resistance = false;
     return block;
+}
+
+void fill_masses(ContactBlock& block, int lane, const BodyFrame& a, const BodyFrame& b) {
+    const Vec2 masses_a = a.inv_masses(), masses_b = b.inv_masses();
+    block.inv_mass_ax[lane] = masses_a.x;
+    block.inv_mass_ay[lane] = masses_a.y;
+    block.inv_mass_bx[lane] = masses_b.x;
+    block.inv_mass_by[lane] = masses_b.y;
+    block.linear_normal[lane] = block.linear_tangent[lane] = a.inv_mass + b.inv_mass;
+    if (!a.locks_x && !a.locks_y && !b.locks_x && !b.locks_y) return;
+    const Vec2 both = masses_a + masses_b;
+    const float xx = block.normal_x[lane] * block.normal_x[lane], yy = block.normal_y[lane] * block.normal_y[lane];
+    block.linear_normal[lane] = both.x * xx + both.y * yy;
+    block.linear_tangent[lane] = both.x * yy + both.y * xx;
+    block.least_response[lane] = kDeadPoint * (a.inv_mass + b.inv_mass);
+    block.has_locks = true;
 }
 
 void fill_lane(ContactBlock& block, int lane, const Contact& contact, const BodyFrame& a, const BodyFrame& b) {
@@ -37,8 +55,7 @@ void fill_lane(ContactBlock& block, int lane, const Contact& contact, const Body
     const Vec2 normal = contact.manifold.normal;
     block.normal_x[lane] = normal.x;
     block.normal_y[lane] = normal.y;
-    block.inv_mass_a[lane] = a.inv_mass;
-    block.inv_mass_b[lane] = b.inv_mass;
+    fill_masses(block, lane, a, b);
     block.inv_inertia_a[lane] = a.inv_inertia;
     block.inv_inertia_b[lane] = b.inv_inertia;
     block.friction[lane] = contact.friction;
@@ -68,9 +85,8 @@ void fill_lane(ContactBlock& block, int lane, const Contact& contact, const Body
 }
 
 // What an impulse at one arm does to the velocity at another: 1/m_A + 1/m_B + r r'/I_A + r r'/I_B.
-Lanes response(const ContactBlock& block, const Lanes& arm_a, const Lanes& other_a, const Lanes& arm_b,
+Lanes response(const ContactBlock& block, const Lanes& linear, const Lanes& arm_a, const Lanes& other_a, const Lanes& arm_b,
                const Lanes& other_b) {
-    const Lanes linear = block.inv_mass_a + block.inv_mass_b;
     const Lanes angular_a = block.inv_inertia_a * arm_a * other_a;
     const Lanes angular_b = block.inv_inertia_b * arm_b * other_b;
     return linear + (angular_a + angular_b);
@@ -86,12 +102,19 @@ void set_masses(ContactBlock& block) {
     ContactBlockPoint& second = block.points[1];
     const Lanes absent = Lanes::Constant(0.5f * kAbsentGap);
     for (ContactBlockPoint* point : {&first, &second}) {
-        const Lanes normal = response(block, point->across_a, point->across_a, point->across_b, point->across_b);
-        const Lanes tangent = response(block, point->along_a, point->along_a, point->along_b, point->along_b);
+        const Lanes normal =
+            response(block, block.linear_normal, point->across_a, point->across_a, point->across_b, point->across_b);
+        const Lanes tangent =
+            response(block, block.linear_tangent, point->along_a, point->along_a, point->along_b, point->along_b);
+        // Where locks leave nothing that can give way, there is nothing to solve.
+        if (block.has_locks)
+            point->separation = select_less(block.least_response, normal, point->separation, Lanes::Constant(kAbsentGap));
         point->inverse_mass = select_less(point->separation, absent, normal, one);
-        point->tangent_mass = select_less(point->separation, absent, one / tangent, zero);
+        const Lanes given = select_less(block.least_response, tangent, one / tangent, zero);
+        point->tangent_mass = select_less(point->separation, absent, given, zero);
     }
-    const Lanes coupling = response(block, first.across_a, second.across_a, first.across_b, second.across_b);
+    const Lanes coupling = response(block, block.linear_normal, first.across_a, second.across_a, first.across_b,
+                                    second.across_b);
     const Lanes product = first.inverse_mass * second.inverse_mass;
     const Lanes limited = clamp_magnitude(coupling, kMaxCoupling * product.sqrt());
     block.coupling = select_less(second.separation, absent, limited, zero);
@@ -114,9 +137,9 @@ void set_approach_speeds(ContactBlock& block, const BodyStore& bodies) {
 
 }  // namespace
 
-void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph, float h,
-                      std::vector<ContactBlock>& blocks) {
-    const Softness softness = contact_softness(h), static_softness = static_contact_softness(h);
+void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
+                      const Tuning& tuning, float h, std::vector<ContactBlock>& blocks) {
+    const Softness softness = contact_softness(tuning, h), static_softness = static_contact_softness(tuning, h);
     const ContactBlock neutral = make_neutral_block();
     blocks.resize(graph.block_count());
     for (std::size_t index = 0; index < blocks.size(); ++index) {

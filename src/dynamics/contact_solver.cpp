@@ -1,7 +1,8 @@
 // The contact kernel: projected Gauss-Seidel over blocks of eight contacts, soft in the biased pass, rigid otherwise.
 //
 // Velocities are handled in the contact's frame: the relative normal velocity of the centres of mass and the two
-// angular velocities follow each impulse, and the linear velocities are updated once at the end of a block.
+// angular velocities follow each impulse, and the linear velocities are updated once at the end of a block. Of a body
+// locked along one axis, a normal impulse changes the tangent velocity too: that is seen when the block is loaded again.
 #include "dynamics/contact_block.hpp"
 #include "simd/transpose.hpp"
 
@@ -57,10 +58,10 @@ TUMBLE_LANE_FUNCTION BlockState load(const ContactBlock& block, std::span<const 
 TUMBLE_LANE_FUNCTION void finish(const ContactBlock& block, BlockState& state, std::span<SolverBody> bodies) {
     const Lanes x = state.normal_impulse * block.normal_x + state.tangent_impulse * block.normal_y;
     const Lanes y = state.normal_impulse * block.normal_y - state.tangent_impulse * block.normal_x;
-    state.a.velocity_x -= block.inv_mass_a * x;
-    state.a.velocity_y -= block.inv_mass_a * y;
-    state.b.velocity_x += block.inv_mass_b * x;
-    state.b.velocity_y += block.inv_mass_b * y;
+    state.a.velocity_x -= block.inv_mass_ax * x;
+    state.a.velocity_y -= block.inv_mass_ay * y;
+    state.b.velocity_x += block.inv_mass_bx * x;
+    state.b.velocity_y += block.inv_mass_by * y;
     scatter_velocities(state.a, bodies, block.body_a);
     scatter_velocities(state.b, bodies, block.body_b);
 }
@@ -77,7 +78,7 @@ TUMBLE_LANE_FUNCTION Lanes tangent_velocity(const ContactBlockPoint& point, cons
 TUMBLE_LANE_FUNCTION void apply_normal(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
                                        BlockState& state) {
     state.normal_impulse += impulse;
-    state.normal_velocity += (block.inv_mass_a + block.inv_mass_b) * impulse;
+    state.normal_velocity += block.linear_normal * impulse;
     state.a.angular_velocity -= block.inv_inertia_a * point.across_a * impulse;
     state.b.angular_velocity += block.inv_inertia_b * point.across_b * impulse;
 }
@@ -85,7 +86,7 @@ TUMBLE_LANE_FUNCTION void apply_normal(const ContactBlock& block, const ContactB
 TUMBLE_LANE_FUNCTION void apply_tangent(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
                                         BlockState& state) {
     state.tangent_impulse += impulse;
-    state.tangent_velocity += (block.inv_mass_a + block.inv_mass_b) * impulse;
+    state.tangent_velocity += block.linear_tangent * impulse;
     state.a.angular_velocity += block.inv_inertia_a * point.along_a * impulse;
     state.b.angular_velocity -= block.inv_inertia_b * point.along_b * impulse;
 }
@@ -164,11 +165,12 @@ struct NormalRow {
 // Gaps are speculative: rigid, and closed in one sub-step at the fastest. Overlap is removed softly, as by an implicit
 // spring and damper whose mass scale divides the diagonal, and no faster than the push-out speed.
 TUMBLE_LANE_FUNCTION NormalRow make_soft_row(const ContactBlock& block, const ContactBlockPoint& point,
-                                             const Lanes& shift, float inv_h, const BlockState& state) {
+                                             const Lanes& shift, float inv_h, float push_out_speed,
+                                             const BlockState& state) {
     const Lanes zero = Lanes::Zero();
     const Lanes separation = current_separation(block, point, shift, state);
     const Lanes gap = separation.max(zero), overlap = separation.min(zero);
-    const float max_push = kPushOutSpeed / block.softness.mass_scale;  // before the mass scale
+    const float max_push = push_out_speed / block.softness.mass_scale;  // before the mass scale
     const Lanes bias = gap * inv_h + (overlap * block.softness.bias_rate).max(-max_push);
     const Lanes soft = point.inverse_mass * (1.0f / block.softness.mass_scale);
     return {select_less(zero, separation, point.inverse_mass, soft),
@@ -212,11 +214,12 @@ TUMBLE_LANE_FUNCTION void solve_rolling(ContactBlock& block, BlockState& state) 
 }
 
 // Restores e times the approach speed where an impulse stopped an approach fast enough.
-TUMBLE_LANE_FUNCTION void solve_restitution(const ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
+TUMBLE_LANE_FUNCTION void solve_restitution(const ContactBlock& block, ContactBlockPoint& point, float threshold,
+                                            BlockState& state) {
     const Lanes zero = Lanes::Zero();
     const Lanes normal_mass = Lanes::Ones() / point.inverse_mass;
     const Lanes bounce_mass =
-        select_less(point.approach_speed, Lanes::Constant(-kRestitutionThreshold), normal_mass, zero);
+        select_less(point.approach_speed, Lanes::Constant(-threshold), normal_mass, zero);
     const Lanes mass = select_less(zero, point.largest_impulse, bounce_mass, zero);
     const Lanes old_impulse = point.normal_impulse;
     const Lanes wanted =
@@ -240,12 +243,12 @@ void warm_start_contacts(std::span<const ContactBlock> blocks, std::span<SolverB
     }
 }
 
-void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h) {
+void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, float push_out_speed) {
     for (ContactBlock& block : blocks) {
         BlockState state = load(block, bodies);
         const Lanes shift = center_shift(block, state);
-        const NormalRow first = make_soft_row(block, block.points[0], shift, inv_h, state);
-        const NormalRow second = make_soft_row(block, block.points[1], shift, inv_h, state);
+        const NormalRow first = make_soft_row(block, block.points[0], shift, inv_h, push_out_speed, state);
+        const NormalRow second = make_soft_row(block, block.points[1], shift, inv_h, push_out_speed, state);
         solve_normals(block, first, second, state);
         finish(block, state, bodies);
     }
@@ -266,11 +269,11 @@ void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
     }
 }
 
-void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies) {
+void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float threshold) {
     for (ContactBlock& block : blocks) {
         if (!block.has_restitution) continue;
         BlockState state = load(block, bodies);
-        for (ContactBlockPoint& point : block.points) solve_restitution(block, point, state);
+        for (ContactBlockPoint& point : block.points) solve_restitution(block, point, threshold, state);
         finish(block, state, bodies);
     }
 }

@@ -18,16 +18,9 @@ float extent_of_pair(float a, float b) {
 
 }  // namespace
 
-Contact make_contact(ProxyPair pair, const ShapeStore& shapes) {
-    const ShapeRecord& a = shapes[pair.a];
-    const ShapeRecord& b = shapes[pair.b];
-    Contact contact;
-    contact.shapes = pair;
-    contact.body_a = a.body;
-    contact.body_b = b.body;
-    contact.speculative_distance = speculative_distance(extent_of_pair(a.smaller_extent, b.smaller_extent));
-    if (a.is_sensor) contact.kind = ContactKind::sensor_a;
-    if (b.is_sensor) contact.kind = ContactKind::sensor_b;
+void mix_surfaces(Contact& contact, const ShapeStore& shapes) {
+    const ShapeRecord& a = shapes[contact.shapes.a];
+    const ShapeRecord& b = shapes[contact.shapes.b];
     contact.radius_a = a.shape.radius();
     contact.radius_b = b.shape.radius();
     contact.friction = mix_friction(a.material, b.material);
@@ -35,6 +28,19 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes) {
     contact.rolling_resistance =
         mix_rolling_resistance(a.material, b.material) * std::max(a.shape.radius(), b.shape.radius());
     contact.tangent_speed = mix_tangent_speed(a.material, b.material);
+}
+
+Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tuning) {
+    const ShapeRecord& a = shapes[pair.a];
+    const ShapeRecord& b = shapes[pair.b];
+    Contact contact;
+    contact.shapes = pair;
+    contact.body_a = a.body;
+    contact.body_b = b.body;
+    contact.speculative_distance = tuning.speculative_distance(extent_of_pair(a.smaller_extent, b.smaller_extent));
+    if (a.is_sensor) contact.kind = ContactKind::sensor_a;
+    if (b.is_sensor) contact.kind = ContactKind::sensor_b;
+    mix_surfaces(contact, shapes);
     return contact;
 }
 
@@ -112,16 +118,18 @@ void collide_anew(Contact& contact, const ShapeRecord& a, const Pose& pose_a, co
 
 }  // namespace
 
-void collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
+bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
     const ShapeRecord& a = shapes[contact.shapes.a];
     const ShapeRecord& b = shapes[contact.shapes.b];
     const Pose& pose_a = bodies.frames[contact.body_a].pose;
     const Pose& pose_b = bodies.frames[contact.body_b].pose;
     const float tolerance = kRecyclingPart * contact.speculative_distance;
-    if (!recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold))
-        collide_anew(contact, a, pose_a, b, pose_b);
+    const bool is_recycled =
+        recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold);
+    if (!is_recycled) collide_anew(contact, a, pose_a, b, pose_b);
     look_at_touch(contact, bodies);
     contact.is_new = false;
+    return !is_recycled;
 }
 
 void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {

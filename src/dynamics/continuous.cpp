@@ -77,7 +77,11 @@ public:
             if (movers_[i].is_bullet) find_next(i);
         while (stop_first_bullet()) {
         }
-        for (const Mover& mover : movers_) shorten(mover);
+        for (const Mover& mover : movers_)
+            if (mover.fraction < 1.0) shorten(mover);
+        std::vector<ProxyPair>& impacts = simulation_.impacts;
+        std::sort(impacts.begin(), impacts.end());
+        impacts.erase(std::unique(impacts.begin(), impacts.end()), impacts.end());
     }
 
 private:
@@ -120,7 +124,9 @@ private:
             if (simulation_.bodies.is_dynamic(body)) return;
             const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
                                            sweep_of(simulation_.bodies, body));
-            mover.fraction = std::min(mover.fraction, fraction);
+            if (fraction >= mover.fraction) return;
+            mover.fraction = fraction;
+            mover.meeting = make_pair_of(own, other);
         });
     }
 
@@ -161,6 +167,7 @@ private:
         if (fraction >= mover.next) return;
         mover.next = fraction;
         mover.partner = partner;
+        mover.next_meeting = make_pair_of(own, other);
     }
 
     // Of all meetings ahead the first one happens; those who may come by are
@@ -174,9 +181,12 @@ private:
         const std::size_t partner = movers_[first].partner;
         const double fraction = movers_[first].next;
         movers_[first].fraction = fraction;
+        movers_[first].meeting = movers_[first].next_meeting;
         // The partner may stand already.
-        if (partner != kNobody && movers_[partner].fraction > fraction)
+        if (partner != kNobody && movers_[partner].fraction > fraction) {
             movers_[partner].fraction = movers_[partner].next = fraction;
+            movers_[partner].meeting = movers_[first].meeting;
+        }
         for (std::size_t i = 0; i < movers_.size(); ++i) {
             const bool concerned = overlaps(movers_[i].box, movers_[first].box) ||
                                    (partner != kNobody && overlaps(movers_[i].box, movers_[partner].box));
@@ -194,14 +204,15 @@ private:
 
     // The motion ends at the fraction, and gravity and forces did not act for the rest of the step.
     void shorten(const Mover& mover) {
-        if (mover.fraction >= 1.0) return;
+        simulation_.impacts.push_back(mover.meeting);
         const std::uint32_t index = simulation_.bodies.frames[mover.body].solver_body;
         SolverBody& body = simulation_.bodies.solver_bodies[index];
         const MovingBody& moving = simulation_.bodies.moving[index];
         body.delta_position = to_float(mover.fraction * (mover.sweep.end - mover.sweep.start));
         body.delta_rotation = make_rotation(mover.fraction * mover.sweep.turn);
         const float lost = static_cast<float>(1.0 - mover.fraction) * simulation_.settings.duration;
-        body.velocity -= lost * (moving.motion.gravity_scale * simulation_.settings.gravity + moving.acceleration);
+        const Vec2 acceleration = moving.motion.gravity_scale * simulation_.settings.gravity + moving.acceleration;
+        body.velocity -= allowed(body.flags, lost * acceleration);
     }
 
     static constexpr std::size_t kNobody = Mover::kNobody;
@@ -214,6 +225,7 @@ private:
 }  // namespace
 
 void stop_at_impacts(Simulation& simulation) {
+    simulation.impacts.clear();
     if (simulation.settings.continuous) ImpactFinder(simulation).run();
 }
 

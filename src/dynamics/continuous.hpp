@@ -5,8 +5,8 @@
 // counts: the sweep of a shape's core, smaller than the shape, decides whether to stop, so that sliding over the seam
 // of two floors is no impact; the sweep of the shape itself says when.
 //
-// Left out: what a stopped body would have done with the rest of the step. It loses that time, and the contact is
-// solved in the next step.
+// Left out: what a stopped body would have done with the rest of the step. It loses that time: the contact begins in this
+// step and is solved in the next.
 #pragma once
 
 #include "dynamics/simulation.hpp"

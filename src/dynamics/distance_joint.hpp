@@ -9,6 +9,7 @@ namespace tumble {
 
 class DistanceJoint {
 public:
+    DistanceJoint() = default;
     explicit DistanceJoint(const DistanceJointDef& def)
         : def_(def), drive_(def.spring, drive_motor(def.motor), def.limits) {}
 
@@ -18,6 +19,11 @@ public:
     JointReaction reaction(float inv_h) const { return {inv_h * impulse() * axis_, 0.0f}; }
     float position() const { return length_; }
     void take_over(const DistanceJoint& old);
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.def_, self.bodies_, self.drive_, self.axis_, self.length_, self.rod_impulse_);
+    }
 
 private:
     // A rod holds its length itself; what has a spring or limits leaves it to the drive.

@@ -38,6 +38,18 @@ void update_sensor(const Simulation& simulation, Contact& contact) {
     if (may_change) sense_contact(contact, bodies, simulation.shapes);
 }
 
+// Who was stopped on the way touches from this step on, although the narrow phase has not seen it yet.
+void begin_impacts(Simulation& simulation) {
+    std::vector<Contact>& contacts = simulation.contacts.all();
+    for (const ProxyPair pair : simulation.impacts) {
+        const auto found = std::lower_bound(contacts.begin(), contacts.end(), pair,
+                                            [](const Contact& contact, ProxyPair key) { return contact.shapes < key; });
+        if (found == contacts.end() || found->shapes != pair || found->is_touching) continue;
+        collide_contact(*found, simulation.bodies, simulation.shapes);
+        found->is_touching = true;
+    }
+}
+
 }  // namespace
 
 void clear(StepEvents& events) {
@@ -59,6 +71,7 @@ void report_end(Simulation& simulation, const Contact& contact) {
 }
 
 void report_events(Simulation& simulation) {
+    begin_impacts(simulation);
     ContactCounts counts{simulation.sleeping.contact_count(), simulation.sleeping.point_count()};
     for (Contact& contact : simulation.contacts.all()) {
         if (contact.kind != ContactKind::solid) update_sensor(simulation, contact);

@@ -9,6 +9,7 @@ namespace tumble {
 
 class FilterJoint {
 public:
+    FilterJoint() = default;
     explicit FilterJoint(const FilterJointDef&) {}
 
     void prepare(const BodyStore&) {}
@@ -17,6 +18,9 @@ public:
     JointReaction reaction(float) const { return {}; }
     float position() const { return 0.0f; }
     void take_over(const FilterJoint&) {}
+
+    template <class Self, class Visitor>
+    static void visit_members(Self&, Visitor&&) {}
 };
 
 }  // namespace tumble

@@ -47,6 +47,11 @@ public:
 
     std::span<const IdType> live() const { return live_; }  // sorted
 
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.generations_, self.free_, self.live_);
+    }
+
 private:
     std::vector<std::uint32_t> generations_;  // by index, of its present or next owner
     std::vector<std::uint32_t> free_;

@@ -17,10 +17,16 @@ Rotation turned(Rotation delta, Rotation q) {
     return {static_cast<float>(scale * c), static_cast<float>(scale * s)};
 }
 
+void limit_speed(SolverBody& body, const SpeedLimits& limits) {
+    if (length_sq(body.velocity) > limits.speed * limits.speed)
+        body.velocity = (limits.speed / length(body.velocity)) * body.velocity;
+    if (!(body.flags & kUnlimitedSpin))
+        body.angular_velocity = std::clamp(body.angular_velocity, -limits.spin, limits.spin);
+}
+
 }  // namespace
 
-void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, float step_duration) {
-    const float max_spin = kMaxRotation / step_duration;
+void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits) {
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
         SolverBody& body = bodies.solver_bodies[i];
         if (!(body.flags & kDynamicBody)) continue;
@@ -28,12 +34,12 @@ void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, float step_d
         const BodyMotion& motion = moving.motion;
         const float linear_decay = 1.0f / (1.0f + h * motion.linear_damping);
         const float angular_decay = 1.0f / (1.0f + h * motion.angular_damping);
-        Vec2 velocity = linear_decay * (body.velocity + h * (motion.gravity_scale * gravity + moving.acceleration));
-        float spin = angular_decay * (body.angular_velocity + h * moving.angular_acceleration);
-        if (length_sq(velocity) > kMaxSpeed * kMaxSpeed) velocity = (kMaxSpeed / length(velocity)) * velocity;
-        if (!(body.flags & kUnlimitedSpin)) spin = std::clamp(spin, -max_spin, max_spin);
-        body.velocity = velocity;
-        body.angular_velocity = spin;
+        const Vec2 velocity =
+            linear_decay * (body.velocity + h * (motion.gravity_scale * gravity + moving.acceleration));
+        const float spin = angular_decay * (body.angular_velocity + h * moving.angular_acceleration);
+        body.velocity = allowed(body.flags, velocity);
+        body.angular_velocity = allowed(body.flags, spin);
+        limit_speed(body, limits);
     }
 }
 
@@ -45,7 +51,7 @@ void integrate_positions(BodyStore& bodies, float h) {
     }
 }
 
-void finalize_poses(BodyStore& bodies) {
+void finalize_poses(BodyStore& bodies, const SpeedLimits& limits) {
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
         SolverBody& body = bodies.solver_bodies[i];
         const std::uint32_t index = bodies.moving[i].body;
@@ -56,6 +62,7 @@ void finalize_poses(BodyStore& bodies) {
             frame.center_offset = rotate(frame.pose.rotation, bodies.records[index].mass.center);
         }
         frame.pose.position = frame.center - DVec2(frame.center_offset);
+        if (body.flags & kDynamicBody) limit_speed(body, limits);
         body.delta_position = {};
         body.delta_rotation = {};
         bodies.moving[i].acceleration = {};

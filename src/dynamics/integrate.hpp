@@ -6,14 +6,20 @@
 
 namespace tumble {
 
+struct SpeedLimits {
+    float speed = 0.0f;  // m/s
+    float spin = 0.0f;   // rad/s, unless a body may turn faster
+};
+
 // v += h (g + F / m), damping v / (1 + h c), speed limits. Bodies that are not dynamic keep their velocities.
-void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, float step_duration);
+void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits);
 
 // Deltas of position and rotation by the new velocities.
 void integrate_positions(BodyStore& bodies, float h);
 
-// Takes the deltas into the poses and clears them, with the forces that made them.
-void finalize_poses(BodyStore& bodies);
+// Takes the deltas into the poses and clears them, with the forces that made them. No body ends a step faster than the
+// speed limits: joints that contradict each other may have thrown it.
+void finalize_poses(BodyStore& bodies, const SpeedLimits& limits);
 
 // The lowest body index whose velocity or position is not finite, or kNoBody.
 inline constexpr std::uint32_t kNoBody = 0xffffffffu;

@@ -25,6 +25,11 @@ public:
 
     float at_start() const { return angle_; }
 
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.angle_);
+    }
+
 private:
     // In (-pi, pi].
     static double relative_angle(Rotation a, Rotation b) {

@@ -24,12 +24,15 @@ struct PointBlock {
         return {joint.current_arm_a(all), joint.current_arm_b(all)};
     }
 
+    JointRow first_row() const { return point_row({1.0f, 0.0f}, arm_a, arm_b); }
+    JointRow second_row() const { return point_row({0.0f, 1.0f}, arm_a, arm_b); }
+
     BlockMatrix matrix(const JointBodies& joint) const {
-        const float linear = joint.inv_mass_a + joint.inv_mass_b;
+        const Vec2 linear = joint.inv_mass_a + joint.inv_mass_b;
         const float ia = joint.inv_inertia_a, ib = joint.inv_inertia_b;
-        return {linear + ia * arm_a.y * arm_a.y + ib * arm_b.y * arm_b.y,
+        return {linear.x + ia * arm_a.y * arm_a.y + ib * arm_b.y * arm_b.y,
                 -ia * arm_a.x * arm_a.y - ib * arm_b.x * arm_b.y,
-                linear + ia * arm_a.x * arm_a.x + ib * arm_b.x * arm_b.x};
+                linear.y + ia * arm_a.x * arm_a.x + ib * arm_b.x * arm_b.x};
     }
 
     Vec2 velocity(const JointBodies& joint, std::span<const SolverBody> all) const {
@@ -39,9 +42,9 @@ struct PointBlock {
     void apply(const JointBodies& joint, Vec2 impulse, std::span<SolverBody> all) const {
         SolverBody& a = all[joint.a];
         SolverBody& b = all[joint.b];
-        a.velocity -= joint.inv_mass_a * impulse;
+        a.velocity -= scaled(joint.inv_mass_a, impulse);
         a.angular_velocity -= joint.inv_inertia_a * cross(arm_a, impulse);
-        b.velocity += joint.inv_mass_b * impulse;
+        b.velocity += scaled(joint.inv_mass_b, impulse);
         b.angular_velocity += joint.inv_inertia_b * cross(arm_b, impulse);
     }
 };
@@ -49,6 +52,9 @@ struct PointBlock {
 // Any two rows.
 struct RowBlock {
     JointRow first, second;
+
+    const JointRow& first_row() const { return first; }
+    const JointRow& second_row() const { return second; }
 
     BlockMatrix matrix(const JointBodies& joint) const {
         return {row_response(joint, first, first), row_response(joint, first, second),
@@ -73,10 +79,15 @@ inline Vec2 block_change(const BlockMatrix& k, const Softness& softness, Vec2 sp
     return -soft - softness.impulse_scale * impulse;
 }
 
-// As solve_equality().
+// As solve_equality(); row by row where the matrix cannot be inverted.
 template <class Block>
 void solve_block(const JointBodies& joint, const Block& block, const Softness& softness, Vec2 error, Vec2& impulse,
                  std::span<SolverBody> all) {
+    if (joint.may_be_singular()) {
+        solve_equality(joint, block.first_row(), softness, error.x, impulse.x, all);
+        solve_equality(joint, block.second_row(), softness, error.y, impulse.y, all);
+        return;
+    }
     const Vec2 speed = block.velocity(joint, all) + softness.bias_rate * error;
     const Vec2 change = block_change(block.matrix(joint), softness, speed, impulse);
     impulse += change;
@@ -88,7 +99,13 @@ template <class Block>
 void solve_bounded_block(const JointBodies& joint, const Block& block, const Softness& softness, Vec2 bias,
                          float max_impulse, Vec2& impulse, std::span<SolverBody> all) {
     const Vec2 speed = block.velocity(joint, all) + bias;
-    Vec2 total = impulse + block_change(block.matrix(joint), softness, speed, impulse);
+    Vec2 total = impulse;
+    if (joint.may_be_singular()) {
+        total.x += row_change(joint, block.first_row(), softness, speed.x, impulse.x);
+        total.y += row_change(joint, block.second_row(), softness, speed.y, impulse.y);
+    } else {
+        total += block_change(block.matrix(joint), softness, speed, impulse);
+    }
     const float size = length(total);
     if (size > max_impulse) total = (max_impulse / size) * total;
     block.apply(joint, total - impulse, all);

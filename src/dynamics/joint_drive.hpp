@@ -59,6 +59,12 @@ public:
         if (limits_) lower_impulse_ = old.lower_impulse_, upper_impulse_ = old.upper_impulse_;
     }
 
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.spring_, self.motor_, self.limits_, self.spring_impulse_, self.motor_impulse_, self.lower_impulse_,
+              self.upper_impulse_);
+    }
+
 private:
     std::optional<JointSpring> spring_;
     std::optional<DriveMotor> motor_;

@@ -40,22 +40,26 @@ inline float row_velocity(const JointBodies& joint, const JointRow& row, std::sp
 inline void apply_row(const JointBodies& joint, const JointRow& row, float impulse, std::span<SolverBody> all) {
     SolverBody& a = all[joint.a];
     SolverBody& b = all[joint.b];
-    a.velocity -= (joint.inv_mass_a * impulse) * row.axis;
+    a.velocity -= impulse * scaled(joint.inv_mass_a, row.axis);
     a.angular_velocity -= joint.inv_inertia_a * impulse * row.turn_a;
-    b.velocity += (joint.inv_mass_b * impulse) * row.axis;
+    b.velocity += impulse * scaled(joint.inv_mass_b, row.axis);
     b.angular_velocity += joint.inv_inertia_b * impulse * row.turn_b;
 }
 
 // What a unit impulse along one row does to the velocity of another (or its own: the inverse effective mass).
 inline float row_response(const JointBodies& joint, const JointRow& row, const JointRow& other) {
-    return (joint.inv_mass_a + joint.inv_mass_b) * dot(row.axis, other.axis) +
+    return dot(scaled(joint.inv_mass_a + joint.inv_mass_b, row.axis), other.axis) +
            joint.inv_inertia_a * row.turn_a * other.turn_a + joint.inv_inertia_b * row.turn_b * other.turn_b;
 }
 
-// Effective mass; 0 if neither body can give way.
+// Effective mass; 0 if neither body can give way. Near a dead point, where a row gives way by a small part of what its
+// bodies would without their locks, the inverse is damped: r / (r^2 + e^2) [Wampler 1986].
 inline float row_mass(const JointBodies& joint, const JointRow& row) {
     const float response = row_response(joint, row, row);
-    return response > 0.0f ? 1.0f / response : 0.0f;
+    if (!(response > 0.0f)) return 0.0f;
+    if (joint.locked_mass == 0.0f) return 1.0f / response;
+    const float damping = kDeadPoint * joint.locked_mass * length_sq(row.axis);
+    return response / (response * response + damping * damping);
 }
 
 // The change of the accumulated impulse that takes `speed` away, softened; not yet applied.

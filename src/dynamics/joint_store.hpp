@@ -74,6 +74,12 @@ public:
 
     IdPool<JointId> ids;
 
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.ids, self.records_, self.loads_, self.broken_, self.is_unsorted_);
+        for_each_list(self, [&](auto& list) { visit(list.joints, list.free, list.awake); });
+    }
+
 private:
     struct JointRecord {
         JointDef def;

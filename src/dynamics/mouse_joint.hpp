@@ -9,6 +9,7 @@ namespace tumble {
 
 class MouseJoint {
 public:
+    MouseJoint() = default;
     explicit MouseJoint(const MouseJointDef& def) : def_(def) {}
 
     void prepare(const BodyStore& bodies);
@@ -17,6 +18,11 @@ public:
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, 0.0f}; }
     float position() const { return length(bodies_.center_difference + bodies_.arm_b - bodies_.arm_a); }
     void take_over(const MouseJoint& old) { impulse_ = old.impulse_; }
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.def_, self.bodies_, self.impulse_);
+    }
 
 private:
     MouseJointDef def_;

@@ -11,6 +11,7 @@ namespace tumble {
 
 class PrismaticJoint {
 public:
+    PrismaticJoint() = default;
     explicit PrismaticJoint(const PrismaticJointDef& def)
         : def_(def), drive_(def.spring, drive_motor(def.motor), def.limits) {}
 
@@ -22,6 +23,11 @@ public:
     }
     float position() const { return dot(axis_, bodies_.center_difference + bodies_.arm_b - bodies_.arm_a); }
     void take_over(const PrismaticJoint& old);
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.def_, self.bodies_, self.angle_, self.drive_, self.axis_, self.impulse_);
+    }
 
 private:
     // The geometry within the step.

@@ -11,6 +11,7 @@ namespace tumble {
 
 class RevoluteJoint {
 public:
+    RevoluteJoint() = default;
     explicit RevoluteJoint(const RevoluteJointDef& def)
         : body_a_(def.body_a.index),
           body_b_(def.body_b.index),
@@ -26,11 +27,17 @@ public:
     float position() const { return angle_.at_start(); }
     void take_over(const RevoluteJoint& old);
 
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.body_a_, self.body_b_, self.anchor_a_, self.anchor_b_, self.reference_angle_, self.bodies_,
+              self.angle_, self.drive_, self.impulse_);
+    }
+
 private:
     // Not the whole definition: scenes have thousands of hinges, and each step reads them all.
-    std::uint32_t body_a_, body_b_;
+    std::uint32_t body_a_ = 0, body_b_ = 0;
     Vec2 anchor_a_, anchor_b_;
-    float reference_angle_;
+    float reference_angle_ = 0.0f;
     JointBodies bodies_;
     JointAngle angle_;
     JointDrive drive_;

@@ -2,33 +2,41 @@
 
 #include <limits>
 
-#include "dynamics/constants.hpp"
-
 namespace tumble {
 
 namespace {
 
-Aabb enlarged(const Aabb& box, float smaller_extent) {
-    const float margin = aabb_margin(smaller_extent);
+Aabb enlarged(const Aabb& box, float margin) {
     return {box.lower - Vec2{margin, margin}, box.upper + Vec2{margin, margin}};
 }
 
 }  // namespace
 
-ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def, const BodyFrame& frame, BroadPhase& broad) {
+ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def) {
     const ShapeId id = ids.acquire();
     if (id.index == records_.size()) records_.emplace_back();
     const float smaller = extent(def.shape).smaller;
     const float reach = farthest_distance(def.shape, {});
-    records_[id.index] = {def.shape, def.material, def.filter, body, smaller, reach, def.sensor, true, def.link};
-    const bool fixed = frame.type == BodyType::static_body;
-    const Aabb box = bounds(def.shape, frame.pose);
-    broad.add(id.index, fixed ? box : enlarged(box, smaller), fixed ? Mobility::fixed : Mobility::moving);
+    records_[id.index] = {def.shape, def.material, def.filter, body, smaller, reach, def.sensor, true, false, def.link};
     return id;
 }
 
+void ShapeStore::place(std::uint32_t shape, const BodyFrame& frame, const Tuning& tuning, BroadPhase& broad) {
+    ShapeRecord& record = records_[shape];
+    record.is_placed = true;
+    const bool fixed = frame.type == BodyType::static_body;
+    const Aabb box = bounds(record.shape, frame.pose);
+    broad.add(shape, fixed ? box : enlarged(box, tuning.aabb_margin(record.smaller_extent)),
+              fixed ? Mobility::fixed : Mobility::moving);
+}
+
+void ShapeStore::displace(std::uint32_t shape, BroadPhase& broad) {
+    if (records_[shape].is_placed) broad.remove(shape);
+    records_[shape].is_placed = false;
+}
+
 void ShapeStore::destroy(ShapeId id, BroadPhase& broad) {
-    broad.remove(id.index);
+    displace(id.index, broad);
     records_[id.index] = ShapeRecord{};
     ids.release(id);
     destroyed_.push_back(id.index);
@@ -39,14 +47,14 @@ void ShapeStore::forget_destroyed() {
     destroyed_.clear();
 }
 
-void ShapeStore::update_proxy(std::uint32_t shape, const Pose& world_from_body, BroadPhase& broad) const {
+void ShapeStore::update_proxy(std::uint32_t shape, const Pose& world_from_body, const Tuning& tuning,
+                              BroadPhase& broad) const {
     const ShapeRecord& record = records_[shape];
     const Aabb box = bounds(record.shape, world_from_body);
-    if (!contains(broad.box(shape), box)) broad.move(shape, enlarged(box, record.smaller_extent));
+    if (!contains(broad.box(shape), box)) broad.move(shape, enlarged(box, tuning.aabb_margin(record.smaller_extent)));
 }
 
-BodyMass body_mass(BodyType type, const std::vector<ShapeId>& shapes, const ShapeStore& store) {
-    if (type != BodyType::dynamic_body) return {};
+BodyMass body_mass(const std::vector<ShapeId>& shapes, const ShapeStore& store) {
     double mass = 0.0, inertia = 0.0;  // inertia about the body's origin until the centre is known
     DVec2 moment;
     for (const ShapeId id : shapes) {

@@ -7,6 +7,7 @@
 
 #include "broad/broad_phase.hpp"
 #include "dynamics/body_store.hpp"
+#include "dynamics/constants.hpp"
 #include "dynamics/id_pool.hpp"
 #include "tumble/body.hpp"
 #include "tumble/shape.hpp"
@@ -22,12 +23,21 @@ struct ShapeRecord {
     float reach = 0.0f;           // of the farthest point from the body's origin, m
     bool is_sensor = false;
     bool is_live = false;
+    bool is_placed = false;  // it has a proxy: its body is enabled
     std::optional<ChainLink> link;  // of a chain's segment
 };
 
 class ShapeStore {
 public:
-    ShapeId create(std::uint32_t body, const ShapeDef& def, const BodyFrame& frame, BroadPhase& broad);
+    // Without a proxy.
+    ShapeId create(std::uint32_t body, const ShapeDef& def);
+
+    // A proxy where the body is, and none again. What kind of proxy depends on the body's type.
+    void place(std::uint32_t shape, const BodyFrame& frame, const Tuning& tuning, BroadPhase& broad);
+    void displace(std::uint32_t shape, BroadPhase& broad);
+
+    void set_material(std::uint32_t shape, const SurfaceMaterial& material) { records_[shape].material = material; }
+    void set_filter(std::uint32_t shape, const CollisionFilter& filter) { records_[shape].filter = filter; }
 
     // The index is not used again before forget_destroyed(): until then contacts may still name it.
     void destroy(ShapeId id, BroadPhase& broad);
@@ -35,20 +45,25 @@ public:
     void forget_destroyed();
 
     // Follows the body: enlarges the proxy's box if the shape has left it.
-    void update_proxy(std::uint32_t shape, const Pose& world_from_body, BroadPhase& broad) const;
+    void update_proxy(std::uint32_t shape, const Pose& world_from_body, const Tuning& tuning, BroadPhase& broad) const;
 
     const ShapeRecord& operator[](std::uint32_t index) const { return records_[index]; }
     std::size_t capacity() const { return records_.size(); }
 
     IdPool<ShapeId> ids;
 
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.ids, self.records_, self.destroyed_);
+    }
+
 private:
     std::vector<ShapeRecord> records_;  // by shape index
     std::vector<std::uint32_t> destroyed_;
 };
 
-// The mass of a body from its shapes: zero unless dynamic, 1 kg that does not turn if the shapes weigh nothing.
-BodyMass body_mass(BodyType type, const std::vector<ShapeId>& shapes, const ShapeStore& store);
+// The mass of a dynamic body from its shapes: 1 kg that does not turn if they weigh nothing.
+BodyMass body_mass(const std::vector<ShapeId>& shapes, const ShapeStore& store);
 
 // The distance of the farthest point of the shapes from a point in body coordinates.
 float body_reach(Vec2 from, const std::vector<ShapeId>& shapes, const ShapeStore& store);

@@ -17,6 +17,7 @@
 #include "dynamics/shape_store.hpp"
 #include "dynamics/sleeping_islands.hpp"
 #include "tumble/cast.hpp"
+#include "tumble/counters.hpp"
 #include "tumble/events.hpp"
 
 namespace tumble {
@@ -27,14 +28,7 @@ struct StepSettings {
     int substeps = 4;
     bool sleeping = true;
     bool continuous = true;
-};
-
-// Wall clock of the last step's parts.
-struct StepTimes {
-    double pairs_ms = 0.0;
-    double narrow_ms = 0.0;
-    double solve_ms = 0.0;
-    double total_ms = 0.0;
+    Tuning tuning;
 };
 
 // A body that falls asleep, and the root of its island: its solver body when islands were found.
@@ -51,6 +45,12 @@ struct ContactCounts {
     std::size_t points = 0;
 };
 
+// What the narrow phase did in a step: full collisions, and the iterations of their distance queries.
+struct CollisionCounts {
+    std::int64_t pairs = 0;
+    std::int64_t iterations = 0;
+};
+
 // A body that moves fast enough in this step to be swept.
 struct Mover {
     static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
@@ -61,6 +61,8 @@ struct Mover {
     double fraction = 1.0;          // of the step's motion that it makes
     double next = 1.0;              // of a bullet: the first meeting ahead, or `fraction`
     std::size_t partner = kNobody;  // whom it meets, if that is a mover
+    ProxyPair meeting{};            // the shapes that stop it, if `fraction` is below 1
+    ProxyPair next_meeting{};       // those that meet at `next`
     bool is_bullet = false;
 };
 
@@ -76,8 +78,9 @@ struct Simulation {
     SleepingIslands sleeping;
     StepEvents events;  // of the last step
     ContactCounts contact_counts;
-    StepTimes times;
-    bool filters_changed = false;  // a joint was created: contacts may have to go that were allowed
+    CollisionCounts collided;
+    StageTimes times;
+    bool filters_changed = false;  // by a joint, a filter, a type...: contacts may have to go that were allowed
 
     // Of the stage that puts islands to sleep; kept to be used again.
     IslandFinder islands;
@@ -88,8 +91,10 @@ struct Simulation {
     // Of continuous collision, likewise.
     std::vector<Mover> movers;
     std::vector<std::uint32_t> near_shapes;
+    std::vector<ProxyPair> impacts;  // of this step: pairs whose shapes have met on the way, sorted
 
-    bool is_live(ProxyPair pair) const { return shapes[pair.a].is_live && shapes[pair.b].is_live; }
+    // False once one of the shapes is gone, for good or because its body is disabled.
+    bool is_live(ProxyPair pair) const { return shapes[pair.a].is_placed && shapes[pair.b].is_placed; }
 };
 
 // One step. Afterwards find_diverged() tells whether its result is finite; the broad phase follows only if it is.

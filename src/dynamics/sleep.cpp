@@ -12,15 +12,15 @@ bool is_touching(const Contact& contact) {
 }
 
 // True if some body has been slow for long enough.
-bool update_still_times(BodyStore& bodies, float duration) {
+bool update_still_times(BodyStore& bodies, const StepSettings& settings) {
     bool any_is_ready = false;
     for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
         const SolverBody& body = bodies.solver_bodies[i];
         MovingBody& moving = bodies.moving[i];
         const float speed = length(body.velocity) + std::abs(body.angular_velocity) * moving.motion.reach;
-        const bool is_still = speed < kSleepSpeed && moving.motion.allow_sleep;
-        moving.still_time = is_still ? moving.still_time + duration : 0.0f;
-        any_is_ready |= moving.still_time >= kTimeToSleep && (body.flags & kDynamicBody);
+        const bool is_still = speed < settings.tuning.sleep_speed && moving.motion.allow_sleep;
+        moving.still_time = is_still ? moving.still_time + settings.duration : 0.0f;
+        any_is_ready |= moving.still_time >= settings.tuning.time_to_sleep && (body.flags & kDynamicBody);
     }
     return any_is_ready;
 }
@@ -101,11 +101,11 @@ void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
 
 void fall_asleep(Simulation& simulation) {
     BodyStore& bodies = simulation.bodies;
-    if (!simulation.settings.sleeping || !update_still_times(bodies, simulation.settings.duration)) return;
+    if (!simulation.settings.sleeping || !update_still_times(bodies, simulation.settings)) return;
     find_islands(simulation);
     IslandFinder& islands = simulation.islands;
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
-        if (bodies.moving[i].still_time < kTimeToSleep || islands.is_kept_awake(i)) islands.keep_awake(islands.root(i));
+        if (bodies.moving[i].still_time < simulation.settings.tuning.time_to_sleep || islands.is_kept_awake(i)) islands.keep_awake(islands.root(i));
     bool any = false;
     for (std::uint32_t i = 1; i < bodies.moving.size() && !any; ++i)
         any = (bodies.solver_bodies[i].flags & kDynamicBody) && !islands.is_kept_awake(islands.root(i));
@@ -122,6 +122,13 @@ void put_island_to_sleep(Simulation& simulation, std::uint32_t body) {
     put_to_sleep(simulation, [&](std::uint32_t i) { return simulation.islands.root(i) == root; });
 }
 
+void wake_joint(Simulation& simulation, JointId id) {
+    const JointDef& joint = simulation.joints.def(id);
+    for (const BodyId body : {joint_body_a(joint), joint_body_b(joint)})
+        if (!simulation.bodies.records[body.index].is_enabled || simulation.bodies.is_asleep(body.index)) return;
+    simulation.joints.wake(id);
+}
+
 void wake(Simulation& simulation, std::uint32_t body) {
     BodyStore& bodies = simulation.bodies;
     if (!bodies.is_asleep(body)) {
@@ -134,7 +141,7 @@ void wake(Simulation& simulation, std::uint32_t body) {
         record.island = kNoIsland;
         bodies.wake(sleeper);
         for (const ShapeId shape : record.shapes) simulation.broad.touch(shape.index);
-        for (const JointId joint : record.joints) simulation.joints.wake(joint);
+        for (const JointId joint : record.joints) wake_joint(simulation, joint);
     }
     simulation.contacts.add_woken(island.contacts);
 }
@@ -156,6 +163,7 @@ bool wake_touched(Simulation& simulation) {
 void wake_with_neighbors(Simulation& simulation, std::uint32_t body) {
     BodyStore& bodies = simulation.bodies;
     if (bodies.is_dynamic(body)) return wake(simulation, body);
+    if (!bodies.records[body].is_enabled) return;
     for (const JointId id : bodies.records[body].joints) {
         const JointDef& joint = simulation.joints.def(id);
         for (const BodyId tied : {joint_body_a(joint), joint_body_b(joint)}) wake(simulation, tied.index);
@@ -167,6 +175,16 @@ void wake_with_neighbors(Simulation& simulation, std::uint32_t body) {
     for (const std::uint32_t other : near)
         if (bodies.is_asleep(other) && leans_on(simulation.sleeping[bodies.records[other].island], body))
             wake(simulation, other);
+}
+
+void wake_met(Simulation& simulation, std::uint32_t body) {
+    if (!simulation.bodies.records[body].is_enabled) return;
+    std::vector<std::uint32_t> near;
+    for (const ShapeId shape : simulation.bodies.records[body].shapes)
+        simulation.broad.query(simulation.broad.box(shape.index),
+                               [&](std::uint32_t other) { near.push_back(simulation.shapes[other].body); });
+    for (const std::uint32_t other : near)
+        if (simulation.bodies.is_asleep(other)) wake(simulation, other);
 }
 
 void merge_sleeping_islands(Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {

@@ -1,7 +1,7 @@
 // Falling asleep and waking: islands leave the hot arrays as a whole and come back as a whole.
 //
 // An island is a set of dynamic bodies tied together by touching contacts and joints. It falls asleep when each of its
-// bodies has been slow for kTimeToSleep; it wakes when one of its bodies is touched by something awake, or when a
+// bodies has been slow for half a second; it wakes when one of its bodies is touched by something awake, or when a
 // caller changes what it rests on.
 #pragma once
 
@@ -30,7 +30,13 @@ void merge_sleeping_islands(Simulation& simulation, std::uint32_t body_a, std::u
 // Wakes the island of a body, and starts its rest anew if it is awake.
 void wake(Simulation& simulation, std::uint32_t body);
 
+// Wakes a joint, unless one of its bodies sleeps or is disabled.
+void wake_joint(Simulation& simulation, JointId id);
+
 // Wakes a body, or what leans on it or is tied to it if it is not dynamic, before the body is changed or goes.
 void wake_with_neighbors(Simulation& simulation, std::uint32_t body);
+
+// Wakes what sleeps where a body is now, by the boxes of their shapes.
+void wake_met(Simulation& simulation, std::uint32_t body);
 
 }  // namespace tumble

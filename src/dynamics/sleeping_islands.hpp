@@ -48,11 +48,23 @@ public:
         point_count_ += points(contact);
     }
 
+    // Calls visit(contact) for each contact that sleeps; it is not to change the number of its points.
+    template <class Visitor>
+    void for_each_contact(Visitor&& visit) {
+        for (SleepingIsland& island : islands_)
+            for (Contact& contact : island.contacts) visit(contact);
+    }
+
     SleepingIsland& operator[](std::uint32_t index) { return islands_[index]; }
     const std::vector<SleepingIsland>& all() const { return islands_; }  // those handed out are empty
     std::size_t count() const { return count_; }
     std::size_t contact_count() const { return contact_count_; }
     std::size_t point_count() const { return point_count_; }
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.islands_, self.free_, self.count_, self.contact_count_, self.point_count_);
+    }
 
 private:
     static std::size_t points(const Contact& contact) { return static_cast<std::size_t>(contact.manifold.point_count); }

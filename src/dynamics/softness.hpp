@@ -24,17 +24,17 @@ inline Softness make_softness(float hertz, float damping_ratio, float h) {
     return {omega / a1, a2 * a3, a3};
 }
 
-inline Softness contact_softness(float h) {
-    return make_softness(std::min(kContactHertz, kContactHertzPerSubstep / h), kContactDampingRatio, h);
+inline Softness contact_softness(const Tuning& tuning, float h) {
+    return make_softness(std::min(tuning.contact_hertz, kContactHertzPerSubstep / h), kContactDampingRatio, h);
 }
 
-inline Softness static_contact_softness(float h) {
-    const float hertz = std::min(kContactHertz, kContactHertzPerSubstep / h);
+inline Softness static_contact_softness(const Tuning& tuning, float h) {
+    const float hertz = std::min(tuning.contact_hertz, kContactHertzPerSubstep / h);
     return make_softness(kStaticStiffening * hertz, kContactDampingRatio, h);
 }
 
-inline Softness joint_softness(float h) {
-    return make_softness(std::min(kJointHertz, kJointHertzPerSubstep / h), kJointDampingRatio, h);
+inline Softness joint_softness(const Tuning& tuning, float h) {
+    return make_softness(std::min(tuning.joint_hertz, kJointHertzPerSubstep / h), kJointDampingRatio, h);
 }
 
 }  // namespace tumble

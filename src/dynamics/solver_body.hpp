@@ -15,6 +15,9 @@ enum BodyFlag : std::uint32_t {
     kDynamicBody = 1u << 0,    // has a mass: gravity, damping and impulses act on it
     kUnlimitedSpin = 1u << 1,  // may turn more than kMaxRotation in a step
     kBulletBody = 1u << 2,     // is swept against other dynamic bodies too
+    kLockX = 1u << 3,          // has no velocity along the world's x axis,
+    kLockY = 1u << 4,          // along y,
+    kLockRotation = 1u << 5,   // or of turning
 };
 
 struct alignas(32) SolverBody {
@@ -28,6 +31,19 @@ static_assert(sizeof(SolverBody) == 32 && std::is_trivially_copyable_v<SolverBod
 
 // The first solver body stands for all that is static: at rest, of infinite mass, never moved.
 inline constexpr std::uint32_t kStaticSolverBody = 0;
+
+// What the locks of a body leave of a linear and an angular velocity.
+inline Vec2 allowed(std::uint32_t flags, Vec2 velocity) {
+    return {flags & kLockX ? 0.0f : velocity.x, flags & kLockY ? 0.0f : velocity.y};
+}
+inline float allowed(std::uint32_t flags, float angular_velocity) {
+    return flags & kLockRotation ? 0.0f : angular_velocity;
+}
+
+// A vector with its components multiplied, as masses of locked bodies do it.
+constexpr Vec2 scaled(Vec2 factors, Vec2 v) {
+    return {factors.x * v.x, factors.y * v.y};
+}
 
 // How constraints see the motion of a body: the velocity of the point at offset `arm` from the centre of mass.
 inline Vec2 velocity_at(const SolverBody& body, Vec2 arm) {

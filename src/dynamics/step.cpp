@@ -11,19 +11,38 @@ namespace tumble {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+// Reads the clock once between two stages.
+class StageClock {
+public:
+    // Adds the time since the last call, or since the start, to a stage.
+    void stop(double& stage_ms) {
+        const Clock::time_point now = Clock::now();
+        stage_ms += milliseconds(now - last_);
+        last_ = now;
+    }
+    double total() const { return milliseconds(last_ - start_); }
 
-double milliseconds_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
+private:
+    using Clock = std::chrono::steady_clock;
+    static double milliseconds(Clock::duration time) {
+        return std::chrono::duration<double, std::milli>(time).count();
+    }
+
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_ = start_;
+};
 
 float substep_duration(const Simulation& simulation) {
     return simulation.settings.duration / static_cast<float>(simulation.settings.substeps);
 }
 
+SpeedLimits speed_limits(const Simulation& simulation) {
+    return {simulation.settings.tuning.max_speed, kMaxRotation / simulation.settings.duration};
+}
+
 JointContext joint_context(const Simulation& simulation) {
     const float h = substep_duration(simulation);
-    return {h, 1.0f / h, joint_softness(h)};
+    return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h)};
 }
 
 bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {
@@ -35,37 +54,44 @@ bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, 
     return false;
 }
 
+void collide_and_count(Simulation& simulation, Contact& contact) {
+    if (!collide_contact(contact, simulation.bodies, simulation.shapes)) return;
+    ++simulation.collided.pairs;
+    simulation.collided.iterations += contact.cache.iterations;
+}
+
 }  // namespace
 
 void step(Simulation& simulation) {
-    const Clock::time_point start = Clock::now();
+    StageTimes& ms = simulation.times = StageTimes{};
+    StageClock clock;
     clear(simulation.events);
     find_pairs(simulation);
-    simulation.times.pairs_ms = milliseconds_since(start);
-
-    const Clock::time_point narrow_start = Clock::now();
+    clock.stop(ms.pairs);
+    simulation.collided = {};
     collide_pairs(simulation);
     collide_woken(simulation);
-    simulation.times.narrow_ms = milliseconds_since(narrow_start);
-
-    const Clock::time_point solve_start = Clock::now();
+    clock.stop(ms.collide);
     prepare_constraints(simulation);
+    clock.stop(ms.prepare);
     for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation);
     bounce(simulation);
     store_results(simulation);
+    clock.stop(ms.solve);
     stop_at_impacts(simulation);
-    finalize_poses(simulation.bodies);
-    simulation.times.solve_ms = milliseconds_since(solve_start);
-
+    finalize_poses(simulation.bodies, speed_limits(simulation));
+    clock.stop(ms.continuous);
     if (find_diverged(simulation.bodies) == kNoBody) {
         update_proxies(simulation);
-        const Clock::time_point pairs_start = Clock::now();
+        clock.stop(ms.proxies);
         find_pairs(simulation);
-        simulation.times.pairs_ms += milliseconds_since(pairs_start);
+        clock.stop(ms.pairs);
         report_events(simulation);
+        clock.stop(ms.events);
         fall_asleep(simulation);
+        clock.stop(ms.sleep);
     }
-    simulation.times.total_ms = milliseconds_since(start);
+    ms.step = clock.total();
 }
 
 bool may_touch(const Simulation& simulation, ProxyPair shapes) {
@@ -78,6 +104,7 @@ bool may_touch(const Simulation& simulation, ProxyPair shapes) {
 bool may_collide(const Simulation& simulation, ProxyPair shapes) {
     const ShapeRecord& a = simulation.shapes[shapes.a];
     const ShapeRecord& b = simulation.shapes[shapes.b];
+    if (!simulation.is_live(shapes)) return false;
     if (a.is_sensor != b.is_sensor) return a.body != b.body && may_meet(a.filter, b.filter);
     const BodyStore& bodies = simulation.bodies;
     const bool can_give_way = bodies.is_dynamic(a.body) || bodies.is_dynamic(b.body);
@@ -93,7 +120,7 @@ void find_pairs(Simulation& simulation) {
     const std::vector<ProxyPair>& new_pairs =
         simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); });
     if (!moved && !simulation.shapes.has_destroyed() && !simulation.filters_changed) return;
-    simulation.contacts.update(new_pairs, simulation.shapes, [&](const Contact& contact) {
+    simulation.contacts.update(new_pairs, simulation.shapes, simulation.settings.tuning, [&](const Contact& contact) {
         const bool keep = simulation.is_live(contact.shapes) && simulation.broad.overlap(contact.shapes) &&
                           !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
         if (!keep) {
@@ -108,7 +135,7 @@ void find_pairs(Simulation& simulation) {
 
 void collide_pairs(Simulation& simulation) {
     for (Contact& contact : simulation.contacts.all())
-        if (contact.kind == ContactKind::solid) collide_contact(contact, simulation.bodies, simulation.shapes);
+        if (contact.kind == ContactKind::solid) collide_and_count(simulation, contact);
 }
 
 // What is touched wakes before it is solved, and may touch the next.
@@ -116,33 +143,33 @@ void collide_woken(Simulation& simulation) {
     while (wake_touched(simulation)) {
         find_pairs(simulation);
         for (Contact& contact : simulation.contacts.all())
-            if (contact.is_new && contact.kind == ContactKind::solid)
-                collide_contact(contact, simulation.bodies, simulation.shapes);
+            if (contact.is_new && contact.kind == ContactKind::solid) collide_and_count(simulation, contact);
     }
 }
 
 void prepare_constraints(Simulation& simulation) {
     simulation.graph.build(simulation.contacts.all(), simulation.bodies);
-    prepare_contacts(simulation.contacts.all(), simulation.bodies, simulation.graph, substep_duration(simulation),
-                     simulation.blocks);
+    prepare_contacts(simulation.contacts.all(), simulation.bodies, simulation.graph, simulation.settings.tuning,
+                     substep_duration(simulation), simulation.blocks);
     simulation.joints.prepare(simulation.bodies);
 }
 
 void run_substep(Simulation& simulation) {
     const JointContext context = joint_context(simulation);
     const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
-    integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, simulation.settings.duration);
+    integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation));
     simulation.joints.warm_start(bodies);
     warm_start_contacts(simulation.blocks, bodies);
     simulation.joints.solve(context, true, bodies);
-    solve_contacts(simulation.blocks, bodies, context.inv_h);
+    solve_contacts(simulation.blocks, bodies, context.inv_h, simulation.settings.tuning.push_out_speed);
     integrate_positions(simulation.bodies, context.h);
     simulation.joints.solve(context, false, bodies);
     relax_contacts(simulation.blocks, bodies, context.inv_h);
 }
 
 void bounce(Simulation& simulation) {
-    apply_restitution(simulation.blocks, simulation.bodies.solver_bodies);
+    apply_restitution(simulation.blocks, simulation.bodies.solver_bodies,
+                      simulation.settings.tuning.restitution_threshold);
 }
 
 void store_results(Simulation& simulation) {
@@ -155,7 +182,8 @@ void update_proxies(Simulation& simulation) {
     for (std::size_t i = 1; i < simulation.bodies.moving.size(); ++i) {
         const std::uint32_t body = simulation.bodies.moving[i].body;
         for (const ShapeId shape : simulation.bodies.records[body].shapes)
-            simulation.shapes.update_proxy(shape.index, simulation.bodies.frames[body].pose, simulation.broad);
+            simulation.shapes.update_proxy(shape.index, simulation.bodies.frames[body].pose,
+                                           simulation.settings.tuning, simulation.broad);
     }
 }
 

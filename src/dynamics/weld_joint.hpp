@@ -10,6 +10,7 @@ namespace tumble {
 
 class WeldJoint {
 public:
+    WeldJoint() = default;
     explicit WeldJoint(const WeldJointDef& def) : def_(def) {}
 
     void prepare(const BodyStore& bodies);
@@ -18,6 +19,11 @@ public:
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * turning_impulse_}; }
     float position() const { return angle_.at_start(); }
     void take_over(const WeldJoint& old);
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.def_, self.bodies_, self.angle_, self.impulse_, self.turning_impulse_);
+    }
 
 private:
     WeldJointDef def_;

@@ -9,6 +9,7 @@ namespace tumble {
 
 class WheelJoint {
 public:
+    WheelJoint() = default;
     explicit WheelJoint(const WheelJointDef& def)
         : def_(def),
           suspension_(def.spring, std::nullopt, def.limits),
@@ -22,6 +23,11 @@ public:
     }
     float position() const { return dot(axis_, bodies_.center_difference + bodies_.arm_b - bodies_.arm_a); }
     void take_over(const WheelJoint& old);
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.def_, self.bodies_, self.suspension_, self.axle_, self.axis_, self.across_impulse_);
+    }
 
 private:
     // The geometry within the step.

@@ -49,6 +49,7 @@ Manifold collide(const Shape& a, const Pose& world_from_a, const Shape& b, const
         feature.pairs[1].a = core.pairs[1].a;
         feature.pairs[1].b = core.pairs[1].b;
         feature.pair_count = core.pair_count;
+        cache.iterations = static_cast<std::uint16_t>(core.iterations);
         return manifold_of(pair, feature, a.radius(), b.radius(), speculative_distance, cache);
     });
 }

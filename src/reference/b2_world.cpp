@@ -90,6 +90,17 @@ void B2World::Impl::add(const RevoluteJointDef& joint) {
     def.localAnchorB = to_b2(joint.anchor_b);
     def.referenceAngle = joint.reference_angle;
     def.collideConnected = joint.collide_connected;
+    if (joint.motor) {
+        def.enableMotor = true;
+        def.motorSpeed = joint.motor->speed;
+        def.maxMotorTorque = joint.motor->max_torque;
+    }
+    if (joint.limits) {
+        def.enableLimit = true;
+        def.lowerAngle = joint.limits->lower;
+        def.upperAngle = joint.limits->upper;
+    }
+    if (joint.spring) note_once("springs of revolute joints are left out");
     world.CreateJoint(&def);
 }
 

@@ -19,6 +19,7 @@ constexpr double kLineGap = 3.0;
 constexpr double kAscent = 0.93;  // of a line above its baseline, of the font's size, and of the whole line: DejaVu Sans
 constexpr double kLine = 1.17;
 constexpr double kScaleBar = 70.0;     // the least length of the scale bar
+constexpr double kLegendMark = 18.0;   // width of the marks in a legend
 constexpr double kBarEnd = 6.0;        // height of its ends
 
 // Lengths in pixels from the frame's top left corner.
@@ -110,13 +111,36 @@ void add_scale_bar(Labels& labels, const View& view) {
     labels.text(text, size, area.left + length + tick, area.top, style::kFaintText);
 }
 
+// In the lower right corner, a line for each kind of mark.
+void add_legend(Labels& labels, const View& view, std::span<const LegendLine> lines) {
+    if (lines.empty()) return;
+    const double margin = labels.pixels(style::kMargin), size = labels.pixels(style::kTextSize);
+    const double mark = labels.pixels(kLegendMark), row = kLine * size + labels.pixels(kLineGap);
+    double width = 0.0;
+    for (const LegendLine& line : lines) width = std::max(width, labels.width(line.text, size));
+    const double all = mark + labels.pixels(kPlatePadding) + width, height = row * static_cast<double>(lines.size());
+    const Rectangle area{view.width - margin - all, view.height - margin - height, all, height};
+    labels.plate(area);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double top = area.top + row * static_cast<double>(i), middle = top + 0.5 * kLine * size;
+        const bool is_line = lines[i].mark == LegendLine::Mark::line, is_dot = lines[i].mark == LegendLine::Mark::dot;
+        const double thick = is_line ? labels.pixels(2.0) : is_dot ? labels.pixels(7.0) : 0.8 * size;
+        const double wide = is_dot ? thick : mark;
+        labels.box({area.left + 0.5 * (mark - wide), middle - 0.5 * thick, wide, thick}, is_dot ? 0.5 * thick : 0.0,
+                   lines[i].color);
+        labels.text(lines[i].text, size, area.left + mark + labels.pixels(kPlatePadding), top, style::kText);
+    }
+}
+
 }  // namespace
 
-void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, std::string_view title, double time) {
+void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, std::string_view title, double time,
+                std::span<const LegendLine> legend) {
     if (view.width < kSmallestWidth || view.height < kSmallestHeight) return;
     Labels labels(list, atlas, view);
     add_heading(labels, view, title, time);
     add_scale_bar(labels, view);
+    add_legend(labels, view, legend);
 }
 
 }  // namespace tumble::render

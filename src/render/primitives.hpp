@@ -79,10 +79,11 @@ struct DrawList {
     Layer ground;   // static bodies
     Layer bodies;   // all others
     Layer details;  // orientation marks and joints
+    Layer overlay;  // what the stepper knows
     Layer labels;
 
-    std::array<Layer*, 5> layers() { return {&grid, &ground, &bodies, &details, &labels}; }
-    std::array<const Layer*, 5> layers() const { return {&grid, &ground, &bodies, &details, &labels}; }
+    std::array<Layer*, 6> layers() { return {&grid, &ground, &bodies, &details, &overlay, &labels}; }
+    std::array<const Layer*, 6> layers() const { return {&grid, &ground, &bodies, &details, &overlay, &labels}; }
 };
 
 }  // namespace tumble::render

@@ -22,6 +22,7 @@ WorldDef make_world_def(const SceneSettings& settings) {
     def.substeps = settings.substeps;
     def.sleeping = settings.sleeping;
     def.continuous = settings.continuous;
+    def.scale = static_cast<float>(settings.scale);
     return def;
 }
 
@@ -36,6 +37,13 @@ BodyDef make_body_def(const SceneBody& body, const Pose& pose) {
     def.gravity_scale = static_cast<float>(body.gravity_scale);
     def.bullet = body.bullet;
     def.awake = body.awake;
+    def.locks = {body.lock_x, body.lock_y, body.fixed_rotation};
+    def.enabled = body.enabled;
+    def.allow_sleep = body.allow_sleep;
+    def.allow_fast_rotation = body.allow_fast_rotation;
+    if (body.mass)
+        def.mass = BodyMass{static_cast<float>(body.mass->mass), to_float(body.mass->center),
+                            static_cast<float>(body.mass->inertia)};
     return def;
 }
 
@@ -81,7 +89,7 @@ public:
             placed.id = result_.world.create_body(def);
             for (const ShapeDef& shape : shapes) result_.world.add_shape(placed.id, shape);
             // Shapes move the centre of mass, whose velocity is given, and a turning body's with it.
-            if (def.type == BodyType::dynamic_body && def.awake)
+            if (def.type == BodyType::dynamic_body && def.awake && def.enabled)
                 result_.world.set_velocity(placed.id, def.velocity, def.angular_velocity);
             result_.bodies.push_back({placed.id, source, copy_name(body, copy++)});
             placed_.push_back(placed);

@@ -123,6 +123,12 @@ void visit_fields(V& v, Type<SceneSettings>) {
     v.field({"seed", "Where the random numbers of scatter repeaters start.", "", kSeed}, &SceneSettings::seed);
     v.field({"sleeping", "Whether bodies at rest fall asleep."}, &SceneSettings::sleeping);
     v.field({"continuous", "Whether fast bodies are kept from passing through thin ones."}, &SceneSettings::continuous);
+    v.field({"scale",
+             "Size of a typical body: 1 for human scale, 0.02 for marbles. The stepper's own lengths, speeds and "
+             "frequencies follow; the step rate is to be 1 / sqrt(scale) times as high.",
+             "m",
+             {1e-4, 1e4}},
+            &SceneSettings::scale);
 }
 
 template <class V>
@@ -283,6 +289,14 @@ std::string_view alternative_name(const Variant& variant) {
 }
 
 template <class V>
+void visit_fields(V& v, Type<SceneMass>) {
+    v.field({"mass", "Mass.", "kg", kPositive, true}, &SceneMass::mass);
+    v.field({"center", "Centre of mass, in body coordinates.", "m", kCoordinate}, &SceneMass::center);
+    v.field({"inertia", "About the centre of mass; 0: the body does not turn.", "kg m^2", kStrength, true},
+            &SceneMass::inertia);
+}
+
+template <class V>
 void visit_fields(V& v, Type<SceneBody>) {
     v.field(
         {.name = "name", .description = "Unique; copies are called name[0], name[1] and so on.", .text = Text::name},
@@ -300,6 +314,14 @@ void visit_fields(V& v, Type<SceneBody>) {
     v.field({"gravity_scale", "Times the world's gravity."}, &SceneBody::gravity_scale);
     v.field({"bullet", "Kept from passing through dynamic bodies too, not only through others."}, &SceneBody::bullet);
     v.field({"awake", "false: a dynamic body starts asleep, at rest, until something touches it."}, &SceneBody::awake);
+    v.field({"fixed_rotation", "Never turns, whatever pushes it."}, &SceneBody::fixed_rotation);
+    v.field({"lock_x", "Never moves along the world's x axis."}, &SceneBody::lock_x);
+    v.field({"lock_y", "Never moves along the world's y axis."}, &SceneBody::lock_y);
+    v.field({"enabled", "false: it is drawn, but nothing meets it and it does not move."}, &SceneBody::enabled);
+    v.field({"allow_sleep", "false: it never falls asleep, nor does what touches it."}, &SceneBody::allow_sleep);
+    v.field({"allow_fast_rotation", "May turn by more than an eighth of a turn in a step: for round things."},
+            &SceneBody::allow_fast_rotation);
+    v.field({"mass", "In place of what the shapes weigh."}, &SceneBody::mass);
     v.field({"repeat", "Makes copies of the body."}, &SceneBody::repeat);
     v.field({"shapes", "What the body is made of."}, &SceneBody::shapes);
     v.json({"custom", "Anything a user wants to keep."}, &SceneBody::custom);

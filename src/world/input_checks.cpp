@@ -18,15 +18,29 @@ void check(const WorldDef& def) {
     require(is_finite(def.gravity), "gravity", "finite", def.gravity);
     require(std::isfinite(def.steps_per_second) && def.steps_per_second > 0.0f, "steps_per_second",
             "finite and greater than 0", def.steps_per_second);
+    require_positive(def.scale, "scale");
     if (def.substeps < 1)
         throw std::invalid_argument("substeps must be at least 1, got " + std::to_string(def.substeps));
 }
 
-void check(const BodyDef& def) {
-    require(is_finite(def.pose.position), "body position", "finite", def.pose.position);
-    const Rotation q = def.pose.rotation;
+void check_pose(const Pose& pose, const std::string& whose) {
+    require(is_finite(pose.position), (whose + " position").c_str(), "finite", pose.position);
+    const Rotation q = pose.rotation;
     const double length = std::sqrt(double{q.c} * q.c + double{q.s} * q.s);
-    require(std::abs(length - 1.0) <= kUnitTolerance, "body rotation (cosine, sine)", "of length 1", Vec2{q.c, q.s});
+    require(std::abs(length - 1.0) <= kUnitTolerance, (whose + " rotation (cosine, sine)").c_str(), "of length 1",
+            Vec2{q.c, q.s});
+}
+
+void check(const std::optional<BodyMass>& mass) {
+    if (!mass) return;
+    require_positive(mass->mass, "body mass");
+    require(is_finite(mass->center), "body centre of mass", "finite", mass->center);
+    require_not_negative(mass->inertia, "body inertia");
+}
+
+void check(const BodyDef& def) {
+    check_pose(def.pose, "body");
+    check(def.mass);
     check_velocity(def.velocity, def.angular_velocity);
     require_not_negative(def.linear_damping, "body linear_damping");
     require_not_negative(def.angular_damping, "body angular_damping");
@@ -35,19 +49,27 @@ void check(const BodyDef& def) {
         require(def.velocity == Vec2{} && def.angular_velocity == 0.0f, "velocity of a body asleep", "0", def.velocity);
 }
 
+void check(const Shape& shape) {
+    if (shape.vertex_count() < 1) throw std::invalid_argument("shape must have at least 1 vertex, got 0");
+    require_not_negative(shape.radius(), "shape radius");
+    for (int i = 0; i < shape.vertex_count(); ++i)
+        require(is_finite(shape.vertex(i)), "shape vertex", "finite", shape.vertex(i));
+}
+
 void check(const ShapeDef& def) {
-    if (def.shape.vertex_count() < 1) throw std::invalid_argument("shape must have at least 1 vertex, got 0");
-    require_not_negative(def.shape.radius(), "shape radius");
-    for (int i = 0; i < def.shape.vertex_count(); ++i)
-        require(is_finite(def.shape.vertex(i)), "shape vertex", "finite", def.shape.vertex(i));
+    check(def.shape);
     for (const Vec2 beside : {def.link.value_or(ChainLink{}).before, def.link.value_or(ChainLink{}).after})
         require(is_finite(beside), "shape link", "finite", beside);
-    require_not_negative(def.material.density, "shape density");
-    require_not_negative(def.material.friction, "shape friction");
-    const float restitution = def.material.restitution;
+    check(def.material);
+}
+
+void check(const SurfaceMaterial& material) {
+    require_not_negative(material.density, "shape density");
+    require_not_negative(material.friction, "shape friction");
+    const float restitution = material.restitution;
     require(restitution >= 0.0f && restitution <= 1.0f, "shape restitution", "between 0 and 1", restitution);
-    require_not_negative(def.material.rolling_resistance, "shape rolling_resistance");
-    require(std::isfinite(def.material.tangent_speed), "shape tangent_speed", "finite", def.material.tangent_speed);
+    require_not_negative(material.rolling_resistance, "shape rolling_resistance");
+    require(std::isfinite(material.tangent_speed), "shape tangent_speed", "finite", material.tangent_speed);
 }
 
 void check_velocity(Vec2 velocity, float angular_velocity) {

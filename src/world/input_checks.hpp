@@ -1,6 +1,9 @@
 // Refuses what a caller must not pass: std::invalid_argument that names the value and says what was expected.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "tumble/body.hpp"
 #include "tumble/joint.hpp"
 #include "tumble/world.hpp"
@@ -10,6 +13,10 @@ namespace tumble {
 void check(const WorldDef& def);
 void check(const BodyDef& def);
 void check(const ShapeDef& def);
+void check(const Shape& shape);
+void check(const SurfaceMaterial& material);
+void check(const std::optional<BodyMass>& mass);
+void check_pose(const Pose& pose, const std::string& whose);
 void check(const JointDef& def);  // its numbers; whether the bodies live is the world's to say
 void check_velocity(Vec2 velocity, float angular_velocity);
 void check_action(Vec2 action, const char* what);  // a force or an impulse

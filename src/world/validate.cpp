@@ -23,6 +23,7 @@ void validate_bodies(const BodyStore& bodies) {
         require(!sleeps || bodies.is_dynamic(id.index), "a body sleeps that cannot", id.index);
         require(at_rest == (frame.solver_body == kStaticSolverBody), "a body is moved that must not be", id.index);
         require((frame.inv_mass > 0.0f) == bodies.is_dynamic(id.index), "a mass does not fit the type", id.index);
+        require(bodies.records[id.index].is_enabled || at_rest, "a disabled body moves", id.index);
         if (at_rest) continue;
         ++moving;
         require(frame.solver_body < bodies.moving.size(), "a solver body is out of range", id.index);
@@ -38,6 +39,9 @@ void validate_shapes(const Simulation& simulation) {
             ++owned;
             require(simulation.shapes.ids.is_live(id), "a body has a shape that is gone", body.index);
             require(simulation.shapes[id.index].body == body.index, "a shape belongs to another body", id.index);
+            require(simulation.shapes[id.index].is_placed == simulation.bodies.records[body.index].is_enabled,
+                    "a shape is met that must not be, or is not", id.index);
+            if (!simulation.shapes[id.index].is_placed) continue;
             const Aabb box = bounds(simulation.shapes[id.index].shape, simulation.bodies.frames[body.index].pose);
             require(contains(simulation.broad.box(id.index), box), "a proxy's box does not hold its shape", id.index);
         }
@@ -82,8 +86,10 @@ void validate_islands(const Simulation& simulation) {
     require(listed == sleepers, "sleepers without an island", sleepers);
     for (const JointId id : simulation.joints.ids.live()) {
         const JointDef& def = simulation.joints.def(id);
-        const bool sleeps = bodies.is_asleep(joint_body_a(def).index) || bodies.is_asleep(joint_body_b(def).index);
-        require(sleeps != simulation.joints.is_awake(id), "a joint is awake alone", id.index);
+        bool rests = false;
+        for (const BodyId body : {joint_body_a(def), joint_body_b(def)})
+            rests |= bodies.is_asleep(body.index) || !bodies.records[body.index].is_enabled;
+        require(rests != simulation.joints.is_awake(id), "a joint is awake alone", id.index);
     }
 }
 
@@ -96,7 +102,7 @@ void validate_contacts(const Simulation& simulation) {
         require(simulation.broad.knows(contact.shapes), "a contact's pair is not known", i);
         const ShapeRecord& a = simulation.shapes[contact.shapes.a];
         const ShapeRecord& b = simulation.shapes[contact.shapes.b];
-        if (!a.is_live || !b.is_live) continue;  // dropped by the next step
+        if (!simulation.is_live(contact.shapes)) continue;  // dropped by the next step
         const bool both_sleep = simulation.bodies.is_asleep(a.body) && simulation.bodies.is_asleep(b.body);
         require(!both_sleep || contact.kind != ContactKind::solid, "a contact is awake alone", i);
         require(a.body == contact.body_a && b.body == contact.body_b, "a contact names a wrong body", i);
@@ -115,8 +121,10 @@ void validate_blocks(const Simulation& simulation) {
         std::vector<std::uint32_t> written;
         for (int lane = 0; lane < kLaneCount; ++lane) {
             const ContactBlock& block = simulation.blocks[i];
-            if (block.inv_mass_a[lane] > 0.0f) written.push_back(block.body_a[lane]);
-            if (block.inv_mass_b[lane] > 0.0f) written.push_back(block.body_b[lane]);
+            if (block.inv_mass_ax[lane] + block.inv_mass_ay[lane] + block.inv_inertia_a[lane] > 0.0f)
+                written.push_back(block.body_a[lane]);
+            if (block.inv_mass_bx[lane] + block.inv_mass_by[lane] + block.inv_inertia_b[lane] > 0.0f)
+                written.push_back(block.body_b[lane]);
         }
         std::sort(written.begin(), written.end());
         require(std::adjacent_find(written.begin(), written.end()) == written.end(), "a block shares a body", i);

@@ -1,48 +1,22 @@
-// The facade: checks what comes in, turns ids into indices, and leaves the physics to the dynamics room.
+// The facade: what comes and goes, the step, and what a user may read.
 #include "tumble/world.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "dynamics/integrate.hpp"
-#include "dynamics/simulation.hpp"
 #include "dynamics/sleep.hpp"
 #include "world/contact_report.hpp"
 #include "world/input_checks.hpp"
+#include "world/island_numbers.hpp"
+#include "world/snapshot.hpp"
 #include "world/state_hash.hpp"
 #include "world/validate.hpp"
+#include "world/world_impl.hpp"
 
 namespace tumble {
 
-struct World::Impl {
-    WorldDef def;
-    Simulation simulation;
-    StepCounters counters;
-    std::uint64_t step_count = 0;
-    std::uint32_t diverged_body = kNoBody;
-
-    void require(BodyId id) const { require_live(simulation.bodies.ids, id, "body"); }
-    void require(ShapeId id) const { require_live(simulation.shapes.ids, id, "shape"); }
-    void require(JointId id) const { require_live(simulation.joints.ids, id, "joint"); }
-
-    void remove_joint(JointId id);
-    void remove_shapes(BodyId id);
-    void touch_shapes(BodyId id);
-    void update_mass(BodyId id);
-    void tie(JointId id, std::uint32_t body_a, std::uint32_t body_b);
-    MovingBody* wake_to_push(BodyId id);
-    void count(StepCounters& counters) const;
-
-private:
-    template <class IdType>
-    static void require_live(const IdPool<IdType>& pool, IdType id, const char* kind) {
-        if (pool.is_live(id)) return;
-        throw std::invalid_argument(std::string(kind) + " id is stale or foreign: index " + std::to_string(id.index) +
-                                    ", generation " + std::to_string(id.generation));
-    }
-};
-
 void World::Impl::touch_shapes(BodyId id) {
+    if (!simulation.bodies.records[id.index].is_enabled) return;
     for (const ShapeId shape : simulation.bodies.records[id.index].shapes) simulation.broad.touch(shape.index);
 }
 
@@ -55,15 +29,24 @@ void World::Impl::remove_joint(JointId id) {
     simulation.joints.destroy(id);
 }
 
-void World::Impl::remove_shapes(BodyId id) {
+void World::Impl::place_shapes(BodyId id) {
+    if (!simulation.bodies.records[id.index].is_enabled) return;
     for (const ShapeId shape : simulation.bodies.records[id.index].shapes)
-        simulation.shapes.destroy(shape, simulation.broad);
+        simulation.shapes.place(shape.index, simulation.bodies.frames[id.index], simulation.settings.tuning,
+                                simulation.broad);
+}
+
+void World::Impl::displace_shapes(BodyId id) {
+    for (const ShapeId shape : simulation.bodies.records[id.index].shapes)
+        simulation.shapes.displace(shape.index, simulation.broad);
 }
 
 void World::Impl::update_mass(BodyId id) {
     BodyStore& bodies = simulation.bodies;
-    const std::vector<ShapeId>& shapes = bodies.records[id.index].shapes;
-    const BodyMass mass = body_mass(bodies.frames[id.index].type, shapes, simulation.shapes);
+    const BodyRecord& record = bodies.records[id.index];
+    const std::vector<ShapeId>& shapes = record.shapes;
+    BodyMass mass;
+    if (bodies.is_dynamic(id.index)) mass = record.own_mass ? *record.own_mass : body_mass(shapes, simulation.shapes);
     bodies.set_mass(id, mass, body_reach(mass.center, shapes, simulation.shapes),
                     smallest_extent(shapes, simulation.shapes));
 }
@@ -72,7 +55,9 @@ void World::Impl::update_mass(BodyId id) {
 void World::Impl::tie(JointId id, std::uint32_t body_a, std::uint32_t body_b) {
     const BodyStore& bodies = simulation.bodies;
     const bool sleeps_a = bodies.is_asleep(body_a), sleeps_b = bodies.is_asleep(body_b);
-    if (bodies.is_active(body_a) || bodies.is_active(body_b)) {
+    if (!bodies.records[body_a].is_enabled || !bodies.records[body_b].is_enabled) {
+        simulation.joints.put_to_sleep({&id, 1});
+    } else if (bodies.is_active(body_a) || bodies.is_active(body_b)) {
         wake(simulation, body_a);
         wake(simulation, body_b);
     } else if (sleeps_a || sleeps_b) {
@@ -81,33 +66,32 @@ void World::Impl::tie(JointId id, std::uint32_t body_a, std::uint32_t body_b) {
     }
 }
 
-// The body awake, or nullptr if it is not dynamic.
-MovingBody* World::Impl::wake_to_push(BodyId id) {
-    if (!simulation.bodies.is_dynamic(id.index)) return nullptr;
-    wake(simulation, id.index);
-    return &simulation.bodies.moving[simulation.bodies.frames[id.index].solver_body];
+StepCounters World::Impl::count() const {
+    StepCounters counters_now;
+    counters_now.bodies = static_cast<int>(simulation.bodies.ids.live().size());
+    counters_now.joints = static_cast<int>(simulation.joints.ids.live().size());
+    counters_now.colors = simulation.graph.color_count();
+    counters_now.awake_bodies = simulation.bodies.awake_dynamic_count();
+    counters_now.sleeping_islands = static_cast<int>(simulation.sleeping.count());
+    counters_now.contacts = static_cast<int>(simulation.contact_counts.contacts);
+    counters_now.contact_points = static_cast<int>(simulation.contact_counts.points);
+    counters_now.pairs = static_cast<std::int64_t>(simulation.contacts.all().size());
+    counters_now.collided = simulation.collided.pairs;
+    counters_now.gjk_iterations = simulation.collided.iterations;
+    counters_now.ms = simulation.times;
+    return counters_now;
 }
 
-void World::Impl::count(StepCounters& to) const {
-    to = StepCounters{};
-    to.bodies = static_cast<int>(simulation.bodies.ids.live().size());
-    to.joints = static_cast<int>(simulation.joints.ids.live().size());
-    to.colors = simulation.graph.color_count();
-    to.awake_bodies = simulation.bodies.awake_dynamic_count();
-    to.sleeping_islands = static_cast<int>(simulation.sleeping.count());
-    to.contacts = static_cast<int>(simulation.contact_counts.contacts);
-    to.contact_points = static_cast<int>(simulation.contact_counts.points);
-    to.pairs_ms = simulation.times.pairs_ms;
-    to.narrow_ms = simulation.times.narrow_ms;
-    to.solve_ms = simulation.times.solve_ms;
-    to.step_ms = simulation.times.total_ms;
+void World::Impl::apply_settings() {
+    simulation.settings = {def.gravity, 1.0f / def.steps_per_second, def.substeps, def.sleeping,
+                           def.continuous, make_tuning(def.scale)};
 }
 
 World::World(const WorldDef& def) {
     check(def);
     impl_ = std::make_unique<Impl>();
     impl_->def = def;
-    impl_->simulation.settings = {def.gravity, 1.0f / def.steps_per_second, def.substeps, def.sleeping, def.continuous};
+    impl_->apply_settings();
 }
 
 World::~World() = default;
@@ -119,7 +103,7 @@ BodyId World::create_body(const BodyDef& def) {
     Simulation& simulation = impl_->simulation;
     const BodyId id = simulation.bodies.create(def);
     impl_->update_mass(id);
-    if (!def.awake && def.type == BodyType::dynamic_body) put_new_body_to_sleep(simulation, id.index);
+    if (!def.awake && simulation.bodies.is_dynamic(id.index)) put_new_body_to_sleep(simulation, id.index);
     return id;
 }
 
@@ -129,7 +113,8 @@ void World::destroy_body(BodyId id) {
     wake_with_neighbors(simulation, id.index);
     while (!simulation.bodies.records[id.index].joints.empty())
         impl_->remove_joint(simulation.bodies.records[id.index].joints.back());
-    impl_->remove_shapes(id);
+    for (const ShapeId shape : simulation.bodies.records[id.index].shapes)
+        simulation.shapes.destroy(shape, simulation.broad);
     simulation.bodies.destroy(id);
 }
 
@@ -140,11 +125,58 @@ ShapeId World::add_shape(BodyId body, const ShapeDef& def) {
     // A body that is being built asleep goes on sleeping; one that rests on something may no longer do so.
     const std::uint32_t island = simulation.bodies.records[body.index].island;
     if (island != kNoIsland && !simulation.sleeping[island].contacts.empty()) wake(simulation, body.index);
-    const BodyFrame& frame = simulation.bodies.frames[body.index];
-    const ShapeId id = simulation.shapes.create(body.index, def, frame, simulation.broad);
-    simulation.bodies.records[body.index].shapes.push_back(id);
+    const ShapeId id = simulation.shapes.create(body.index, def);
+    BodyRecord& record = simulation.bodies.records[body.index];
+    record.shapes.push_back(id);
+    if (record.is_enabled)
+        simulation.shapes.place(id.index, simulation.bodies.frames[body.index], simulation.settings.tuning,
+                                simulation.broad);
     impl_->update_mass(body);
     return id;
+}
+
+void World::remove_shape(ShapeId id) {
+    impl_->require(id);
+    Simulation& simulation = impl_->simulation;
+    const BodyId body = simulation.bodies.ids.at(simulation.shapes[id.index].body);
+    wake_with_neighbors(simulation, body.index);
+    std::erase(simulation.bodies.records[body.index].shapes, id);
+    simulation.shapes.destroy(id, simulation.broad);
+    impl_->update_mass(body);
+}
+
+void World::set_material(ShapeId id, const SurfaceMaterial& material) {
+    impl_->require(id);
+    check(material);
+    Simulation& simulation = impl_->simulation;
+    const BodyId body = simulation.bodies.ids.at(simulation.shapes[id.index].body);
+    wake_with_neighbors(simulation, body.index);
+    simulation.shapes.set_material(id.index, material);
+    const auto mix = [&](Contact& contact) {
+        const bool concerned = contact.shapes.a == id.index || contact.shapes.b == id.index;
+        if (concerned && simulation.is_live(contact.shapes)) mix_surfaces(contact, simulation.shapes);
+    };
+    for (Contact& contact : simulation.contacts.all()) mix(contact);
+    for (Contact& contact : simulation.contacts.woken()) mix(contact);
+    simulation.sleeping.for_each_contact(mix);
+    impl_->update_mass(body);
+}
+
+void World::set_filter(ShapeId id, const CollisionFilter& filter) {
+    impl_->require(id);
+    Simulation& simulation = impl_->simulation;
+    const BodyId body = simulation.bodies.ids.at(simulation.shapes[id.index].body);
+    wake_with_neighbors(simulation, body.index);
+    wake_met(simulation, body.index);
+    simulation.shapes.set_filter(id.index, filter);
+    impl_->touch_shapes(body);
+    simulation.filters_changed = true;
+}
+
+void World::set_gravity(Vec2 gravity) {
+    check_action(gravity, "gravity");
+    impl_->def.gravity = impl_->simulation.settings.gravity = gravity;
+    for (const BodyId id : impl_->simulation.bodies.ids.live()) wake(impl_->simulation, id.index);
 }
 
 JointId World::create_joint(const JointDef& def) {
@@ -190,7 +222,7 @@ void World::step() {
         tumble::step(simulation);
         for (const JointId id : simulation.events.broken_joints) destroy_joint(id);
         ++impl_->step_count;
-        impl_->count(impl_->counters);
+        impl_->counters = impl_->count();
         impl_->diverged_body = find_diverged(simulation.bodies);
     }
     if (impl_->diverged_body != kNoBody)
@@ -214,91 +246,6 @@ bool World::is_valid(JointId id) const noexcept {
     return impl_->simulation.joints.ids.is_live(id);
 }
 
-BodyType World::type(BodyId id) const {
-    impl_->require(id);
-    return impl_->simulation.bodies.frames[id.index].type;
-}
-
-BodyState World::state(BodyId id) const {
-    impl_->require(id);
-    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
-    const SolverBody& body = impl_->simulation.bodies.solver_bodies[frame.solver_body];
-    return {frame.pose, body.velocity, body.angular_velocity};
-}
-
-BodyMass World::mass(BodyId id) const {
-    impl_->require(id);
-    return impl_->simulation.bodies.records[id.index].mass;
-}
-
-void World::set_velocity(BodyId id, Vec2 velocity, float angular_velocity) {
-    impl_->require(id);
-    check_velocity(velocity, angular_velocity);
-    BodyStore& bodies = impl_->simulation.bodies;
-    if (bodies.frames[id.index].type == BodyType::static_body)
-        throw std::invalid_argument("body " + std::to_string(id.index) + " is static: it has no velocity to set");
-    if (bodies.is_dynamic(id.index)) wake(impl_->simulation, id.index);
-    const bool was_active = bodies.is_active(id.index);
-    SolverBody& body = bodies.solver_bodies[bodies.frames[id.index].solver_body];
-    body.velocity = velocity;
-    body.angular_velocity = angular_velocity;
-    if (was_active || !bodies.is_active(id.index)) return;
-    // A kinematic body starts to move: it takes along what leans on it, and may meet what sleeps.
-    wake_with_neighbors(impl_->simulation, id.index);
-    impl_->touch_shapes(id);
-}
-
-void World::apply_force(BodyId id, Vec2 force, DVec2 point) {
-    impl_->require(id);
-    check_action(force, "force");
-    check_point(point);
-    MovingBody* const moving = impl_->wake_to_push(id);
-    if (!moving) return;
-    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
-    moving->acceleration += frame.inv_mass * force;
-    moving->angular_acceleration += frame.inv_inertia * cross(to_float(point - frame.center), force);
-}
-
-void World::apply_torque(BodyId id, float torque) {
-    impl_->require(id);
-    check_action(torque, "torque");
-    MovingBody* const moving = impl_->wake_to_push(id);
-    if (moving) moving->angular_acceleration += impl_->simulation.bodies.frames[id.index].inv_inertia * torque;
-}
-
-void World::apply_impulse(BodyId id, Vec2 impulse, DVec2 point) {
-    impl_->require(id);
-    check_action(impulse, "impulse");
-    check_point(point);
-    if (!impl_->wake_to_push(id)) return;
-    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
-    SolverBody& body = impl_->simulation.bodies.solver_bodies[frame.solver_body];
-    body.velocity += frame.inv_mass * impulse;
-    body.angular_velocity += frame.inv_inertia * cross(to_float(point - frame.center), impulse);
-}
-
-void World::apply_angular_impulse(BodyId id, float impulse) {
-    impl_->require(id);
-    check_action(impulse, "angular impulse");
-    if (!impl_->wake_to_push(id)) return;
-    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
-    impl_->simulation.bodies.solver_bodies[frame.solver_body].angular_velocity += frame.inv_inertia * impulse;
-}
-
-bool World::is_awake(BodyId id) const {
-    impl_->require(id);
-    return !impl_->simulation.bodies.is_asleep(id.index);
-}
-
-void World::set_awake(BodyId id, bool awake) {
-    impl_->require(id);
-    Simulation& simulation = impl_->simulation;
-    if (awake)
-        wake(simulation, id.index);
-    else if (simulation.bodies.is_dynamic(id.index) && !simulation.bodies.is_asleep(id.index))
-        put_island_to_sleep(simulation, id.index);
-}
-
 std::span<const BodyId> World::bodies() const noexcept {
     return impl_->simulation.bodies.ids.live();
 }
@@ -308,6 +255,10 @@ std::vector<BodyId> World::awake_bodies() const {
     for (const BodyId id : bodies.ids.live())
         if (bodies.is_active(id.index)) awake.push_back(id);
     return awake;
+}
+
+std::vector<int> World::islands() const {
+    return find_island_numbers(impl_->simulation);
 }
 
 std::span<const JointId> World::joints() const noexcept {
@@ -377,6 +328,23 @@ std::uint64_t World::state_hash() const {
 
 const StepCounters& World::counters() const noexcept {
     return impl_->counters;
+}
+
+WorldMemory World::memory() const {
+    return count_memory(impl_->simulation);
+}
+
+std::vector<std::byte> World::save() const {
+    return write_snapshot({impl_->def, impl_->simulation, impl_->step_count, impl_->diverged_body});
+}
+
+World World::load(std::span<const std::byte> snapshot) {
+    World world;
+    Impl& impl = *world.impl_;
+    read_snapshot(snapshot, {impl.def, impl.simulation, impl.step_count, impl.diverged_body});
+    impl.apply_settings();
+    impl.counters = impl.count();
+    return world;
 }
 
 void World::validate() const {

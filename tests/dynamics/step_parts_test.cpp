@@ -23,8 +23,8 @@ TEST_CASE("softness is the implicit damped spring") {
 }
 
 TEST_CASE("softness gives way to the sub-step") {
-    CHECK(contact_softness(1.0f / 60.0f).bias_rate == make_softness(7.5f, 10.0f, 1.0f / 60.0f).bias_rate);
-    CHECK(joint_softness(1.0f / 60.0f).bias_rate == make_softness(15.0f, 2.0f, 1.0f / 60.0f).bias_rate);
+    CHECK(contact_softness({}, 1.0f / 60.0f).bias_rate == make_softness(7.5f, 10.0f, 1.0f / 60.0f).bias_rate);
+    CHECK(joint_softness({}, 1.0f / 60.0f).bias_rate == make_softness(15.0f, 2.0f, 1.0f / 60.0f).bias_rate);
 }
 
 TEST_CASE("a small rotation has unit length and the angle asked for") {
@@ -37,10 +37,11 @@ TEST_CASE("a small rotation has unit length and the angle asked for") {
 }
 
 TEST_CASE("lengths shrink with small things, and stop growing at human scale") {
-    CHECK(speculative_distance(0.02f) == doctest::Approx(0.002));  // a 2 cm ball must not touch at a 2 cm gap
-    CHECK(speculative_distance(5.0f) == 0.02f);
-    CHECK(aabb_margin(0.08f) == doctest::Approx(0.01));
-    CHECK(aabb_margin(5.0f) == 0.05f);
+    const Tuning tuning;
+    CHECK(tuning.speculative_distance(0.02f) == doctest::Approx(0.002));  // a 2 cm ball must not touch at a 2 cm gap
+    CHECK(tuning.speculative_distance(5.0f) == 0.02f);
+    CHECK(tuning.aabb_margin(0.08f) == doctest::Approx(0.01));
+    CHECK(tuning.aabb_margin(5.0f) == 0.05f);
 }
 
 TEST_CASE("a recycled manifold moves with the bodies") {

@@ -71,6 +71,21 @@ TEST_CASE("sleep, bullets, filters and sensors arrive") {
     CHECK(world.mass(built.bodies[0].id).mass == doctest::Approx(2.0 * kPi));
 }
 
+TEST_CASE("locks, a mass of its own and whether a body takes part arrive") {
+    const SceneWorld built = build_world(parse_scene(R"({"format": 1, "bodies": [
+        {"fixed_rotation": true, "lock_y": true, "allow_sleep": false, "allow_fast_rotation": true,
+         "mass": {"mass": 3, "center": [0.5, 0], "inertia": 2}, "shapes": [{"circle": {"radius": 1}}]},
+        {"enabled": false, "velocity": [1, 0], "shapes": [{"circle": {"radius": 1}}]}]})",
+                                                     ""));
+    const BodyDef def = built.world.definition(built.bodies[0].id);
+    CHECK(def.locks == BodyLocks{.x = false, .y = true, .rotation = true});
+    CHECK_FALSE(def.allow_sleep);
+    CHECK(def.allow_fast_rotation);
+    CHECK(built.world.mass(built.bodies[0].id) == BodyMass{3.0f, {0.5f, 0.0f}, 2.0f});
+    CHECK(built.world.is_enabled(built.bodies[0].id));
+    CHECK_FALSE(built.world.is_enabled(built.bodies[1].id));
+}
+
 TEST_CASE("a joint's world anchor becomes local to turned and shifted bodies") {
     const Scene scene = parse_scene(R"({"format": 1,
         "bodies": [{"name": "a", "position": [5, 0], "angle": 90, "shapes": [{"circle": {"radius": 1}}]},

@@ -66,7 +66,63 @@ TEST_CASE("the summary has every key that scripts rely on, and --json prints the
     CHECK(summary["bodies"] == 3);
     CHECK(summary["complete"] == true);
     CHECK(summary["state_hash"].get<std::string>().size() == 16);
+    for (const char* key : {"bodies", "islands", "contacts", "contact_points", "joints", "colors", "pairs", "collided",
+                            "gjk_iterations"}) {
+        CAPTURE(key);
+        CHECK(summary["counters"][key].is_number_integer());
+    }
+    for (const char* key : {"pairs", "collide", "prepare", "solve", "continuous", "proxies", "events", "sleep", "step"}) {
+        CAPTURE(key);
+        CHECK(summary["ms_per_step"][key].get<double>() >= 0.0);
+    }
+    CHECK(summary["counters"]["contacts"] == summary["contacts"]);
+    CHECK(summary["memory_bytes"]["total"].get<double>() > 1000.0);
     CHECK_FALSE(fs::exists(out / "frames"));
+}
+
+TEST_CASE("events.csv tells what began, ended and fell asleep; --contacts has every point of every step") {
+    const Folder folder;
+    const fs::path out = folder / "out", file = folder / "contacts.csv";
+    const Answer answer = run_tumble({"run", small_scene_file(folder), "--duration", "4", "--no-frames", "-o",
+                                      out.string(), "--contacts", file.string(), "--json"});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const std::vector<std::string> events = lines_of(out / "events.csv");
+    CHECK(events[0] == "step,time,event,a,b,x,y,nx,ny,speed");
+    const auto count = [&](const std::string& kind) {
+        return std::ranges::count_if(events, [&](const std::string& line) { return line.find(kind) != std::string::npos; });
+    };
+    CHECK(count(",contact_begin,ground,ball,") >= 1);
+    // Who touches at the end has begun once more often than it has ended.
+    const std::vector<std::string> contacts = lines_of(file);
+    CHECK(contacts[0] == "step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse");
+    const json summary = json::parse(answer.out);
+    CHECK(count(",contact_begin,") - count(",contact_end,") <= summary["contacts"].get<int>());
+    const auto at_end = std::ranges::count_if(contacts, [](const std::string& line) { return line.starts_with("240,"); });
+    CHECK(at_end == summary["counters"]["contact_points"].get<int>());
+    for (const std::string& line : contacts) CHECK(std::ranges::count(line, ',') == 10);
+    for (const std::string& line : events) CHECK(std::ranges::count(line, ',') == 9);
+}
+
+TEST_CASE("an overlay changes the frames, and an unknown part of one is refused with the list") {
+    const Folder folder;
+    const std::string scene = small_scene_file(folder);
+    const auto shoot = [&](const std::string& name, const std::string& overlay) {
+        const std::string file = (folder / name).string();
+        std::vector<std::string> arguments{"shot", scene, "--at", "1", "--size", "320x180", "-o", file};
+        if (!overlay.empty()) arguments.insert(arguments.end(), {"--overlay", overlay});
+        const Answer answer = run_tumble(arguments);
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        return read_text(file);
+    };
+    const std::string plain = shoot("plain.png", "");
+    for (const char* part : {"contacts", "normals", "aabbs", "islands", "velocity", "joints"}) {
+        CAPTURE(part);
+        CHECK(shoot(std::string(part) + ".png", part) != plain);
+    }
+    CHECK(shoot("two.png", "contacts,normals") != shoot("one.png", "contacts"));
+    const Answer refused = run_tumble({"run", scene, "--overlay", "contacts,forces"});
+    CHECK(refused.code == 2);
+    CHECK(refused.err.find("contacts,normals,aabbs,islands,velocity,joints") != std::string::npos);
 }
 
 TEST_CASE("two runs give the same hash after each step") {

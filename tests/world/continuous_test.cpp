@@ -155,3 +155,27 @@ TEST_CASE("a long rod that spins fast is stopped by a thin pillar") {
         CHECK(turn < kPi / 2.0 + 0.01);  // the pillar stands at a quarter turn
     }
 }
+
+TEST_CASE("a body that is stopped on its way begins to touch in that step, with the speed that it came with") {
+    World world = weightless();
+    const BodyId wall = add_static(world, {10.0, 0.0}, make_box({0.01f, 40.0f}));
+    const BodyId first = shoot(world, make_circle(0.05f), {0.0, 0.0}, {400.0f, 0.0f}, 0.0f, false);
+    const BodyId left = shoot(world, make_circle(0.05f), {-3.0, 5.0}, {300.0f, 0.0f}, 0.0f, true);
+    const BodyId right = shoot(world, make_circle(0.05f), {3.0, 5.0}, {-300.0f, 0.0f}, 0.0f, true);
+    int begins = 0;
+    for (int step = 0; step < 4; ++step) {
+        world.step();
+        for (const ContactBegin& begin : world.events().contact_begins) {
+            ++begins;
+            const BodyId a = world.body(begin.shape_a), b = world.body(begin.shape_b);
+            const bool at_wall = a == wall && b == first;
+            CHECK((at_wall || (a == left && b == right)));
+            CHECK(begin.approach_speed == doctest::Approx(at_wall ? 400.0 : 600.0).epsilon(1e-6));
+            // 9.945 m at 400 m/s are 1.49 steps, 5.9 m at 600 m/s 0.59: the first and the second step.
+            CHECK(step == (at_wall ? 1 : 0));
+            CHECK(std::abs(begin.point.x - (at_wall ? 9.995 : 0.0)) < 0.01);
+        }
+        CHECK(world.events().contact_ends.size() <= 1);
+    }
+    CHECK(begins == 2);
+}

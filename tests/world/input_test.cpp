@@ -57,7 +57,7 @@ TEST_CASE("definitions out of range are refused with the value") {
           }) == "body velocity must be finite, got (nan, 1)");
     CHECK(refusal([&] {
               world.set_velocity(other, {1.0f, 1.0f}, 0.0f);
-          }) == "body 1 is static: it has no velocity to set");
+          }) == "body 1 is static or disabled: it has no velocity to set");
     CHECK(refusal([&] { world.create_joint(DistanceJointDef{.body_a = body, .body_b = other, .length = 0.0f}); }) ==
           "joint length must be finite and greater than 0, got 0");
     CHECK(refusal([&] { world.create_joint(RevoluteJointDef{.body_a = body, .body_b = body}); }) ==

@@ -1,0 +1,148 @@
+#include "render/overlay.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "render/shape_primitives.hpp"
+#include "render/style.hpp"
+
+namespace tumble::render {
+namespace {
+
+// Strong colours, apart from those of bodies and from each other.
+constexpr Color kDeep{205, 45, 40};
+constexpr Color kApart{35, 105, 205};
+constexpr Color kNormal{10, 115, 75};
+constexpr Color kBoxEdge{135, 85, 190};
+constexpr Color kVelocity{190, 85, 0};
+constexpr Color kTie{165, 30, 115};
+
+// Lengths in pixels at 720 rows.
+constexpr double kDot = 3.2;
+constexpr double kNormalLength = 20.0;
+constexpr double kThin = 1.0;
+constexpr double kMarkWidth = 1.8;
+constexpr double kHead = 6.0;
+
+constexpr double kVelocityTime = 0.1;  // s: an arrow is as long as the way made in this time
+constexpr double kAsleep = 0.65;       // share of the background in the colour of an island that sleeps
+
+class Marks {
+public:
+    Marks(Layer& layer, const View& view) : layer_(layer), view_(view) {}
+
+    double pixels(double at_720_rows) const { return at_720_rows * view_.detail(); }
+
+    void dot(DVec2 at, Color color) {
+        const double radius = pixels(kDot);
+        if (!view_.sees(at, radius)) return;
+        layer_.circles.push_back(
+            {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(radius), {color, style::kBackground}});
+    }
+
+    void line(DVec2 from, DVec2 to, double width, Color color) {
+        add_line(layer_, view_, from, to, pixels(width), color);
+    }
+
+    // The head is no longer than half the arrow; what is shorter than a line is wide is left out.
+    void arrow(DVec2 from, DVec2 to, Color color) {
+        const DVec2 way = to - from;
+        const double size = length(way);
+        if (size < pixels(kMarkWidth)) return;
+        line(from, to, kMarkWidth, color);
+        const DVec2 back = (std::min(pixels(kHead), 0.5 * size) / size) * way;
+        for (const double side : {-0.6, 0.6}) line(to, to - back + side * perp(back), kMarkWidth, color);
+    }
+
+private:
+    Layer& layer_;
+    const View& view_;
+};
+
+void add_boxes(Marks& marks, const View& view, const World& world) {
+    for (const BodyId body : world.bodies())
+        for (const ShapeId shape : world.shapes(body)) {
+            const Aabb box = bounds(world.shape(shape), world.state(body).pose);
+            const DVec2 low = view.to_pixels(DVec2(box.lower)), high = view.to_pixels(DVec2(box.upper));
+            const DVec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
+            for (int i = 0; i < 4; ++i) marks.line(corners[i], corners[(i + 1) % 4], kThin, kBoxEdge);
+        }
+}
+
+void add_islands(Layer& layer, const View& view, const World& world) {
+    const std::vector<int> islands = world.islands();
+    for (std::size_t i = 0; i < islands.size(); ++i) {
+        if (islands[i] < 0) continue;
+        const BodyId body = world.bodies()[i];
+        const Color awake = style::kBodies[static_cast<std::size_t>(islands[i]) % style::kBodies.size()];
+        const Color color = world.is_awake(body) ? awake : mix(awake, style::kBackground, kAsleep);
+        const Paint paint{color, mix(awake, style::kInk, style::kOutlineShare)};
+        for (const ShapeId shape : world.shapes(body))
+            add_shape(layer, view, world.shape(shape), world.state(body).pose, paint, style::kSegment * view.detail());
+    }
+}
+
+void add_contacts(Marks& marks, const View& view, const World& world, const Overlay& overlay) {
+    for (const ContactPoint& point : world.contacts()) {
+        const DVec2 at = view.to_pixels(point.point);
+        if (overlay.normals) marks.arrow(at, at + marks.pixels(kNormalLength) * DVec2(point.normal), kNormal);
+        if (overlay.contacts) marks.dot(at, point.separation < 0.0f ? kDeep : kApart);
+    }
+}
+
+void add_velocities(Marks& marks, const View& view, const World& world) {
+    for (const BodyId body : world.bodies()) {
+        const BodyState state = world.state(body);
+        const DVec2 center = transform_point(state.pose, world.mass(body).center);
+        marks.arrow(view.to_pixels(center), view.to_pixels(center + kVelocityTime * DVec2(state.velocity)), kVelocity);
+    }
+}
+
+struct AddTies {
+    Marks& marks;
+    const View& view;
+    const World& world;
+
+    void operator()(const FilterJointDef&) const {}
+    void operator()(const auto& joint) const {
+        tie(joint.body_a, joint.anchor_a);
+        tie(joint.body_b, joint.anchor_b);
+    }
+    // A static body's origin says nothing: only its anchor is marked.
+    void tie(BodyId body, Vec2 anchor) const {
+        const Pose pose = world.state(body).pose;
+        const DVec2 at = view.to_pixels(transform_point(pose, anchor));
+        if (world.type(body) != BodyType::static_body)
+            marks.line(view.to_pixels(transform_point(pose, world.mass(body).center)), at, kMarkWidth, kTie);
+        marks.dot(at, kTie);
+    }
+};
+
+}  // namespace
+
+void add_overlay(Layer& layer, const View& view, const World& world, const Overlay& overlay) {
+    Marks marks(layer, view);
+    if (overlay.islands) add_islands(layer, view, world);
+    if (overlay.aabbs) add_boxes(marks, view, world);
+    if (overlay.joints)
+        for (const JointId id : world.joints()) std::visit(AddTies{marks, view, world}, world.joint(id));
+    if (overlay.velocity) add_velocities(marks, view, world);
+    if (overlay.contacts || overlay.normals) add_contacts(marks, view, world, overlay);
+}
+
+std::vector<LegendLine> legend_of(const Overlay& overlay) {
+    using Mark = LegendLine::Mark;
+    std::vector<LegendLine> lines;
+    if (overlay.contacts) {
+        lines.push_back({Mark::dot, kDeep, "contact, overlapping"});
+        lines.push_back({Mark::dot, kApart, "contact, a gap left"});
+    }
+    if (overlay.normals) lines.push_back({Mark::line, kNormal, "normal, from A to B"});
+    if (overlay.aabbs) lines.push_back({Mark::line, kBoxEdge, "bounding box"});
+    if (overlay.islands) lines.push_back({Mark::area, style::kBodies[0], "island: a colour each, pale asleep"});
+    if (overlay.velocity) lines.push_back({Mark::line, kVelocity, "velocity: the way of 0.1 s"});
+    if (overlay.joints) lines.push_back({Mark::line, kTie, "joint, to its bodies"});
+    return lines;
+}
+
+}  // namespace tumble::render

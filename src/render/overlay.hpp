@@ -1,0 +1,25 @@
+// What the stepper knows, drawn over the shapes: contact points, normals, boxes, islands, velocities, joints.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/primitives.hpp"
+#include "render/view.hpp"
+#include "tumble/render.hpp"
+#include "tumble/scene.hpp"
+
+namespace tumble::render {
+
+void add_overlay(Layer& layer, const View& view, const World& world, const Overlay& overlay);
+
+// A line of the legend: what a mark of this colour means.
+struct LegendLine {
+    enum class Mark { dot, line, area };
+    Mark mark;
+    Color color;
+    std::string text;
+};
+std::vector<LegendLine> legend_of(const Overlay& overlay);
+
+}  // namespace tumble::render

@@ -1,0 +1,52 @@
+#include "world/island_numbers.hpp"
+
+namespace tumble {
+
+namespace {
+
+// Sleeping bodies have no solver body: sets are made of body indices here, for all bodies alike.
+class IslandNumbers {
+public:
+    explicit IslandNumbers(const Simulation& simulation) : simulation_(simulation) {
+        sets_.reset(simulation.bodies.frames.size());
+        for (const Contact& contact : simulation.contacts.all()) tie(contact);
+        for (const Contact& contact : simulation.contacts.woken()) tie(contact);
+        for (const SleepingIsland& island : simulation.sleeping.all())
+            for (const Contact& contact : island.contacts) tie(contact);
+        for (const JointId id : simulation.joints.ids.live()) {
+            const JointDef& joint = simulation.joints.def(id);
+            tie(joint_body_a(joint).index, joint_body_b(joint).index);
+        }
+    }
+
+    std::vector<int> number() {
+        std::vector<int> of_root(simulation_.bodies.frames.size(), -1), numbers;
+        int count = 0;
+        for (const BodyId id : simulation_.bodies.ids.live()) {
+            int& number = of_root[sets_.root(id.index)];
+            const bool has_one = simulation_.bodies.is_dynamic(id.index);
+            if (has_one && number < 0) number = count++;
+            numbers.push_back(has_one ? number : -1);
+        }
+        return numbers;
+    }
+
+private:
+    void tie(const Contact& contact) {
+        if (contact.manifold.point_count > 0 && simulation_.is_live(contact.shapes)) tie(contact.body_a, contact.body_b);
+    }
+    void tie(std::uint32_t a, std::uint32_t b) {
+        if (simulation_.bodies.is_dynamic(a) && simulation_.bodies.is_dynamic(b)) sets_.join(a, b);
+    }
+
+    const Simulation& simulation_;
+    IslandFinder sets_;
+};
+
+}  // namespace
+
+std::vector<int> find_island_numbers(const Simulation& simulation) {
+    return IslandNumbers(simulation).number();
+}
+
+}  // namespace tumble

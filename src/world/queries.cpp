@@ -1,0 +1,213 @@
+#include "world/queries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tumble/cast.hpp"
+#include "tumble/compound.hpp"
+
+namespace tumble {
+
+namespace {
+
+// Boxes in the tree hold their shapes, but what is asked of them is computed in double and rounds: by a few ulp of the
+// coordinates, which this is far above and no box of a shape near.
+constexpr double kBoxTolerance = 1e-12;
+
+double room_for_rounding(const Aabb& box, DVec2 from) {
+    const double largest = std::max({std::abs(static_cast<double>(box.lower.x)), std::abs(static_cast<double>(box.lower.y)),
+                                     std::abs(static_cast<double>(box.upper.x)), std::abs(static_cast<double>(box.upper.y)),
+                                     std::abs(from.x), std::abs(from.y)});
+    return kBoxTolerance * largest;
+}
+
+bool is_seen(const Simulation& simulation, std::uint32_t shape, const QueryFilter& filter) {
+    const ShapeRecord& record = simulation.shapes[shape];
+    return (filter.sensors || !record.is_sensor) && may_meet(filter.shape, record.filter) &&
+           simulation.bodies.ids.at(record.body) != filter.except;
+}
+
+const Pose& pose_of(const Simulation& simulation, std::uint32_t shape) {
+    return simulation.bodies.frames[simulation.shapes[shape].body].pose;
+}
+
+ShapeId shape_id(const Simulation& simulation, std::uint32_t shape) {
+    return simulation.shapes.ids.at(shape);
+}
+
+BodyId body_id(const Simulation& simulation, std::uint32_t shape) {
+    return simulation.bodies.ids.at(simulation.shapes[shape].body);
+}
+
+// The boxes that a box meets on its way: those that the way of a point meets when they are grown by it. Clips the way to
+// a slab an axis.
+class SweptBox {
+public:
+    SweptBox(DVec2 from, DVec2 way, DVec2 half) : from_(from), way_(way), half_(half) {}
+
+    // No later than at a fraction of the way.
+    bool meets(const Aabb& box, double last) const {
+        const double room = room_for_rounding(box, from_);
+        double first = 0.0;
+        return clip(from_.x, way_.x, half_.x + room, box.lower.x, box.upper.x, first, last) &&
+               clip(from_.y, way_.y, half_.y + room, box.lower.y, box.upper.y, first, last);
+    }
+
+private:
+    static bool clip(double from, double way, double grown, double lower, double upper, double& first, double& last) {
+        const double to_lower = lower - grown - from, to_upper = upper + grown - from;
+        if (way == 0.0) return to_lower <= 0.0 && to_upper >= 0.0;
+        // A few ulp of the fractions themselves are room enough for the divisions.
+        constexpr double kRoom = 1e-15;
+        const double a = to_lower / way, b = to_upper / way;
+        first = std::max(first, std::min(a, b) - kRoom);
+        last = std::min(last, std::max(a, b) + kRoom);
+        return first <= last;
+    }
+
+    DVec2 from_, way_, half_;
+};
+
+bool is_before(const CastHit& a, const CastHit& b) {
+    return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape < b.shape;
+}
+
+std::optional<CastHit> meet_by_ray(const Simulation& simulation, std::uint32_t shape, DVec2 origin, DVec2 way) {
+    const CastResult cast = cast_ray(simulation.shapes[shape].shape, pose_of(simulation, shape), origin, way);
+    if (cast.status != CastStatus::hit) return std::nullopt;
+    return CastHit{shape_id(simulation, shape), body_id(simulation, shape), cast.fraction, cast.point, cast.normal};
+}
+
+std::optional<CastHit> meet_by_shape(const Simulation& simulation, std::uint32_t other, const Shape& shape,
+                                     const Pose& pose, DVec2 way) {
+    const CastResult cast =
+        cast_shape(simulation.shapes[other].shape, pose_of(simulation, other), shape, pose, way);
+    const bool inside = cast.status == CastStatus::overlapping;
+    if (!inside && cast.status != CastStatus::hit) return std::nullopt;
+    CastHit hit{shape_id(simulation, other), body_id(simulation, other), cast.fraction, cast.point, cast.normal, inside};
+    if (inside) hit.fraction = 0.0;
+    return hit;
+}
+
+// The first of the hits that meet(shape) gives along a way.
+template <class Meet>
+std::optional<CastHit> find_first(const Simulation& simulation, const SweptBox& swept, const QueryFilter& filter,
+                                  Meet&& meet) {
+    std::optional<CastHit> first;
+    double last = 1.0;
+    simulation.broad.search([&](const Aabb& box) { return swept.meets(box, last); },
+                            [&](std::uint32_t shape) {
+                                if (!is_seen(simulation, shape, filter)) return;
+                                const std::optional<CastHit> hit = meet(shape);
+                                if (!hit || (first && !is_before(*hit, *first))) return;
+                                first = hit;
+                                last = hit->fraction;
+                            });
+    return first;
+}
+
+}  // namespace
+
+std::optional<CastHit> find_ray_hit(const Simulation& simulation, DVec2 origin, DVec2 translation,
+                                    const QueryFilter& filter) {
+    return find_first(simulation, SweptBox(origin, translation, {}), filter, [&](std::uint32_t shape) {
+        return meet_by_ray(simulation, shape, origin, translation);
+    });
+}
+
+std::vector<CastHit> find_ray_hits(const Simulation& simulation, DVec2 origin, DVec2 translation,
+                                   const QueryFilter& filter) {
+    const SweptBox swept(origin, translation, {});
+    std::vector<CastHit> hits;
+    simulation.broad.search([&](const Aabb& box) { return swept.meets(box, 1.0); },
+                            [&](std::uint32_t shape) {
+                                if (!is_seen(simulation, shape, filter)) return;
+                                if (const auto hit = meet_by_ray(simulation, shape, origin, translation))
+                                    hits.push_back(*hit);
+                            });
+    std::sort(hits.begin(), hits.end(), is_before);
+    return hits;
+}
+
+std::optional<CastHit> find_shape_hit(const Simulation& simulation, const Shape& shape, const Pose& pose,
+                                      DVec2 translation, const QueryFilter& filter) {
+    const Aabb box = bounds(shape, pose);
+    const DVec2 lower(box.lower), upper(box.upper);
+    const SweptBox swept(0.5 * (lower + upper), translation, 0.5 * (upper - lower));
+    return find_first(simulation, swept, filter, [&](std::uint32_t other) {
+        return meet_by_shape(simulation, other, shape, pose, translation);
+    });
+}
+
+std::vector<ShapeId> find_overlaps(const Simulation& simulation, const Shape& shape, const Pose& pose,
+                                   const QueryFilter& filter) {
+    std::vector<ShapeId> found;
+    simulation.broad.query(bounds(shape, pose), [&](std::uint32_t other) {
+        if (!is_seen(simulation, other, filter)) return;
+        const DistanceResult gap = distance(simulation.shapes[other].shape, pose_of(simulation, other), shape, pose);
+        if (gap.status == DistanceStatus::overlapping || gap.status == DistanceStatus::touching)
+            found.push_back(shape_id(simulation, other));
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+std::vector<ShapeId> find_overlaps(const Simulation& simulation, DVec2 lower, DVec2 upper, const QueryFilter& filter) {
+    // Compared in double: a box that rounded its corners to float would see too much or too little far out.
+    const auto meets = [&](const Aabb& box) {
+        return box.lower.x <= upper.x && lower.x <= box.upper.x && box.lower.y <= upper.y && lower.y <= box.upper.y;
+    };
+    std::vector<ShapeId> found;
+    simulation.broad.search(meets, [&](std::uint32_t shape) {
+        if (is_seen(simulation, shape, filter) && meets(bounds(simulation.shapes[shape].shape, pose_of(simulation, shape))))
+            found.push_back(shape_id(simulation, shape));
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+std::optional<ClosestHit> find_closest(const Simulation& simulation, DVec2 point, double max_distance,
+                                       const QueryFilter& filter) {
+    const Shape probe = make_circle(0.0f);
+    const Pose at_point{point, {}};
+    std::optional<ClosestHit> best;
+    double limit = max_distance;
+    const auto may_hold = [&](const Aabb& box) {
+        const double x = std::max({box.lower.x - point.x, 0.0, point.x - box.upper.x});
+        const double y = std::max({box.lower.y - point.y, 0.0, point.y - box.upper.y});
+        // Inside several shapes all of them count: below 0 the limit excludes no box that holds the point.
+        return length(DVec2{x, y}) <= std::max(limit, 0.0) + room_for_rounding(box, point);
+    };
+    simulation.broad.search(may_hold, [&](std::uint32_t shape) {
+        if (!is_seen(simulation, shape, filter)) return;
+        const DistanceResult gap = distance(simulation.shapes[shape].shape, pose_of(simulation, shape), probe, at_point);
+        if (gap.status == DistanceStatus::invalid || gap.distance > limit) return;
+        const ShapeId id = shape_id(simulation, shape);
+        if (best && gap.distance == limit && best->shape < id) return;
+        best = ClosestHit{id, body_id(simulation, shape), gap.distance, gap.point_a, gap.normal};
+        limit = gap.distance;
+    });
+    return best;
+}
+
+BodyDistance find_distance(const Simulation& simulation, BodyId a, BodyId b) {
+    std::vector<Shape> shapes[2];
+    std::vector<ShapeId> ids[2];
+    const BodyId bodies[2] = {a, b};
+    for (int side = 0; side < 2; ++side)
+        for (const ShapeId id : simulation.bodies.records[bodies[side].index].shapes)
+            if (!simulation.shapes[id.index].is_sensor) {
+                shapes[side].push_back(simulation.shapes[id.index].shape);
+                ids[side].push_back(id);
+            }
+    const CompoundDistance found =
+        compound_distance(shapes[0], simulation.bodies.frames[a.index].pose, shapes[1], simulation.bodies.frames[b.index].pose);
+    BodyDistance result{found.nearest, {}, {}};
+    if (found.part_a < 0) return result;
+    result.shape_a = ids[0][static_cast<std::size_t>(found.part_a)];
+    result.shape_b = ids[1][static_cast<std::size_t>(found.part_b)];
+    return result;
+}
+
+}  // namespace tumble

@@ -1,0 +1,254 @@
+#include "world/snapshot.hpp"
+
+#include <bit>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "world/validate.hpp"
+#include "world/visit_members.hpp"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace tumble {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "numbers are copied as they lie in memory");
+
+constexpr char kMagic[8] = {'t', 'u', 'm', 'b', 'l', 'e', 'W', '\n'};
+
+// To be raised with every change of what is saved: a member more or less anywhere in the state.
+constexpr std::uint32_t kVersion = 1;
+
+constexpr std::size_t kHeaderBytes = sizeof kMagic + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
+
+template <class Parts, class Visit>
+void visit_state(Parts& parts, Visit&& visit) {
+    auto& simulation = parts.simulation;
+    visit(parts.def, parts.step_count, parts.diverged_body, simulation.bodies, simulation.shapes, simulation.joints,
+          simulation.broad, simulation.contacts, simulation.sleeping, simulation.events,
+          simulation.contact_counts, simulation.filters_changed);
+}
+
+class Writer {
+public:
+    template <class T>
+    void leaf(T value) {
+        const std::size_t at = bytes_.size();
+        bytes_.resize(at + sizeof value);
+        std::memcpy(bytes_.data() + at, &value, sizeof value);
+    }
+
+    template <class T>
+    void list(const std::vector<T>& values) {
+        leaf(std::uint64_t{values.size()});
+        for (const T& value : values) visit_value(*this, value);
+    }
+
+    template <class T>
+    void optional(const std::optional<T>& value) {
+        leaf(value.has_value());
+        if (value) visit_value(*this, *value);
+    }
+
+    template <class... T>
+    void variant(const std::variant<T...>& value) {
+        leaf(static_cast<std::uint8_t>(value.index()));
+        std::visit([&](const auto& alternative) { visit_value(*this, alternative); }, value);
+    }
+
+    void shape(const Shape& shape) {
+        leaf(std::int32_t{shape.vertex_count()});
+        leaf(shape.radius());
+        for (int i = 0; i < shape.vertex_count(); ++i) {
+            leaf(shape.vertex(i).x);
+            leaf(shape.vertex(i).y);
+        }
+    }
+
+    std::vector<std::byte> take() { return std::move(bytes_); }
+
+private:
+    std::vector<std::byte> bytes_;
+};
+
+class Reader {
+public:
+    explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    template <class T>
+    void leaf(T& value) {
+        take(sizeof value);
+        if constexpr (std::is_same_v<T, bool>) {
+            const auto byte = std::to_integer<unsigned>(bytes_[at_ - 1]);
+            require(byte <= 1, "a truth value is neither");
+            value = byte == 1;
+        } else {
+            std::memcpy(&value, bytes_.data() + at_ - sizeof value, sizeof value);
+        }
+    }
+
+    template <class T>
+    void list(std::vector<T>& values) {
+        std::uint64_t size = 0;
+        leaf(size);
+        // Every element has at least one byte: a damaged size cannot ask for more memory than the file's own scale.
+        require(std::is_empty_v<T> || size <= bytes_.size() - at_, "a list is longer than the snapshot");
+        values.assign(static_cast<std::size_t>(size), T{});
+        for (T& value : values) visit_value(*this, value);
+    }
+
+    template <class T>
+    void optional(std::optional<T>& value) {
+        bool has_value = false;
+        leaf(has_value);
+        value.reset();
+        if (has_value) visit_value(*this, value.emplace());
+    }
+
+    template <class... T>
+    void variant(std::variant<T...>& value) {
+        std::uint8_t index = 0;
+        leaf(index);
+        require(index < sizeof...(T), "a joint is of no kind");
+        emplace(value, index, std::index_sequence_for<T...>{});
+        std::visit([&](auto& alternative) { visit_value(*this, alternative); }, value);
+    }
+
+    void shape(Shape& shape) {
+        std::int32_t count = 0;
+        float radius = 0.0f;
+        leaf(count);
+        leaf(radius);
+        require(count >= 0 && count <= Shape::kMaxVertices, "a shape has too many vertices");
+        std::vector<Vec2> vertices(static_cast<std::size_t>(count));
+        for (Vec2& vertex : vertices) {
+            leaf(vertex.x);
+            leaf(vertex.y);
+        }
+        shape = Shape::from_raw(vertices, radius);
+    }
+
+    bool is_at_end() const { return at_ == bytes_.size(); }
+
+    static void require(bool holds, const char* problem) {
+        if (!holds) throw SnapshotError(std::string("snapshot: ") + problem);
+    }
+
+private:
+    void take(std::size_t size) {
+        require(size <= bytes_.size() - at_, "it ends too early");
+        at_ += size;
+    }
+
+    template <class Variant, std::size_t... index>
+    static void emplace(Variant& value, std::uint8_t wanted, std::index_sequence<index...>) {
+        (void)((index == wanted && (value.template emplace<index>(), true)) || ...);
+    }
+
+    std::span<const std::byte> bytes_;
+    std::size_t at_ = 0;
+};
+
+// Adds up what vectors have allocated.
+class MemoryCounter {
+public:
+    template <class T>
+    void leaf(const T&) {}
+    template <class T>
+    void list(const std::vector<T>& values) {
+        bytes_ += values.capacity() * sizeof(T);
+        if constexpr (!std::is_trivially_copyable_v<T>)
+            for (const T& value : values) visit_value(*this, value);
+    }
+    template <class T>
+    void optional(const std::optional<T>& value) {
+        if (value) visit_value(*this, *value);
+    }
+    template <class... T>
+    void variant(const std::variant<T...>& value) {
+        std::visit([&](const auto& alternative) { visit_value(*this, alternative); }, value);
+    }
+    void shape(const Shape& shape) {
+        if (!shape.large()) return;
+        bytes_ += sizeof(LargePolygon);
+        list(shape.large()->x);
+        list(shape.large()->y);
+        list(shape.large()->edge_angles);
+    }
+
+    std::size_t bytes() const { return bytes_; }
+
+private:
+    std::size_t bytes_ = 0;
+};
+
+template <class... Part>
+std::size_t bytes_of(const Part&... part) {
+    MemoryCounter counter;
+    (visit_value(counter, part), ...);
+    return counter.bytes();
+}
+
+}  // namespace
+
+std::vector<std::byte> write_snapshot(const SnapshotParts& parts) {
+    Writer payload;
+    visit_state(parts, [&](const auto&... part) { (visit_value(payload, part), ...); });
+    const std::vector<std::byte> state = payload.take();
+    Writer snapshot;
+    for (const char letter : kMagic) snapshot.leaf(letter);
+    snapshot.leaf(kVersion);
+    snapshot.leaf(std::uint64_t{state.size()});
+    snapshot.leaf(std::uint64_t{XXH64(state.data(), state.size(), 0)});
+    std::vector<std::byte> bytes = snapshot.take();
+    bytes.insert(bytes.end(), state.begin(), state.end());
+    return bytes;
+}
+
+void read_snapshot(std::span<const std::byte> bytes, const SnapshotParts& parts) {
+    Reader header(bytes);
+    char magic[sizeof kMagic];
+    for (char& letter : magic) header.leaf(letter);
+    Reader::require(std::memcmp(magic, kMagic, sizeof kMagic) == 0, "these bytes are none");
+    std::uint32_t version = 0;
+    header.leaf(version);
+    if (version != kVersion)
+        throw SnapshotError("snapshot: it has version " + std::to_string(version) + ", this build reads version " +
+                            std::to_string(kVersion));
+    std::uint64_t size = 0, hash = 0;
+    header.leaf(size);
+    header.leaf(hash);
+    const std::span<const std::byte> state = bytes.subspan(kHeaderBytes);
+    if (size != state.size())
+        throw SnapshotError("snapshot: it has " + std::to_string(state.size()) + " bytes of state, not the " +
+                            std::to_string(size) + " that it says");
+    Reader::require(hash == XXH64(state.data(), state.size(), 0), "it is damaged: the checksum does not fit");
+
+    Reader payload(state);
+    visit_state(parts, [&](auto&... part) { (visit_value(payload, part), ...); });
+    Reader::require(payload.is_at_end(), "it has more bytes than its state");
+    try {
+        validate(parts.simulation);
+    } catch (const std::logic_error& broken) {
+        throw SnapshotError(std::string("snapshot: its state is broken: ") + broken.what());
+    }
+}
+
+WorldMemory count_memory(const Simulation& simulation) {
+    WorldMemory memory;
+    memory.bodies = bytes_of(simulation.bodies);
+    memory.shapes = bytes_of(simulation.shapes);
+    memory.joints = bytes_of(simulation.joints);
+    memory.broad_phase = bytes_of(simulation.broad);
+    memory.contacts = bytes_of(simulation.contacts, simulation.sleeping) + simulation.contacts.spare_bytes();
+    memory.solver = simulation.graph.bytes() + simulation.blocks.capacity() * sizeof(ContactBlock);
+    memory.other = bytes_of(simulation.events) + simulation.movers.capacity() * sizeof(Mover) +
+                   simulation.sleepers.capacity() * sizeof(Sleeper);
+    return memory;
+}
+
+}  // namespace tumble

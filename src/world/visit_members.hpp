@@ -1,0 +1,61 @@
+// Walks a value down to its numbers, whatever it is made of: one traversal for writing, reading and counting memory.
+//
+// A visitor has leaf(number), shape(Shape), list(vector), optional(optional) and variant(variant). Classes with private
+// members, and structs with C arrays, list their members in a static visit_members(self, visit).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "tumble/manifold.hpp"
+#include "tumble/math.hpp"
+#include "tumble/shape.hpp"
+#include "world/aggregate.hpp"
+
+namespace tumble {
+
+namespace detail {
+
+template <class T>
+inline constexpr int kTemplate = 0;
+template <class T>
+inline constexpr int kTemplate<std::vector<T>> = 1;
+template <class T>
+inline constexpr int kTemplate<std::optional<T>> = 2;
+template <class... T>
+inline constexpr int kTemplate<std::variant<T...>> = 3;
+template <class T, std::size_t n>
+inline constexpr int kTemplate<std::array<T, n>> = 4;
+
+}  // namespace detail
+
+template <class Visitor, class T>
+void visit_value(Visitor& visitor, T& value) {
+    using Plain = std::remove_const_t<T>;
+    const auto visit_all = [&](auto&... members) { (visit_value(visitor, members), ...); };
+    if constexpr (std::is_arithmetic_v<Plain> || std::is_enum_v<Plain>)
+        visitor.leaf(value);
+    else if constexpr (std::is_same_v<Plain, Shape>)
+        visitor.shape(value);
+    else if constexpr (detail::kTemplate<Plain> == 1)
+        visitor.list(value);
+    else if constexpr (detail::kTemplate<Plain> == 2)
+        visitor.optional(value);
+    else if constexpr (detail::kTemplate<Plain> == 3)
+        visitor.variant(value);
+    else if constexpr (detail::kTemplate<Plain> == 4 || std::is_array_v<Plain>)
+        for (auto& element : value) visit_value(visitor, element);
+    else if constexpr (requires { Plain::visit_members(value, visit_all); })
+        Plain::visit_members(value, visit_all);
+    else if constexpr (std::is_same_v<Plain, DVec2>)
+        visit_all(value.x, value.y);
+    else if constexpr (std::is_same_v<Plain, Manifold>)
+        visit_all(value.normal, value.point_count, value.points);
+    else
+        visit_fields_of(value, visit_all);
+}
+
+}  // namespace tumble

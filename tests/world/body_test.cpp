@@ -1,0 +1,339 @@
+// What can be done to bodies and shapes between steps.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/worlds.hpp"
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+const Shape kBox = make_box({1.0f, 1.0f});
+
+// Rounding of a step's sums, relative to the values: 60 steps of 4 sub-steps, half an ulp each.
+constexpr double kRounding = 240.0 * 0x1p-24;
+
+BodyId add_locked(World& world, DVec2 position, BodyLocks locks, const Shape& shape = kBox) {
+    BodyDef def;
+    def.pose.position = position;
+    def.locks = locks;
+    const BodyId id = world.create_body(def);
+    world.add_shape(id, {shape});
+    return id;
+}
+
+bool touches(const World& world, BodyId a, BodyId b) {
+    for (const ContactPoint& point : world.contacts())
+        if ((point.body_a == a && point.body_b == b) || (point.body_a == b && point.body_b == a)) return true;
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("a locked axis keeps its coordinate whatever pushes, and the other one is free") {
+    World world;
+    add_floor(world);
+    const BodyId falls = add_locked(world, {0.25, 3.0}, {.x = true});
+    const BodyId hangs = add_locked(world, {5.25, 3.0}, {.y = true});
+    world.apply_impulse(falls, {50.0f, 0.0f}, {0.25, 3.2});
+    world.apply_impulse(hangs, {2.0f, 30.0f}, {5.25, 3.0});
+    run(world, 30);
+    CHECK(world.state(falls).pose.position.x == 0.25);
+    CHECK(world.state(falls).velocity.y == doctest::Approx(-5.0).epsilon(kRounding));
+    CHECK(world.state(hangs).pose.position.y == 3.0);
+    CHECK(world.state(hangs).velocity == Vec2{2.0f, 0.0f});
+}
+
+TEST_CASE("a body of fixed rotation stays upright where another would tip") {
+    World world;
+    add_floor(world);
+    const BodyId fixed = add_locked(world, {0.0, 1.0}, {.rotation = true}, make_box({0.4f, 2.0f}));
+    const BodyId free = add_dynamic(world, {5.0, 1.0}, make_box({0.4f, 2.0f}));
+    for (const BodyId body : {fixed, free}) {
+        const DVec2 top = world.state(body).pose.position + DVec2{0.0, 0.9};
+        world.apply_impulse(body, {2.0f, 0.0f}, top);
+    }
+    run(world, 120);
+    CHECK(world.state(fixed).pose.rotation == Rotation{});
+    CHECK(world.state(fixed).pose.position.y == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(std::abs(angle(world.state(free).pose.rotation)) > 1.0);
+}
+
+// The platform of weight 10 N m g cannot sink: the ball rests on it as on the ground. The softness leaves it the sag
+// g / w^2 of its own weight, w = 2 pi 30: 0.3 mm.
+TEST_CASE("a ball rests on a platform that is locked against falling") {
+    World world;
+    const BodyId platform = add_locked(world, {0.0, 0.0}, {.y = true, .rotation = true}, make_box({4.0f, 1.0f}));
+    const BodyId ball = add_dynamic(world, {0.0, 1.5}, make_circle(0.5f), {.density = 20.0f});
+    run(world, 120);
+    CHECK(world.state(platform).pose.position.y == 0.0);
+    CHECK(world.state(ball).pose.position.y == doctest::Approx(1.0).epsilon(0.002));
+    CHECK(std::abs(world.state(ball).velocity.y) < 1e-3);
+    CHECK(world.contacts().size() == 1);
+}
+
+// A slider by two locks and a hinge: the weight hangs from a body that only moves along x, and swings it.
+TEST_CASE("joints hold bodies that are locked along one axis") {
+    World world;
+    const BodyId trolley = add_locked(world, {0.0, 4.0}, {.y = true, .rotation = true});
+    const BodyId weight = add_dynamic(world, {1.2, 2.4}, make_circle(0.2f), {.density = 8.0f});
+    world.create_joint(RevoluteJointDef{.body_a = trolley, .body_b = weight, .anchor_b = {-1.2f, 1.6f}});
+    double farthest = 0.0;
+    for (int step = 0; step < 240; ++step) {
+        world.step();
+        const DVec2 apart = world.state(weight).pose.position - world.state(trolley).pose.position;
+        farthest = std::max(farthest, std::abs(length(apart) - 2.0));
+        CHECK(world.state(trolley).pose.position.y == 4.0);
+    }
+    CHECK(farthest < 0.01);
+    CHECK(std::abs(world.state(trolley).pose.position.x) > 0.01);  // it was pulled along
+}
+
+TEST_CASE("locks come and go: what is locked stops, what is free falls on") {
+    World world;
+    const BodyId body = add_dynamic(world, {0.0, 10.0}, kBox);
+    run(world, 30);
+    world.set_locks(body, {.x = true, .y = true, .rotation = true});
+    CHECK(world.state(body).velocity == Vec2{});
+    const DVec2 held = world.state(body).pose.position;
+    run(world, 30);
+    CHECK(world.state(body).pose.position == held);
+    world.set_locks(body, {});
+    run(world, 6);
+    CHECK(world.state(body).velocity.y == doctest::Approx(-1.0).epsilon(kRounding));
+}
+
+TEST_CASE("a body that is moved loses its contacts, wakes what it carried and finds new ones") {
+    World world;
+    add_floor(world);
+    const BodyId lower = add_dynamic(world, {0.0, 0.5}, kBox), upper = add_dynamic(world, {0.0, 1.5}, kBox);
+    const BodyId other = add_dynamic(world, {8.0, 0.5}, kBox);
+    run(world, 120);
+    REQUIRE_FALSE(world.is_awake(upper));
+    REQUIRE_FALSE(world.is_awake(other));
+    world.set_transform(lower, {{8.0, 1.5}, make_rotation(0.0)});
+    CHECK(world.is_awake(lower));
+    CHECK(world.is_awake(upper));
+    world.step();
+    CHECK_FALSE(touches(world, lower, upper));
+    CHECK(touches(world, lower, other));
+    CHECK(world.is_awake(other));
+    CHECK(world.events().contact_ends.size() == 2);    // the floor and the upper box
+    run(world, 120);
+    CHECK(world.state(upper).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
+    world.validate();
+}
+
+TEST_CASE("a static body that is moved away lets fall what leant on it, and wakes what it comes to") {
+    World world;
+    const BodyId shelf = add_static(world, {0.0, 0.0}, make_box({2.0f, 0.2f}));
+    add_floor(world);
+    const BodyId box = add_dynamic(world, {0.0, 0.6}, kBox), beside = add_dynamic(world, {10.0, 0.5}, kBox);
+    run(world, 120);
+    REQUIRE_FALSE(world.is_awake(box));
+    world.set_transform(shelf, {{11.3, 0.5}, {}});
+    CHECK(world.is_awake(box));
+    CHECK(world.is_awake(beside));
+    run(world, 120);
+    CHECK(world.state(box).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
+    CHECK(world.state(beside).pose.position.x == doctest::Approx(9.8).epsilon(0.002));  // pushed out to its edge
+}
+
+TEST_CASE("what is disabled is not there: nothing rests on it, its joints do not hold, no query sees it") {
+    World world;
+    add_floor(world);
+    const BodyId shelf = add_static(world, {0.0, 3.0}, make_box({4.0f, 0.2f}));
+    const BodyId box = add_dynamic(world, {0.0, 3.6}, kBox);
+    const BodyId bob = add_dynamic(world, {8.0, 5.0}, kBox);
+    world.create_joint(RevoluteJointDef{.body_a = shelf, .body_b = bob, .anchor_a = {8.0f, 2.0f}});
+    run(world, 90);
+    CHECK(world.state(bob).pose.position.y == doctest::Approx(5.0).epsilon(0.01));
+    world.set_enabled(shelf, false);
+    CHECK_FALSE(world.is_enabled(shelf));
+    CHECK_FALSE(world.cast_ray({1.5, 5.0}, {0.0, -3.0}));
+    world.step();
+    CHECK(world.events().contact_ends.size() == 1);
+    run(world, 120);
+    CHECK(world.state(box).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
+    CHECK(world.state(bob).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
+    world.validate();
+    world.set_enabled(shelf, true);
+    CHECK(world.cast_ray({1.5, 5.0}, {0.0, -3.0}));
+    run(world, 240);
+    CHECK(world.state(bob).pose.position.y == doctest::Approx(5.0).epsilon(0.02));  // the hinge pulled it up again
+}
+
+TEST_CASE("a disabled dynamic body stays where it is, and comes back at rest") {
+    World world;
+    const BodyId body = add_dynamic(world, {0.0, 10.0}, kBox);
+    run(world, 30);
+    const DVec2 place = world.state(body).pose.position;
+    world.set_enabled(body, false);
+    run(world, 30);
+    CHECK(world.state(body).pose.position == place);
+    CHECK(world.type(body) == BodyType::dynamic_body);
+    CHECK(world.mass(body).mass == 0.0f);
+    world.set_enabled(body, true);
+    run(world, 30);
+    CHECK(world.state(body).velocity.y == doctest::Approx(-5.0).epsilon(kRounding));
+}
+
+TEST_CASE("a body may change its type at any time") {
+    World world;
+    add_floor(world);
+    const BodyId body = add_dynamic(world, {0.0, 5.0}, kBox), load = add_dynamic(world, {0.0, 8.0}, kBox);
+    run(world, 20);
+    world.set_type(body, BodyType::static_body);
+    const DVec2 place = world.state(body).pose.position;
+    run(world, 120);
+    CHECK(world.state(body).pose.position == place);
+    CHECK(touches(world, body, load));
+    world.set_type(body, BodyType::kinematic_body);
+    world.set_velocity(body, {1.0f, 0.0f}, 0.0f);
+    run(world, 60);
+    CHECK(world.state(body).pose.position.x == doctest::Approx(1.0).epsilon(kRounding));
+    CHECK(world.state(load).pose.position.x > 0.5);  // carried by friction
+    world.set_type(body, BodyType::dynamic_body);
+    CHECK(world.mass(body).mass == 1.0f);
+    run(world, 180);
+    CHECK(world.state(body).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
+    world.validate();
+}
+
+// F = m a with the mass that was given: 6 N on 3 kg for a second.
+TEST_CASE("a mass that was set counts instead of the shapes'") {
+    World world = weightless();
+    BodyDef def;
+    def.mass = BodyMass{3.0f, {0.1f, 0.0f}, 2.0f};
+    const BodyId body = world.create_body(def);
+    world.add_shape(body, {kBox});
+    CHECK(world.mass(body) == *def.mass);
+    for (int step = 0; step < 60; ++step) {
+        world.apply_force(body, {6.0f, 0.0f}, world.state(body).pose.position + DVec2{0.1, 0.0});
+        world.step();
+    }
+    CHECK(world.state(body).velocity.x == doctest::Approx(2.0).epsilon(kRounding));
+    world.set_mass(body, std::nullopt);
+    CHECK(world.mass(body).mass == 1.0f);
+    CHECK(world.definition(body).mass == std::nullopt);
+}
+
+TEST_CASE("gravity, its scale and damping change between steps") {
+    World world;
+    const BodyId light = add_dynamic(world, {0.0, 0.0}, kBox), slow = add_dynamic(world, {5.0, 0.0}, kBox);
+    world.set_gravity_scale(light, 0.5f);
+    world.set_damping(slow, 2.0f, 0.0f);
+    run(world, 60);
+    CHECK(world.state(light).velocity.y == doctest::Approx(-5.0).epsilon(kRounding));
+    // v' = g - c v from rest: g / c (1 - e^(-c t)); implicit steps of h err by c h / 2 of it.
+    const double exact = -10.0 / 2.0 * (1.0 - std::exp(-2.0));
+    CHECK(world.state(slow).velocity.y == doctest::Approx(exact).epsilon(2.0 / 240.0));
+    world.set_gravity({0.0f, 5.0f});
+    CHECK(world.def().gravity == Vec2{0.0f, 5.0f});
+    run(world, 60);
+    CHECK(world.state(light).velocity.y == doctest::Approx(-2.5).epsilon(2 * kRounding));
+}
+
+TEST_CASE("a surface that changes under a body acts at once: ice lets it slide, rubber holds it") {
+    World world;
+    const BodyId ramp = add_static(world, {0.0, 0.0}, make_box({40.0f, 1.0f}), {.friction = 1.0f}, 0.3);
+    const Rotation tilt = make_rotation(0.3);
+    const DVec2 on_top = rotate(tilt, DVec2{0.0, 1.0});
+    const BodyId box = add_dynamic(world, on_top, kBox, {.friction = 1.0f}, 0.3);
+    run(world, 90);
+    const DVec2 place = world.state(box).pose.position;
+    REQUIRE(length(place - on_top) < 0.01);
+    world.set_material(world.shapes(ramp)[0], {.friction = 0.0f});
+    CHECK(world.is_awake(box));
+    run(world, 60);
+    // g sin(0.3) for a second.
+    CHECK(length(world.state(box).velocity) == doctest::Approx(10.0 * std::sin(0.3)).epsilon(0.01));
+    world.set_material(world.shapes(box)[0], {.density = 4.0f});
+    CHECK(world.mass(box).mass == 4.0f);
+}
+
+TEST_CASE("filters that change end contacts, and begin them") {
+    World world;
+    const BodyId floor = add_floor(world);
+    const BodyId box = add_dynamic(world, {0.0, 0.5}, kBox);
+    run(world, 90);
+    REQUIRE_FALSE(world.is_awake(box));
+    world.set_filter(world.shapes(box)[0], {.mask = 0});
+    world.step();
+    CHECK(world.events().contact_ends.size() == 1);
+    CHECK_FALSE(touches(world, floor, box));
+    run(world, 10);
+    CHECK(world.state(box).pose.position.y < 0.4);
+    world.set_filter(world.shapes(box)[0], {});
+    world.step();
+    CHECK(world.events().contact_begins.size() == 1);
+    run(world, 200);
+    CHECK(world.state(box).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
+}
+
+TEST_CASE("a shape that is taken off no longer weighs nor touches, and the rest moves on as it did") {
+    World world = weightless();
+    const BodyId body = add_dynamic(world, {0.0, 0.0}, kBox);
+    const ShapeId arm = world.add_shape(body, {make_box({1.0f, 1.0f}, 0.0f, {2.0f, 0.0f})});
+    world.set_velocity(body, {1.0f, 0.0f}, 2.0f);
+    CHECK(world.mass(body).center.x == 1.0f);
+    world.remove_shape(arm);
+    CHECK_FALSE(world.is_valid(arm));
+    CHECK(world.shapes(body).size() == 1);
+    CHECK(world.mass(body).mass == 1.0f);
+    // The new centre is 1 m to the left of the old one: v = v0 + w x (-1, 0).
+    CHECK(world.state(body).velocity == Vec2{1.0f, -2.0f});
+    world.step();
+    world.validate();
+}
+
+TEST_CASE("a body's definition makes the same body again") {
+    World world;
+    BodyDef def;
+    def.pose = {{1.0, 2.0}, make_rotation(0.5)};
+    def.velocity = {3.0f, 4.0f};
+    def.angular_velocity = 1.0f;
+    def.linear_damping = 0.1f;
+    def.angular_damping = 0.2f;
+    def.gravity_scale = 0.3f;
+    def.allow_fast_rotation = true;
+    def.bullet = true;
+    def.allow_sleep = false;
+    def.mass = BodyMass{2.0f, {}, 1.0f};
+    const BodyDef same = world.definition(world.create_body(def));
+    CHECK(same.pose == def.pose);
+    CHECK(same.velocity == def.velocity);
+    CHECK(same.angular_velocity == def.angular_velocity);
+    CHECK(same.linear_damping == def.linear_damping);
+    CHECK(same.angular_damping == def.angular_damping);
+    CHECK(same.gravity_scale == def.gravity_scale);
+    CHECK(same.allow_fast_rotation);
+    CHECK(same.bullet);
+    CHECK_FALSE(same.allow_sleep);
+    CHECK(same.awake);
+    CHECK(same.enabled);
+    CHECK(same.mass == def.mass);
+    CHECK(same.locks == BodyLocks{});
+}
+
+TEST_CASE("what cannot be is refused and changes nothing") {
+    World world;
+    const BodyId body = add_dynamic(world, {0.0, 5.0}, kBox);
+    const ShapeId shape = world.shapes(body)[0];
+    world.step();
+    const std::vector<std::byte> before = world.save();
+    const float nan = std::nanf("");
+    CHECK_THROWS_AS(world.set_transform(body, {{nan, 0.0}, {}}), std::invalid_argument);
+    CHECK_THROWS_AS(world.set_transform(body, {{0.0, 0.0}, {2.0f, 0.0f}}), std::invalid_argument);
+    CHECK_THROWS_AS(world.set_mass(body, BodyMass{0.0f, {}, 1.0f}), std::invalid_argument);
+    CHECK_THROWS_AS(world.set_mass(body, BodyMass{1.0f, {}, -1.0f}), std::invalid_argument);
+    CHECK_THROWS_AS(world.set_damping(body, -1.0f, 0.0f), std::invalid_argument);
+    CHECK_THROWS_AS(world.set_gravity_scale(body, nan), std::invalid_argument);
+    CHECK_THROWS_AS(world.set_gravity({nan, 0.0f}), std::invalid_argument);
+    CHECK_THROWS_AS(world.set_material(shape, {.friction = -1.0f}), std::invalid_argument);
+    CHECK_THROWS_AS(world.set_enabled(BodyId{99, 0}, true), std::invalid_argument);
+    CHECK_THROWS_AS(world.remove_shape(ShapeId{99, 0}), std::invalid_argument);
+    CHECK(world.save() == before);
+}

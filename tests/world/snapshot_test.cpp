@@ -1,0 +1,132 @@
+// Snapshots: what is loaded goes on with the same bits, and what is no whole snapshot is refused.
+#include <doctest/doctest.h>
+
+#include <cstring>
+
+#include "support/random_world.hpp"
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+// Towers of boxes, each hinged to the one below at a corner: they fall, spread and come to rest.
+World make_falling_hinges() {
+    World world;
+    add_floor(world);
+    for (int tower = 0; tower < 3; ++tower) {
+        BodyId below{};
+        for (int i = 0; i < 6; ++i) {
+            const double lean = 0.1 * (i % 2 == 0 ? 1.0 : -1.0) * (tower + 1);
+            const BodyId box =
+                add_dynamic(world, {2.5 * tower + 0.05 * i, 0.5 + 0.55 * i}, make_box({0.6f, 0.5f}, 0.02f), {}, lean);
+            if (i % 2 == 1)
+                world.create_joint(RevoluteJointDef{.body_a = below,
+                                                    .body_b = box,
+                                                    .anchor_a = {0.25f, 0.25f},
+                                                    .anchor_b = {0.25f, -0.25f},
+                                                    .limits = JointLimits{-0.4f, 0.8f},
+                                                    .spring = JointSpring{2.0f, 0.4f}});
+            below = box;
+        }
+    }
+    return world;
+}
+
+std::vector<std::byte> saved_after(std::uint32_t seed, int steps) {
+    RandomWorld random(seed);
+    for (int step = 0; step < steps; ++step) {
+        random.edit();
+        random.world.step();
+    }
+    return random.world.save();
+}
+
+}  // namespace
+
+TEST_CASE("falling hinges go on with the same bits from a snapshot of any step") {
+    constexpr int kSteps = 240;
+    World world = make_falling_hinges();
+    std::vector<std::uint64_t> hashes;
+    std::vector<std::vector<std::byte>> snapshots;
+    for (int step = 0; step < kSteps; ++step) {
+        snapshots.push_back(world.save());
+        hashes.push_back(world.state_hash());
+        world.step();
+    }
+    for (int start = 0; start < kSteps; ++start) {
+        CAPTURE(start);
+        World loaded = World::load(snapshots[static_cast<std::size_t>(start)]);
+        REQUIRE(loaded.state_hash() == hashes[static_cast<std::size_t>(start)]);
+        // The snapshot of the next step covers all that the step computed; every twentieth run goes to the end.
+        const int end = start % 20 == 0 ? kSteps - 1 : std::min(start + 1, kSteps - 1);
+        while (loaded.step_count() < static_cast<std::uint64_t>(end)) {
+            loaded.step();
+            REQUIRE(loaded.state_hash() == hashes[loaded.step_count()]);
+        }
+        REQUIRE(loaded.save() == snapshots[static_cast<std::size_t>(end)]);
+    }
+    CHECK(world.counters().sleeping_islands > 0);  // the run has seen sleep
+}
+
+TEST_CASE("a random world and its copy are edited and stepped alike") {
+    for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+        CAPTURE(seed);
+        RandomWorld first(seed);
+        for (int step = 0; step < 40; ++step) {
+            first.edit();
+            first.world.step();
+        }
+        first.edit();  // a snapshot between an edit and its step
+        RandomWorld second(first, World::load(first.world.save()));
+        for (int step = 0; step < 40; ++step) {
+            REQUIRE(first.world.save() == second.world.save());
+            first.world.step();
+            second.world.step();
+            first.edit();
+            second.edit();
+        }
+    }
+}
+
+TEST_CASE("a loaded world reads as the one that was saved") {
+    World world = make_falling_hinges();
+    run(world, 50);
+    const World loaded = World::load(world.save());
+    CHECK(loaded.step_count() == 50);
+    CHECK(loaded.contacts().size() == world.contacts().size());
+    CHECK(loaded.events().contact_begins.size() == world.events().contact_begins.size());
+    CHECK(loaded.counters().contacts == world.counters().contacts);
+    CHECK(loaded.def().gravity == world.def().gravity);
+    for (const JointId id : world.joints()) {
+        CHECK(loaded.joint_position(id) == world.joint_position(id));
+        CHECK(loaded.reaction(id).force == world.reaction(id).force);
+    }
+    loaded.validate();
+}
+
+TEST_CASE("a snapshot that is cut short, damaged or of something else is refused") {
+    const std::vector<std::byte> whole = saved_after(3, 10);
+    CHECK_NOTHROW(World::load(whole));
+    for (std::size_t size = 0; size < whole.size(); size += 1 + size / 7) {
+        CAPTURE(size);
+        CHECK_THROWS_AS(World::load({whole.data(), size}), SnapshotError);
+    }
+    for (std::size_t at = 0; at < whole.size(); at += 1 + at / 7) {
+        CAPTURE(at);
+        std::vector<std::byte> damaged = whole;
+        damaged[at] ^= std::byte{0x10};
+        CHECK_THROWS_AS(World::load(damaged), SnapshotError);
+    }
+    std::vector<std::byte> longer = whole;
+    longer.push_back(std::byte{});
+    CHECK_THROWS_AS(World::load(longer), SnapshotError);
+    std::vector<std::byte> newer = whole;
+    newer[8] = std::byte{99};
+    CHECK_THROWS_WITH(World::load(newer), "snapshot: it has version 99, this build reads version 1");
+}
+
+// Who changes what a snapshot holds raises kVersion in snapshot.cpp and writes the new size down.
+TEST_CASE("the size of a known world's snapshot belongs to the version") {
+    CHECK(make_falling_hinges().save().size() == 10839);
+}
