@@ -162,7 +162,7 @@ private:
 class RunningStates final : public StateSource {
 public:
     explicit RunningStates(const std::filesystem::path& file)
-        : scene_(load_scene(file)), run_(scene_), names_(body_names(run_.built())),
+        : scene_(load_scene(file)), run_(scene_),
           last_step_(static_cast<std::uint64_t>(std::llround(scene_.world.duration * scene_.world.steps_per_second))) {}
 
     bool next(StepStates& states) override {
@@ -172,7 +172,9 @@ public:
         states.step = run_.world().step_count();
         states.time = run_.time();
         states.bodies.clear();
+        names_ = body_names(run_.built());
         for (std::size_t i = 0; i < names_.size(); ++i) {
+            if (!run_.world().is_valid(run_.built().bodies[i].id)) continue;
             const BodyState state = run_.world().state(run_.built().bodies[i].id);
             const DVec2 position = state.pose.position;
             states.bodies.push_back({names_[i], {position.x, position.y, angle(state.pose.rotation), double{state.velocity.x},

@@ -179,8 +179,9 @@ struct SceneBody {
 
 enum class SceneJointType { revolute, distance, prismatic, weld, wheel, motor, mouse, filter };
 
-struct SceneJointLimits {
-    double lower = 0.0;  // degrees (revolute) or m (distance, prismatic, wheel)
+// [lower, upper] in files, both included.
+struct SceneInterval {
+    double lower = 0.0;
     double upper = 0.0;
 };
 struct SceneJointMotor {
@@ -202,7 +203,7 @@ struct SceneJoint {
     std::optional<DVec2> axis;                       // world direction at load, or A's with `anchors`; prismatic, wheel
     std::optional<double> reference_angle;           // degrees; default: the angle at load
     std::optional<double> length;                    // m, distance joints; default: the distance at load
-    std::optional<SceneJointLimits> limits;
+    std::optional<SceneInterval> limits;  // degrees (revolute) or m (distance, prismatic, wheel)
     std::optional<SceneJointMotor> motor;
     std::optional<SceneJointSpring> spring;          // of a weld: of its point
     std::optional<SceneJointSpring> angular_spring;  // welds
@@ -216,23 +217,59 @@ struct SceneJoint {
     std::string custom;
 };
 
-// Something that happens during the run, once (`at`) or again and again (`every`, from 0 `until` the end).
+// Something that happens during the run, once (`at`) or again and again (`every`, from 0 `until` a time): exactly one of
+// the actions. Who acts on a body or joint that is not there, not yet or no longer, does nothing.
 struct SceneEvent {
     std::optional<double> at;     // s
     std::optional<double> every;  // s
-    std::optional<double> until;  // s
-    std::string body;
-    std::optional<DVec2> impulse;    // N s, at the centre of mass of `body`
-    std::optional<SceneBody> spawn;  // a new body
+    std::optional<double> until;  // s: the last repetition, or the end of a force or torque; default: the end of the run
+    std::string body;             // what impulses, forces and velocities act on
+    std::string joint;            // what motor speeds and targets belong to
+    std::optional<DVec2> impulse;            // N s, at the centre of mass
+    std::optional<double> angular_impulse;   // N m s
+    std::optional<DVec2> force;              // N, at the centre of mass, in each step from `at` on
+    std::optional<double> torque;            // N m, the same
+    std::optional<DVec2> velocity;           // m/s, from now on
+    std::optional<double> angular_velocity;  // degrees/s
+    std::optional<double> motor_speed;       // degrees/s or m/s, as the joint's motor has it
+    std::optional<DVec2> target;             // m, world: where a mouse joint pulls its second body
+    std::optional<DVec2> gravity;            // m/s^2
+    std::optional<SceneBody> spawn;          // a new body; with `every` they are called name[0], name[1]...
+    std::string despawn;                     // a body that goes
+    std::string release;                     // a joint that goes
 };
 
-// A claim that ExpectationWatch (scene_run.hpp) tests: exactly one of `at_rest_by`, `max_penetration` and `inside`.
+// When a claim of a state must hold: in the last state, in all of them, or in one.
+enum class SceneMoment { end, always, sometime };
+
+enum class SceneEventKind { contact_begin, contact_end, sensor_begin, sensor_end, joint_broke, fell_asleep };
+
+using SceneBox = std::pair<DVec2, DVec2>;  // lower left and upper right corner, m
+
+// A claim that ExpectationWatch (scene_run.hpp) tests: exactly one of those that are starred.
 struct SceneExpectation {
-    std::optional<double> at_rest_by;       // s
-    std::optional<double> max_penetration;  // m
+    std::optional<double> at_rest_by;       // * s
+    std::optional<double> max_penetration;  // * m, of every contact
+    std::optional<double> max_joint_error;  // * m that anchors may part, of `joint` or of all joints
+    std::optional<double> max_energy_gain;  // * J of kinetic and potential energy above the first state
     std::string body;
-    std::optional<std::pair<DVec2, DVec2>> inside;  // lower and upper corner of a box that holds the body's position
-    std::optional<double> at;                       // s; default: at the end
+    std::string joint;
+    std::optional<SceneBox> inside;         // * holds the body's position
+    std::optional<SceneBox> outside;        // * does not
+    std::optional<SceneInterval> height;    // * m, y of the body's position
+    std::optional<SceneInterval> speed;     // * m/s, of its centre of mass
+    std::optional<SceneInterval> angle;     // * degrees, in (-180, 180]
+    std::string touches;                    // * another body, at least once
+    std::string never_touches;              // * another body
+    std::optional<SceneInterval> count;     // * bodies whose position is in `region`, of `body` and its copies or of all
+    std::optional<SceneBox> region;
+    std::optional<SceneInterval> event_count;  // * events so far of the kind `event`, of `body` or of all
+    std::optional<SceneEventKind> event;
+    std::string state_hash;              // * 16 hexadecimal digits
+    SceneMoment when = SceneMoment::end;  // for the claims of a state
+    std::optional<double> at;             // s: at this time in place of `when`
+    std::optional<double> from;           // s: what is before does not count
+    std::optional<double> until;          // s: nor what is after
 };
 
 struct Scene {
@@ -289,17 +326,20 @@ std::vector<Shape> make_shapes(const ShapeGeometry& geometry);
 // shape, or several for chains and outlines. Throws SceneError; `source` stands where the file's name would.
 std::vector<Shape> parse_shapes(std::string_view text, const std::string& source);
 
-// One body of the built world: which entry of Scene::bodies it came from, and its name after repeating
-// (empty for unnamed bodies, which are called body[i] in output, i counting the built bodies).
+// One body of the built world: which entry of Scene::bodies it came from (or, counted on from there, of Scene::timeline),
+// and its name after repeating (empty for unnamed bodies, which are called body[i] in output, i counting the built bodies).
 struct SceneInstance {
     BodyId id;
     std::size_t source = 0;
     std::string name;
 };
 
+// The entry that the body came from.
+const SceneBody& source_of(const Scene& scene, const SceneInstance& body);
+
 struct SceneWorld {
     World world;
-    std::vector<SceneInstance> bodies;  // in id order
+    std::vector<SceneInstance> bodies;  // in the order of creation: ids of those that have gone are stale
     std::vector<JointId> joints;        // [scene.joints.size()]
 };
 

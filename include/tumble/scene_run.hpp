@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,29 +17,21 @@ class SceneRun {
 public:
     // Throws SceneError as build_world() does.
     explicit SceneRun(const Scene& scene);
+    ~SceneRun();
+    SceneRun(SceneRun&&) noexcept;
+    SceneRun& operator=(SceneRun&&) noexcept;
 
-    // Lets the events happen that are due, and advances by one step. Throws SimulationDiverged.
+    // Lets the events happen that are due, and advances by one step. Throws SimulationDiverged, and SceneError for a body
+    // that the world refuses to take.
     void step();
 
     double time() const;  // s, of the state that the world shows
-    const SceneWorld& built() const noexcept { return built_; }
-    const World& world() const noexcept { return built_.world; }
+    const SceneWorld& built() const noexcept;
+    const World& world() const noexcept { return built().world; }
 
 private:
-    // An impulse of the timeline, at step `next` and every `interval` seconds after `first` until `last`.
-    struct Impulse {
-        BodyId body;
-        Vec2 impulse;        // N s
-        double first = 0.0;  // s
-        double interval = 0.0;
-        double last = 0.0;
-        std::uint64_t count = 0;  // how often it has happened
-    };
-
-    void apply(Impulse& impulse);
-
-    SceneWorld built_;
-    std::vector<Impulse> impulses_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 // What became of one claim of a scene.
@@ -49,14 +42,18 @@ struct ExpectationResult {
     std::uint64_t step = 0;   // that decided it
 };
 
-// Watches a run and decides the claims of its scene (Scene::expect), which the scene outlives.
+// Watches a run and decides the claims of its scene (Scene::expect).
 //
 // At rest is a body that sleeps, or whose farthest point is slower than 0.05 m/s, the speed below which bodies fall
-// asleep; `at_rest_by` asks it of all dynamic bodies in all steps from that time on. `max_penetration` looks at every
-// contact point of every step, `inside` at one moment. What the run never reaches has failed.
+// asleep; `at_rest_by` asks it of all dynamic bodies in all states from that time on. Bodies touch by the contact and
+// sensor events of the steps. A claim of a state is looked at where SceneExpectation::when, at, from and until say. What
+// the run never reaches has failed, and so has a claim of a body that is not there.
 class ExpectationWatch {
 public:
     ExpectationWatch(const Scene& scene, const SceneWorld& built);
+    ~ExpectationWatch();
+    ExpectationWatch(ExpectationWatch&&) noexcept;
+    ExpectationWatch& operator=(ExpectationWatch&&) noexcept;
 
     // To be called for the initial state and after each step.
     void observe(const SceneWorld& built);
@@ -65,25 +62,8 @@ public:
     std::vector<ExpectationResult> results() const;
 
 private:
-    // What is known so far of a claim; the measure of what was seen (m/s or m) is the worst one.
-    struct Claim {
-        std::size_t body = 0;    // of the built ones, for `inside`
-        std::uint64_t from = 0;  // the first step that counts
-        std::uint64_t to = 0;    // the last one
-        bool seen = false;
-        bool failed = false;
-        double worst = 0.0;
-        std::string finding;
-        std::uint64_t step = 0;
-    };
-
-    void observe_rest(Claim& claim, const SceneWorld& built) const;
-    void observe_depth(Claim& claim, double limit, const SceneWorld& built) const;
-    void observe_place(Claim& claim, const std::pair<DVec2, DVec2>& box, const SceneWorld& built) const;
-
-    const Scene& scene_;
-    std::vector<double> reach_;  // [built bodies] m: of the farthest point from the centre of mass
-    std::vector<Claim> claims_;  // [scene_.expect.size()]
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace tumble

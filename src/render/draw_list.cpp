@@ -48,8 +48,8 @@ void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world
         const bool is_static = world.world.type(body.id) == BodyType::static_body;
         paints.resize(shapes.size());
         palette.paint_body(body.source, ordinal, paints);
-        if (is_static && !paints.empty() && body.source < scene.bodies.size())
-            add_chain_bands(list.ground.mesh, view, scene.bodies[body.source], pose, paints.front().outline);
+        if (is_static && !paints.empty())
+            add_chain_bands(list.ground.mesh, view, source_of(scene, body), pose, paints.front().outline);
         for (std::size_t k = 0; k < shapes.size(); ++k) {
             const Shape& shape = world.world.shape(shapes[k]);
             add_shape(is_static ? list.ground : list.bodies, view, shape, pose, paints[k], line_width);

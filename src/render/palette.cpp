@@ -64,8 +64,8 @@ Color outline_of(Color fill) {
 
 Palette::Palette(const Scene& scene) {
     HueOrder hues;
-    sources_.reserve(scene.bodies.size());
-    for (const SceneBody& body : scene.bodies) {
+    sources_.reserve(scene.bodies.size() + scene.timeline.size());
+    const auto add = [&](const SceneBody& body) {
         Source source;
         source.first_shape = shapes_.size();
         source.shape_count = body.shapes.size();
@@ -78,12 +78,18 @@ Palette::Palette(const Scene& scene) {
             shapes_.push_back({own.value_or(source.fill), built_shapes(shape, kOther), own.has_value()});
         }
         sources_.push_back(source);
+    };
+    for (const SceneBody& body : scene.bodies) add(body);
+    for (const SceneEvent& event : scene.timeline) {
+        if (event.spawn)
+            add(*event.spawn);
+        else
+            sources_.emplace_back();
     }
 }
 
 void Palette::paint_body(std::size_t source_index, std::size_t ordinal, std::span<Paint> shapes) const {
-    const Source spawned{0, 0, style::kBodies[source_index % style::kBodies.size()], true};
-    const Source& source = source_index < sources_.size() ? sources_[source_index] : spawned;
+    const Source& source = sources_.at(source_index);
     const std::span entries = std::span(shapes_).subspan(source.first_shape, source.shape_count);
     std::size_t others = shapes.size();
     for (const SceneShapeFill& entry : entries)

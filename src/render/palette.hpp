@@ -18,7 +18,7 @@ public:
     explicit Palette(const Scene& scene);
 
     // The paints of all shapes of a body built from Scene::bodies[source], in the order in which they were added.
-    // `ordinal` tells copies of one body apart. A source beyond the scene's bodies stands for one spawned later.
+    // `ordinal` tells copies of one body apart. Sources are numbered as in SceneInstance.
     void paint_body(std::size_t source, std::size_t ordinal, std::span<Paint> shapes) const;
 
 private:

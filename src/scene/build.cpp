@@ -1,9 +1,9 @@
 // Definitions out of a scene's plain data, in the order of the file: the order of creation is part of the simulation.
 #include <stdexcept>
 
+#include "scene/body_plan.hpp"
 #include "scene/check.hpp"
 #include "scene/diagnostics.hpp"
-#include "scene/geometry.hpp"
 #include "scene/joints.hpp"
 #include "scene/names.hpp"
 #include "scene/place.hpp"
@@ -26,71 +26,16 @@ WorldDef make_world_def(const SceneSettings& settings) {
     return def;
 }
 
-BodyDef make_body_def(const SceneBody& body, const Pose& pose) {
-    BodyDef def;
-    def.type = body.type;
-    def.pose = pose;
-    def.velocity = to_float(body.velocity + DVec2{});  // + 0 turns -0, which no file can hold, into 0
-    def.angular_velocity = static_cast<float>(body.angular_velocity * (kPi / 180.0) + 0.0);
-    def.linear_damping = static_cast<float>(body.linear_damping);
-    def.angular_damping = static_cast<float>(body.angular_damping);
-    def.gravity_scale = static_cast<float>(body.gravity_scale);
-    def.bullet = body.bullet;
-    def.awake = body.awake;
-    def.locks = {body.lock_x, body.lock_y, body.fixed_rotation};
-    def.enabled = body.enabled;
-    def.allow_sleep = body.allow_sleep;
-    def.allow_fast_rotation = body.allow_fast_rotation;
-    if (body.mass)
-        def.mass = BodyMass{static_cast<float>(body.mass->mass), to_float(body.mass->center),
-                            static_cast<float>(body.mass->inertia)};
-    return def;
-}
-
-CollisionFilter make_filter(const SceneShape& shape) {
-    if (!shape.filter) return {};
-    return {shape.filter->category, shape.filter->mask, shape.filter->group};
-}
-
-// Of the segments of a chain; none for other shapes.
-std::vector<ChainLink> make_links(const ShapeGeometry& geometry) {
-    const ChainGeometry* chain = std::get_if<ChainGeometry>(&geometry);
-    if (!chain) return {};
-    std::vector<Vec2> points;
-    for (const DVec2 point : chain->points) points.push_back(to_float(point));
-    return make_chain_links(points, chain->loop, !chain->two_sided);
-}
-
-std::vector<ShapeDef> make_shape_defs(const Scene& scene, const SceneBody& body) {
-    std::vector<ShapeDef> defs;
-    for (const SceneShape& shape : body.shapes) {
-        const SceneMaterial* material = find_material(scene, shape.material);
-        const SurfaceMaterial surface = make_surface(material ? *material : SceneMaterial{});
-        const std::vector<ChainLink> links = make_links(shape.geometry);
-        std::size_t next = 0;
-        for (const Shape& part : make_shapes(shape.geometry)) {
-            defs.push_back({part, surface, make_filter(shape), shape.sensor, {}});
-            if (!links.empty()) defs.back().link = links[next++];
-        }
-    }
-    return defs;
-}
-
 class Builder {
 public:
     explicit Builder(const Scene& scene) : scene_(scene), result_{World(make_world_def(scene.world)), {}, {}} {}
 
     void add_bodies(std::size_t source) {
         const SceneBody& body = scene_.bodies[source];
-        const std::vector<ShapeDef> shapes = make_shape_defs(scene_, body);
+        const BodyPlan plan = plan_body(scene_, body);
         std::size_t copy = 0;
-        for (PlacedBody placed : place_copies(scene_, source)) {
-            const BodyDef def = make_body_def(body, placed.pose);
-            placed.id = result_.world.create_body(def);
-            for (const ShapeDef& shape : shapes) result_.world.add_shape(placed.id, shape);
-            // Shapes move the centre of mass, whose velocity is given, and a turning body's with it.
-            if (def.type == BodyType::dynamic_body && def.awake && def.enabled)
-                result_.world.set_velocity(placed.id, def.velocity, def.angular_velocity);
+        for (PlacedBody placed : place_copies(body, scene_.world.seed, source)) {
+            placed.id = create_body(result_.world, plan, placed.pose);
             result_.bodies.push_back({placed.id, source, copy_name(body, copy++)});
             placed_.push_back(placed);
         }
@@ -124,6 +69,11 @@ void report_refusal(Diagnostics& diagnostics, const std::string& pointer, const 
 }  // namespace
 
 }  // namespace scene
+
+const SceneBody& source_of(const Scene& scene, const SceneInstance& body) {
+    if (body.source < scene.bodies.size()) return scene.bodies[body.source];
+    return scene.timeline.at(body.source - scene.bodies.size()).spawn.value();
+}
 
 SceneWorld build_world(const Scene& scene) {
     scene::Diagnostics diagnostics(scene.name.empty() ? "scene" : scene.name, "");

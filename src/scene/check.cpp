@@ -38,9 +38,8 @@ public:
         for (std::size_t i = 0; i < scene_.joints.size(); ++i) check_joint(scene_.joints[i], at("/joints", i), names);
         for (std::size_t i = 0; i < scene_.timeline.size(); ++i)
             check_event(scene_.timeline[i], at("/timeline", i), names);
-        for (std::size_t i = 0; i < scene_.expect.size(); ++i) {
-            if (scene_.expect[i].inside) require_body(scene_.expect[i].body, at("/expect", i), "body", names);
-        }
+        for (std::size_t i = 0; i < scene_.expect.size(); ++i)
+            check_expectation(scene_.expect[i], at("/expect", i), names);
         if (!scene_.camera.follow.empty()) require_body(scene_.camera.follow, "/camera", "follow", names);
     }
 
@@ -119,7 +118,7 @@ private:
     // Keeps the places, which joints need.
     void check_places(std::size_t source) {
         try {
-            const std::vector<PlacedBody> copies = place_copies(scene_, source);
+            const std::vector<PlacedBody> copies = place_copies(scene_.bodies[source], scene_.world.seed, source);
             placed_.insert(placed_.end(), copies.begin(), copies.end());
         } catch (const std::invalid_argument& cause) {
             error(at("/bodies", source) + "/repeat", cause.what());
@@ -178,12 +177,99 @@ private:
     void check_event(const SceneEvent& event, const std::string& pointer, const BodyNames& names) {
         if (diagnostics_.has_errors_in(pointer)) return;
         const double dt = 1.0 / scene_.world.steps_per_second;
+        const bool lasts = event.force || event.torque;
+        const bool on_body = lasts || event.impulse || event.angular_impulse || event.velocity || event.angular_velocity;
+        const bool on_joint = event.motor_speed || event.target;
         if (event.every && *event.every < dt) error(pointer + "/every", "is shorter than a step of " + number_text(dt) + " s");
-        if (event.until && !event.every) error(pointer + "/until", "belongs to events with 'every'");
-        if (event.impulse) require_body(event.body, pointer, "body", names);
-        if (!event.spawn) return;
-        if (!event.body.empty()) error(pointer + "/body", "belongs to impulses");
-        check_body(*event.spawn, pointer + "/spawn");
+        if (event.every && (lasts || !event.despawn.empty() || !event.release.empty()))
+            error(pointer + "/every", "belongs to what can happen again: a force lasts, what is gone cannot go again");
+        if (event.until && !event.every && !lasts) error(pointer + "/until", "belongs to events with 'every', and to forces");
+        if (event.until && event.at && *event.until <= *event.at) error(pointer + "/until", "must be after 'at'");
+        if (on_body) require_any_body(event.body, pointer, "body", names);
+        if (!on_body && !event.body.empty()) error(pointer + "/body", "belongs to impulses, forces and velocities");
+        if (!event.despawn.empty()) require_any_body(event.despawn, pointer, "despawn", names);
+        if (on_joint) check_joint_event(event, pointer);
+        if (!on_joint && !event.joint.empty()) error(pointer + "/joint", "belongs to motor speeds and targets");
+        if (!event.release.empty()) require_joint(event.release, pointer, "release");
+        if (event.spawn) check_spawn(*event.spawn, pointer + "/spawn", names);
+    }
+
+    void check_joint_event(const SceneEvent& event, const std::string& pointer) {
+        const SceneJoint* joint = require_joint(event.joint, pointer, "joint");
+        if (joint == nullptr) return;
+        if (event.motor_speed && !joint->motor) error(pointer + "/joint", "the joint " + quoted(event.joint) + " has no motor");
+        if (event.target && joint->type != SceneJointType::mouse)
+            error(pointer + "/joint", "only a mouse joint has a target, and " + quoted(event.joint) + " is none");
+    }
+
+    void check_spawn(const SceneBody& body, const std::string& pointer, const BodyNames& names) {
+        check_body(body, pointer);
+        if (names.find_source(body.name))
+            error(pointer + "/name", quoted(body.name) + " is the name of a body that is there from the start");
+        try {
+            place_copies(body, scene_.world.seed, 0);
+        } catch (const std::invalid_argument& cause) {
+            error(pointer + "/repeat", cause.what());
+        }
+    }
+
+    // A body that is there from the start, or made by the timeline.
+    void require_any_body(const std::string& name, const std::string& pointer, const std::string& key, const BodyNames& names) {
+        if (!names.is_spawned(name)) require_body(name, pointer, key, names);
+    }
+
+    const SceneJoint* require_joint(const std::string& name, const std::string& pointer, const std::string& key) {
+        for (const SceneJoint& joint : scene_.joints)
+            if (!name.empty() && joint.name == name) return &joint;
+        if (diagnostics_.has_errors_in("/joints")) return nullptr;
+        if (name.empty()) {
+            error(pointer, "the key " + quoted(key) + " is missing: the name of a joint");
+            return nullptr;
+        }
+        std::vector<std::string_view> known;
+        for (const SceneJoint& joint : scene_.joints) known.push_back(joint.name);
+        error(pointer + '/' + key, "there is no joint " + quoted(name), suggestion(name, known));
+        return nullptr;
+    }
+
+    void check_expectation(const SceneExpectation& claim, const std::string& pointer, const BodyNames& names) {
+        if (diagnostics_.has_errors_in(pointer)) return;
+        const bool of_body = claim.inside || claim.outside || claim.height || claim.speed || claim.angle ||
+                             !claim.touches.empty() || !claim.never_touches.empty();
+        const bool of_some = claim.count || claim.event_count;  // of a body's copies, or of all
+        const bool of_state = claim.inside || claim.outside || claim.height || claim.speed || claim.angle || claim.count;
+        const auto refuse = [&](bool present, const std::string& key, const std::string& reason) {
+            if (present) error(pointer + '/' + key, reason);
+        };
+        if (of_body) require_any_body(claim.body, pointer, "body", names);
+        if (of_some && !claim.body.empty() && !names.find_source(base_name(claim.body)) && !names.is_spawned(copy_name(claim.body, 0)))
+            require_any_body(claim.body, pointer, "body", names);
+        refuse(!of_body && !of_some && !claim.body.empty(), "body", "belongs to claims of a body, of counts and of events");
+        if (!claim.touches.empty()) require_any_body(claim.touches, pointer, "touches", names);
+        if (!claim.never_touches.empty()) require_any_body(claim.never_touches, pointer, "never_touches", names);
+        if (!claim.joint.empty()) require_joint(claim.joint, pointer, "joint");
+        refuse(!claim.joint.empty() && !claim.max_joint_error, "joint", "belongs to 'max_joint_error'");
+        if (claim.count && !claim.region) error(pointer, "the key 'region' is missing: where bodies are counted");
+        refuse(claim.region && !claim.count, "region", "belongs to 'count'");
+        if (claim.event_count && !claim.event) error(pointer, "the key 'event' is missing: what is counted");
+        refuse(claim.event && !claim.event_count, "event", "belongs to 'event_count'");
+        refuse(claim.when != SceneMoment::end && (!of_state || claim.at), "when",
+               "belongs to claims of a state, without 'at'");
+        const bool at_one_time = of_state || claim.event_count || !claim.state_hash.empty();
+        refuse(claim.at && !at_one_time, "at", "belongs to what can be looked at once");
+        const bool over_a_time = !claim.at && !claim.at_rest_by && claim.state_hash.empty() && !claim.event_count &&
+                                 !(of_state && claim.when == SceneMoment::end);
+        refuse(claim.from && !over_a_time, "from", "belongs to claims over a time");
+        refuse(claim.until && !over_a_time, "until", "belongs to claims over a time");
+        if (claim.from && claim.until && *claim.until < *claim.from) error(pointer + "/until", "must not be before 'from'");
+        for (const auto& [box, key] : {std::pair{&claim.inside, "inside"}, {&claim.outside, "outside"}, {&claim.region, "region"}}) {
+            if (!*box) continue;
+            const auto& [lower, upper] = **box;
+            if (lower.x > upper.x || lower.y > upper.y)
+                error(pointer + '/' + key, "must be the lower left and the upper right corner of a box");
+        }
+        const bool is_hash = claim.state_hash.size() == 16 && claim.state_hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+        refuse(!claim.state_hash.empty() && !is_hash, "state_hash", "must be 16 digits 0-9 and a-f");
     }
 
     const Scene& scene_;

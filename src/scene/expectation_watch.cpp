@@ -1,135 +1,95 @@
-// A claim is decided by the worst moment that it covers: the finding keeps that moment, so that a report can say how
-// near a claim that holds came to failing.
-#include <algorithm>
+// When a claim is looked at, and which moment decides it: that of the worst state for what must hold always, of the best
+// one for what must hold sometime. The finding keeps that moment, so that a report can say how near it came.
 #include <cmath>
-#include <cstdio>
 #include <limits>
+#include <memory>
 
-#include "scene/json_text.hpp"
-#include "scene/names.hpp"
+#include "scene/claims.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble {
 
 namespace {
 
-using scene::number_text;
-
-constexpr double kRestSpeed = 0.05;  // m/s: below it the stepper lets bodies fall asleep
-constexpr double kSlack = 1e-6;      // of a step: times are decimal fractions, steps are not
+constexpr double kSlack = 1e-6;  // of a step: times are decimal fractions, steps are not
 constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
 
 std::uint64_t first_step_at(double time, double steps_per_second) {
     return static_cast<std::uint64_t>(std::max(0.0, std::ceil(time * steps_per_second - kSlack)));
 }
 
-// Three digits are enough to read, and do not pretend more.
-std::string brief(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
+// What is claimed of single states holds `when` it says; the rest has a moment of its own.
+SceneMoment moment_of(const SceneExpectation& claim) {
+    if (claim.at_rest_by || claim.max_penetration || claim.max_joint_error || claim.max_energy_gain || !claim.never_touches.empty())
+        return SceneMoment::always;
+    if (!claim.touches.empty()) return SceneMoment::sometime;
+    return claim.when;
 }
 
-std::string point_text(DVec2 point) { return "[" + brief(point.x) + ", " + brief(point.y) + "]"; }
+struct Watched {
+    std::unique_ptr<scene::Claim> claim;
+    std::string text;
+    SceneMoment moment = SceneMoment::end;
+    std::uint64_t from = 0;       // the first step that counts
+    std::uint64_t to = kForever;  // the last one
+    bool seen = false;
+    double excess = 0.0;  // of the moment that decides so far
+    double margin = 0.0;
+    std::string finding;
+    std::uint64_t step = 0;
 
-std::string name_of(const SceneWorld& built, std::size_t body) {
-    const std::string& name = built.bodies[body].name;
-    return name.empty() ? "body[" + std::to_string(body) + "]" : "'" + name + "'";
-}
-
-std::string name_of(const SceneWorld& built, BodyId id) {
-    const auto found = std::ranges::find(built.bodies, id, &SceneInstance::id);
-    return name_of(built, static_cast<std::size_t>(found - built.bodies.begin()));
-}
-
-double reach_of(const World& world, BodyId body) {
-    float reach = 0.0f;
-    for (const ShapeId shape : world.shapes(body))
-        reach = std::max(reach, farthest_distance(world.shape(shape), world.mass(body).center));
-    return reach;
-}
-
-std::string claim_text(const SceneExpectation& expectation) {
-    if (expectation.at_rest_by) return "everything is at rest from " + number_text(*expectation.at_rest_by) + " s on";
-    if (expectation.max_penetration) return "no overlap is deeper than " + number_text(*expectation.max_penetration) + " m";
-    const auto& [lower, upper] = *expectation.inside;
-    const std::string time = expectation.at ? "at " + number_text(*expectation.at) + " s" : "at the end";
-    return "'" + expectation.body + "' is inside " + point_text(lower) + " to " + point_text(upper) + " " + time;
-}
+    // Whether a new state decides in place of the one before it.
+    bool decides(double new_excess, double new_margin) const {
+        if (!seen || moment == SceneMoment::end) return true;
+        const bool is_worse = new_excess > excess || (new_excess == excess && new_margin > margin);
+        const bool is_better = new_excess < excess;
+        return moment == SceneMoment::always ? is_worse : is_better;
+    }
+};
 
 }  // namespace
 
-ExpectationWatch::ExpectationWatch(const Scene& scene, const SceneWorld& built) : scene_(scene) {
-    for (const SceneInstance& body : built.bodies) reach_.push_back(reach_of(built.world, body.id));
-    const scene::BodyNames names(scene);
-    const double rate = built.world.def().steps_per_second;
+struct ExpectationWatch::Impl {
+    std::vector<Watched> watched;  // [scene.expect.size()]
+};
+
+ExpectationWatch::ExpectationWatch(const Scene& scene, const SceneWorld& built) : impl_(std::make_unique<Impl>()) {
+    const double rate = double{built.world.def().steps_per_second};
     for (const SceneExpectation& expectation : scene.expect) {
-        Claim claim;
-        claim.to = kForever;
-        if (expectation.at_rest_by) claim.from = first_step_at(*expectation.at_rest_by, rate);
-        if (expectation.inside) {
-            claim.body = names.find(expectation.body).value();
-            if (expectation.at) claim.from = claim.to = first_step_at(*expectation.at, rate);
-        }
-        claims_.push_back(claim);
+        Watched& watched = impl_->watched.emplace_back();
+        watched.claim = scene::make_claim(expectation, scene, built);
+        watched.text = scene::claim_text(expectation);
+        watched.moment = moment_of(expectation);
+        if (expectation.from) watched.from = first_step_at(*expectation.from, rate);
+        if (expectation.until) watched.to = first_step_at(*expectation.until, rate);
+        if (expectation.at_rest_by) watched.from = first_step_at(*expectation.at_rest_by, rate);
+        if (expectation.at) watched.from = watched.to = first_step_at(*expectation.at, rate);
     }
 }
+
+ExpectationWatch::~ExpectationWatch() = default;
+ExpectationWatch::ExpectationWatch(ExpectationWatch&&) noexcept = default;
+ExpectationWatch& ExpectationWatch::operator=(ExpectationWatch&&) noexcept = default;
 
 void ExpectationWatch::observe(const SceneWorld& built) {
     const std::uint64_t step = built.world.step_count();
-    for (std::size_t i = 0; i < claims_.size(); ++i) {
-        Claim& claim = claims_[i];
-        if (step < claim.from || step > claim.to) continue;
-        const SceneExpectation& expectation = scene_.expect[i];
-        if (expectation.at_rest_by) observe_rest(claim, built);
-        if (expectation.max_penetration) observe_depth(claim, *expectation.max_penetration, built);
-        if (expectation.inside) observe_place(claim, *expectation.inside, built);
-        claim.seen = true;
+    for (Watched& watched : impl_->watched) {
+        // Asked outside of its time too: some count what happened so far.
+        const double excess = watched.claim->excess(built), margin = watched.claim->margin();
+        if (step < watched.from || step > watched.to || !watched.decides(excess, margin)) continue;
+        watched.seen = true;
+        watched.excess = excess;
+        watched.margin = margin;
+        watched.finding = watched.claim->finding(built);
+        watched.step = step;
     }
-}
-
-void ExpectationWatch::observe_rest(Claim& claim, const SceneWorld& built) const {
-    for (std::size_t i = 0; i < built.bodies.size(); ++i) {
-        const BodyId id = built.bodies[i].id;
-        if (built.world.type(id) != BodyType::dynamic_body || !built.world.is_awake(id)) continue;
-        const BodyState state = built.world.state(id);
-        const double speed = length(state.velocity) + std::abs(double{state.angular_velocity}) * reach_[i];
-        if (speed <= claim.worst) continue;
-        claim.worst = speed;
-        claim.failed = speed >= kRestSpeed;
-        claim.finding = name_of(built, i) + " moves at " + brief(speed) + " m/s";
-        claim.step = built.world.step_count();
-    }
-}
-
-void ExpectationWatch::observe_depth(Claim& claim, double limit, const SceneWorld& built) const {
-    for (const ContactPoint& contact : built.world.contacts()) {
-        const double depth = -double{contact.separation};
-        if (depth <= claim.worst) continue;
-        claim.worst = depth;
-        claim.failed = depth > limit;
-        claim.finding = name_of(built, contact.body_a) + " and " + name_of(built, contact.body_b) + " overlap by " +
-                        brief(depth) + " m at " + point_text(contact.point);
-        claim.step = built.world.step_count();
-    }
-}
-
-void ExpectationWatch::observe_place(Claim& claim, const std::pair<DVec2, DVec2>& box, const SceneWorld& built) const {
-    const DVec2 position = built.world.state(built.bodies[claim.body].id).pose.position;
-    const bool inside = position.x >= box.first.x && position.x <= box.second.x && position.y >= box.first.y &&
-                        position.y <= box.second.y;
-    claim.failed = !inside;
-    claim.finding = "it is at " + point_text(position);
-    claim.step = built.world.step_count();
 }
 
 std::vector<ExpectationResult> ExpectationWatch::results() const {
     std::vector<ExpectationResult> results;
-    for (std::size_t i = 0; i < claims_.size(); ++i) {
-        const Claim& claim = claims_[i];
-        ExpectationResult result{claim.seen && !claim.failed, claim_text(scene_.expect[i]), claim.finding, claim.step};
-        if (!claim.seen) result.finding = "the run ends before that";
-        results.push_back(result);
+    for (const Watched& watched : impl_->watched) {
+        const bool passed = watched.seen && watched.excess == 0.0;
+        results.push_back({passed, watched.text, watched.seen ? watched.finding : "the run ends before that", watched.step});
     }
     return results;
 }

@@ -24,7 +24,7 @@ std::optional<JointSpring> make_spring(const std::optional<SceneJointSpring>& sp
     return JointSpring{static_cast<float>(spring->hertz), static_cast<float>(spring->damping_ratio)};
 }
 
-std::optional<JointLimits> make_limits(const std::optional<SceneJointLimits>& limits, double unit) {
+std::optional<JointLimits> make_limits(const std::optional<SceneInterval>& limits, double unit) {
     if (!limits) return std::nullopt;
     return JointLimits{static_cast<float>(limits->lower * unit), static_cast<float>(limits->upper * unit)};
 }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "scene/display.hpp"
 
 namespace tumble::scene {
 
@@ -105,17 +106,6 @@ SceneWorld start_at_rest(Scene scene) {
 }
 
 }  // namespace
-
-std::string brief(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
-
-std::string display_name(const SceneWorld& built, std::size_t body) {
-    const std::string& name = built.bodies[body].name;
-    return name.empty() ? "body[" + std::to_string(body) + "]" : "'" + name + "'";
-}
 
 double mass_ratio(const World& world, BodyId a, BodyId b) {
     const auto [lighter, heavier] = std::minmax({double{world.mass(a).mass}, double{world.mass(b).mass}});

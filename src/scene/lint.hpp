@@ -15,15 +15,9 @@ void add_body_lints(const Scene& scene, const SceneWorld& built, Diagnostics& di
 // step: overlap, masses in contact, bodies asleep in the air, stacks.
 void add_contact_lints(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics);
 
-// "'crate[3]'", or "body[7]" for a body without a name.
-std::string display_name(const SceneWorld& built, std::size_t body);
-
 // Times the other one, whichever is heavier.
 double mass_ratio(const World& world, BodyId a, BodyId b);
 
 inline constexpr double kLargeMassRatio = 100.0;
-
-// Three digits.
-std::string brief(double value);
 
 }  // namespace tumble::scene

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/display.hpp"
 #include "scene/lint.hpp"
 
 namespace tumble::scene {

@@ -16,6 +16,14 @@ BodyNames::BodyNames(const Scene& scene) {
         if (!body.name.empty()) sources_.emplace(body.name, Source{i, first, count, body.repeat.has_value()});
         first += count;
     }
+    for (const SceneEvent& event : scene.timeline)
+        if (event.spawn && !event.spawn->name.empty()) spawned_.emplace(event.spawn->name, event.every || event.spawn->repeat);
+}
+
+bool BodyNames::is_spawned(std::string_view name) const {
+    const std::string_view base = base_name(name);
+    const auto found = spawned_.find(base);
+    return found != spawned_.end() && found->second == (base != name);
 }
 
 std::optional<std::size_t> BodyNames::find(std::string_view name) const {
@@ -51,12 +59,21 @@ std::string BodyNames::hint(std::string_view name) const {
     }
     std::vector<std::string_view> names;
     for (const auto& [known, source] : sources_) names.push_back(known);
+    for (const auto& [known, again] : spawned_) names.push_back(known);
     return suggestion(name, names);
 }
 
 std::string copy_name(const SceneBody& body, std::size_t copy) {
-    if (body.name.empty() || !body.repeat) return body.name;
-    return body.name + '[' + std::to_string(copy) + ']';
+    return body.repeat ? copy_name(body.name, copy) : body.name;
+}
+
+std::string copy_name(const std::string& name, std::size_t copy) {
+    return name.empty() ? name : name + '[' + std::to_string(copy) + ']';
+}
+
+std::string_view base_name(std::string_view name) {
+    const std::size_t bracket = name.rfind('[');
+    return bracket == std::string_view::npos || name.back() != ']' ? name : name.substr(0, bracket);
 }
 
 }  // namespace tumble::scene

@@ -23,6 +23,9 @@ public:
     // The entry of Scene::bodies that has this name, repeated or not.
     std::optional<std::size_t> find_source(std::string_view name) const;
 
+    // Whether the timeline makes a body of this name.
+    bool is_spawned(std::string_view name) const;
+
     // Whether a copy of a repeated body has this name.
     bool is_copy(std::string_view name) const { return find_copy(name).has_value(); }
 
@@ -40,9 +43,14 @@ private:
     std::optional<std::size_t> find_copy(std::string_view name) const;
 
     std::map<std::string, Source, std::less<>> sources_;
+    std::map<std::string, bool, std::less<>> spawned_;  // by the name of the body: whether more than once
 };
 
 // "crate[3]"; empty for an empty name.
 std::string copy_name(const SceneBody& body, std::size_t copy);
+std::string copy_name(const std::string& name, std::size_t copy);
+
+// "crate" of "crate[3]"; any other name itself.
+std::string_view base_name(std::string_view name);
 
 }  // namespace tumble::scene

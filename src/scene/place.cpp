@@ -6,9 +6,9 @@
 
 namespace tumble::scene {
 
-std::vector<PlacedBody> place_copies(const Scene& scene, std::size_t source) {
+std::vector<PlacedBody> place_copies(const SceneBody& body, std::uint64_t seed, std::size_t source) {
     std::vector<PlacedBody> placed;
-    for (const CopyPlace& place : copy_places(scene.bodies[source], scene.world.seed, source))
+    for (const CopyPlace& place : copy_places(body, seed, source))
         placed.push_back({{}, {place.position + DVec2{}, make_rotation_degrees(place.angle + 0.0)}, place.angle});
     return placed;
 }

@@ -1,4 +1,4 @@
-// Where every body of a scene stands at load, copies included.
+// Where every body of a scene stands when it is made, copies included.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace tumble::scene {
 
-// The copies of one entry of Scene::bodies; ids are not set. Throws std::invalid_argument as copy_places() does.
-std::vector<PlacedBody> place_copies(const Scene& scene, std::size_t source);
+// The copies of a body, whose number as in SceneInstance::source draws its own random places; ids are not set. Throws
+// std::invalid_argument as copy_places() does.
+std::vector<PlacedBody> place_copies(const SceneBody& body, std::uint64_t seed, std::size_t source);
 
 }  // namespace tumble::scene

@@ -84,7 +84,7 @@ public:
         read_two(value, place, field, out.x, out.y, "a vector [x, y]");
     }
 
-    void read(const Json& value, const Place& place, const Field& field, SceneJointLimits& out) {
+    void read(const Json& value, const Place& place, const Field& field, SceneInterval& out) {
         read_two(value, place, field, out.lower, out.upper, "[lower, upper]");
         if (out.lower > out.upper)
             error(place, "must be [lower, upper] with lower <= upper, got " + compact_text(value));

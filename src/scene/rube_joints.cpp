@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 11> kTypes = {"revolute", "distance", "pr
 void read_revolute(RubeObject& joint, SceneJoint& result) {
     result.type = SceneJointType::revolute;
     result.reference_angle = joint.number("refAngle") * kDegrees;
-    const SceneJointLimits limits{joint.number("lowerLimit") * kDegrees, joint.number("upperLimit") * kDegrees};
+    const SceneInterval limits{joint.number("lowerLimit") * kDegrees, joint.number("upperLimit") * kDegrees};
     if (joint.flag("enableLimit"))
         result.limits = {std::min(limits.lower, limits.upper), std::max(limits.lower, limits.upper)};
     const SceneJointMotor motor{joint.number("motorSpeed") * kDegrees, joint.number("maxMotorTorque"), {}};

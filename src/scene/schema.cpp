@@ -41,7 +41,7 @@ public:
     Json of(const bool*, const Field&) { return {{"type", "boolean"}}; }
     Json of(const std::integral auto*, const Field& field) { return number_schema("integer", field.range); }
     Json of(const DVec2*, const Field& field) { return pair_schema(number_schema("number", field.range)); }
-    Json of(const SceneJointLimits*, const Field& field) { return pair_schema(number_schema("number", field.range)); }
+    Json of(const SceneInterval*, const Field& field) { return pair_schema(number_schema("number", field.range)); }
 
     Json of(const std::string*, const Field& field) {
         Json schema{{"type", "string"}};

@@ -20,7 +20,7 @@ public:
     Json write(std::integral auto value) const { return value; }
     Json write(const std::string& value) const { return value; }
     Json write(DVec2 value) const { return Json::array({value.x, value.y}); }
-    Json write(const SceneJointLimits& value) const { return Json::array({value.lower, value.upper}); }
+    Json write(const SceneInterval& value) const { return Json::array({value.lower, value.upper}); }
 
     template <class Enum>
     requires std::is_enum_v<Enum> Json write(Enum value)

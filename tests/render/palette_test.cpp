@@ -65,6 +65,9 @@ TEST_CASE("names take the palette's colours in turn, and numbered names share on
     Scene scene;
     for (const char* name : {"crate", "crate_2", "ball", "", "", "crate[7]"})
         scene.bodies.push_back(body(name, BodyType::dynamic_body, {circle()}));
+    scene.timeline.resize(2);  // something else, then two that are spawned: numbered on from the bodies
+    scene.timeline[1].spawn = body("ball", BodyType::dynamic_body, {circle()});
+    scene.timeline.emplace_back().spawn = body("drop", BodyType::dynamic_body, {circle()});
     const Palette palette(scene);
     CHECK(fill_of(palette, 0) == style::kBodies[0]);
     CHECK(fill_of(palette, 1) == style::kBodies[0]);
@@ -72,7 +75,8 @@ TEST_CASE("names take the palette's colours in turn, and numbered names share on
     CHECK(fill_of(palette, 3) == style::kBodies[2]);
     CHECK(fill_of(palette, 4) == style::kBodies[3]);
     CHECK(fill_of(palette, 5) == style::kBodies[0]);
-    CHECK(fill_of(palette, 99) == style::kBodies[3]);  // spawned later
+    CHECK(fill_of(palette, 7) == style::kBodies[1]);
+    CHECK(fill_of(palette, 8) == style::kBodies[4]);
 }
 
 TEST_CASE("copies of a body differ a little in lightness, the same in every run") {

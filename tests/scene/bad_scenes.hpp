@@ -97,7 +97,7 @@ inline const std::vector<BadScene> kBadScenes = {
     {with_joint(R"("type": "prismatic", "bodies": ["a", "b"], "anchor": [0, 0], "axis": [1, 0], "motor": {"speed": 1, "max_torque": 2})"), "/joints/0/motor", "'max_force'", false},
     {with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "motor": {"speed": 1})"), "/joints/0/motor", "needs one of the keys max_torque, max_force"},
     // timeline, expectations, camera
-    {R"({"format": 1, "timeline": [{"at": 1}]})", "/timeline/0", "needs one of the keys impulse, spawn"},
+    {R"({"format": 1, "timeline": [{"at": 1}]})", "/timeline/0", "needs one of the keys impulse, angular_impulse, force, torque, velocity, angular_velocity, motor_speed, target, gravity, spawn, despawn, release"},
     {R"({"format": 1, "timeline": [{"at": 1, "body": "x", "impulse": [1, 0]}]})", "/timeline/0/body", "there is no body \"x\"", false},
     {R"({"format": 1, "timeline": [{"at": 1, "until": 2, "spawn": {}}]})", "/timeline/0/until", "belongs to events with 'every'", false},
     {R"({"format": 1, "expect": [{"at_rest_by": 1, "max_penetration": 1}]})", "/expect/0/max_penetration", "only one of them is allowed"},

@@ -34,7 +34,7 @@ std::vector<Part> parts_at_load(const Scene& scene) {
     std::size_t built = 0;
     for (std::size_t source = 0; source < scene.bodies.size(); ++source) {
         const SceneBody& body = scene.bodies[source];
-        for (const scene::PlacedBody& placed : scene::place_copies(scene, source)) {
+        for (const scene::PlacedBody& placed : scene::place_copies(scene.bodies[source], scene.world.seed, source)) {
             for (const SceneShape& shape : body.shapes)
                 for (const Shape& part : make_shapes(shape.geometry))
                     parts.push_back({built, body.type == BodyType::dynamic_body, filter_of(shape), placed.pose, part,

@@ -1,0 +1,65 @@
+#include "scene/claims.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/display.hpp"
+#include "scene/fields.hpp"
+#include "scene/json_text.hpp"
+
+namespace tumble::scene {
+
+namespace {
+
+std::string event_name(SceneEventKind kind) {
+    const auto& names = kEnumNames<SceneEventKind>;
+    return std::string(std::ranges::find(names, kind, &std::pair<SceneEventKind, std::string_view>::first)->second);
+}
+
+std::string between(const SceneInterval& allowed) { return number_text(allowed.lower) + " and " + number_text(allowed.upper); }
+std::string box_text(const SceneBox& box) { return brief(box.first) + " to " + brief(box.second); }
+
+// "at 4 s", "always from 2 s on".
+std::string time_text(const SceneExpectation& claim) {
+    if (claim.at) return " at " + number_text(*claim.at) + " s";
+    std::string window;
+    if (claim.from) window += " from " + number_text(*claim.from) + " s" + (claim.until ? "" : " on");
+    if (claim.until) window += " until " + number_text(*claim.until) + " s";
+    switch (claim.when) {
+        case SceneMoment::end: return " at the end" + window;
+        case SceneMoment::always: return " always" + window;
+        case SceneMoment::sometime: return " sometime" + window;
+    }
+    return window;
+}
+
+}  // namespace
+
+std::unique_ptr<Claim> make_claim(const SceneExpectation& claim, const Scene& scene, const SceneWorld& built) {
+    std::unique_ptr<Claim> of_world = make_claim_of_world(claim, scene, built);
+    return of_world ? std::move(of_world) : make_claim_of_bodies(claim);
+}
+
+std::string claim_text(const SceneExpectation& claim) {
+    const std::string body = "'" + claim.body + "'", bodies = claim.body.empty() ? "bodies" : "of " + body;
+    if (claim.at_rest_by) return "everything is at rest from " + number_text(*claim.at_rest_by) + " s on";
+    if (claim.max_penetration) return "no overlap is deeper than " + number_text(*claim.max_penetration) + " m";
+    if (claim.max_joint_error)
+        return "the anchors of " + (claim.joint.empty() ? "no joint" : "'" + claim.joint + "' do not") + " part by more than " +
+               number_text(*claim.max_joint_error) + " m";
+    if (claim.max_energy_gain) return "the energy does not grow by more than " + number_text(*claim.max_energy_gain) + " J";
+    if (claim.inside) return body + " is inside " + box_text(*claim.inside) + time_text(claim);
+    if (claim.outside) return body + " is outside " + box_text(*claim.outside) + time_text(claim);
+    if (claim.height) return "the height of " + body + " is between " + between(*claim.height) + " m" + time_text(claim);
+    if (claim.speed) return "the speed of " + body + " is between " + between(*claim.speed) + " m/s" + time_text(claim);
+    if (claim.angle) return "the angle of " + body + " is between " + between(*claim.angle) + " degrees" + time_text(claim);
+    if (!claim.touches.empty()) return body + " touches '" + claim.touches + "'";
+    if (!claim.never_touches.empty()) return body + " never touches '" + claim.never_touches + "'";
+    if (claim.count) return "between " + between(*claim.count) + " " + bodies + " are in " + box_text(claim.region.value()) + time_text(claim);
+    if (claim.event_count)
+        return "between " + between(*claim.event_count) + " events '" + event_name(claim.event.value()) + "'" +
+               (claim.body.empty() ? "" : " of " + body) + time_text(claim);
+    return "the state hash is " + claim.state_hash + time_text(claim);
+}
+
+}  // namespace tumble::scene

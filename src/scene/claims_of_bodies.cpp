@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "scene/body_lookup.hpp"
+#include "scene/claims.hpp"
+#include "scene/display.hpp"
+#include "scene/names.hpp"
+
+namespace tumble::scene {
+
+namespace {
+
+constexpr double kGone = std::numeric_limits<double>::infinity();  // excess of a claim about a body that is not there
+
+double excess_of(double value, const SceneInterval& allowed) {
+    if (std::isnan(value)) return kGone;
+    return std::max({0.0, allowed.lower - value, value - allowed.upper});
+}
+
+bool holds(const SceneBox& box, DVec2 p) {
+    return p.x >= box.first.x && p.x <= box.second.x && p.y >= box.first.y && p.y <= box.second.y;
+}
+
+// How far a point is from the inside of a box, or from its outside (m).
+double distance_to_inside(const SceneBox& box, DVec2 p) {
+    return length(DVec2{excess_of(p.x, {box.first.x, box.second.x}), excess_of(p.y, {box.first.y, box.second.y})});
+}
+double distance_to_outside(const SceneBox& box, DVec2 p) {
+    if (!holds(box, p)) return 0.0;
+    const double least = std::min({p.x - box.first.x, box.second.x - p.x, p.y - box.first.y, box.second.y - p.y});
+    return std::max(least, std::numeric_limits<double>::min());
+}
+
+// Something about the state of one body.
+class OfBody : public Claim {
+public:
+    explicit OfBody(const std::string& name) : body_(name) {}
+
+    double excess(const SceneWorld& built) override {
+        const SceneInstance* body = body_.find(built);
+        state_.reset();
+        if (body != nullptr) state_ = built.world.state(body->id);
+        return state_ ? excess_of_state(*state_) : kGone;
+    }
+    std::string finding(const SceneWorld&) const override { return state_ ? seen(*state_) : "it is not there"; }
+
+private:
+    virtual double excess_of_state(const BodyState& state) const = 0;
+    virtual std::string seen(const BodyState& state) const = 0;
+
+    BodyLookup body_;
+    std::optional<BodyState> state_;
+};
+
+class Place final : public OfBody {
+public:
+    Place(const std::string& body, const SceneBox& box, bool inside) : OfBody(body), box_(box), inside_(inside) {}
+
+private:
+    double excess_of_state(const BodyState& state) const override {
+        const DVec2 position = state.pose.position;
+        return inside_ ? distance_to_inside(box_, position) : distance_to_outside(box_, position);
+    }
+    std::string seen(const BodyState& state) const override { return "it is at " + brief(state.pose.position); }
+
+    SceneBox box_;
+    bool inside_;
+};
+
+// A number of a body's state, between two bounds.
+class Measure final : public OfBody {
+public:
+    Measure(const std::string& body, const SceneInterval& allowed, double (*measure)(const BodyState&), const char* before,
+            const char* unit)
+        : OfBody(body), allowed_(allowed), measure_(measure), before_(before), unit_(unit) {}
+
+private:
+    double excess_of_state(const BodyState& state) const override { return excess_of(measure_(state), allowed_); }
+    std::string seen(const BodyState& state) const override { return before_ + (" " + brief(measure_(state))) + " " + unit_; }
+
+    SceneInterval allowed_;
+    double (*measure_)(const BodyState&);
+    const char* before_;
+    const char* unit_;
+};
+
+// Whether two bodies touch, from the events of every step.
+class Touching final : public Claim {
+public:
+    Touching(const std::string& a, const std::string& b, bool wanted) : a_(a), b_(b), wanted_(wanted) {}
+
+    double excess(const SceneWorld& built) override {
+        const SceneInstance* a = a_.find(built);
+        const SceneInstance* b = b_.find(built);
+        const StepEvents& events = built.world.events();
+        if (built.world.step_count() > 0 && a != nullptr && b != nullptr) {
+            const World& world = built.world;
+            const auto are_the_two = [&](ShapeId one, ShapeId other) {
+                if (!world.is_valid(one) || !world.is_valid(other)) return false;
+                const BodyId p = world.body(one), q = world.body(other);
+                return (p == a->id && q == b->id) || (p == b->id && q == a->id);
+            };
+            for (const ContactBegin& event : events.contact_begins) touching_ += are_the_two(event.shape_a, event.shape_b);
+            for (const ContactEnd& event : events.contact_ends) touching_ -= are_the_two(event.shape_a, event.shape_b);
+            for (const SensorEvent& event : events.sensor_begins) touching_ += are_the_two(event.sensor, event.visitor);
+            for (const SensorEvent& event : events.sensor_ends) touching_ -= are_the_two(event.sensor, event.visitor);
+        } else {
+            touching_ = 0;
+        }
+        return (touching_ > 0) == wanted_ ? 0.0 : 1.0;
+    }
+    std::string finding(const SceneWorld&) const override { return touching_ > 0 ? "they touch" : "they do not touch"; }
+
+private:
+    BodyLookup a_, b_;
+    bool wanted_;
+    int touching_ = 0;  // pairs of shapes
+};
+
+// Whether an instance is the body of that name, one of its copies, or any if there is no name.
+bool is_one_of(const std::string& name, const SceneInstance& body) {
+    return name.empty() || body.name == name || base_name(body.name) == name;
+}
+
+class Count final : public Claim {
+public:
+    Count(const std::string& of, const SceneBox& region, const SceneInterval& allowed) : of_(of), region_(region), allowed_(allowed) {}
+
+    double excess(const SceneWorld& built) override {
+        count_ = 0;
+        for (const SceneInstance& body : built.bodies)
+            if (built.world.is_valid(body.id) && is_one_of(of_, body) && built.world.type(body.id) != BodyType::static_body)
+                count_ += holds(region_, built.world.state(body.id).pose.position);
+        return excess_of(count_, allowed_);
+    }
+    std::string finding(const SceneWorld&) const override { return "there are " + std::to_string(count_); }
+
+private:
+    std::string of_;
+    SceneBox region_;
+    SceneInterval allowed_;
+    int count_ = 0;
+};
+
+class EventCount final : public Claim {
+public:
+    EventCount(SceneEventKind kind, const std::string& of, const SceneInterval& allowed) : kind_(kind), of_(of), allowed_(allowed) {}
+
+    double excess(const SceneWorld& built) override {
+        if (built.world.step_count() > 0) count_ += count_in_step(built);
+        return excess_of(static_cast<double>(count_), allowed_);
+    }
+    std::string finding(const SceneWorld&) const override { return "there were " + std::to_string(count_); }
+
+private:
+    std::uint64_t count_in_step(const SceneWorld& built) const {
+        const StepEvents& events = built.world.events();
+        switch (kind_) {
+            case SceneEventKind::contact_begin: return count(events.contact_begins, built, &ContactBegin::shape_a, &ContactBegin::shape_b);
+            case SceneEventKind::contact_end: return count(events.contact_ends, built, &ContactEnd::shape_a, &ContactEnd::shape_b);
+            case SceneEventKind::sensor_begin: return count(events.sensor_begins, built, &SensorEvent::sensor, &SensorEvent::visitor);
+            case SceneEventKind::sensor_end: return count(events.sensor_ends, built, &SensorEvent::sensor, &SensorEvent::visitor);
+            case SceneEventKind::joint_broke: return events.broken_joints.size();
+            case SceneEventKind::fell_asleep: break;
+        }
+        return static_cast<std::uint64_t>(std::ranges::count_if(events.fell_asleep, [&](BodyId id) { return is_ours(built, id); }));
+    }
+
+    template <class Event>
+    std::uint64_t count(const std::vector<Event>& events, const SceneWorld& built, ShapeId Event::*a, ShapeId Event::*b) const {
+        const auto is_of = [&](ShapeId shape) { return built.world.is_valid(shape) && is_ours(built, built.world.body(shape)); };
+        return static_cast<std::uint64_t>(std::ranges::count_if(
+            events, [&](const Event& event) { return of_.empty() || is_of(event.*a) || is_of(event.*b); }));
+    }
+
+    bool is_ours(const SceneWorld& built, BodyId id) const {
+        if (of_.empty()) return true;
+        const auto found = std::ranges::find(built.bodies, id, &SceneInstance::id);
+        return found != built.bodies.end() && is_one_of(of_, *found);
+    }
+
+    SceneEventKind kind_;
+    std::string of_;
+    SceneInterval allowed_;
+    std::uint64_t count_ = 0;
+};
+
+double height_of(const BodyState& state) { return state.pose.position.y; }
+double speed_of(const BodyState& state) { return double{length(state.velocity)}; }
+double degrees_of(const BodyState& state) { return angle(state.pose.rotation) * (180.0 / kPi); }
+
+}  // namespace
+
+std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& claim) {
+    if (claim.inside) return std::make_unique<Place>(claim.body, *claim.inside, true);
+    if (claim.outside) return std::make_unique<Place>(claim.body, *claim.outside, false);
+    if (claim.height) return std::make_unique<Measure>(claim.body, *claim.height, height_of, "its height is", "m");
+    if (claim.speed) return std::make_unique<Measure>(claim.body, *claim.speed, speed_of, "its speed is", "m/s");
+    if (claim.angle) return std::make_unique<Measure>(claim.body, *claim.angle, degrees_of, "its angle is", "degrees");
+    if (!claim.touches.empty()) return std::make_unique<Touching>(claim.body, claim.touches, true);
+    if (!claim.never_touches.empty()) return std::make_unique<Touching>(claim.body, claim.never_touches, false);
+    if (claim.count) return std::make_unique<Count>(claim.body, claim.region.value(), *claim.count);
+    return std::make_unique<EventCount>(claim.event.value(), claim.body, *claim.event_count);
+}
+
+}  // namespace tumble::scene

@@ -1,0 +1,18 @@
+// What people read of a world: names and numbers.
+#pragma once
+
+#include <string>
+
+#include "tumble/scene.hpp"
+
+namespace tumble::scene {
+
+// "'crate[3]'", or "body[7]" for a body without a name.
+std::string display_name(const SceneWorld& built, std::size_t body);
+std::string display_name(const SceneWorld& built, BodyId id);
+
+// Three digits are enough to read, and do not pretend more.
+std::string brief(double value);
+std::string brief(DVec2 point);  // "[1.5, -2]"
+
+}  // namespace tumble::scene

@@ -1,0 +1,174 @@
+// What is claimed of a run: each kind by a run that bears it out and one beside it that does not.
+#include "tumble/scene_run.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+using namespace tumble;
+
+namespace {
+
+// A disc of mass pi / 4 kg (radius 0.5 m, density 1) in space, and what the scene says besides.
+Scene make_scene(const std::string& more) {
+    return parse_scene(R"({"format": 1, "world": {"gravity": [0, 0], "duration": 2},
+        "bodies": [{"name": "disc", "shapes": [{"circle": {"radius": 0.5}}]}], )" +
+                           more + "}",
+                       "");
+}
+
+ExpectationResult judge(const Scene& scene, int steps) {
+    SceneRun run(scene);
+    ExpectationWatch watch(scene, run.built());
+    watch.observe(run.built());
+    for (int i = 0; i < steps; ++i) {
+        run.step();
+        watch.observe(run.built());
+    }
+    return watch.results().at(0);
+}
+
+}  // namespace
+
+TEST_CASE("at rest: from a time on nothing is faster than what may fall asleep") {
+    CHECK(judge(make_scene(R"("expect": [{"at_rest_by": 1}])"), 120).passed);
+    const Scene kicked = make_scene(
+        R"("expect": [{"at_rest_by": 1}], "timeline": [{"at": 1.5, "body": "disc", "impulse": [1, 0]}])");
+    const ExpectationResult moved = judge(kicked, 120);
+    CHECK_FALSE(moved.passed);
+    CHECK(moved.step == 91);
+    CHECK(moved.finding == "'disc' moves at 1.27 m/s");
+    CHECK(judge(kicked, 90).passed);
+    // 0.06 m/s is too fast; 0.04 m/s is not, but a rim of 0.5 m that turns at 0.04 rad/s adds 0.02 m/s.
+    const char* const drifting = R"({"format": 1, "world": {"gravity": [0, 0], "sleeping": false}, "bodies":
+        [{"name": "disc", "velocity": [0.04, 0], "angular_velocity": TURN, "shapes": [{"circle": {"radius": 0.5}}]}],
+        "expect": [{"at_rest_by": 0}]})";
+    for (const auto& [turn, passes] : {std::pair{"0", true}, std::pair{"2.3", false}}) {
+        std::string text = drifting;
+        CHECK(judge(parse_scene(text.replace(text.find("TURN"), 4, turn), ""), 10).passed == passes);
+    }
+}
+
+TEST_CASE("a depth is judged by the deepest overlap of the run") {
+    const std::string bodies = R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
+        {"name": "wall", "type": "static", "shapes": [{"box": {"size": [1, 4]}}]},
+        {"name": "disc", "position": [0.9, 0], "shapes": [{"circle": {"radius": 0.5}}]}], "expect": [)";
+    const ExpectationResult deep = judge(parse_scene(bodies + R"({"max_penetration": 0.05}]})", ""), 60);
+    CHECK_FALSE(deep.passed);
+    CHECK(deep.step == 1);
+    CHECK(deep.finding.starts_with("'wall' and 'disc' overlap by 0.1 m at [0.45, "));
+    CHECK(judge(parse_scene(bodies + R"({"max_penetration": 0.11}]})", ""), 60).passed);
+}
+
+TEST_CASE("a place is looked at at its time, or at the end; what is never reached has failed") {
+    const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
+    // 1 m/s: at 0.5 m after half a second, at 1.5 m at the end.
+    CHECK(judge(make_scene(kick + R"({"body": "disc", "inside": [[0.49, -1], [0.51, 1]], "at": 0.5}])"), 90).passed);
+    CHECK(judge(make_scene(kick + R"({"body": "disc", "inside": [[1.49, -1], [1.51, 1]]}])"), 90).passed);
+    const ExpectationResult missed = judge(make_scene(kick + R"({"body": "disc", "inside": [[0, 0.1], [9, 1]]}])"), 90);
+    CHECK_FALSE(missed.passed);
+    CHECK(missed.finding == "it is at [1.5, 0]");
+    CHECK(missed.step == 90);
+    const ExpectationResult never = judge(make_scene(kick + R"({"body": "disc", "inside": [[-9, -9], [9, 9]], "at": 2}])"), 90);
+    CHECK_FALSE(never.passed);
+    CHECK(never.finding == "the run ends before that");
+}
+
+TEST_CASE("a place can be claimed always, sometime, within a time, and from outside") {
+    // 1 m/s from the origin: inside the box from 0.5 s to 1 s.
+    const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
+    const std::string box = R"("body": "disc", "inside": [[0.5, -1], [1, 1]])", not_box = R"("body": "disc", "outside": [[0.5, -1], [1, 1]])";
+    CHECK(judge(make_scene(kick + "{" + box + R"(, "when": "sometime"}])"), 120).passed);
+    CHECK_FALSE(judge(make_scene(kick + "{" + box + R"(, "when": "always"}])"), 120).passed);
+    CHECK(judge(make_scene(kick + "{" + box + R"(, "when": "always", "from": 0.52, "until": 0.98}])"), 120).passed);
+    CHECK_FALSE(judge(make_scene(kick + "{" + box + R"(, "when": "sometime", "from": 1.1}])"), 120).passed);
+    CHECK_FALSE(judge(make_scene(kick + "{" + not_box + R"(, "when": "always"}])"), 120).passed);
+    CHECK(judge(make_scene(kick + "{" + not_box + R"(, "when": "always", "from": 1.02}])"), 120).passed);
+    CHECK(judge(make_scene(kick + "{" + not_box + "}]"), 120).passed);
+    // The worst moment is that of the end: 2 m.
+    const ExpectationResult worst = judge(make_scene(kick + R"({"body": "disc", "height": [0, 0]}, {"body": "disc", "inside": [[0, -1], [1, 1]], "when": "always"}])"), 120);
+    CHECK(worst.passed);
+}
+
+TEST_CASE("height, speed and angle lie between bounds") {
+    // Free fall for 1 s at -10 m/s^2: 10 m/s; in sub-steps of h = 1/240 s, 5 + 5 h m deep. 90 degrees/s: a quarter turn.
+    const auto falling = [](const std::string& claim) {
+        return judge(parse_scene(R"({"format": 1, "bodies": [{"name": "disc", "angular_velocity": 90, "shapes": [{"circle": {"radius": 0.5}}]}],
+            "expect": [)" + claim + "]}", ""), 60);
+    };
+    CHECK(falling(R"({"body": "disc", "height": [-5.03, -5.01], "at": 1})").passed);
+    CHECK_FALSE(falling(R"({"body": "disc", "height": [-5, 0], "at": 1})").passed);
+    CHECK(falling(R"({"body": "disc", "speed": [9.999, 10.001]})").passed);
+    CHECK_FALSE(falling(R"({"body": "disc", "speed": [0, 9], "when": "always"})").passed);
+    CHECK(falling(R"({"body": "disc", "angle": [89.9, 90.1]})").passed);
+    CHECK(falling(R"({"body": "disc", "angle": [45, 46], "when": "sometime"})").passed);
+    const ExpectationResult slow = falling(R"({"body": "disc", "speed": [0, 5], "when": "always"})");
+    CHECK(slow.finding == "its speed is 10 m/s");
+    CHECK(slow.step == 60);
+}
+
+TEST_CASE("touching is known by contacts and sensors, and by who") {
+    const auto thrown = [](const std::string& claim, const char* sensor) {
+        return judge(parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
+            {"name": "ball", "velocity": [4, 0], "shapes": [{"circle": {"radius": 0.5}}]},
+            {"name": "wall", "type": "static", "position": [3, 0], "shapes": [{"box": {"size": [1, 4]}, "sensor": )" + std::string(sensor) + R"(}]},
+            {"name": "other", "type": "static", "position": [0, 9], "shapes": [{"box": {"size": [1, 1]}}]}], "expect": [)" + claim + "]}", ""), 60);
+    };
+    for (const char* const sensor : {"false", "true"}) {
+        CAPTURE(sensor);
+        CHECK(thrown(R"({"body": "ball", "touches": "wall"})", sensor).passed);
+        CHECK(thrown(R"({"body": "wall", "touches": "ball"})", sensor).passed);
+        CHECK_FALSE(thrown(R"({"body": "ball", "never_touches": "wall"})", sensor).passed);
+        CHECK_FALSE(thrown(R"({"body": "ball", "touches": "other"})", sensor).passed);
+        CHECK(thrown(R"({"body": "ball", "never_touches": "other"})", sensor).passed);
+        // The gap of 2 m takes half a second.
+        CHECK(thrown(R"({"body": "ball", "never_touches": "wall", "until": 0.4})", sensor).passed);
+        CHECK_FALSE(thrown(R"({"body": "ball", "touches": "wall", "until": 0.4})", sensor).passed);
+    }
+    const ExpectationResult hit = thrown(R"({"body": "ball", "never_touches": "wall"})", "false");
+    CHECK(hit.finding == "they touch");
+    CHECK((hit.step >= 29 && hit.step <= 31));
+}
+
+TEST_CASE("bodies are counted where they are, and events as they happen") {
+    const auto count = [](const std::string& claim) {
+        return judge(parse_scene(R"({"format": 1, "bodies": [{"type": "static", "position": [0, -0.5], "shapes": [{"box": {"size": [90, 1]}}]},
+            {"name": "crate", "position": [0, 0.5], "repeat": {"grid": {"columns": 3, "spacing": [3, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]},
+            {"name": "ball", "position": [20, 5], "shapes": [{"circle": {"radius": 0.5}}]}], "expect": [)" + claim + "]}", ""), 90);
+    };
+    CHECK(count(R"({"count": [3, 3], "region": [[-1, 0], [7, 1]]})").passed);
+    CHECK(count(R"({"count": [4, 4], "region": [[-1, 0], [30, 9]]})").passed);
+    CHECK(count(R"({"count": [3, 3], "body": "crate", "region": [[-1, 0], [30, 9]]})").passed);
+    CHECK_FALSE(count(R"({"count": [4, 4], "body": "crate", "region": [[-1, 0], [30, 9]]})").passed);
+    CHECK(count(R"({"count": [2, 2], "region": [[2, 0], [7, 1]]})").passed);
+    CHECK(count(R"({"event_count": [4, 4], "event": "contact_begin"})").passed);
+    CHECK(count(R"({"event_count": [3, 3], "event": "contact_begin", "at": 0.5})").passed);  // the ball falls for 0.95 s
+    CHECK(count(R"({"event_count": [1, 1], "event": "contact_begin", "body": "ball"})").passed);
+    CHECK(count(R"({"event_count": [0, 0], "event": "joint_broke"})").passed);
+    const ExpectationResult wrong = count(R"({"event_count": [9, 9], "event": "contact_begin"})");
+    CHECK_FALSE(wrong.passed);
+    CHECK(wrong.finding == "there were 4");
+}
+
+TEST_CASE("joints keep together, energy does not grow, and the hash is the one") {
+    const auto swing = [](const std::string& claim, const std::string& more = "") {
+        return judge(parse_scene(R"({"format": 1, "bodies": [{"name": "pivot", "type": "static"},
+            {"name": "bob", "position": [1, 0], "shapes": [{"circle": {"radius": 0.2}}]}],
+            "joints": [{"type": "revolute", "name": "hinge", "bodies": ["pivot", "bob"], "anchor": [0, 0]}], )" + more + R"("expect": [)" + claim + "]}", ""), 60);
+    };
+    CHECK(swing(R"({"max_joint_error": 0.01})").passed);
+    CHECK(swing(R"({"max_joint_error": 0.01, "joint": "hinge"})").passed);
+    // 1000 N on 0.126 kg open the soft hinge by more than F / (m w^2), w = 2 pi 60: 56 mm, and more as it swings faster.
+    const ExpectationResult torn = swing(R"({"max_joint_error": 0.01})", R"("timeline": [{"at": 0, "body": "bob", "force": [0, -1000]}], )");
+    CHECK_FALSE(torn.passed);
+    CHECK(torn.finding.starts_with("the anchors of 'hinge' are "));
+    CHECK(swing(R"({"max_energy_gain": 0.01})").passed);
+    // A kick of 1 N s on pi 0.04 kg: 1 / (2 m) = 3.98 J.
+    const std::string kick = R"("timeline": [{"at": 0.2, "body": "bob", "impulse": [0, -1]}], )";
+    CHECK_FALSE(swing(R"({"max_energy_gain": 3})", kick).passed);
+    const ExpectationResult hash = swing(R"({"state_hash": "0000000000000000"})");
+    CHECK_FALSE(hash.passed);
+    CHECK(swing(R"({"state_hash": ")" + hash.finding.substr(6) + R"("})").passed);
+}
