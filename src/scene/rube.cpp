@@ -22,8 +22,7 @@ namespace scene {
 
 namespace {
 
-constexpr double kMassTolerance = 1e-3;     // relative: exports carry mass data to about 1e-4
-constexpr double kInertiaTolerance = 1e-2;  // relative
+constexpr double kMassTolerance = 1e-6;  // relative: below it the shapes weigh what the export says
 
 // A JavaScript file that assigns the scene to a variable, "var name = {...};": the wrapper becomes blanks, so that
 // positions stay those of the file.
@@ -89,13 +88,11 @@ private:
         result.angular_damping = body.number("angularDamping");
         result.gravity_scale = body.number("gravityScale", 1.0);
         read_name(body, result);
-        const bool active = body.flag("active", true);
         for (const RubeObject& fixture : body.list("fixture"))
-            if (const std::optional<RubeFixture> read = read_rube_fixture(fixture, notes_); read && active)
-                result.shapes.push_back({read->geometry, material_of(read->surface), read->custom});
-        read_behaviour(body, result, active);
+            if (const std::optional<RubeFixture> read = read_rube_fixture(fixture, notes_))
+                result.shapes.push_back({read->geometry, material_of(read->surface), read->custom, read->filter, read->sensor});
+        read_behaviour(body, result);
         body.note_unread("body", notes_);
-        active_.push_back(active);
         scene_.bodies.push_back(std::move(result));
     }
 
@@ -111,38 +108,49 @@ private:
             result.custom = "{\"customProperties\": " + properties + "}";
     }
 
-    void read_behaviour(RubeObject& body, SceneBody& result, bool active) {
+    void read_behaviour(RubeObject& body, SceneBody& result) {
         const bool awake = body.flag("awake"), may_sleep = body.flag("allowSleep", true);
         const bool bullet = body.flag("bullet"), fixed = body.flag("fixedRotation");
-        const double mass = body.number("massData-mass"), inertia = body.number("massData-I");
-        body.skip({"massData-center"});
-        if (!active) {
-            notes_.add("inactive bodies, left without shapes");
-            result.type = BodyType::static_body;
-        }
+        result.enabled = body.flag("active", true);
+        const SceneMass mass = read_mass(body, fixed);
         if (result.type != BodyType::dynamic_body) return;
         result.awake = awake;
         result.bullet = bullet;
-        if (!may_sleep) notes_.add("bodies that may not sleep");
-        if (fixed) notes_.add("bodies that may not turn");
-        if (differs_in_mass(result, mass > 0.0 ? mass : 1.0, fixed ? 0.0 : inertia))
-            notes_.add("masses that are not those of the shapes");
+        result.allow_sleep = may_sleep;
+        result.fixed_rotation = fixed;
+        if (differs(mass, result)) result.mass = mass;
     }
 
-    // Inertia is about the body's origin, and counts only if it is positive.
-    bool differs_in_mass(const SceneBody& body, double mass, double inertia) const {
-        double shapes_mass = 0.0, shapes_inertia = 0.0;
+    // As Box2D takes mass data: no mass is 1 kg, and the inertia, about the body's origin in files, counts only where it is
+    // positive and the body may turn.
+    static SceneMass read_mass(RubeObject& body, bool fixed) {
+        const double mass = body.number("massData-mass"), inertia = body.number("massData-I");
+        SceneMass result{mass > 0.0 ? mass : 1.0, body.vector("massData-center"), 0.0};
+        if (inertia > 0.0 && !fixed) result.inertia = std::max(inertia - result.mass * length_sq(result.center), 0.0);
+        return result;
+    }
+
+    bool differs(const SceneMass& mass, const SceneBody& body) const {
+        SceneMass own;  // of the shapes
+        DVec2 moment;
+        double inertia = 0.0, reach = 0.0;  // about the origin
         for (const SceneShape& shape : body.shapes) {
-            const double density = surfaces_.at(shape.material).density;
+            if (shape.sensor) continue;
             for (const Shape& part : make_shapes(shape.geometry)) {
                 const MassProperties properties = mass_properties(part);
-                shapes_mass += density * properties.area;
-                shapes_inertia +=
-                    density * (properties.inertia + properties.area * length_sq(DVec2(properties.center)));
+                const double weight = surfaces_.at(shape.material).density * properties.area;
+                const DVec2 center(properties.center);
+                own.mass += weight;
+                moment += weight * center;
+                inertia += surfaces_.at(shape.material).density * properties.inertia + weight * length_sq(center);
+                reach = std::max(reach, double{farthest_distance(part, {})});
             }
         }
-        if (std::abs(shapes_mass - mass) > kMassTolerance * mass) return true;
-        return inertia > 0.0 && std::abs(shapes_inertia - inertia) > kInertiaTolerance * inertia;
+        if (!(own.mass > 0.0) || std::abs(own.mass - mass.mass) > kMassTolerance * mass.mass) return true;
+        const DVec2 center = (1.0 / own.mass) * moment;
+        if (length(center - mass.center) > kMassTolerance * reach) return true;
+        if (body.fixed_rotation) return false;
+        return std::abs(inertia - own.mass * length_sq(center) - mass.inertia) > kMassTolerance * mass.inertia;
     }
 
     // The name of the material with this surface.
@@ -160,12 +168,12 @@ private:
     }
 
     void read_joint(RubeObject& joint, std::size_t body_count) {
-        const auto name_of = [this](std::size_t index) { return name_body(index); };
-        std::optional<SceneJoint> result = read_rube_joint(joint, body_count, name_of, notes_);
-        if (!result) return;
-        const bool active = is_active(result->body_a) && is_active(result->body_b);
-        if (!active) return notes_.add("joints of inactive bodies, left out");
-        scene_.joints.push_back(std::move(*result));
+        const auto body_at = [this](std::size_t index) {
+            const SceneBody& body = scene_.bodies[index];
+            return RubeBody{name_body(index), {body.position, make_rotation_degrees(body.angle)}};
+        };
+        std::optional<SceneJoint> result = read_rube_joint(joint, body_count, body_at, notes_);
+        if (result) scene_.joints.push_back(std::move(*result));
     }
 
     // Joints go by name: a body without one gets one.
@@ -176,12 +184,6 @@ private:
             if (names_.insert(candidate).second) name = candidate;
         }
         return name;
-    }
-
-    bool is_active(const std::string& name) const {
-        const auto found = std::find_if(scene_.bodies.begin(), scene_.bodies.end(),
-                                        [&](const SceneBody& body) { return body.name == name; });
-        return active_[static_cast<std::size_t>(found - scene_.bodies.begin())];
     }
 
     void name_joints() {
@@ -199,7 +201,6 @@ private:
     Scene scene_;
     std::set<std::string> names_;
     std::map<std::string, RubeSurface> surfaces_;  // by the name of their material
-    std::vector<bool> active_;                     // [bodies]
 };
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace tumble::scene {
 namespace {
 
 constexpr double kLeastLength = 0.005;  // m; Box2D lengthens shorter distance joints to this
-constexpr std::array<std::string_view, 11> kTypes = {"revolute", "distance", "prismatic", "wheel", "weld", "motor",
-                                                     "rope",     "friction", "pulley",    "mouse", "gear"};
+constexpr std::array<std::string_view, 9> kTypes = {"revolute", "distance", "prismatic", "wheel", "weld",
+                                                    "motor",    "rope",     "friction",  "mouse"};
 
 void read_revolute(RubeObject& joint, SceneJoint& result) {
     result.type = SceneJointType::revolute;
@@ -32,16 +32,88 @@ void read_distance(RubeObject& joint, SceneJoint& result) {
     if (spring.hertz > 0.0) result.spring = spring;
 }
 
+void read_rope(RubeObject& joint, SceneJoint& result) {
+    result.type = SceneJointType::distance;
+    result.length = std::max(joint.number("maxLength"), kLeastLength);
+    result.limits = {0.0, *result.length};
+}
+
+// The axis is in A's coordinates, as the anchors are; old files call it otherwise.
+void read_axis(RubeObject& joint, SceneJoint& result, DVec2 missing) {
+    const std::string_view key = joint.has("localAxisA") ? "localAxisA" : "localAxis1";
+    const DVec2 axis = joint.has(key) ? joint.vector(key) : DVec2{};
+    result.axis = axis == DVec2{} ? missing : axis;
+}
+
+void read_prismatic(RubeObject& joint, SceneJoint& result) {
+    result.type = SceneJointType::prismatic;
+    read_axis(joint, result, {1.0, 0.0});
+    result.reference_angle = joint.number("refAngle") * kDegrees;
+    const double lower = joint.number("lowerLimit"), upper = joint.number("upperLimit");
+    if (joint.flag("enableLimit")) result.limits = {std::min(lower, upper), std::max(lower, upper)};
+    const SceneJointMotor motor{joint.number("motorSpeed"), {}, joint.number("maxMotorForce")};
+    if (joint.flag("enableMotor")) result.motor = motor;
+    joint.skip({"jointSpeed"});
+}
+
+void read_wheel(RubeObject& joint, SceneJoint& result) {
+    result.type = SceneJointType::wheel;
+    read_axis(joint, result, {0.0, 1.0});
+    const SceneJointMotor motor{joint.number("motorSpeed") * kDegrees, joint.number("maxMotorTorque"), {}};
+    if (joint.flag("enableMotor")) result.motor = motor;
+    const SceneJointSpring spring{joint.number("springFrequency"), joint.number("springDampingRatio")};
+    if (spring.hertz > 0.0) result.spring = spring;
+    joint.skip({"jointSpeed"});
+}
+
+void read_weld(RubeObject& joint, SceneJoint& result) {
+    result.type = SceneJointType::weld;
+    result.reference_angle = joint.number("refAngle") * kDegrees;
+    const SceneJointSpring spring{joint.number("frequency"), joint.number("dampingRatio")};
+    if (spring.hertz > 0.0) result.angular_spring = spring;
+}
+
+void read_friction(RubeObject& joint, SceneJoint& result) {
+    result.type = SceneJointType::motor;
+    result.max_force = joint.number("maxForce");
+    result.max_torque = joint.number("maxTorque");
+}
+
+// The correction factor k takes k of the error away in each step of 1/60 s: about a critically damped spring of
+// frequency 60 k / (2 pi).
+void read_motor(RubeObject& joint, SceneJoint& result) {
+    read_friction(joint, result);
+    if (joint.has("linearOffset")) result.anchors->first = joint.vector("linearOffset");
+    result.anchors->second = {};
+    result.reference_angle = joint.number("refAngle") * kDegrees;
+    const double factor = joint.number("correctionFactor", 0.3);
+    if (factor > 0.0) result.spring = SceneJointSpring{factor * 60.0 / (2.0 * kPi), 1.0};
+    joint.skip({"anchorA", "anchorB"});
+}
+
+// The target is a point of the world, the anchor of our joint one of A.
+void read_mouse(RubeObject& joint, SceneJoint& result, const Pose& world_from_a) {
+    result.type = SceneJointType::mouse;
+    const DVec2 target = joint.vector("target");
+    result.anchors->first = inverse_transform_point(world_from_a, target);
+    result.max_force = joint.number("maxForce");
+    const SceneJointSpring spring{joint.number("frequency", 5.0), joint.number("dampingRatio", 0.7)};
+    if (spring.hertz > 0.0) result.spring = spring;
+}
+
 }  // namespace
 
 std::optional<SceneJoint> read_rube_joint(RubeObject joint, std::size_t body_count,
-                                          const std::function<std::string(std::size_t)>& name_of, RubeNotes& notes) {
+                                          const std::function<RubeBody(std::size_t)>& body_at, RubeNotes& notes) {
     const std::string type = joint.text("type");
     const int a = joint.index("bodyA", body_count), b = joint.index("bodyB", body_count);
     if (a < 0 || b < 0) return std::nullopt;
-    if (type != "revolute" && type != "distance") {
-        const bool known = std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
-        notes.add(known ? type + " joints, left out" : "joints of the unknown type " + quoted(type) + ", left out");
+    if (type == "gear" || type == "pulley") {
+        notes.add(type + " joints, left out");
+        return std::nullopt;
+    }
+    if (std::ranges::find(kTypes, type) == kTypes.end()) {
+        notes.add("joints of the unknown type " + quoted(type) + ", left out");
         return std::nullopt;
     }
     if (a == b) {
@@ -50,12 +122,20 @@ std::optional<SceneJoint> read_rube_joint(RubeObject joint, std::size_t body_cou
     }
     SceneJoint result;
     result.name = joint.text("name");
-    result.body_a = name_of(static_cast<std::size_t>(a));
-    result.body_b = name_of(static_cast<std::size_t>(b));
+    const RubeBody body_a = body_at(static_cast<std::size_t>(a));
+    result.body_a = body_a.name;
+    result.body_b = body_at(static_cast<std::size_t>(b)).name;
     result.anchors = {joint.vector("anchorA"), joint.vector("anchorB")};
     result.collide_connected = joint.flag("collideConnected");
     if (type == "revolute") read_revolute(joint, result);
     if (type == "distance") read_distance(joint, result);
+    if (type == "rope") read_rope(joint, result);
+    if (type == "prismatic") read_prismatic(joint, result);
+    if (type == "wheel") read_wheel(joint, result);
+    if (type == "weld") read_weld(joint, result);
+    if (type == "friction") read_friction(joint, result);
+    if (type == "motor") read_motor(joint, result);
+    if (type == "mouse") read_mouse(joint, result, body_a.pose);
     const std::string properties = joint.raw("customProperties");
     if (!properties.empty()) result.custom = "{\"customProperties\": " + properties + "}";
     joint.note_unread(type + " joint", notes);

@@ -8,9 +8,15 @@
 
 namespace tumble::scene {
 
-// The joint, between bodies named by `name_of` (an index into the export's bodies); nothing, with a note or an error,
+// A body that a joint refers to.
+struct RubeBody {
+    std::string name;
+    Pose pose;
+};
+
+// The joint, between bodies found by `body_at` (an index into the export's bodies); nothing, with a note or an error,
 // if the scene has no such joint.
 std::optional<SceneJoint> read_rube_joint(RubeObject joint, std::size_t body_count,
-                                          const std::function<std::string(std::size_t)>& name_of, RubeNotes& notes);
+                                          const std::function<RubeBody(std::size_t)>& body_at, RubeNotes& notes);
 
 }  // namespace tumble::scene

@@ -93,28 +93,31 @@ std::string custom_of(RubeObject& fixture) {
     return custom.empty() ? std::string() : compact_text(custom);
 }
 
+constexpr double kAll = 65535.0;  // exports know 16 categories
+
+// Nothing if all is as it is without a filter.
+std::optional<SceneFilter> read_filter(RubeObject& fixture) {
+    const double category = fixture.number("filter-categoryBits", 1.0), mask = fixture.number("filter-maskBits", kAll);
+    const double group = fixture.number("filter-groupIndex");
+    if (category == 1.0 && mask == kAll && group == 0.0) return std::nullopt;
+    const auto bits = [](double value) { return static_cast<std::uint64_t>(std::clamp(value, 0.0, kAll)); };
+    return SceneFilter{bits(category), bits(mask), static_cast<int>(std::clamp(group, -32768.0, 32767.0))};
+}
+
 }  // namespace
 
 std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, RubeNotes& notes) {
     RubeFixture result;
     result.surface = {fixture.number("density"), fixture.number("friction"), fixture.number("restitution")};
     result.custom = custom_of(fixture);
-    const bool filtered = fixture.number("filter-categoryBits", 1.0) != 1.0 ||
-                          fixture.number("filter-maskBits", 65535.0) != 65535.0 ||
-                          fixture.number("filter-groupIndex") != 0.0;
-    fixture.skip({"filter-maskBits", "filter-groupIndex"});
-    const bool sensor = fixture.flag("sensor");
+    result.filter = read_filter(fixture);
+    result.sensor = fixture.flag("sensor");
     const std::optional<ShapeGeometry> geometry = read_sound_geometry(fixture, notes);
     fixture.note_unread("fixture", notes);
-    if (sensor) {
-        notes.add("sensor fixtures, left out");
-        return std::nullopt;
-    }
     if (!geometry) {
         notes.add("fixtures without a shape or with a degenerate one, left out");
         return std::nullopt;
     }
-    if (filtered) notes.add("collision filters of fixtures");
     result.geometry = *geometry;
     return result;
 }

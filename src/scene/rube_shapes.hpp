@@ -20,9 +20,11 @@ struct RubeFixture {
     ShapeGeometry geometry;
     RubeSurface surface;
     std::string custom;  // name and custom properties
+    std::optional<SceneFilter> filter;
+    bool sensor = false;
 };
 
-// Nothing, with a note, for a sensor and for what has no extent.
+// Nothing, with a note, for what has no extent.
 std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, RubeNotes& notes);
 
 }  // namespace tumble::scene
