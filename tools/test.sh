@@ -38,6 +38,16 @@ compare_hashes() {
     say "$1: equal state hashes over $2 s, $(wc -l < "$ours") lines"
 }
 
+# compare_parity PAIRS: the pairs of every family, their distances and the verdicts are the same, bit for bit.
+compare_parity() {
+    local preset
+    for preset in ci sanitize; do
+        "build/$preset/tools/tumble" parity --pairs "$1" --json | grep -v '"seconds"' > "build/hashes/parity-$preset.json"
+    done
+    cmp build/hashes/parity-{ci,sanitize}.json || { say "the parity results of the two builds differ: build/hashes"; return 1; }
+    say "parity: equal results over $1 pairs"
+}
+
 mkdir -p build
 tools/setup.sh all
 say "building with g++, release"
@@ -48,6 +58,7 @@ say "building with clang, debug, sanitizers, baseline instruction set"
 build sanitize tumble_cli "${sanitized_rooms[@]/#/test_}" fuzz_targets
 compare_hashes pyramid 5
 compare_hashes mixed_rain 2
+compare_parity 20000
 say "running tests and the fuzz targets with sanitizers"
 ctest --preset sanitize -L "^($(IFS='|'; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
 say "all tests passed"

@@ -92,7 +92,7 @@ const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"stb_image_write.h", {"render"}},
     {"stb_truetype.h", {"render"}},
     {"libdeflate.h", {"render"}},
-    {"nlohmann", {"scene", "tools"}},
+    {"nlohmann", {"scene", "tools", "reference"}},
     {"rapidjson", {"tools"}},
     {"libfccp", {"tools"}},
     {"CLI", {"tools"}},
