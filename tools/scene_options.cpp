@@ -22,8 +22,6 @@ Scene read_scene(const SceneOptions& options) {
     std::vector<Diagnostic> warnings;
     Scene scene = load_scene(options.file, options.changes, &warnings);
     for (const Diagnostic& warning : warnings) narrate(to_string(warning) + "\n");
-    for (const std::string& feature : ignored_features(scene))
-        report_warning(options.file + ": not simulated yet: " + feature);
     return scene;
 }
 

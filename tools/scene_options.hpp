@@ -21,8 +21,7 @@ void add_change_options(CLI::App& subcommand, LoadOptions& changes);
 // SCENE, --set and --seed.
 void add_scene_options(CLI::App& subcommand, SceneOptions& options);
 
-// Reads the scene with its changes, and says its warnings and what of it is not simulated. Throws FileError or
-// SceneError.
+// Reads the scene with its changes, and says its warnings. Throws FileError or SceneError.
 Scene read_scene(const SceneOptions& options);
 
 // The scene's name as a file name: its letters, digits, '.', '_' and '-'; of the file if it has no name.

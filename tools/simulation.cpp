@@ -60,8 +60,8 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     prepare_run_folder(options.folder, with_frames, options.force);
     summary_.emplace(open_output(summary_file(options.folder), options.force));
     events_.emplace(events_file(options.folder), options.force, scene, run_.built());
-    if (!options.contacts.empty()) contacts_.emplace(options.contacts, options.force, run_.built());
-    if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, options.force, run_.built());
+    if (!options.contacts.empty()) contacts_.emplace(options.contacts, options.force);
+    if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, options.force);
     if (!options.hashes.empty()) hashes_.emplace(options.hashes, options.force);
     if (with_frames) frames_.emplace(scene, run_.built(), options, schedule_);
 }
@@ -83,9 +83,9 @@ void Simulation::run() {
 }
 
 void Simulation::record_step() {
-    events_->record(run_.world());
+    events_->record(run_.built());
     if (trajectory_) trajectory_->record(run_.built());
-    if (contacts_) contacts_->record(run_.world());
+    if (contacts_) contacts_->record(run_.built());
     if (hashes_) hashes_->record(run_.world());
     if (frames_) frames_->draw_due(run_.built());
 }

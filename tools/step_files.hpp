@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "output_path.hpp"
@@ -16,29 +17,58 @@ namespace tumble::tools {
 // The field as CSV has it: quoted if it holds a comma, a quote or a line break.
 std::string csv_field(std::string_view text);
 
-// The name of each body in output, in id order: its own, or body[i].
+// The name of a body in output: its own, or body[i] for the one at that place of SceneWorld::bodies.
+std::string output_name(const SceneInstance& body, std::size_t index);
 std::vector<std::string> body_names(const SceneWorld& world);
 
-// The names as CSV fields, found by id; those of bodies that are gone too.
-class BodyFields {
+// Texts by id; of an id that is stale by now too, until its place has been taken twice.
+template <class Id>
+class TextsById {
 public:
-    explicit BodyFields(const SceneWorld& world);
-    const std::string& operator[](BodyId id) const { return fields_[id.index]; }
+    void set(Id id, std::string text) {
+        if (id.index >= places_.size()) places_.resize(id.index + 1);
+        Place& place = places_[id.index];
+        place.before = std::exchange(place.text, std::move(text));
+        place.id = id;
+    }
+    const std::string& operator[](Id id) const {
+        const Place& place = places_[id.index];
+        return place.id == id ? place.text : place.before;
+    }
 
 private:
-    std::vector<std::string> fields_;  // by index
+    struct Place {
+        Id id;
+        std::string text, before;
+    };
+    std::vector<Place> places_;  // by index
+};
+
+// The names of bodies as CSV fields, found by body or shape; those of bodies that are gone too.
+class BodyFields {
+public:
+    // Takes note of the bodies that came since the last call.
+    void update(const SceneWorld& world);
+
+    const std::string& operator[](BodyId id) const { return bodies_[id]; }
+    const std::string& operator[](ShapeId id) const { return shapes_[id]; }
+
+private:
+    TextsById<BodyId> bodies_;
+    TextsById<ShapeId> shapes_;  // of the body that has the shape
+    std::size_t known_ = 0;      // of world.bodies
 };
 
 // Pose and velocity of every body: step,time,body,x,y,angle,vx,vy,omega.
 class TrajectoryFile {
 public:
-    TrajectoryFile(const std::filesystem::path& file, bool force, const SceneWorld& world);
+    TrajectoryFile(const std::filesystem::path& file, bool force);
     void record(const SceneWorld& world);
     OutputFile& file() noexcept { return file_; }
 
 private:
     OutputFile file_;
-    std::vector<std::string> names_;  // [world.bodies.size()], as fields
+    BodyFields names_;
     std::string lines_;
 };
 
@@ -46,8 +76,8 @@ private:
 // the step found them, impulses of its last sub-step.
 class ContactsFile {
 public:
-    ContactsFile(const std::filesystem::path& file, bool force, const SceneWorld& world);
-    void record(const World& world);
+    ContactsFile(const std::filesystem::path& file, bool force);
+    void record(const SceneWorld& world);
     OutputFile& file() noexcept { return file_; }
 
 private:
@@ -62,17 +92,15 @@ private:
 class EventsFile {
 public:
     EventsFile(const std::filesystem::path& file, bool force, const Scene& scene, const SceneWorld& world);
-    void record(const World& world);
+    void record(const SceneWorld& world);
     OutputFile& file() noexcept { return file_; }
 
 private:
     void add(const std::string& event, const std::string& a, const std::string& b);
-    const std::string& body_of(const World& world, ShapeId shape) const;
 
     OutputFile file_;
     BodyFields names_;
-    std::vector<std::string> joints_;         // by index
-    std::vector<std::string> body_of_shape_;  // by index, as fields: shapes may be gone when their contacts end
+    TextsById<JointId> joints_;
     std::string step_;                        // the first two cells of the present step
     std::string lines_;
 };

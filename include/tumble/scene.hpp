@@ -302,9 +302,6 @@ Scene parse_scene(std::string_view text, const std::string& file_name, std::vect
 Scene parse_scene(std::string_view text, const std::string& file_name, const LoadOptions& options,
                   std::vector<Diagnostic>* warnings = nullptr);
 
-// What the scene asks for and this version keeps but does not simulate, a line each: "joint motors (2)".
-std::vector<std::string> ignored_features(const Scene& scene);
-
 // The canonical text: keys in the schema's order, defaults left out, shortest round-trip numbers. Throws
 // std::invalid_argument for a `custom` that is not JSON.
 std::string to_json(const Scene& scene);

@@ -124,13 +124,18 @@ ImportDifferences compare_with_box2d(const std::filesystem::path& rube_file, con
     std::vector<b2Body*> bodies;
     for (const Json& body : document.value("body", Json::array())) bodies.push_back(add_body(world, body));
     worst.same_count = bodies.size() == built.bodies.size();
-    for (std::size_t i = 0; i < std::min(bodies.size(), built.bodies.size()); ++i)
-        if (built.world.type(built.bodies[i].id) == BodyType::dynamic_body)
-            compare_bodies(*bodies[i], built.world.mass(built.bodies[i].id), worst);
+    for (std::size_t i = 0; i < std::min(bodies.size(), built.bodies.size()); ++i) {
+        const BodyId id = built.bodies[i].id;
+        if (built.world.type(id) == BodyType::dynamic_body && built.world.is_enabled(id))
+            compare_bodies(*bodies[i], built.world.mass(id), worst);
+    }
     std::size_t next = 0;
     for (const Json& joint : document.value("joint", Json::array())) {
         if (!is_carried_over(joint)) continue;
-        if (next == built.joints.size()) break;
+        if (next >= built.joints.size()) {
+            ++next;
+            continue;
+        }
         const std::optional<Anchors> theirs =
             anchors_of(joint, *bodies.at(joint.value("bodyA", std::size_t{0})), *bodies.at(joint.value("bodyB", std::size_t{0})), world);
         const std::optional<Anchors> ours = std::visit(FindAnchors{built.world}, built.world.joint(built.joints[next++]));

@@ -8,7 +8,7 @@
 
 namespace tumble::reference {
 
-// The largest differences. Mass and inertia (about the body's origin) are of dynamic bodies, relative to Box2D's; the centre
+// The largest differences. Mass and inertia (about the body's origin) are of dynamic bodies that are active, relative to Box2D's; the centre
 // of mass is relative to the radius of gyration about the origin; anchors are in world coordinates at load, in m.
 struct ImportDifferences {
     double mass = 0.0;

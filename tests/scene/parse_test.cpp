@@ -32,11 +32,3 @@ TEST_CASE("the example of format 1 is read in full") {
     CHECK(scene.expect[2].inside.value().second == DVec2(1, 2));
     CHECK(scene.custom == R"({"author": "anything a user wants to keep; also on bodies, shapes and joints"})");
 }
-
-TEST_CASE("what is kept but not simulated is named") {
-    const Scene scene = parse_scene(
-        R"({"format": 1, "bodies": [{"type": "static", "shapes": [{"chain": {"points": [[0, 0], [1, 0]]}}]}]})", "chain.json");
-    CHECK(ignored_features(scene).size() == 1);
-    CHECK(ignored_features(parse_scene(test::kExample, "example.json")).empty());
-    CHECK(ignored_features(parse_scene(R"({"format": 1})", "least.json")).empty());
-}
