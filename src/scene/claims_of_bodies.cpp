@@ -56,9 +56,9 @@ private:
     std::optional<BodyState> state_;
 };
 
-class Place final : public OfBody {
+class BodyPlace final : public OfBody {
 public:
-    Place(const std::string& body, const SceneBox& box, bool inside) : OfBody(body), box_(box), inside_(inside) {}
+    BodyPlace(const std::string& body, const SceneBox& box, bool inside) : OfBody(body), box_(box), inside_(inside) {}
 
 private:
     double excess_of_state(const BodyState& state) const override {
@@ -196,8 +196,8 @@ double degrees_of(const BodyState& state) { return angle(state.pose.rotation) * 
 }  // namespace
 
 std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& claim) {
-    if (claim.inside) return std::make_unique<Place>(claim.body, *claim.inside, true);
-    if (claim.outside) return std::make_unique<Place>(claim.body, *claim.outside, false);
+    if (claim.inside) return std::make_unique<BodyPlace>(claim.body, *claim.inside, true);
+    if (claim.outside) return std::make_unique<BodyPlace>(claim.body, *claim.outside, false);
     if (claim.height) return std::make_unique<Measure>(claim.body, *claim.height, height_of, "its height is", "m");
     if (claim.speed) return std::make_unique<Measure>(claim.body, *claim.speed, speed_of, "its speed is", "m/s");
     if (claim.angle) return std::make_unique<Measure>(claim.body, *claim.angle, degrees_of, "its angle is", "degrees");

@@ -114,8 +114,8 @@ TUMBLE_LANE_FUNCTION void take_root(Double4& part) {
 #endif
 }
 
-TUMBLE_LANE_FUNCTION Double4 larger_halves(const Double4& part) { return part; }
-TUMBLE_LANE_FUNCTION Double4 smaller_halves(const Double4& part) { return part; }
+TUMBLE_LANE_FUNCTION const Double4& larger_halves(const Double4& part) { return part; }
+TUMBLE_LANE_FUNCTION const Double4& smaller_halves(const Double4& part) { return part; }
 
 }  // namespace simd
 

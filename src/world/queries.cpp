@@ -69,7 +69,7 @@ private:
     DVec2 from_, way_, half_;
 };
 
-bool is_before(const CastHit& a, const CastHit& b) {
+bool comes_first(const CastHit& a, const CastHit& b) {
     return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape < b.shape;
 }
 
@@ -100,7 +100,7 @@ std::optional<CastHit> find_first(const Simulation& simulation, const SweptBox& 
                             [&](std::uint32_t shape) {
                                 if (!is_seen(simulation, shape, filter)) return;
                                 const std::optional<CastHit> hit = meet(shape);
-                                if (!hit || (first && !is_before(*hit, *first))) return;
+                                if (!hit || (first && !comes_first(*hit, *first))) return;
                                 first = hit;
                                 last = hit->fraction;
                             });
@@ -126,7 +126,7 @@ std::vector<CastHit> find_ray_hits(const Simulation& simulation, DVec2 origin, D
                                 if (const auto hit = meet_by_ray(simulation, shape, origin, translation))
                                     hits.push_back(*hit);
                             });
-    std::sort(hits.begin(), hits.end(), is_before);
+    std::sort(hits.begin(), hits.end(), comes_first);
     return hits;
 }
 
