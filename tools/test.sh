@@ -60,5 +60,5 @@ compare_hashes pyramid 5
 compare_hashes mixed_rain 2
 compare_parity 20000
 say "running tests and the fuzz targets with sanitizers"
-ctest --preset sanitize -L "^($(IFS='|'; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
+TUMBLE_ONE_SCENE_OF=12 ctest --preset sanitize -L "^($(IFS='|'; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
 say "all tests passed"

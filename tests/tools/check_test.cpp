@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,17 @@ std::string crate_scene(const std::string& place) {
 
 }  // namespace
 
+// The environment variable TUMBLE_ONE_SCENE_OF takes every n-th scene alone: under sanitizers all of them take minutes.
 TEST_CASE("every shipped scene that claims something holds it") {
+    const char* every = std::getenv("TUMBLE_ONE_SCENE_OF");
+    const std::size_t stride = every ? std::strtoull(every, nullptr, 10) : 1;
+    REQUIRE(stride > 0);
     std::vector<std::string> arguments{"check", "--json"};
+    std::size_t count = 0;
     for (const json& demo : json::parse(run_tumble({"demo", "--list", "--json"}).out))
         if (const std::string file = demo["file"]; read_text(file).find("\"expect\"") != std::string::npos)
-            arguments.push_back(file);
-    REQUIRE(arguments.size() > 5);
+            if (count++ % stride == 0) arguments.push_back(file);
+    REQUIRE(count > 50);
     const Answer answer = run_tumble(arguments);
     CHECK_MESSAGE(answer.code == 0, answer.out);
 }
