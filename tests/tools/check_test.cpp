@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
