@@ -1,76 +1,25 @@
-#define CSV_IO_NO_THREAD
 #include "body_states.hpp"
 
-#include <libfccp/csv.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <optional>
-#include <tuple>
 #include <utility>
 
-#include "input_error.hpp"
+#include "csv_file.hpp"
 #include "json_writer.hpp"
 #include "step_files.hpp"
-#include "tumble/file.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {
 
 namespace {
 
-template <unsigned Columns>
-using Csv = io::CSVReader<Columns, io::trim_chars<>, io::double_quote_escape<',', '"'>>;
-
-// What the reader throws ends as our kind of error, with file and line.
-template <class Action>
-auto with_input_errors(Action action) {
-    try {
-        return action();
-    } catch (const io::error::base& error) {
-        throw InputError(error.what());
-    }
+// The numbers are x, y, the normal's x and y, separation and impulse, as text.
+std::string contact_text(const std::string& a, const std::string& b, const std::array<std::string, 6>& numbers) {
+    const auto& [x, y, normal_x, normal_y, separation, impulse] = numbers;
+    return a + " and " + b + " at [" + x + ", " + y + "], normal [" + normal_x + ", " + normal_y + "], separation " + separation +
+           " m, impulse " + impulse + " N s";
 }
-
-// A CSV file whose header is known.
-template <unsigned Columns>
-class CsvFile {
-public:
-    template <class... Names>
-    CsvFile(const std::filesystem::path& file, Names... names) : name_(file.string()), stream_(opened(file)), csv_(name_, stream_) {
-        with_input_errors([&] { csv_.read_header(io::ignore_no_column, names...); });
-    }
-
-    // The fields of the next line, which hold until the one after it; false at the end.
-    bool read(std::array<char*, Columns>& fields) {
-        const auto read_row = [this](auto&... field) { return csv_.read_row(field...); };
-        return with_input_errors([&] { return std::apply(read_row, fields); });
-    }
-
-    template <class Number>
-    Number number(const char* text) const {
-        Number value{};
-        const char* const end = text + std::strlen(text);
-        const auto [stop, error] = std::from_chars(text, end, value);
-        if (error == std::errc() && stop == end) return value;
-        throw InputError(name_ + ":" + std::to_string(csv_.get_file_line()) + ": expected a number, got '" + text + "'");
-    }
-
-private:
-    static std::ifstream opened(const std::filesystem::path& file) {
-        std::ifstream stream(file);
-        if (!stream) throw FileError(file, std::strerror(errno));
-        return stream;
-    }
-
-    std::string name_;
-    std::ifstream stream_;
-    Csv<Columns> csv_;
-};
 
 // The contacts of one step after the other, as --contacts writes them.
 class ContactFile {
@@ -100,9 +49,7 @@ private:
         at_end_ = !csv_.read(fields);
         if (at_end_) return;
         const auto& [step, a, b, feature, x, y, nx, ny, separation, normal_impulse, tangent_impulse] = fields;
-        held_ = Line{csv_.number<std::uint64_t>(step), a, b,
-                     std::string(a) + " and " + b + " at [" + x + ", " + y + "], normal [" + nx + ", " + ny + "], separation " +
-                         separation + " m, impulse " + normal_impulse + " N s"};
+        held_ = Line{csv_.number<std::uint64_t>(step), a, b, contact_text(a, b, {x, y, nx, ny, separation, normal_impulse})};
     }
 
     CsvFile<11> csv_;
@@ -132,7 +79,7 @@ public:
         return true;
     }
 
-    std::vector<std::string> contacts_of(const std::string& body) const override {
+    std::vector<std::string> contacts_of(const std::string& body) override {
         return contacts_ ? contacts_->contacts_of(body, step_) : std::vector<std::string>{};
     }
 
@@ -151,7 +98,7 @@ private:
     }
 
     CsvFile<9> csv_;
-    mutable std::optional<ContactFile> contacts_;
+    std::optional<ContactFile> contacts_;
     std::uint64_t step_ = 0, held_step_ = 0;  // `held` is the first body of the step after the one that was read last
     double held_time_ = 0.0;
     NamedState held_;
@@ -172,47 +119,45 @@ public:
         states.step = run_.world().step_count();
         states.time = run_.time();
         states.bodies.clear();
-        names_ = body_names(run_.built());
-        for (std::size_t i = 0; i < names_.size(); ++i) {
-            if (!run_.world().is_valid(run_.built().bodies[i].id)) continue;
-            const BodyState state = run_.world().state(run_.built().bodies[i].id);
+        const std::vector<SceneInstance>& bodies = run_.built().bodies;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            if (!run_.world().is_valid(bodies[i].id)) continue;
+            const BodyState state = run_.world().state(bodies[i].id);
             const DVec2 position = state.pose.position;
-            states.bodies.push_back({names_[i], {position.x, position.y, angle(state.pose.rotation), double{state.velocity.x},
+            states.bodies.push_back({output_name(bodies[i], i), {position.x, position.y, angle(state.pose.rotation), double{state.velocity.x},
                                                  double{state.velocity.y}, double{state.angular_velocity}}});
         }
         return true;
     }
 
-    std::vector<std::string> contacts_of(const std::string& body) const override {
+    std::vector<std::string> contacts_of(const std::string& body) override {
         std::vector<std::string> found;
         for (const ContactPoint& contact : run_.world().contacts()) {
-            const std::string& a = name_of(contact.body_a);
-            const std::string& b = name_of(contact.body_b);
+            const std::string a = name_of(contact.body_a), b = name_of(contact.body_b);
             if (a == body || b == body) found.push_back(text_of(contact, a, b));
         }
         return found;
     }
 
 private:
-    const std::string& name_of(BodyId id) const {
+    std::string name_of(BodyId id) const {
         const auto& bodies = run_.built().bodies;
-        return names_[static_cast<std::size_t>(std::ranges::find(bodies, id, &SceneInstance::id) - bodies.begin())];
+        const auto found = std::ranges::find(bodies, id, &SceneInstance::id);
+        return output_name(*found, static_cast<std::size_t>(found - bodies.begin()));
     }
 
     static std::string text_of(const ContactPoint& contact, const std::string& a, const std::string& b) {
-        std::string text = a + " and " + b + " at [";
-        append_number(text, contact.point.x);
-        append_number(text += ", ", contact.point.y);
-        append_number(text += "], normal [", contact.normal.x);
-        append_number(text += ", ", contact.normal.y);
-        append_number(text += "], separation ", contact.separation);
-        append_number(text += " m, impulse ", contact.normal_impulse);
-        return text + " N s";
+        const auto text = [](auto number) {
+            std::string digits;
+            append_number(digits, number);
+            return digits;
+        };
+        return contact_text(a, b, {text(contact.point.x), text(contact.point.y), text(contact.normal.x), text(contact.normal.y),
+                                   text(contact.separation), text(contact.normal_impulse)});
     }
 
     Scene scene_;
     SceneRun run_;
-    std::vector<std::string> names_;
     std::uint64_t last_step_ = 0;
     bool started_ = false;
 };

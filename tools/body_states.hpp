@@ -39,7 +39,7 @@ public:
     virtual bool next(StepStates& states) = 0;
 
     // The contacts of a body in the step that was read last, a line each.
-    virtual std::vector<std::string> contacts_of(const std::string& body) const = 0;
+    virtual std::vector<std::string> contacts_of(const std::string& body) = 0;
 };
 
 // A scene file (.json), a trajectory (.csv), or the folder of a run that holds trajectory.csv; a run's contacts are those of

@@ -60,23 +60,16 @@ const char* to_text(DistanceStatus status) {
     return "invalid";
 }
 
-void write_pair(JsonWriter& json, const char* key, double x, double y) {
-    json.key(key).open_array().value(x).value(y).close_array();
-}
-
 void write_pose(JsonWriter& json, const char* key, const Pose& pose) {
-    json.key(key).open_object();
-    write_pair(json, "position", pose.position.x, pose.position.y);
+    json.key(key).open_object().member("position", pose.position);
     json.key("rotation").open_array().value(pose.rotation.c).value(pose.rotation.s).close_array();
     json.close_object();
 }
 
 void write_certificate(JsonWriter& json, const Certificate& certificate) {
-    json.key("certificate").open_object();
-    write_pair(json, "direction", certificate.direction.x, certificate.direction.y);
+    json.key("certificate").open_object().member("direction", certificate.direction);
     json.key("pairs").open_array();
-    for (std::size_t i = 0; i < certificate.pair_count; ++i)
-        json.open_array().value(certificate.pairs[i].a).value(certificate.pairs[i].b).close_array();
+    for (std::size_t i = 0; i < certificate.pair_count; ++i) write_pair(json, certificate.pairs[i]);
     json.close_array().member("cores_overlap", certificate.cores_overlap).close_object();
 }
 
@@ -119,14 +112,16 @@ DistanceQuery parse_query_arguments(std::string_view a, std::string_view b) {
     return {std::move(at_a.shape), std::move(at_b.shape), at_a.pose, at_b.pose};
 }
 
+void write_pair(JsonWriter& json, VertexPair pair) { json.open_array().value(pair.a).value(pair.b).close_array(); }
+
 void write_answer(JsonWriter& json, const DistanceQuery& query, const DistanceResult& result) {
     json.open_object()
         .member("distance", result.distance)
         .member("lower", result.lower)
-        .member("upper", result.upper);
-    write_pair(json, "point_a", result.point_a.x, result.point_a.y);
-    write_pair(json, "point_b", result.point_b.x, result.point_b.y);
-    write_pair(json, "normal", result.normal.x, result.normal.y);
+        .member("upper", result.upper)
+        .member("point_a", result.point_a)
+        .member("point_b", result.point_b)
+        .member("normal", result.normal);
     json.member("status", to_text(result.status)).member("iterations", result.iterations);
     write_pose(json, "a_pose", query.a_pose);
     write_pose(json, "b_pose", query.b_pose);

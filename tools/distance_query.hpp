@@ -23,6 +23,9 @@ DistanceQuery parse_query_line_strictly(std::string_view line);
 // From the two arguments of `distance A B`: each a SHAPE with an optional key "pose". Throws InputError or SceneError.
 DistanceQuery parse_query_arguments(std::string_view a, std::string_view b);
 
+// [vertex of A, vertex of B]
+void write_pair(JsonWriter& json, VertexPair pair);
+
 // The object that scripts rely on.
 void write_answer(JsonWriter& json, const DistanceQuery& query, const DistanceResult& result);
 

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tumble/math.hpp"
+
 namespace tumble::tools {
 
 // Appends the shortest decimal that reads back as the same value ("0.1", "1e-07", "-0", "nan", "inf").
@@ -35,6 +37,7 @@ public:
     JsonWriter& value(float number);
     JsonWriter& value(bool truth) { return literal(truth ? "true" : "false"); }
     JsonWriter& value(std::integral auto number) { return literal(std::to_string(number)); }
+    JsonWriter& value(DVec2 vector) { return open_array().value(vector.x).value(vector.y).close_array(); }
     JsonWriter& value(std::string_view string);
     JsonWriter& value(const char* string) { return value(std::string_view(string)); }
     JsonWriter& value(const std::string& string) { return value(std::string_view(string)); }

@@ -28,13 +28,6 @@ std::string output_name(const SceneInstance& body, std::size_t index) {
     return body.name.empty() ? "body[" + std::to_string(index) + "]" : body.name;
 }
 
-std::vector<std::string> body_names(const SceneWorld& world) {
-    std::vector<std::string> names;
-    names.reserve(world.bodies.size());
-    for (const SceneInstance& body : world.bodies) names.push_back(output_name(body, names.size()));
-    return names;
-}
-
 void BodyFields::update(const SceneWorld& world) {
     for (; known_ < world.bodies.size(); ++known_) {
         const SceneInstance& body = world.bodies[known_];

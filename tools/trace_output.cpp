@@ -10,24 +10,14 @@ namespace tumble::tools {
 
 namespace {
 
-void write_vector(JsonWriter& json, const char* key, DVec2 v) {
-    json.key(key).open_array().value(v.x).value(v.y).close_array();
-}
-
-void write_pair(JsonWriter& json, VertexPair pair) { json.open_array().value(pair.a).value(pair.b).close_array(); }
-
 void write_step(JsonWriter& json, const TraceStep& step) {
     json.open_object().key("simplex").open_array();
     for (std::size_t i = 0; i < step.count; ++i) write_pair(json, step.simplex[i]);
     json.close_array().key("vertices").open_array();
-    for (std::size_t i = 0; i < step.count; ++i)
-        json.open_array().value(step.vertices[i].x).value(step.vertices[i].y).close_array();
-    json.close_array();
-    write_vector(json, "closest", step.closest);
-    write_vector(json, "direction", step.direction);
+    for (std::size_t i = 0; i < step.count; ++i) json.value(step.vertices[i]);
+    json.close_array().member("closest", step.closest).member("direction", step.direction);
     write_pair(json.key("support"), step.support);
-    write_vector(json, "support_vertex", step.support_vertex);
-    json.member("lower", step.lower).member("upper", step.upper).close_object();
+    json.member("support_vertex", step.support_vertex).member("lower", step.lower).member("upper", step.upper).close_object();
 }
 
 std::string trace_json(const DistanceQuery& query, const DistanceTrace& trace) {

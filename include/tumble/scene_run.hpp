@@ -44,8 +44,8 @@ struct ExpectationResult {
 
 // Watches a run and decides the claims of its scene (Scene::expect).
 //
-// At rest is a body that sleeps, or whose farthest point is slower than 0.05 m/s, the speed below which bodies fall
-// asleep; `at_rest_by` asks it of all dynamic bodies in all states from that time on. Bodies touch by the contact and
+// At rest is a body that sleeps, or whose farthest point is slower than 0.05 m/s (times the root of the world's scale), the
+// speed below which bodies fall asleep; `at_rest_by` asks it of all dynamic bodies in all states from that time on. Bodies touch by the contact and
 // sensor events of the steps. A claim of a state is looked at where SceneExpectation::when, at, from and until say. What
 // the run never reaches has failed, and so has a claim of a body that is not there.
 class ExpectationWatch {

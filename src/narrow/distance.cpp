@@ -39,7 +39,7 @@ namespace {
 
 DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                         SimplexCache* cache) noexcept {
-    if (a.vertex_count() == 1 && b.vertex_count() == 1) 
+    if (a.vertex_count() == 1 && b.vertex_count() == 1)
         return distance_of_circles(a, world_from_a, b, world_from_b, cache);
     const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
     if (!is_valid(pair, a, b)) return invalid_result();

@@ -33,10 +33,6 @@ VertexPair neighbour(const CorePair& pair, DVec2 direction, VertexPair at, int s
     return height(pair, direction, along_a) >= height(pair, direction, along_b) ? along_a : along_b;
 }
 
-}  // namespace
-
-namespace {
-
 // An edge's outward normal, as long as it, and from A to B also for edges of B.
 DVec2 normal_of_a(const CorePair& pair, int edge) { return -perp(pair.a.edge(edge, pair.a.next(edge))); }
 DVec2 normal_of_b(const CorePair& pair, int edge) { return perp(pair.b.edge(edge, pair.b.next(edge))); }

@@ -12,7 +12,10 @@ class Claim {
 public:
     virtual ~Claim() = default;
 
-    // 0 where the claim holds, else how far it is from holding; to be asked once for the first state and after each step.
+    // To be called for the first state and after each step: for claims about what happened since.
+    virtual void follow(const SceneWorld&) {}
+
+    // 0 where the claim holds in this state, which was followed, else how far it is from holding.
     virtual double excess(const SceneWorld& built) = 0;
 
     // What was seen in the state that excess() looked at last; `margin` is how near to failing it was, for claims that hold

@@ -93,7 +93,7 @@ class Touching final : public Claim {
 public:
     Touching(const std::string& a, const std::string& b, bool wanted) : a_(a), b_(b), wanted_(wanted) {}
 
-    double excess(const SceneWorld& built) override {
+    void follow(const SceneWorld& built) override {
         const SceneInstance* a = a_.find(built);
         const SceneInstance* b = b_.find(built);
         const StepEvents& events = built.world.events();
@@ -111,8 +111,8 @@ public:
         } else {
             touching_ = 0;
         }
-        return (touching_ > 0) == wanted_ ? 0.0 : 1.0;
     }
+    double excess(const SceneWorld&) override { return (touching_ > 0) == wanted_ ? 0.0 : 1.0; }
     std::string finding(const SceneWorld&) const override { return touching_ > 0 ? "they touch" : "they do not touch"; }
 
 private:
@@ -150,10 +150,10 @@ class EventCount final : public Claim {
 public:
     EventCount(SceneEventKind kind, const std::string& of, const SceneInterval& allowed) : kind_(kind), of_(of), allowed_(allowed) {}
 
-    double excess(const SceneWorld& built) override {
+    void follow(const SceneWorld& built) override {
         if (built.world.step_count() > 0) count_ += count_in_step(built);
-        return excess_of(static_cast<double>(count_), allowed_);
     }
+    double excess(const SceneWorld&) override { return excess_of(static_cast<double>(count_), allowed_); }
     std::string finding(const SceneWorld&) const override { return "there were " + std::to_string(count_); }
 
 private:

@@ -13,7 +13,8 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kRestSpeed = 0.05;  // m/s: below it the stepper lets bodies fall asleep
+// The speed below which the stepper lets bodies fall asleep (m/s).
+double rest_speed(const World& world) { return 0.05 * std::sqrt(double{world.def().scale}); }
 
 class AtRest final : public Claim {
 public:
@@ -29,7 +30,7 @@ public:
             fastest_ = speed;
             body_ = i;
         }
-        return fastest_ < kRestSpeed ? 0.0 : fastest_;
+        return fastest_ < rest_speed(built.world) ? 0.0 : fastest_;
     }
     double margin() const override { return fastest_; }
     std::string finding(const SceneWorld& built) const override {
@@ -115,10 +116,11 @@ class EnergyGain final : public Claim {
 public:
     explicit EnergyGain(double limit) : limit_(limit) {}
 
+    void follow(const SceneWorld& built) override {
+        if (!first_) first_ = energy_of(built.world);
+    }
     double excess(const SceneWorld& built) override {
-        const double energy = energy_of(built.world);
-        if (!first_) first_ = energy;
-        gain_ = energy - *first_;
+        gain_ = energy_of(built.world) - *first_;
         return std::max(0.0, gain_ - limit_);
     }
     double margin() const override { return gain_; }

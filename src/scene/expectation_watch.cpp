@@ -1,22 +1,17 @@
 // When a claim is looked at, and which moment decides it: that of the worst state for what must hold always, of the best
 // one for what must hold sometime. The finding keeps that moment, so that a report can say how near it came.
-#include <cmath>
 #include <limits>
 #include <memory>
 
 #include "scene/claims.hpp"
+#include "scene/step_time.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble {
 
 namespace {
 
-constexpr double kSlack = 1e-6;  // of a step: times are decimal fractions, steps are not
 constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
-
-std::uint64_t first_step_at(double time, double steps_per_second) {
-    return static_cast<std::uint64_t>(std::max(0.0, std::ceil(time * steps_per_second - kSlack)));
-}
 
 // What is claimed of single states holds `when` it says; the rest has a moment of its own.
 SceneMoment moment_of(const SceneExpectation& claim) {
@@ -60,10 +55,10 @@ ExpectationWatch::ExpectationWatch(const Scene& scene, const SceneWorld& built) 
         watched.claim = scene::make_claim(expectation, scene, built);
         watched.text = scene::claim_text(expectation);
         watched.moment = moment_of(expectation);
-        if (expectation.from) watched.from = first_step_at(*expectation.from, rate);
-        if (expectation.until) watched.to = first_step_at(*expectation.until, rate);
-        if (expectation.at_rest_by) watched.from = first_step_at(*expectation.at_rest_by, rate);
-        if (expectation.at) watched.from = watched.to = first_step_at(*expectation.at, rate);
+        if (expectation.from) watched.from = scene::first_step_at(*expectation.from, rate);
+        if (expectation.until) watched.to = scene::first_step_at(*expectation.until, rate);
+        if (expectation.at_rest_by) watched.from = scene::first_step_at(*expectation.at_rest_by, rate);
+        if (expectation.at) watched.from = watched.to = scene::first_step_at(*expectation.at, rate);
     }
 }
 
@@ -74,9 +69,10 @@ ExpectationWatch& ExpectationWatch::operator=(ExpectationWatch&&) noexcept = def
 void ExpectationWatch::observe(const SceneWorld& built) {
     const std::uint64_t step = built.world.step_count();
     for (Watched& watched : impl_->watched) {
-        // Asked outside of its time too: some count what happened so far.
+        watched.claim->follow(built);
+        if (step < watched.from || step > watched.to) continue;
         const double excess = watched.claim->excess(built), margin = watched.claim->margin();
-        if (step < watched.from || step > watched.to || !watched.decides(excess, margin)) continue;
+        if (!watched.decides(excess, margin)) continue;
         watched.seen = true;
         watched.excess = excess;
         watched.margin = margin;

@@ -11,7 +11,7 @@ namespace tumble::scene {
 namespace {
 
 constexpr double kSliver = 0.01;                       // of its length
-constexpr double kSmallest = 0.005, kLargest = 100.0;  // m: where the solver's constants are tried
+constexpr double kSmallest = 0.005, kLargest = 100.0;  // m, in a world of scale 1: where the solver's constants are tried
 
 // The least distance of two parallel lines that the shape fits between (m).
 double width_of(const Shape& shape) {
@@ -72,9 +72,12 @@ private:
             diagnostics_.warning(pointer, "is a sliver, " + brief(size) + " m long and " + brief(width) +
                                               " m thin: it has next to no inertia about its length, and its contacts rattle",
                                  "make it thicker, or a capsule, whose ends are round");
-        if (size < kSmallest || size > kLargest)
-            diagnostics_.warning(pointer, "is " + brief(size) + " m large: moving bodies behave best between 5 mm and 100 m",
-                                 "choose another unit of length for the scene, and scale gravity with it");
+        const double scale = scene_.world.scale;
+        if (size < scale * kSmallest || size > scale * kLargest)
+            diagnostics_.warning(pointer,
+                                 "is " + brief(size) + " m large: moving bodies behave best between " + brief(scale * kSmallest) +
+                                     " m and " + brief(scale * kLargest) + " m",
+                                 R"(give the world a "scale", the size of a typical body)");
     }
 
     void check_speed(std::size_t source, double thickness) {

@@ -14,12 +14,14 @@ namespace tumble::scene {
 namespace {
 
 constexpr double kOverlap = 0.02;      // of the smaller extent: twice the overlap that contacts keep at rest, and
-constexpr double kOverlapLimit = 0.01; // m: never more
+constexpr double kOverlapLimit = 0.01; // m, in a world of scale 1: never more
 constexpr double kAcross = 0.5;        // cosine: steeper contacts carry no weight
 constexpr double kVisibleSag = 0.05;   // of the smaller extent of the body that sinks
 
 // Each contact point gives like a spring of 30 Hz on the mass that it moves, 60 Hz against what does not move (rad/s).
+// In a world of another scale their frequencies follow the inverse root of it.
 constexpr double kContactSpring = 2.0 * kPi * 30.0, kGroundSpring = 2.0 * kContactSpring;
+constexpr double kPushOutSpeed = 3.0;  // m/s, in a world of scale 1
 
 // All points between two bodies, as one.
 struct Touch {
@@ -39,7 +41,7 @@ public:
             const std::size_t a = index_.at(contact.body_a.index), b = index_.at(contact.body_b.index);
             Touch& touch = touches.try_emplace({a, b}, Touch{a, b, HUGE_VAL, {}, 0.0}).first->second;
             const double spring = is_dynamic(a) && is_dynamic(b) ? kContactSpring : kGroundSpring;
-            touch.stiffness += spring * spring / (mobility(a, contact) + mobility(b, contact));
+            touch.stiffness += spring * spring / (scene.world.scale * (mobility(a, contact) + mobility(b, contact)));
             if (double{contact.separation} >= touch.separation) continue;
             touch.separation = double{contact.separation};
             touch.normal = DVec2(contact.normal);
@@ -50,10 +52,10 @@ public:
     void check_overlaps() {
         std::set<std::pair<std::size_t, std::size_t>> said;
         for (const Touch& touch : touches_) {
-            const double allowed = std::min(kOverlap * std::min(extent_of(touch.a), extent_of(touch.b)), kOverlapLimit);
+            const double allowed = std::min(kOverlap * std::min(extent_of(touch.a), extent_of(touch.b)), scene_.world.scale * kOverlapLimit);
             if (touch.separation >= -allowed || !said.insert({source(touch.a), source(touch.b)}).second) continue;
             warn(touch.b, name(touch.b) + " starts " + brief(-touch.separation) + " m inside " + name(touch.a) +
-                              ": they are pushed apart, by up to 3 m/s",
+                              ": they are pushed apart, by up to " + brief(std::sqrt(scene_.world.scale) * kPushOutSpeed) + " m/s",
                  "move one of them, or keep them from meeting by a filter");
         }
     }

@@ -11,12 +11,12 @@
 #include "scene/diagnostics.hpp"
 #include "scene/names.hpp"
 #include "scene/place.hpp"
+#include "scene/step_time.hpp"
 
 namespace tumble {
 
 namespace {
 
-constexpr double kSlack = 1e-6;  // of a step: times are decimal fractions, steps are not
 constexpr double kRadians = kPi / 180.0;
 
 // One entry of the timeline with what it needs at hand.
@@ -70,7 +70,7 @@ struct SceneRun::Impl {
 
     bool is_due(const Happening& happening) const {
         const SceneEvent& event = happening.event;
-        const double slack = kSlack / built.world.def().steps_per_second;
+        const double slack = scene::kTimeSlack / built.world.def().steps_per_second;
         const double now = time() + slack;
         if (event.at && happening.lasts()) return now >= *event.at && (!event.until || now < *event.until);
         if (event.at) return happening.count == 0 && now >= *event.at;

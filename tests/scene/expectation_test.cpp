@@ -7,17 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "scene/disc_scene.hpp"
+
 using namespace tumble;
+using test::make_disc_scene;
 
 namespace {
-
-// A disc of mass pi / 4 kg (radius 0.5 m, density 1) in space, and what the scene says besides.
-Scene make_scene(const std::string& more) {
-    return parse_scene(R"({"format": 1, "world": {"gravity": [0, 0], "duration": 2},
-        "bodies": [{"name": "disc", "shapes": [{"circle": {"radius": 0.5}}]}], )" +
-                           more + "}",
-                       "");
-}
 
 ExpectationResult judge(const Scene& scene, int steps) {
     SceneRun run(scene);
@@ -33,8 +28,8 @@ ExpectationResult judge(const Scene& scene, int steps) {
 }  // namespace
 
 TEST_CASE("at rest: from a time on nothing is faster than what may fall asleep") {
-    CHECK(judge(make_scene(R"("expect": [{"at_rest_by": 1}])"), 120).passed);
-    const Scene kicked = make_scene(
+    CHECK(judge(make_disc_scene(R"("expect": [{"at_rest_by": 1}])"), 120).passed);
+    const Scene kicked = make_disc_scene(
         R"("expect": [{"at_rest_by": 1}], "timeline": [{"at": 1.5, "body": "disc", "impulse": [1, 0]}])");
     const ExpectationResult moved = judge(kicked, 120);
     CHECK_FALSE(moved.passed);
@@ -48,6 +43,15 @@ TEST_CASE("at rest: from a time on nothing is faster than what may fall asleep")
     for (const auto& [turn, passes] : {std::pair{"0", true}, std::pair{"2.3", false}}) {
         std::string text = drifting;
         CHECK(judge(parse_scene(text.replace(text.find("TURN"), 4, turn), ""), 10).passed == passes);
+    }
+}
+
+TEST_CASE("rest is slower in a world of smaller things, as falling asleep is") {
+    // The root of 1/25 is 1/5: 0.05 m/s becomes 0.01 m/s.
+    for (const auto& [scale, passes] : {std::pair{"1", true}, std::pair{"0.04", false}}) {
+        std::string text = R"({"format": 1, "world": {"gravity": [0, 0], "sleeping": false, "scale": SCALE}, "bodies":
+            [{"name": "disc", "velocity": [0.02, 0], "shapes": [{"circle": {"radius": 0.1}}]}], "expect": [{"at_rest_by": 0}]})";
+        CHECK(judge(parse_scene(text.replace(text.find("SCALE"), 5, scale), ""), 10).passed == passes);
     }
 }
 
@@ -65,13 +69,13 @@ TEST_CASE("a depth is judged by the deepest overlap of the run") {
 TEST_CASE("a place is looked at at its time, or at the end; what is never reached has failed") {
     const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
     // 1 m/s: at 0.5 m after half a second, at 1.5 m at the end.
-    CHECK(judge(make_scene(kick + R"({"body": "disc", "inside": [[0.49, -1], [0.51, 1]], "at": 0.5}])"), 90).passed);
-    CHECK(judge(make_scene(kick + R"({"body": "disc", "inside": [[1.49, -1], [1.51, 1]]}])"), 90).passed);
-    const ExpectationResult missed = judge(make_scene(kick + R"({"body": "disc", "inside": [[0, 0.1], [9, 1]]}])"), 90);
+    CHECK(judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[0.49, -1], [0.51, 1]], "at": 0.5}])"), 90).passed);
+    CHECK(judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[1.49, -1], [1.51, 1]]}])"), 90).passed);
+    const ExpectationResult missed = judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[0, 0.1], [9, 1]]}])"), 90);
     CHECK_FALSE(missed.passed);
     CHECK(missed.finding == "it is at [1.5, 0]");
     CHECK(missed.step == 90);
-    const ExpectationResult never = judge(make_scene(kick + R"({"body": "disc", "inside": [[-9, -9], [9, 9]], "at": 2}])"), 90);
+    const ExpectationResult never = judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[-9, -9], [9, 9]], "at": 2}])"), 90);
     CHECK_FALSE(never.passed);
     CHECK(never.finding == "the run ends before that");
 }
@@ -80,15 +84,15 @@ TEST_CASE("a place can be claimed always, sometime, within a time, and from outs
     // 1 m/s from the origin: inside the box from 0.5 s to 1 s.
     const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
     const std::string box = R"("body": "disc", "inside": [[0.5, -1], [1, 1]])", not_box = R"("body": "disc", "outside": [[0.5, -1], [1, 1]])";
-    CHECK(judge(make_scene(kick + "{" + box + R"(, "when": "sometime"}])"), 120).passed);
-    CHECK_FALSE(judge(make_scene(kick + "{" + box + R"(, "when": "always"}])"), 120).passed);
-    CHECK(judge(make_scene(kick + "{" + box + R"(, "when": "always", "from": 0.52, "until": 0.98}])"), 120).passed);
-    CHECK_FALSE(judge(make_scene(kick + "{" + box + R"(, "when": "sometime", "from": 1.1}])"), 120).passed);
-    CHECK_FALSE(judge(make_scene(kick + "{" + not_box + R"(, "when": "always"}])"), 120).passed);
-    CHECK(judge(make_scene(kick + "{" + not_box + R"(, "when": "always", "from": 1.02}])"), 120).passed);
-    CHECK(judge(make_scene(kick + "{" + not_box + "}]"), 120).passed);
+    CHECK(judge(make_disc_scene(kick + "{" + box + R"(, "when": "sometime"}])"), 120).passed);
+    CHECK_FALSE(judge(make_disc_scene(kick + "{" + box + R"(, "when": "always"}])"), 120).passed);
+    CHECK(judge(make_disc_scene(kick + "{" + box + R"(, "when": "always", "from": 0.52, "until": 0.98}])"), 120).passed);
+    CHECK_FALSE(judge(make_disc_scene(kick + "{" + box + R"(, "when": "sometime", "from": 1.1}])"), 120).passed);
+    CHECK_FALSE(judge(make_disc_scene(kick + "{" + not_box + R"(, "when": "always"}])"), 120).passed);
+    CHECK(judge(make_disc_scene(kick + "{" + not_box + R"(, "when": "always", "from": 1.02}])"), 120).passed);
+    CHECK(judge(make_disc_scene(kick + "{" + not_box + "}]"), 120).passed);
     // The worst moment is that of the end: 2 m.
-    const ExpectationResult worst = judge(make_scene(kick + R"({"body": "disc", "height": [0, 0]}, {"body": "disc", "inside": [[0, -1], [1, 1]], "when": "always"}])"), 120);
+    const ExpectationResult worst = judge(make_disc_scene(kick + R"({"body": "disc", "height": [0, 0]}, {"body": "disc", "inside": [[0, -1], [1, 1]], "when": "always"}])"), 120);
     CHECK(worst.passed);
 }
 

@@ -98,6 +98,17 @@ TEST_CASE("a stack is said to sink by what the contact springs give") {
     CHECK(warnings_of(kGround + R"({"position": [0, 0.5], "repeat": {"grid": {"rows": 6}}, "shapes": [{"box": {"size": [1, 1]}}]})").empty());
 }
 
+TEST_CASE("in a world of marbles sizes and sinking are those of marbles") {
+    const std::string small = R"(, "world": {"scale": 0.02})";
+    CHECK(warnings_of(R"({"shapes": [{"circle": {"radius": 0.002}}]})", small).empty());
+    CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 2}}]})", small), "between 0.0001 m and 2 m"));
+    // Frequencies follow the inverse root of the scale, so that 20 boxes of 2 cm sink by a fiftieth of 0.1354 m.
+    const std::string ground = R"({"type": "static", "position": [0, -0.01], "shapes": [{"box": {"size": [1.8, 0.02]}}]}, )";
+    const std::string tower =
+        R"({"position": [0, 0.01], "repeat": {"grid": {"rows": 20, "spacing": [1, 0.02]}}, "shapes": [{"box": {"size": [0.02, 0.02]}}]})";
+    CHECK(says(warning_of(ground + tower, small), "will sink by about 0.00271 m"));
+}
+
 TEST_CASE("lints are made on request alone") {
     std::vector<Diagnostic> warnings;
     parse_scene(R"({"format": 1, "bodies": [{"shapes": [{"circle": {"radius": 0.002}}]}]})", "scene.json", &warnings);

@@ -6,17 +6,12 @@
 #include <cmath>
 #include <string>
 
+#include "scene/disc_scene.hpp"
+
 using namespace tumble;
+using test::make_disc_scene;
 
 namespace {
-
-// A disc of mass pi / 4 kg (radius 0.5 m, density 1) in space, and what the scene says besides.
-Scene make_scene(const std::string& more) {
-    return parse_scene(R"({"format": 1, "world": {"gravity": [0, 0], "duration": 2},
-        "bodies": [{"name": "disc", "shapes": [{"circle": {"radius": 0.5}}]}], )" +
-                           more + "}",
-                       "");
-}
 
 // Speed of the disc after so many steps.
 float speed_after(const Scene& scene, int steps) {
@@ -30,24 +25,24 @@ constexpr float kMass = 0.785398f;
 }  // namespace
 
 TEST_CASE("an impulse happens before the first step that begins at its time or later") {
-    const Scene scene = make_scene(R"("timeline": [{"at": 0.51, "body": "disc", "impulse": [2, 0]}])");
+    const Scene scene = make_disc_scene(R"("timeline": [{"at": 0.51, "body": "disc", "impulse": [2, 0]}])");
     // Step 30 begins at 0.5 s, step 31 at 0.5167 s: it shows after 32 steps, and never again.
     CHECK(speed_after(scene, 31) == 0.0f);
     CHECK(speed_after(scene, 32) == doctest::Approx(2.0f / kMass).epsilon(1e-5));
     CHECK(speed_after(scene, 100) == speed_after(scene, 32));
-    const Scene at_start = make_scene(R"("timeline": [{"at": 0, "body": "disc", "impulse": [2, 0]}])");
+    const Scene at_start = make_disc_scene(R"("timeline": [{"at": 0, "body": "disc", "impulse": [2, 0]}])");
     CHECK(speed_after(at_start, 1) == doctest::Approx(2.0f / kMass).epsilon(1e-5));
 }
 
 TEST_CASE("an impulse that repeats happens at 0, every, 2 every ... up to until") {
     const Scene scene =
-        make_scene(R"("timeline": [{"every": 0.1, "until": 0.3, "body": "disc", "impulse": [1, 0]}])");
+        make_disc_scene(R"("timeline": [{"every": 0.1, "until": 0.3, "body": "disc", "impulse": [1, 0]}])");
     // At 0, 6, 12 and 18 steps.
     CHECK(speed_after(scene, 6) == doctest::Approx(1.0f / kMass).epsilon(1e-5));
     CHECK(speed_after(scene, 7) == doctest::Approx(2.0f / kMass).epsilon(1e-5));
     CHECK(speed_after(scene, 19) == doctest::Approx(4.0f / kMass).epsilon(1e-5));
     CHECK(speed_after(scene, 120) == doctest::Approx(4.0f / kMass).epsilon(1e-5));
-    CHECK_THROWS_AS(make_scene(R"("timeline": [{"every": 0.01, "body": "disc", "impulse": [1, 0]}])"), SceneError);
+    CHECK_THROWS_AS(make_disc_scene(R"("timeline": [{"every": 0.01, "body": "disc", "impulse": [1, 0]}])"), SceneError);
 }
 
 TEST_CASE("an impulse acts on the centre of mass: the body does not turn") {
@@ -64,21 +59,21 @@ TEST_CASE("an impulse acts on the centre of mass: the body does not turn") {
 
 TEST_CASE("a force acts in each step from its time until its end, and an angular impulse turns") {
     // 2 N for 0.5 s: 1 N s.
-    const Scene pushed = make_scene(R"("timeline": [{"at": 0.5, "until": 1, "body": "disc", "force": [2, 0]}])");
+    const Scene pushed = make_disc_scene(R"("timeline": [{"at": 0.5, "until": 1, "body": "disc", "force": [2, 0]}])");
     CHECK(speed_after(pushed, 30) == 0.0f);
     CHECK(speed_after(pushed, 45) == doctest::Approx(0.5f / kMass).epsilon(1e-4));
     CHECK(speed_after(pushed, 90) == doctest::Approx(1.0f / kMass).epsilon(1e-4));
     // I = m r^2 / 2 = 0.0981748 kg m^2.
     for (const char* const event : {R"({"at": 0, "body": "disc", "angular_impulse": 0.1})", R"({"at": 0, "until": 0.5, "body": "disc", "torque": 0.2})"}) {
-        SceneRun run(make_scene(std::string(R"("timeline": [)") + event + "]"));
+        SceneRun run(make_disc_scene(std::string(R"("timeline": [)") + event + "]"));
         for (int i = 0; i < 60; ++i) run.step();
         CHECK(run.world().state(run.built().bodies[0].id).angular_velocity == doctest::Approx(0.1 / 0.0981748).epsilon(1e-4));
     }
 }
 
 TEST_CASE("velocities and gravity are set") {
-    CHECK(speed_after(make_scene(R"("timeline": [{"at": 0.5, "body": "disc", "velocity": [3, 0]}])"), 40) == 3.0f);
-    SceneRun run(make_scene(R"("timeline": [{"at": 0.5, "gravity": [4, 0]}, {"at": 0, "body": "disc", "angular_velocity": 90}])"));
+    CHECK(speed_after(make_disc_scene(R"("timeline": [{"at": 0.5, "body": "disc", "velocity": [3, 0]}])"), 40) == 3.0f);
+    SceneRun run(make_disc_scene(R"("timeline": [{"at": 0.5, "gravity": [4, 0]}, {"at": 0, "body": "disc", "angular_velocity": 90}])"));
     for (int i = 0; i < 90; ++i) run.step();
     const BodyState state = run.world().state(run.built().bodies[0].id);
     CHECK(state.velocity.x == doctest::Approx(4.0f).epsilon(1e-5));  // for a second
@@ -86,7 +81,7 @@ TEST_CASE("velocities and gravity are set") {
 }
 
 TEST_CASE("bodies appear by their names, are acted on, and go") {
-    const Scene scene = make_scene(R"("timeline": [
+    const Scene scene = make_disc_scene(R"("timeline": [
         {"every": 0.25, "until": 0.5, "spawn": {"name": "drop", "position": [5, 0], "velocity": [1, 0], "shapes": [{"circle": {"radius": 0.1}}]}},
         {"at": 0.5, "spawn": {"name": "pair", "repeat": {"grid": {"columns": 2, "spacing": [2, 0]}}, "position": [0, 50], "shapes": [{"circle": {"radius": 0.1}}]}},
         {"at": 0.6, "body": "drop[1]", "velocity": [0, 7]},
@@ -132,7 +127,7 @@ TEST_CASE("motors change their speed, a mouse joint its target, and a joint is l
 TEST_CASE("what a timeline may not say is refused at its place") {
     const auto pointer_of = [](const std::string& event, const std::string& more = "") {
         try {
-            make_scene(more + R"("timeline": [)" + event + "]");
+            make_disc_scene(more + R"("timeline": [)" + event + "]");
         } catch (const SceneError& error) {
             return error.diagnostics.front().pointer;
         }
