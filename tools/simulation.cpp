@@ -100,7 +100,7 @@ void Simulation::close_files() {
 
 void Simulation::update_report() {
     report_.steps = run_.world().step_count();
-    report_.bodies = run_.built().bodies.size();
+    report_.bodies = run_.world().bodies().size();
     report_.counters = run_.world().counters();
     const std::vector<int> islands = run_.world().islands();
     if (!islands.empty()) report_.islands = std::ranges::max(islands) + 1;

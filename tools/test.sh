@@ -2,8 +2,8 @@
 # Installs what is missing, builds everything with warnings as errors, and runs all tests:
 #   1. g++, release, this machine's instruction set: every test
 #   2. clang, debug, the baseline instruction set, address and undefined-behaviour sanitizers: must give the same state
-#      hash after each step, pass the tests of the rooms that keep stores and of the command line with bad
-#      input, and hold out against each fuzz target
+#      hash after each step and the same parity results, pass the tests of the rooms that keep stores and of the command
+#      line (of the shipped scenes each twelfth), and hold out against each fuzz target
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)

@@ -20,7 +20,7 @@ enum class BodyType : std::uint8_t {
 struct BodyMass {
     float mass = 0.0f;     // kg; 0 for static, kinematic and disabled bodies
     Vec2 center;           // centre of mass, body coordinates
-    float inertia = 0.0f;  // about the centre of mass, kg m^2; 0: it does not turn
+    float inertia = 0.0f;  // about the centre of mass, kg m^2; 0: nothing turns it, and nothing stops a spin that it has
 
     friend constexpr bool operator==(const BodyMass&, const BodyMass&) = default;
 };

@@ -164,6 +164,12 @@ struct FilterJointDef {
 using JointDef = std::variant<RevoluteJointDef, DistanceJointDef, PrismaticJointDef, WeldJointDef, WheelJointDef,
                               MotorJointDef, MouseJointDef, FilterJointDef>;
 
+// The points of the two bodies that a joint acts on, world (m).
+struct JointAnchors {
+    DVec2 a;
+    DVec2 b;
+};
+
 // What a joint did to body B in the last sub-step, and opposite to body A.
 struct JointReaction {
     Vec2 force;           // at the anchor, world axes, N

@@ -49,8 +49,6 @@ struct Overlay {
     bool islands = false;   // a colour an island, pale if it sleeps
     bool velocity = false;  // of each centre of mass
     bool joints = false;    // from each body to its anchor
-
-    bool any() const noexcept { return contacts || normals || aabbs || islands || velocity || joints; }
 };
 
 struct OverlayPart {

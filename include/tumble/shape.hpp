@@ -42,7 +42,8 @@ public:
     float radius() const noexcept { return radius_; }
 
     // True if the outline is convex and counter-clockwise, exactly: no vertex lies to the right of an edge, and for
-    // n > 8 none on the line of another's. Only then do queries look at faces; they look at all vertices else.
+    // n > 8 none on the line of another's. Distance queries answer for the hull otherwise; casts, times of impact and
+    // manifolds need it.
     bool is_convex() const noexcept { return is_convex_; }
 
     // The largest distance of a core vertex from the local origin, correct to a few ulp (m); not finite if a vertex is
@@ -66,7 +67,8 @@ public:
 
     // The shape with exactly these core vertices: no hull, no welding, nothing checked but their number (more than
     // kMaxVertices is std::invalid_argument). For parity tests and importers that hold a convex outline already;
-    // vertices that are not convex, counter-clockwise and finite make queries answer wrongly or `invalid`.
+    // of vertices that are not convex and counter-clockwise distance queries see the hull, other queries answer wrongly; of
+    // those that are not finite all say `invalid`.
     static Shape from_raw(std::span<const Vec2> vertices, float radius);
 
 private:

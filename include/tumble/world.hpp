@@ -101,7 +101,7 @@ public:
     // leant on it, is tied to it or is met by it now.
     void set_transform(BodyId id, const Pose& pose);
 
-    // Of the centre of mass. What is locked stays 0; static bodies have none to set.
+    // Of the centre of mass. What is locked stays 0. Static and disabled bodies have none to set: they are refused.
     void set_velocity(BodyId id, Vec2 velocity, float angular_velocity);
 
     // Another type: a body that becomes static stops, and what leant on it wakes.
@@ -161,6 +161,9 @@ public:
 
     // The force with which the joint held its bodies in the last step that it was awake.
     JointReaction reaction(JointId id) const;
+
+    // The points that a joint acts on, one of each body, as they are now; none for a filter.
+    std::optional<JointAnchors> joint_anchors(JointId id) const;
 
     // Where the free motion of a joint was at the start of the last step: the angle of B against A in rad (revolute,
     // weld, motor; of a revolute joint only if it has limits or a spring), the way along the axis in m (prismatic,

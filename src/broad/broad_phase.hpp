@@ -56,6 +56,9 @@ public:
 
     void validate() const;
 
+    // What is kept to be used again, bytes.
+    std::size_t spare_bytes() const { return new_pairs_.capacity() * sizeof(ProxyPair); }
+
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
         visit(self.fixed_, self.moving_, self.proxies_, self.asked_, self.known_);

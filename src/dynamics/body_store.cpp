@@ -57,14 +57,13 @@ void BodyStore::set_flag(std::uint32_t body, BodyFlag flag, bool value) {
 
 // Locks act on dynamic bodies alone.
 void BodyStore::apply_flags(std::uint32_t body) {
-    const std::uint32_t flags = records[body].flags;
-    const bool is_locked = is_dynamic(body);
-    frames[body].locks_x = is_locked && (flags & kLockX);
-    frames[body].locks_y = is_locked && (flags & kLockY);
+    constexpr std::uint32_t kLocks = kLockX | kLockY | kLockRotation;
+    const std::uint32_t flags = is_dynamic(body) ? records[body].flags : records[body].flags & ~kLocks;
+    frames[body].locks_x = (flags & kLockX) != 0;
+    frames[body].locks_y = (flags & kLockY) != 0;
     if (frames[body].solver_body == kStaticSolverBody) return;
     SolverBody& solved = solver_bodies[frames[body].solver_body];
     solved.flags = flags;
-    if (!is_locked) return;
     solved.velocity = allowed(flags, solved.velocity);
     solved.angular_velocity = allowed(flags, solved.angular_velocity);
 }
@@ -135,8 +134,7 @@ void BodyStore::set_mass(BodyId id, const BodyMass& mass, float reach, float sma
     records[id.index].motion.reach = reach;
     records[id.index].motion.smallest_extent = smallest_extent;
     const Vec2 old_offset = frame.center_offset;
-    frame.center_offset = rotate(frame.pose.rotation, mass.center);
-    frame.center = transform_point(frame.pose, mass.center);
+    set_pose(id.index, frame.pose);
     frame.inv_mass = mass.mass > 0.0f ? 1.0f / mass.mass : 0.0f;
     const bool turns = mass.inertia > 0.0f && !(records[id.index].flags & kLockRotation);
     frame.inv_inertia = turns ? 1.0f / mass.inertia : 0.0f;

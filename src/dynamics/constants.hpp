@@ -100,9 +100,15 @@ struct Tuning {
 
 inline Tuning make_tuning(float scale) {
     const float root = std::sqrt(scale), inverse = 1.0f / root;
-    return {scale * kSpeculativeDistance, scale * kAabbMargin, root * kPushOutSpeed, root * kRestitutionThreshold,
-            root * kSleepSpeed,           root * kMaxSpeed,    inverse * kContactHertz, inverse * kJointHertz,
-            root * kTimeToSleep};
+    return {.max_speculative_distance = scale * kSpeculativeDistance,
+            .max_aabb_margin = scale * kAabbMargin,
+            .push_out_speed = root * kPushOutSpeed,
+            .restitution_threshold = root * kRestitutionThreshold,
+            .sleep_speed = root * kSleepSpeed,
+            .max_speed = root * kMaxSpeed,
+            .contact_hertz = inverse * kContactHertz,
+            .joint_hertz = inverse * kJointHertz,
+            .time_to_sleep = root * kTimeToSleep};
 }
 
 }  // namespace tumble

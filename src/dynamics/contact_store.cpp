@@ -72,7 +72,7 @@ const ManifoldPoint& deepest_point(const Manifold& manifold) {
     return manifold.points[second ? 1 : 0];
 }
 
-// Before the step changes any velocity.
+// With the velocities of now: before the step changes any, or for an impact those that it leaves.
 void look_at_touch(Contact& contact, const BodyStore& bodies) {
     contact.is_touching = false;
     if (contact.manifold.point_count == 0) return;

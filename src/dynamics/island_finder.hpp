@@ -34,6 +34,8 @@ public:
     void keep_awake(std::uint32_t body) { kept_awake_[body] = 1; }
     bool is_kept_awake(std::uint32_t body) const { return kept_awake_[body] != 0; }
 
+    std::size_t bytes() const { return parent_.capacity() * sizeof(std::uint32_t) + kept_awake_.capacity(); }
+
 private:
     std::vector<std::uint32_t> parent_;  // by solver body
     std::vector<std::uint8_t> kept_awake_;

@@ -45,9 +45,11 @@ struct ContactCounts {
     std::size_t points = 0;
 };
 
-// What the narrow phase did in a step: full collisions, and the iterations of their distance queries.
+// What the narrow phase did in a step before it was solved: pairs it was asked about, collisions in full, and the
+// iterations of their distance queries.
 struct CollisionCounts {
-    std::int64_t pairs = 0;
+    std::int64_t asked = 0;
+    std::int64_t full = 0;
     std::int64_t iterations = 0;
 };
 

@@ -83,11 +83,10 @@ struct SeenVertices {
 template <int N>
 TUMBLE_LANE_FUNCTION SeenVertices<N> see(const Core& core, DVec2 offset, DVec2 motion) {
     const double scale = core.c * core.c + core.s * core.s;
-    const double ox = core.c * offset.x + core.s * offset.y, oy = core.c * offset.y - core.s * offset.x;
-    const double vx = core.c * motion.x + core.s * motion.y, vy = core.c * motion.y - core.s * motion.x;
-    const DoubleLanes<N> x = scale * load_widened<N>(core.x) - DoubleLanes<N>(ox),
-                         y = scale * load_widened<N>(core.y) - DoubleLanes<N>(oy);
-    return {scale, vx * y - vy * x, vx * x + vy * y};
+    const DVec2 o = core.turned_back(offset), v = core.turned_back(motion);
+    const DoubleLanes<N> x = scale * load_widened<N>(core.x) - DoubleLanes<N>(o.x),
+                         y = scale * load_widened<N>(core.y) - DoubleLanes<N>(o.y);
+    return {scale, v.x * y - v.y * x, v.x * x + v.y * y};
 }
 
 // Where the line crosses the face between two vertices, if clearly: by a margin from both ends.

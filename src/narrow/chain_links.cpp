@@ -1,3 +1,4 @@
+// A chain's segments by their points, and what each knows of its neighbours'.
 #include "shape/validate.hpp"
 #include "tumble/chain.hpp"
 

@@ -1,5 +1,4 @@
 // Casts of compounds: pairs of parts in the order of the fraction before which their boxes cannot meet.
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -65,34 +64,21 @@ double meeting_of_boxes(const Aabb& a, const Aabb& b, DVec2 motion, double margi
     return enter <= leave ? enter : kNeverMet;
 }
 
-// Parts in world axes relative to A's position, with what rounding may add to their distances.
-struct MovingParts {
-    std::array<std::byte, kPartBytes> buffer;
-    std::pmr::monotonic_buffer_resource memory{buffer.data(), buffer.size()};
-    PartBoxes a;
-    PartBoxes b;
-    double sizes;  // of the largest parts and the offset
-
-    MovingParts(std::span<const Shape> parts_a, const Pose& pose_a, std::span<const Shape> parts_b, const Pose& pose_b)
-        : a(parts_a, {{}, pose_a.rotation}, &memory),
-          b(parts_b, {pose_b.position - pose_a.position, pose_b.rotation}, &memory),
-          sizes(a.reach + b.reach + length(pose_b.position - pose_a.position)) {}
-
-    template <class Bound, class Cast>
-    CompoundCast find_first(Bound bound, Cast cast) {
-        FirstCast first;
-        if (!a.valid || !b.valid) {
-            first.add(invalid_cast(), 0, 0);
-            return first.result();
-        }
-        visit_part_pairs(
-            a, b, &memory, bound, [&] { return first.limit(); },
-            [&](std::int32_t i, std::int32_t k) {
-                first.add(cast(static_cast<std::size_t>(i), static_cast<std::size_t>(k)), i, k);
-            });
+// The first of the casts of all pairs that come before it by their bound.
+template <class Bound, class Cast>
+CompoundCast find_first(PartPairs& pairs, Bound bound, Cast cast) {
+    FirstCast first;
+    if (!pairs.are_valid()) {
+        first.add(invalid_cast(), 0, 0);
         return first.result();
     }
-};
+    pairs.visit(
+        bound, [&] { return first.limit(); },
+        [&](std::int32_t i, std::int32_t k) {
+            first.add(cast(static_cast<std::size_t>(i), static_cast<std::size_t>(k)), i, k);
+        });
+    return first.result();
+}
 
 // Farthest point of any part from the centre of mass, for the speed that turning gives it.
 double farthest(std::span<const Shape> parts, Vec2 center) {
@@ -106,21 +92,21 @@ double farthest(std::span<const Shape> parts, Vec2 center) {
 CompoundCast compound_cast_ray(std::span<const Shape> parts, const Pose& world_from_parts, DVec2 origin,
                                DVec2 translation) {
     const Shape point[] = {make_circle(0.0f)};
-    MovingParts moving(parts, world_from_parts, point, {origin, {}});
-    const double margin = 0x1p-47 * moving.sizes;
+    PartPairs pairs(parts, world_from_parts, point, {origin, {}});
+    const double margin = pairs.rounding();
     if (!is_valid_motion(translation)) return {invalid_cast(), -1, -1, 0};
-    return moving.find_first(
-        [&](const Aabb& a, const Aabb& b) { return meeting_of_boxes(a, b, translation, margin); },
+    return find_first(
+        pairs, [&](const Aabb& a, const Aabb& b) { return meeting_of_boxes(a, b, translation, margin); },
         [&](std::size_t i, std::size_t) { return cast_ray(parts[i], world_from_parts, origin, translation); });
 }
 
 CompoundCast compound_cast_shape(std::span<const Shape> a, const Pose& world_from_a, std::span<const Shape> b,
                                  const Pose& world_from_b, DVec2 translation, double target) {
-    MovingParts moving(a, world_from_a, b, world_from_b);
+    PartPairs pairs(a, world_from_a, b, world_from_b);
     if (!is_valid_motion(translation) || !(target >= 0.0)) return {invalid_cast(), -1, -1, 0};
-    const double margin = target + 0x1p-47 * (moving.sizes + target);
-    return moving.find_first(
-        [&](const Aabb& box_a, const Aabb& box_b) { return meeting_of_boxes(box_a, box_b, translation, margin); },
+    const double margin = target + pairs.rounding(target);
+    return find_first(
+        pairs, [&](const Aabb& box_a, const Aabb& box_b) { return meeting_of_boxes(box_a, box_b, translation, margin); },
         [&](std::size_t i, std::size_t k) {
             return cast_shape(a[i], world_from_a, b[k], world_from_b, translation, target);
         });
@@ -130,14 +116,15 @@ CompoundCast compound_cast_shape(std::span<const Shape> a, const Pose& world_fro
 // here.
 CompoundCast compound_time_of_impact(std::span<const Shape> a, const Sweep& sweep_a, std::span<const Shape> b,
                                      const Sweep& sweep_b, double target) {
-    MovingParts moving(a, pose_at(sweep_a, 0.0), b, pose_at(sweep_b, 0.0));
+    PartPairs pairs(a, pose_at(sweep_a, 0.0), b, pose_at(sweep_b, 0.0));
+    if (!(target >= 0.0)) return {invalid_cast(), -1, -1, 0};
     const DVec2 velocity = (sweep_b.end - sweep_b.start) - (sweep_a.end - sweep_a.start);
     const double speed = (length(velocity) + std::abs(sweep_a.turn) * farthest(a, sweep_a.local_center) +
                           std::abs(sweep_b.turn) * farthest(b, sweep_b.local_center)) *
                          (1.0 + 0x1p-40);
-    const double margin = target + 0x1p-20 * (moving.sizes + target);
-    return moving.find_first(
-        [&](const Aabb& box_a, const Aabb& box_b) {
+    const double margin = target + 0x1p-20 * (pairs.sizes() + target);
+    return find_first(
+        pairs, [&](const Aabb& box_a, const Aabb& box_b) {
             const double gap = separation(box_a, box_b) - margin;
             return gap > 0.0 ? gap / speed : 0.0;
         },

@@ -26,7 +26,8 @@ struct CoreDistance {
     bool reached_cap = false;
 };
 
-// GJK from the simplex that all pairs of a vertex and an edge give, for a loop that stopped early.
+// What the loop would end with, from the nearest of all simplices: for a loop that stopped early, or closed around the origin
+// by rounding alone.
 GjkResult exhaustive_search(const CorePair& pair, GjkResult stopped);
 
 // True if the loop's own bounds are apart by more than rounding explains.

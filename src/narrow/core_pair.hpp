@@ -24,7 +24,7 @@ struct Core {
 
     // A vector of the shape's coordinates in world axes, and back.
     DVec2 turned(DVec2 v) const { return {c * v.x - s * v.y, s * v.x + c * v.y}; }
-    DVec2 turned_back(DVec2 v) const { return {c * v.x + s * v.y, c * v.y - s * v.x}; }
+    [[gnu::always_inline]] DVec2 turned_back(DVec2 v) const { return {c * v.x + s * v.y, c * v.y - s * v.x}; }
 
     // A vertex in world axes, relative to the body's position. Products of two floats are exact in double: each
     // coordinate carries one rounding.

@@ -113,7 +113,7 @@ public:
 
     Support operator()(DVec2 direction) {
         const bool is_near = has_edge_angles(core_) && dot(direction, previous_) > 0.0;
-        const DVec2 local = to_local(core_, direction);
+        const DVec2 local = core_.turned_back(direction);
         index_ = is_near ? climb(*core_.large, local, index_) : support(core_, direction).index;
         previous_ = direction;
         return support_at(core_, local, index_);

@@ -1,5 +1,5 @@
-// The support vertex of a large polygon in O(log n): bisection over the directions of its edges, then a walk by exact
-// neighbours [Cam97: hill climbing], which ends where it begins but for rounding. Climbing alone takes steps in proportion
+// The support vertex of a large polygon in O(log n): a table of sectors of the circle (edges_before), bisection over the
+// directions of the edges in one, then a walk by exact neighbours [Cam97: hill climbing], which ends where it begins but for rounding. Climbing alone takes steps in proportion
 // to n, but one or two from the support of a direction that is nearly the same.
 #pragma once
 

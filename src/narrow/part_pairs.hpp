@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -56,5 +57,37 @@ void visit_part_pairs(const PartBoxes& a, const PartBoxes& b, std::pmr::memory_r
         }
     }
 }
+
+// Two compounds in world axes relative to A's position, as the queries of each pair see them.
+class PartPairs {
+public:
+    PartPairs(std::span<const Shape> a, const Pose& world_from_a, std::span<const Shape> b, const Pose& world_from_b)
+        : memory_(buffer_.data(), buffer_.size()),
+          boxes_a_(a, {{}, world_from_a.rotation}, &memory_),
+          boxes_b_(b, {world_from_b.position - world_from_a.position, world_from_b.rotation}, &memory_),
+          sizes_(boxes_a_.reach + boxes_b_.reach + length(world_from_b.position - world_from_a.position)) {}
+
+    bool are_valid() const { return boxes_a_.valid && boxes_b_.valid; }
+
+    // Of the largest parts and the offset (m).
+    double sizes() const { return sizes_; }
+
+    // More than two error bounds of the distance of any pair grown by `target`: 16 u (RA + RB + |p|), and 4 u (rA + rB +
+    // |v|) for the radii (m).
+    double rounding(double target = 0.0) const { return 0x1p-47 * (sizes_ + target); }
+
+    // As visit_part_pairs().
+    template <class Bound, class Limit, class Query>
+    void visit(Bound bound, Limit limit, Query query) {
+        visit_part_pairs(boxes_a_, boxes_b_, &memory_, bound, limit, query);
+    }
+
+private:
+    std::array<std::byte, kPartBytes> buffer_;
+    std::pmr::monotonic_buffer_resource memory_;
+    PartBoxes boxes_a_;
+    PartBoxes boxes_b_;
+    double sizes_;
+};
 
 }  // namespace tumble

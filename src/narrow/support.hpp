@@ -11,11 +11,6 @@ struct Support {
     double height;  // direction . vertex, relative to the body's position
 };
 
-// A direction in the core's own frame: it is turned there once, instead of all vertices out of it.
-[[gnu::always_inline]] inline DVec2 to_local(const Core& core, DVec2 direction) {
-    return {core.c * direction.x + core.s * direction.y, core.c * direction.y - core.s * direction.x};
-}
-
 [[gnu::always_inline]] inline Support support_at(const Core& core, DVec2 local, int index) {
     return {index, local.x * core.x[index] + local.y * core.y[index]};
 }
@@ -24,7 +19,7 @@ struct Support {
 
 // Ties go to the lowest index, of large polygons to any.
 [[gnu::always_inline]] inline Support support(const Core& core, DVec2 direction) {
-    const DVec2 local = to_local(core, direction);
+    const DVec2 local = core.turned_back(direction);  // once, instead of all vertices out of the core's frame
     if (has_edge_angles(core)) return support_at(core, local, large_support(*core.large, local));
     Support best = support_at(core, local, 0);
     for (int i = 1; i < core.count; ++i) {

@@ -13,7 +13,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "tumble/file.hpp"
@@ -64,12 +63,8 @@ b2Body* add_body(b2World& world, const Json& json) {
     return body;
 }
 
-struct Anchors {
-    DVec2 a, b;
-};
-
 // Where a joint holds its two bodies, by Box2D's joints; nothing for joints without two points of their own.
-std::optional<Anchors> anchors_of(const Json& json, b2Body& a, b2Body& b, b2World& world) {
+std::optional<JointAnchors> anchors_of(const Json& json, b2Body& a, b2Body& b, b2World& world) {
     const std::string type = json.value("type", "");
     b2RevoluteJointDef def;  // every kind keeps its local anchors as this one does
     def.bodyA = &a;
@@ -80,7 +75,7 @@ std::optional<Anchors> anchors_of(const Json& json, b2Body& a, b2Body& b, b2Worl
     if (std::ranges::find(kKinds, type) == kKinds.end()) return std::nullopt;
     const b2Joint* joint = world.CreateJoint(&def);
     const b2Vec2 at_a = joint->GetAnchorA(), at_b = joint->GetAnchorB();
-    return Anchors{{double{at_a.x}, double{at_a.y}}, {double{at_b.x}, double{at_b.y}}};
+    return JointAnchors{{double{at_a.x}, double{at_a.y}}, {double{at_b.x}, double{at_b.y}}};
 }
 
 double relative(double ours, double theirs) {
@@ -98,15 +93,6 @@ void compare_bodies(const b2Body& theirs, const BodyMass& ours, ImportDifference
     if (apart > 0.0) worst.center = std::max(worst.center, apart / std::sqrt(inertia / mass));
     ++worst.bodies;
 }
-
-struct FindAnchors {
-    const World& world;
-    std::optional<Anchors> operator()(const FilterJointDef&) const { return std::nullopt; }
-    std::optional<Anchors> operator()(const auto& joint) const {
-        return Anchors{transform_point(world.state(joint.body_a).pose, joint.anchor_a),
-                       transform_point(world.state(joint.body_b).pose, joint.anchor_b)};
-    }
-};
 
 bool is_carried_over(const Json& joint) {
     constexpr std::array<std::string_view, 9> kKinds = {"revolute", "distance", "prismatic", "wheel", "weld",
@@ -136,9 +122,9 @@ ImportDifferences compare_with_box2d(const std::filesystem::path& rube_file, con
             ++next;
             continue;
         }
-        const std::optional<Anchors> theirs =
+        const std::optional<JointAnchors> theirs =
             anchors_of(joint, *bodies.at(joint.value("bodyA", std::size_t{0})), *bodies.at(joint.value("bodyB", std::size_t{0})), world);
-        const std::optional<Anchors> ours = std::visit(FindAnchors{built.world}, built.world.joint(built.joints[next++]));
+        const std::optional<JointAnchors> ours = built.world.joint_anchors(built.joints[next++]);
         if (!theirs || !ours) continue;
         worst.anchor = std::max({worst.anchor, length(ours->a - theirs->a), length(ours->b - theirs->b)});
         ++worst.joints;

@@ -1,8 +1,11 @@
-// Our types as Box2D's.
+// Our types as Box2D's, and its one lock.
 #pragma once
 
 #include <box2d/b2_math.h>
 
+#include <mutex>
+
+#include "tumble/cast.hpp"
 #include "tumble/math.hpp"
 
 namespace tumble::reference {
@@ -17,5 +20,19 @@ inline b2Transform to_b2(const Pose& pose) {
     transform.q.s = pose.rotation.s;
     return transform;
 }
+
+inline b2Sweep to_b2(const Sweep& sweep) {
+    b2Sweep result;
+    result.localCenter = to_b2(sweep.local_center);
+    result.c0 = to_b2(sweep.start);
+    result.c = to_b2(sweep.end);
+    result.a0 = static_cast<float>(sweep.start_angle);
+    result.a = static_cast<float>(sweep.start_angle + sweep.turn);
+    result.alpha0 = 0.0f;
+    return result;
+}
+
+// To be held around its distance and time of impact queries: they count their calls in plain globals, the same ones.
+inline std::mutex b2_query_lock;
 
 }  // namespace tumble::reference

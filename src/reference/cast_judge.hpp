@@ -1,7 +1,6 @@
 // The judge of one answer about moving shapes.
 #pragma once
 
-#include "reference/parity.hpp"
 #include "reference/true_motion.hpp"
 
 namespace tumble::reference {
@@ -19,11 +18,5 @@ CastVerdict judge(const TrueMotion& truth, const CastResult& ours);
 
 // The same for Box2D, whose E is 4 eps S and its own tolerance; no bracket.
 CastVerdict judge(const TrueMotion& truth, const B2Cast& box2d, double tolerance);
-
-// Moving pairs [begin, end) of a family, each judged; where the engines answer differently and neither is wrong, the
-// input is ill-conditioned. Errors are gaps at the fractions of hits (m).
-struct CastFamily;
-ParityRow compare_cast_block(const CastFamily& family, std::uint64_t begin, std::uint64_t end,
-                             const ParityOptions& options);
 
 }  // namespace tumble::reference

@@ -13,17 +13,6 @@ namespace tumble::reference {
 
 namespace {
 
-b2Sweep b2_sweep(const Sweep& sweep) {
-    b2Sweep result;
-    result.localCenter.Set(sweep.local_center.x, sweep.local_center.y);
-    result.c0 = to_b2(sweep.start);
-    result.c = to_b2(sweep.end);
-    result.a0 = static_cast<float>(sweep.start_angle);
-    result.a = static_cast<float>(sweep.start_angle + sweep.turn);
-    result.alpha0 = 0.0f;
-    return result;
-}
-
 struct Vertices {
     std::array<b2Vec2, Shape::kInlineVertices> at;
     int count;
@@ -80,7 +69,7 @@ B2Cast cast_b2_shape(const CastQuery& query) {
 
 B2Cast find_b2_impact(const CastQuery& query) {
     const Vertices a(query.a), b(query.b);
-    const b2TOIInput input{a.proxy(), b.proxy(), b2_sweep(query.sweep_a), b2_sweep(query.sweep_b), 1.0f};
+    const b2TOIInput input{a.proxy(), b.proxy(), to_b2(query.sweep_a), to_b2(query.sweep_b), 1.0f};
     b2TOIOutput output;
     b2TimeOfImpact(&output, &input);
     return {output.state == b2TOIOutput::e_touching, output.state == b2TOIOutput::e_overlapped, output.t,

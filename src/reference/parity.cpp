@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "reference/cast_families.hpp"
-#include "reference/cast_judge.hpp"
+#include "reference/cast_block.hpp"
 #include "reference/pair_families.hpp"
 #include "reference/parity_block.hpp"
 #include "reference/parallel_blocks.hpp"

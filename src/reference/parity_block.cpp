@@ -3,6 +3,7 @@
 #include <mutex>
 #include <vector>
 
+#include "reference/b2_types.hpp"
 #include "reference/random.hpp"
 
 namespace tumble::reference {
@@ -42,11 +43,10 @@ std::vector<DistanceResult> ask_tumble(const std::vector<PairQuery>& queries) {
     return answers;
 }
 
-// One block at a time: Box2D counts its calls in plain globals. Bare cores are asked without `useRadii`, which would call
+// One block at a time. Bare cores are asked without `useRadii`, which would call
 // everything within 1.2e-7 m an overlap.
 std::vector<std::optional<B2Distance>> ask_box2d(const std::vector<PairQuery>& queries) {
-    static std::mutex one_thread;
-    const std::scoped_lock lock(one_thread);
+    const std::scoped_lock lock(b2_query_lock);
     std::vector<std::optional<B2Distance>> answers;
     answers.reserve(queries.size());
     for (const PairQuery& query : queries) answers.push_back(b2_distance(query, has_radii(query)));

@@ -224,17 +224,6 @@ struct ImpactPairs {
     }
 
 private:
-    static b2Sweep to_b2(const Sweep& sweep) {
-        b2Sweep result;
-        result.localCenter.SetZero();
-        result.c0 = reference::to_b2(sweep.start);
-        result.c = reference::to_b2(sweep.end);
-        result.a0 = static_cast<float>(sweep.start_angle);
-        result.a = static_cast<float>(sweep.start_angle + sweep.turn);
-        result.alpha0 = 0.0f;
-        return result;
-    }
-
     // B comes by twice the gap along the normal, both turn.
     void add(const Pair& pair, Random random) {
         const DistanceResult start = distance(pair.a, pair.pose_a, pair.b, pair.pose_b);

@@ -141,7 +141,8 @@ bool TrueMotion::stays_above(Real floor, Real from, Real to) const {
 Real TrueMotion::smallest_gap(Real from, Real to) const {
     for (int i = 0; i < 104; ++i) {
         const Real left = (2 * from + to) / 3, right = (from + 2 * to) / 3;
-        (gap(left) < gap(right) ? to : from) = gap(left) < gap(right) ? right : left;
+        const bool is_left_lower = gap(left) < gap(right);
+        (is_left_lower ? to : from) = is_left_lower ? right : left;
     }
     return std::min(gap(from), gap(to));
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <variant>
 
 #include "render/shape_primitives.hpp"
 #include "render/style.hpp"
@@ -20,26 +19,12 @@ void add_anchor(Layer& layer, const View& view, DVec2 at) {
                              {style::kAnchorFill, style::kJoint}});
 }
 
-// Where a joint acts on its two bodies, world; a filter acts nowhere.
-struct JointEnds {
-    DVec2 a, b;
-};
-struct FindEnds {
-    const World& world;
-
-    std::optional<JointEnds> operator()(const FilterJointDef&) const { return std::nullopt; }
-    std::optional<JointEnds> operator()(const auto& joint) const {
-        return JointEnds{transform_point(world.state(joint.body_a).pose, joint.anchor_a),
-                         transform_point(world.state(joint.body_b).pose, joint.anchor_b)};
-    }
-};
-
 }  // namespace
 
 void add_joints(Layer& layer, const View& view, const World& world, std::span<const JointId> joints) {
     for (const JointId id : joints) {
         if (!world.is_valid(id)) continue;
-        const std::optional<JointEnds> ends = std::visit(FindEnds{world}, world.joint(id));
+        const std::optional<JointAnchors> ends = world.joint_anchors(id);
         if (!ends) continue;
         const DVec2 from = view.to_pixels(ends->a), to = view.to_pixels(ends->b);
         if (length(to - from) > 2.0 * style::kAnchor * view.detail())

@@ -1,6 +1,8 @@
 #include "render/overlay.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <variant>
 
 #include "render/shape_primitives.hpp"
@@ -25,6 +27,7 @@ constexpr double kMarkWidth = 1.8;
 constexpr double kHead = 6.0;
 
 constexpr double kVelocityTime = 0.1;  // s: an arrow is as long as the way made in this time
+constexpr const char* kVelocityLegend = "velocity: the way of 0.1 s";
 constexpr double kAsleep = 0.65;       // share of the background in the colour of an island that sleeps
 
 class Marks {
@@ -98,25 +101,23 @@ void add_velocities(Marks& marks, const View& view, const World& world) {
     }
 }
 
-struct AddTies {
-    Marks& marks;
-    const View& view;
-    const World& world;
+// From a body's centre of mass to its anchor. A static body's centre says nothing: only the anchor is marked.
+void add_tie(Marks& marks, const View& view, const World& world, BodyId body, DVec2 anchor) {
+    const DVec2 at = view.to_pixels(anchor);
+    if (world.type(body) != BodyType::static_body)
+        marks.line(view.to_pixels(transform_point(world.state(body).pose, world.mass(body).center)), at, kMarkWidth, kTie);
+    marks.dot(at, kTie);
+}
 
-    void operator()(const FilterJointDef&) const {}
-    void operator()(const auto& joint) const {
-        tie(joint.body_a, joint.anchor_a);
-        tie(joint.body_b, joint.anchor_b);
+void add_ties(Marks& marks, const View& view, const World& world) {
+    for (const JointId id : world.joints()) {
+        const std::optional<JointAnchors> anchors = world.joint_anchors(id);
+        if (!anchors) continue;
+        const auto [a, b] = std::visit([](const auto& joint) { return std::pair(joint.body_a, joint.body_b); }, world.joint(id));
+        add_tie(marks, view, world, a, anchors->a);
+        add_tie(marks, view, world, b, anchors->b);
     }
-    // A static body's origin says nothing: only its anchor is marked.
-    void tie(BodyId body, Vec2 anchor) const {
-        const Pose pose = world.state(body).pose;
-        const DVec2 at = view.to_pixels(transform_point(pose, anchor));
-        if (world.type(body) != BodyType::static_body)
-            marks.line(view.to_pixels(transform_point(pose, world.mass(body).center)), at, kMarkWidth, kTie);
-        marks.dot(at, kTie);
-    }
-};
+}
 
 }  // namespace
 
@@ -124,8 +125,7 @@ void add_overlay(Layer& layer, const View& view, const World& world, const Overl
     Marks marks(layer, view);
     if (overlay.islands) add_islands(layer, view, world);
     if (overlay.aabbs) add_boxes(marks, view, world);
-    if (overlay.joints)
-        for (const JointId id : world.joints()) std::visit(AddTies{marks, view, world}, world.joint(id));
+    if (overlay.joints) add_ties(marks, view, world);
     if (overlay.velocity) add_velocities(marks, view, world);
     if (overlay.contacts || overlay.normals) add_contacts(marks, view, world, overlay);
 }
@@ -140,7 +140,7 @@ std::vector<LegendLine> legend_of(const Overlay& overlay) {
     if (overlay.normals) lines.push_back({Mark::line, kNormal, "normal, from A to B"});
     if (overlay.aabbs) lines.push_back({Mark::line, kBoxEdge, "bounding box"});
     if (overlay.islands) lines.push_back({Mark::area, style::kBodies[0], "island: a colour each, pale asleep"});
-    if (overlay.velocity) lines.push_back({Mark::line, kVelocity, "velocity: the way of 0.1 s"});
+    if (overlay.velocity) lines.push_back({Mark::line, kVelocity, kVelocityLegend});
     if (overlay.joints) lines.push_back({Mark::line, kTie, "joint, to its bodies"});
     return lines;
 }

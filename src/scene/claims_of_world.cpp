@@ -84,7 +84,7 @@ public:
         widest_ = 0.0;
         for (std::size_t i = 0; i < joints_.size(); ++i) {
             if (!built.world.is_valid(joints_[i].id)) continue;
-            const double gap = joint_gap(built.world, built.world.joint(joints_[i].id));
+            const double gap = joint_gap(built.world, joints_[i].id);
             if (gap <= widest_) continue;
             widest_ = gap;
             joint_ = i;

@@ -7,6 +7,6 @@ namespace tumble::scene {
 
 // The distance of the anchors where the joint holds them together, their distance across the axis of a slider or wheel, and
 // how far a rod or rope is from a length that it allows (m). 0 for joints and springs that give by design.
-double joint_gap(const World& world, const JointDef& joint);
+double joint_gap(const World& world, JointId id);
 
 }  // namespace tumble::scene

@@ -153,46 +153,6 @@ private:
     std::size_t at_ = 0;
 };
 
-// Adds up what vectors have allocated.
-class MemoryCounter {
-public:
-    template <class T>
-    void leaf(const T&) {}
-    template <class T>
-    void list(const std::vector<T>& values) {
-        bytes_ += values.capacity() * sizeof(T);
-        if constexpr (!std::is_trivially_copyable_v<T>)
-            for (const T& value : values) visit_value(*this, value);
-    }
-    template <class T>
-    void optional(const std::optional<T>& value) {
-        if (value) visit_value(*this, *value);
-    }
-    template <class... T>
-    void variant(const std::variant<T...>& value) {
-        std::visit([&](const auto& alternative) { visit_value(*this, alternative); }, value);
-    }
-    void shape(const Shape& shape) {
-        if (!shape.large()) return;
-        bytes_ += sizeof(LargePolygon);
-        list(shape.large()->x);
-        list(shape.large()->y);
-        list(shape.large()->edge_angles);
-    }
-
-    std::size_t bytes() const { return bytes_; }
-
-private:
-    std::size_t bytes_ = 0;
-};
-
-template <class... Part>
-std::size_t bytes_of(const Part&... part) {
-    MemoryCounter counter;
-    (visit_value(counter, part), ...);
-    return counter.bytes();
-}
-
 }  // namespace
 
 std::vector<std::byte> write_snapshot(const SnapshotParts& parts) {
@@ -236,19 +196,6 @@ void read_snapshot(std::span<const std::byte> bytes, const SnapshotParts& parts)
     } catch (const std::logic_error& broken) {
         throw SnapshotError(std::string("snapshot: its state is broken: ") + broken.what());
     }
-}
-
-WorldMemory count_memory(const Simulation& simulation) {
-    WorldMemory memory;
-    memory.bodies = bytes_of(simulation.bodies);
-    memory.shapes = bytes_of(simulation.shapes);
-    memory.joints = bytes_of(simulation.joints);
-    memory.broad_phase = bytes_of(simulation.broad);
-    memory.contacts = bytes_of(simulation.contacts, simulation.sleeping) + simulation.contacts.spare_bytes();
-    memory.solver = simulation.graph.bytes() + simulation.blocks.capacity() * sizeof(ContactBlock);
-    memory.other = bytes_of(simulation.events) + simulation.movers.capacity() * sizeof(Mover) +
-                   simulation.sleepers.capacity() * sizeof(Sleeper);
-    return memory;
 }
 
 }  // namespace tumble

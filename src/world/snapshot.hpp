@@ -27,6 +27,4 @@ std::vector<std::byte> write_snapshot(const SnapshotParts& parts);
 // Replaces the parts. Throws SnapshotError, and may leave them half read then.
 void read_snapshot(std::span<const std::byte> bytes, const SnapshotParts& parts);
 
-WorldMemory count_memory(const Simulation& simulation);
-
 }  // namespace tumble

@@ -8,6 +8,7 @@
 #include "world/contact_report.hpp"
 #include "world/input_checks.hpp"
 #include "world/island_numbers.hpp"
+#include "world/memory.hpp"
 #include "world/snapshot.hpp"
 #include "world/state_hash.hpp"
 #include "world/validate.hpp"
@@ -75,8 +76,8 @@ StepCounters World::Impl::count() const {
     counters_now.sleeping_islands = static_cast<int>(simulation.sleeping.count());
     counters_now.contacts = static_cast<int>(simulation.contact_counts.contacts);
     counters_now.contact_points = static_cast<int>(simulation.contact_counts.points);
-    counters_now.pairs = static_cast<std::int64_t>(simulation.contacts.all().size());
-    counters_now.collided = simulation.collided.pairs;
+    counters_now.pairs = simulation.collided.asked;
+    counters_now.collided = simulation.collided.full;
     counters_now.gjk_iterations = simulation.collided.iterations;
     counters_now.ms = simulation.times;
     return counters_now;
@@ -303,6 +304,18 @@ const JointDef& World::joint(JointId id) const {
 JointReaction World::reaction(JointId id) const {
     impl_->require(id);
     return impl_->simulation.joints.reaction(id);
+}
+
+std::optional<JointAnchors> World::joint_anchors(JointId id) const {
+    impl_->require(id);
+    const auto find = [this](const auto& def) -> std::optional<JointAnchors> {
+        if constexpr (requires { def.anchor_a; })
+            return JointAnchors{transform_point(state(def.body_a).pose, def.anchor_a),
+                                transform_point(state(def.body_b).pose, def.anchor_b)};
+        else
+            return std::nullopt;
+    };
+    return std::visit(find, impl_->simulation.joints.def(id));
 }
 
 float World::joint_position(JointId id) const {

@@ -272,5 +272,9 @@ TEST_CASE("casts of no parts, and of parts or motions that are not finite, are i
     CHECK(compound_time_of_impact(one, still, one, coming).first.status == CastStatus::hit);
     CHECK(compound_time_of_impact(one, still, one, mad).first.status == CastStatus::invalid);
     CHECK(compound_time_of_impact(one, still, one, coming, -1.0).first.status == CastStatus::invalid);
+    // Also where it falls so far short that no two boxes are looked at.
+    const Sweep short_of{{}, {50, 0}, {45, 0}, 0.0, 0.0};
+    CHECK(compound_time_of_impact(one, still, one, short_of).first.status == CastStatus::miss);
+    CHECK(compound_time_of_impact(one, still, one, short_of, -1.0).first.status == CastStatus::invalid);
     CHECK(compound_time_of_impact(none, still, one, coming).first.status == CastStatus::invalid);
 }

@@ -2,10 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <vector>
 
+#include "support/distance_results.hpp"
 #include "support/random_pairs.hpp"
 
 using namespace tumble;
@@ -30,20 +30,6 @@ std::vector<PosedPair> posed(const std::vector<Pair>& pairs) {
     std::vector<PosedPair> result;
     for (const Pair& pair : pairs) result.push_back({&pair.a, pair.pose_a, &pair.b, pair.pose_b});
     return result;
-}
-
-// Bit for bit, so that NaN equals itself and 0 is not -0.
-bool have_same_bits(double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; }
-bool have_same_bits(DVec2 p, DVec2 q) { return have_same_bits(p.x, q.x) && have_same_bits(p.y, q.y); }
-
-bool have_same_bits(const DistanceResult& one, const DistanceResult& other) {
-    const Certificate &p = one.certificate, &q = other.certificate;
-    return have_same_bits(one.distance, other.distance) && have_same_bits(one.lower, other.lower) &&
-           have_same_bits(one.upper, other.upper) && have_same_bits(one.point_a, other.point_a) &&
-           have_same_bits(one.point_b, other.point_b) && have_same_bits(one.normal, other.normal) &&
-           have_same_bits(p.direction, q.direction) && p.pairs == q.pairs && p.pair_count == q.pair_count &&
-           p.cores_overlap == q.cores_overlap && one.status == other.status && one.iterations == other.iterations &&
-           one.reached_cap == other.reached_cap;
 }
 
 DistanceResult alone(const PosedPair& pair) { return distance(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b); }

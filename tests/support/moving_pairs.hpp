@@ -3,22 +3,16 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "reference/random.hpp"
+#include "support/pair_count.hpp"
 #include "tumble/shape.hpp"
 
 namespace tumble_test {
 
 using tumble::reference::Random;
-
-// 10 000 a kind, or what the environment asks for in TUMBLE_PAIRS.
-inline std::uint64_t pair_count() {
-    const char* asked = std::getenv("TUMBLE_PAIRS");
-    return asked ? std::strtoull(asked, nullptr, 10) : 10000;
-}
 
 // Vertices of an ellipse in convex position: sharp corners for few, nearly smooth for many.
 inline std::vector<tumble::Vec2> ellipse(Random& random, int count, double half_width, double half_height) {

@@ -26,7 +26,7 @@ public:
 
     void edit() {
         make_edit();
-        // What spins and has no inertia spins on whatever hangs on it: a motor without end.
+        // What spins and has no inertia spins on (BodyMass), whatever hangs on it: a motor without end.
         for (const BodyId id : world.bodies())
             if (world.type(id) == BodyType::dynamic_body && world.is_enabled(id) && world.mass(id).inertia == 0.0f &&
                 world.state(id).angular_velocity != 0.0f)

@@ -63,6 +63,20 @@ TEST_CASE("a body of fixed rotation stays upright where another would tip") {
 
 // The platform of weight 10 N m g cannot sink: the ball rests on it as on the ground. The softness leaves it the sag
 // g / w^2 of its own weight, w = 2 pi 30: 0.3 mm.
+TEST_CASE("locks are for dynamic bodies: a kinematic one takes the velocity that it is given") {
+    World world;
+    BodyDef def{.type = BodyType::kinematic_body, .velocity = {1.0f, 0.0f}};
+    def.locks = {.x = true, .rotation = true};
+    const BodyId body = world.create_body(def);
+    CHECK(world.state(body).velocity == Vec2{1.0f, 0.0f});
+    world.set_velocity(body, {2.0f, 3.0f}, 0.5f);
+    CHECK(world.state(body).velocity == Vec2{2.0f, 3.0f});
+    CHECK(world.state(body).angular_velocity == 0.5f);
+    world.set_type(body, BodyType::dynamic_body);  // they hold again
+    CHECK(world.state(body).velocity == Vec2{0.0f, 3.0f});
+    CHECK(world.state(body).angular_velocity == 0.0f);
+}
+
 TEST_CASE("a ball rests on a platform that is locked against falling") {
     World world;
     const BodyId platform = add_locked(world, {0.0, 0.0}, {.y = true, .rotation = true}, make_box({4.0f, 1.0f}));
@@ -316,6 +330,26 @@ TEST_CASE("a body's definition makes the same body again") {
     CHECK(same.enabled);
     CHECK(same.mass == def.mass);
     CHECK(same.locks == BodyLocks{});
+}
+
+TEST_CASE("a definition tells locks, type, and whether a body is enabled or awake") {
+    World world;
+    const auto again = [&](const BodyDef& def) { return world.definition(world.create_body(world.definition(world.create_body(def)))); };
+    BodyDef locked;
+    locked.locks = {.y = true, .rotation = true};
+    locked.mass = BodyMass{1.0f, {}, 1.0f};
+    CHECK(again(locked).locks == locked.locks);
+    CHECK(again(locked).type == BodyType::dynamic_body);
+    CHECK(again({.type = BodyType::kinematic_body, .velocity = {1.0f, 2.0f}}).type == BodyType::kinematic_body);
+    CHECK(again({.type = BodyType::kinematic_body, .velocity = {1.0f, 2.0f}}).velocity == Vec2{1.0f, 2.0f});
+    CHECK(again({.type = BodyType::static_body}).type == BodyType::static_body);
+    BodyDef asleep;
+    asleep.awake = false;
+    CHECK_FALSE(again(asleep).awake);
+    BodyDef disabled;
+    disabled.enabled = false;
+    CHECK_FALSE(again(disabled).enabled);
+    CHECK(again(disabled).type == BodyType::dynamic_body);
 }
 
 TEST_CASE("what cannot be is refused and changes nothing") {

@@ -42,6 +42,25 @@ bool all_awake(const World& world, const std::vector<BodyId>& bodies) {
 
 }  // namespace
 
+TEST_CASE("as many pairs are asked about as collide, also in the step in which all fall asleep") {
+    World world;
+    const BodyId floor = world.create_body({.type = BodyType::static_body});
+    world.add_shape(floor, {.shape = make_box({20.0f, 1.0f}, 0.0f, {0.0f, -0.5f})});
+    for (int i = 0; i < 5; ++i)
+        world.add_shape(world.create_body({.pose = {{2.0 * i - 4.0, 0.5}, {}}}), {.shape = make_box({1.0f, 1.0f})});
+    bool has_slept = false;
+    for (int step = 0; step < 120 && !has_slept; ++step) {
+        world.step();
+        const StepCounters& counters = world.counters();
+        CHECK(counters.collided <= counters.pairs);
+        CHECK(counters.pairs == 5);
+        has_slept = counters.awake_bodies == 0;
+    }
+    CHECK(has_slept);
+    world.step();
+    CHECK(world.counters().pairs == 0);
+}
+
 TEST_CASE("a body without forces sleeps after half a second of rest, to the step") {
     World world = weightless();
     const BodyId body = add_dynamic(world, {}, kBox);
