@@ -28,6 +28,7 @@ struct ContactBlockPoint {
     Lanes separation;      // at the start of the step, m
     Lanes inverse_mass;    // effective, along the normal, 1/kg; 1 for a point that is not there
     Lanes normal_impulse;  // N s, of the present sub-step
+    Lanes carried;         // the normal impulse with which the step began
     Lanes tangent_mass;
     Lanes tangent_impulse;
     Lanes approach_speed;   // normal velocity before the step, negative if approaching; with restitution only

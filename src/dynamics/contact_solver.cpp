@@ -162,6 +162,15 @@ struct NormalRow {
     Lanes residual;
 };
 
+// What a soft contact keeps of its impulse, if it is taken back less than a spring would for the load that it carries,
+// and more for what is new.
+TUMBLE_LANE_FUNCTION Lanes kept_impulse(const ContactBlock& block, const ContactBlockPoint& point) {
+    const float back = block.softness.impulse_scale;
+    const float keeps_fresh = 1.0f - kFreshSoftness * back;
+    const float keeps_more_carried = (kFreshSoftness - kCarriedSoftness) * back;
+    return keeps_fresh * point.normal_impulse + keeps_more_carried * point.carried.min(point.normal_impulse);
+}
+
 // Gaps are speculative: rigid, and closed in one sub-step at the fastest. Overlap is removed softly, as by an implicit
 // spring and damper whose mass scale divides the diagonal, and no faster than the push-out speed.
 TUMBLE_LANE_FUNCTION NormalRow make_soft_row(const ContactBlock& block, const ContactBlockPoint& point,
@@ -173,8 +182,9 @@ TUMBLE_LANE_FUNCTION NormalRow make_soft_row(const ContactBlock& block, const Co
     const float max_push = push_out_speed / block.softness.mass_scale;  // before the mass scale
     const Lanes bias = gap * inv_h + (overlap * block.softness.bias_rate).max(-max_push);
     const Lanes soft = point.inverse_mass * (1.0f / block.softness.mass_scale);
-    return {select_less(zero, separation, point.inverse_mass, soft),
-            normal_velocity(point, state) + bias - point.inverse_mass * point.normal_impulse};
+    const Lanes diagonal = select_less(zero, separation, point.inverse_mass, soft);
+    const Lanes kept = select_less(zero, separation, point.normal_impulse, kept_impulse(block, point));
+    return {diagonal, normal_velocity(point, state) + bias - diagonal * kept};
 }
 
 TUMBLE_LANE_FUNCTION NormalRow make_rigid_row(const ContactBlock& block, const ContactBlockPoint& point,

@@ -16,7 +16,7 @@ constexpr double kDegree = kPi / 180.0;
 
 // A flat box on a slope that falls to the right; how far it has slid along it after `steps`.
 double slide(double slope, float friction, int steps) {
-    World world;
+    World world({.sleeping = false});  // it starts slower than what counts as rest
     const SurfaceMaterial material{.friction = friction};
     add_static(world, {}, make_box({100.0f, 2.0f}), material, -slope);
     const DVec2 up{std::sin(slope), std::cos(slope)}, down{std::cos(slope), -std::sin(slope)};
