@@ -18,9 +18,10 @@ constexpr double kOverlapLimit = 0.01; // m, in a world of scale 1: never more
 constexpr double kAcross = 0.5;        // cosine: steeper contacts carry no weight
 constexpr double kVisibleSag = 0.05;   // of the smaller extent of the body that sinks
 
-// Each contact point gives like a spring of 30 Hz on the mass that it moves, 60 Hz against what does not move (rad/s).
-// In a world of another scale their frequencies follow the inverse root of it.
+// Under a load that stays each contact point gives half as much as a spring of 30 Hz on the mass that it moves, 60 Hz
+// against what does not move (rad/s). In a world of another scale their frequencies follow the inverse root of it.
 constexpr double kContactSpring = 2.0 * kPi * 30.0, kGroundSpring = 2.0 * kContactSpring;
+constexpr double kSagPart = 0.5;
 constexpr double kPushOutSpeed = 3.0;  // m/s, in a world of scale 1
 
 // All points between two bodies, as one.
@@ -115,7 +116,7 @@ public:
         for (const std::size_t i : upwards) {
             if (!is_dynamic(i)) continue;
             const double share = load[i] / static_cast<double>(below[i].size());
-            for (const Support& under : below[i]) sunk[i] = std::max(sunk[i], sunk[under.body] + share / under.stiffness);
+            for (const Support& under : below[i]) sunk[i] = std::max(sunk[i], sunk[under.body] + kSagPart * share / under.stiffness);
             const bool is_visible = sunk[i] > kVisibleSag * extent_of(i);
             if (is_visible && (worst == upwards.size() || sunk[i] > sunk[worst])) worst = i;
         }
