@@ -1,10 +1,13 @@
 // `tumble distance`: the signed distance of two shapes, once or for each line of standard input.
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "command.hpp"
 #include "console.hpp"
@@ -52,37 +55,72 @@ ExitCode answer_arguments(const Command& command, const DistanceArguments& optio
     return ExitCode::ok;
 }
 
-void write_line_error(JsonWriter& json, const std::string& message, std::uint64_t line) {
-    json.clear();
-    json.open_object().member("error", message).member("line", line).close_object();
+// A line of the input: a query, or what is wrong with it.
+struct Line {
+    std::uint64_t number = 0;
+    DistanceQuery query;
+    std::string error;
+};
+
+Line read_line(std::string_view text, std::uint64_t number) {
+    try {
+        return {number, parse_query_line(text), {}};
+    } catch (const InputError& error) {
+        return {number, {}, error.what()};
+    } catch (const SceneError& error) {
+        const Diagnostic& first = error.diagnostics.front();
+        return {number, {}, first.file + first.pointer + ": " + first.message};
+    }
 }
 
-// A line that is no query is answered by its error, and the next one is read. Who writes a line and waits gets its answer
-// before we wait for the next one.
+std::vector<DistanceResult> answer_all(const std::vector<Line>& lines, const DistanceArguments& options) {
+    std::vector<DistanceResult> results(lines.size());
+    if (!options.sub_algorithm.empty()) {
+        std::ranges::transform(lines, results.begin(), [&](const Line& line) { return answer(line.query, options); });
+        return results;
+    }
+    std::vector<PosedPair> pairs;
+    for (const Line& line : lines) pairs.push_back({&line.query.a, line.query.a_pose, &line.query.b, line.query.b_pose});
+    distance_batch(pairs, results);
+    return results;
+}
+
+void write_answers(const std::vector<Line>& lines, const DistanceArguments& options, JsonWriter& json) {
+    const std::vector<DistanceResult> results = answer_all(lines, options);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        json.clear();
+        if (lines[i].error.empty())
+            write_answer(json, lines[i].query, results[i]);
+        else
+            json.open_object().member("error", lines[i].error).member("line", lines[i].number).close_object();
+        write_output(json.text());
+        write_output("\n");
+    }
+}
+
+// A line that is no query is answered by its error, and the next one is read. Lines are answered many at once, but who writes
+// one and waits gets its answer before we wait for the next.
 ExitCode answer_lines(const DistanceArguments& options) {
+    constexpr std::size_t kAtOnce = 256;
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);
     ExitCode code = ExitCode::ok;
     JsonWriter json(JsonWriter::Layout::compact);
-    std::string line;
-    for (std::uint64_t number = 1; std::getline(std::cin, line); ++number) {
-        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-        json.clear();
-        try {
-            const DistanceQuery query = parse_query_line(line);
-            write_answer(json, query, answer(query, options));
-        } catch (const InputError& error) {
-            write_line_error(json, error.what(), number);
-            code = ExitCode::invalid_input;
-        } catch (const SceneError& error) {
-            const Diagnostic& first = error.diagnostics.front();
-            write_line_error(json, first.file + first.pointer + ": " + first.message, number);
-            code = ExitCode::invalid_input;
+    std::vector<Line> lines;
+    std::string text;
+    for (std::uint64_t number = 1; std::getline(std::cin, text); ++number) {
+        if (text.find_first_not_of(" \t\r") != std::string::npos) {
+            lines.push_back(read_line(text, number));
+            if (!lines.back().error.empty()) code = ExitCode::invalid_input;
         }
-        write_output(json.text());
-        write_output("\n");
-        if (std::cin.rdbuf()->in_avail() <= 0) finish_output();
+        const bool is_last_for_now = std::cin.rdbuf()->in_avail() <= 0;
+        if (is_last_for_now || lines.size() == kAtOnce) {
+            write_answers(lines, options, json);
+            lines.clear();
+        }
+        if (is_last_for_now) finish_output();
     }
+    write_answers(lines, options, json);
     return code;
 }
 
