@@ -111,7 +111,7 @@ template <int N>
     const Core& core = ray.core;
     const SeenVertices<N> seen = see<N>(core, ray.offset, ray.motion);
     const auto count = static_cast<unsigned>(core.count), all = (1u << count) - 1u;
-    const unsigned left = ~lanes_less_than(seen.side, 0.0) & all,
+    const unsigned left = ~bits_of(seen.side < DoubleLanes<N>(0.0)) & all,
                    next_left = ((left >> 1) | (left << (count - 1u))) & all;
     const unsigned entries = left & ~next_left, exits = ~left & next_left;
     const double margin = 2.0 * ray.error * ray.way * seen.scale;

@@ -27,13 +27,17 @@ double positive_part(double x) {
     return x > 0.0 ? x : 0.0;
 }
 
-// The first positive root of gap = closing x + curvature x^2, in the form that does not cancel; at most the window.
+// At most the first positive root of gap = closing x + curvature x^2, and at most the window; without a square root. The root
+// is gap / (closing + curvature root): with a number beyond it in its place the quotient falls short if the curvature is
+// positive, and so it does with a number before it if that is negative. gap / closing lies before such a root.
 double root_of(Bound bound, double gap, double window) {
-    const double discriminant = bound.closing * bound.closing + 4.0 * bound.curvature * gap;
-    if (bound.closing > 0.0 && discriminant >= 0.0)
-        return std::min(2.0 * gap / (bound.closing + std::sqrt(discriminant)), window);
-    if (bound.closing > 0.0 || bound.curvature <= 0.0) return window;
-    return std::min((std::sqrt(discriminant) - bound.closing) / (2.0 * bound.curvature), window);
+    const double closing = bound.closing, curvature = bound.curvature;
+    if (closing > 0.0) {
+        const double near = curvature < 0.0 ? gap / closing : window;
+        return closing * closing + 4.0 * curvature * gap < 0.0 ? window : std::min(gap / (closing + curvature * near), window);
+    }
+    if (curvature <= 0.0) return window;
+    return std::min((std::sqrt(closing * closing + 4.0 * curvature * gap) - closing) / (2.0 * curvature), window);
 }
 
 // That root without a square root, from its series in the curvature; it may fall short of it or beyond by the third

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simd/lane_function.hpp"
 #include "tumble/math.hpp"
 #include "tumble/shape.hpp"
 
@@ -59,9 +60,13 @@ struct CorePair {
 }
 
 // |q| R for the core radius R: |q| <= (1 + |q|^2) / 2, equal for unit rotations and without a root.
+template <typename Number>
+TUMBLE_LANE_FUNCTION Number turned_radius(const Number& c, const Number& s, const Number& core_radius) {
+    return 0.5 * (Number(1.0) + (c * c + s * s)) * core_radius;
+}
+
 [[gnu::always_inline]] inline double turned_radius(const Shape& shape, Rotation q) {
-    const double c = q.c, s = q.s;
-    return 0.5 * (1.0 + (c * c + s * s)) * shape.core_radius();
+    return turned_radius(double{q.c}, double{q.s}, shape.core_radius());
 }
 
 [[gnu::always_inline]] inline CorePair make_core_pair(const Shape& a, const Pose& world_from_a, const Shape& b,
@@ -75,12 +80,14 @@ struct CorePair {
 inline constexpr double kLargestScale = 0x1p500;
 inline constexpr double kSmallestScale = 0x1p-480;
 
+[[gnu::always_inline]] inline bool are_radii_valid(const Shape& a, const Shape& b) {
+    return a.radius() >= 0.0f && b.radius() >= 0.0f && std::isfinite(static_cast<double>(a.radius()) + b.radius());
+}
+
 // False for NaN, infinity, a shape without vertices, a negative radius, and a scale out of range. NaN fails each test.
 [[gnu::always_inline]] inline bool is_valid(const CorePair& pair, const Shape& a, const Shape& b) {
     const bool in_range = pair.scale <= kLargestScale && (pair.scale >= kSmallestScale || pair.offset == DVec2{});
-    const double radii = static_cast<double>(a.radius()) + b.radius();
-    return in_range && pair.a.count > 0 && pair.b.count > 0 && a.radius() >= 0.0f && b.radius() >= 0.0f &&
-           std::isfinite(radii);
+    return in_range && pair.a.count > 0 && pair.b.count > 0 && are_radii_valid(a, b);
 }
 
 }  // namespace tumble

@@ -28,14 +28,20 @@
 #pragma once
 
 #include "narrow/core_pair.hpp"
+#include "simd/lane_function.hpp"
 
 namespace tumble {
 
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
-inline double error_bound(const CorePair& pair) { return 16.0 * kUnitRoundoff * pair.scale; }
+// Of a scale, or of a scale a lane.
+template <typename Number>
+TUMBLE_LANE_FUNCTION Number error_bound(const Number& scale) { return 16.0 * kUnitRoundoff * scale; }
+inline double error_bound(const CorePair& pair) { return error_bound(pair.scale); }
 
 // GJK stops where a new support is no nearer to the origin than the simplex by more than the support's own rounding.
-inline double progress_bound(const CorePair& pair) { return 4.0 * kUnitRoundoff * pair.scale; }
+template <typename Number>
+TUMBLE_LANE_FUNCTION Number progress_bound(const Number& scale) { return 4.0 * kUnitRoundoff * scale; }
+inline double progress_bound(const CorePair& pair) { return progress_bound(pair.scale); }
 
 }  // namespace tumble

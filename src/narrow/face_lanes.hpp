@@ -15,13 +15,13 @@ struct FaceLanes {
     DoubleLanes<N> outward_y;
     DoubleLanes<N> length;
     DoubleLanes<N> separation;  // of the cores along it; minus infinity for lanes without an edge
-    IndexLanes<N> nearest;      // the other core's vertex, the lowest of equals
+    DoubleLanes<N> nearest;     // the other core's vertex, the lowest of equals
 };
 
 template <int N, std::size_t... Vertex>
 TUMBLE_LANE_FUNCTION LowestLanes<N> lowest_heights(const DoubleLanes<N>& x, const DoubleLanes<N>& y,
                                                    const TurnedCore<N>& other, std::index_sequence<Vertex...>) {
-    LowestLanes<N> lowest = begin_lowest(x * spread<0>(other.x) + y * spread<0>(other.y));
+    LowestLanes<N> lowest{x * spread<0>(other.x) + y * spread<0>(other.y)};
     (take_lower(lowest, x * spread<Vertex + 1>(other.x) + y * spread<Vertex + 1>(other.y), Vertex + 1), ...);
     return lowest;
 }
@@ -47,7 +47,7 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> separation_along(const DoubleLanes<N>& x, co
                                                      const DoubleLanes<N>& own_y, const Offset& offset_x, const Offset& offset_y) {
     const DoubleLanes<N> none(-std::numeric_limits<double>::infinity());
     const DoubleLanes<N> gap = (lowest - (x * own_x + y * own_y)) + (offset_x * x + offset_y * y);
-    return select_positive(length, gap / length, none);
+    return select(DoubleLanes<N>(0.0) < length, gap / length, none);
 }
 
 // `offset` is from the owner's position to the other core's. A circle has none: not looking saves 5 of 47 ns.
@@ -55,7 +55,7 @@ template <int N>
 TUMBLE_LANE_FUNCTION FaceLanes<N> faces_of(const Core& owner, const TurnedCore<N>& own, const TurnedCore<N>& other,
                                            double offset_x, double offset_y) {
     const DoubleLanes<N> none(-std::numeric_limits<double>::infinity());
-    if (owner.count == 1) return {none, none, none, none, {}};
+    if (owner.count == 1) return {none, none, none, none, none};
     const DoubleLanes<N> local_x = load_widened<N>(owner.x), local_y = load_widened<N>(owner.y);
     const DoubleLanes<N> edge_x = next_lanes(local_x) - local_x, edge_y = next_lanes(local_y) - local_y;
     const DoubleLanes<N> x = outward_x_of(owner.c, owner.s, edge_x, edge_y), y = outward_y_of(owner.c, owner.s, edge_x, edge_y);

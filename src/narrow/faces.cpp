@@ -99,8 +99,8 @@ FoundFace deepest_face_in_lanes(const CorePair& pair) {
     if (leading.bits == 0) return {};
     const OwnedFace face = leading.first();
     const double sign = kSign[face.is_b];
-    return {{{sign * face.outward_x, sign * face.outward_y},
-             face.separation,
+    return {{{sign * face.seen.outward_x, sign * face.seen.outward_y},
+             face.seen.separation,
              {pair_of_owner(face.is_b, face.from, face.nearest), pair_of_owner(face.is_b, face.to, face.nearest)}},
             true};
 }

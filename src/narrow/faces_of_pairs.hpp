@@ -4,34 +4,34 @@
 #include <limits>
 #include <utility>
 
-#include "narrow/small_features.hpp"
+#include "narrow/face_lanes.hpp"
+#include "narrow/feature_formulas.hpp"
 #include "simd/gather_columns.hpp"
 
 namespace tumble {
 
-// Cores of at most N vertices, and as many pairs at once: of boxes eight at once take a tenth longer than four, of octagons
-// four a tenth longer than eight.
-template <int N>
-using PairLanes = DoubleLanes<N>;
+// As many pairs at once as a register holds: of more, half the numbers would wait in memory.
+inline constexpr int kPairs = DoubleLanes<8>::kWidth;
+using PairLanes = DoubleLanes<kPairs>;
+using PairMask = MaskLanes<kPairs>;
 
-// One core of each pair.
+// One core of each pair, of at most N vertices.
 template <int N>
 struct CoreOfPairs {
-    PairLanes<N> c, s;
-    PairLanes<N> local_x[N], local_y[N];
-    PairLanes<N> x[N], y[N];  // turned, relative to the body's position
+    PairLanes c, s;
+    PairLanes reach;  // at least |q| R
+    PairLanes local_x[N], local_y[N];
+    PairLanes x[N], y[N];  // turned, relative to the body's position
 
-    CoreOfPairs(const Shape* const (&shapes)[N], const Pose* const (&poses)[N]) {
-        double cosines[N], sines[N];
-        const float *rows_x[N], *rows_y[N];
-        for (int lane = 0; lane < N; ++lane) {
-            cosines[lane] = poses[lane]->rotation.c;
-            sines[lane] = poses[lane]->rotation.s;
+    CoreOfPairs(const Shape* const (&shapes)[kPairs], const Pose* const (&poses)[kPairs]) {
+        const float *rows_x[kPairs], *rows_y[kPairs];
+        for (int lane = 0; lane < kPairs; ++lane) {
             rows_x[lane] = shapes[lane]->x().data();
             rows_y[lane] = shapes[lane]->y().data();
         }
-        c = load_lanes(cosines);
-        s = load_lanes(sines);
+        c = gather_lanes<kPairs>([&](int lane) { return static_cast<double>(poses[lane]->rotation.c); });
+        s = gather_lanes<kPairs>([&](int lane) { return static_cast<double>(poses[lane]->rotation.s); });
+        reach = turned_radius(c, s, gather_lanes<kPairs>([&](int lane) { return shapes[lane]->core_radius(); }));
         for (int from = 0; from < N; from += 4) {
             gather_columns(rows_x, from, local_x);
             gather_columns(rows_y, from, local_y);
@@ -43,62 +43,87 @@ struct CoreOfPairs {
     }
 };
 
-// All faces of all pairs: those of A's edges, then those of B's. The offset is from A's position to B's.
+// What CorePair is to one pair.
 template <int N>
-class FacesOfPairs {
-public:
-    TUMBLE_LANE_FUNCTION FacesOfPairs(const CoreOfPairs<N>& a, const CoreOfPairs<N>& b, const PairLanes<N>& offset_x,
-                                      const PairLanes<N>& offset_y)
-        : cores_{&a, &b} {
-        look<0>(a, b, offset_x, offset_y, std::make_index_sequence<N>());
-        look<N>(b, a, -1.0 * offset_x, -1.0 * offset_y, std::make_index_sequence<N>());
-    }
+struct CorePairs {
+    CoreOfPairs<N> a;
+    CoreOfPairs<N> b;
+    PairLanes offset_x, offset_y;
+    PairLanes scale;
 
-    // Of the pair in a lane: whether any edge has a length; whether no other face is as far; the face of largest
-    // separation, the first of equals.
-    bool has_leading(int lane) const { return leading_.value[lane] > -std::numeric_limits<double>::infinity(); }
-    bool leads_alone(int lane) const { return leading_.tied[lane] == 0; }
-    TUMBLE_LANE_FUNCTION OwnedFace leading(int lane, const CorePair& pair) const {
-        const int edge = leading_.index[lane], from = edge % N;
-        const unsigned is_b = edge >= N;
-        const Core* const owners[2] = {&pair.a, &pair.b};
-        const CoreOfPairs<N>&own = *cores_[is_b], &other = *cores_[1 - is_b];
-        const int to = owners[is_b]->next(from), nearest = nearest_[edge][lane];
-        return {is_b, from, to, nearest, outward_x_[edge][lane], outward_y_[edge][lane], length_[edge][lane],
-                leading_.value[lane], own.x[from][lane], own.y[from][lane], own.x[to][lane], own.y[to][lane],
-                other.x[nearest][lane], other.y[nearest][lane]};
+    CorePairs(const Shape* const (&shapes_a)[kPairs], const Pose* const (&poses_a)[kPairs],
+              const Shape* const (&shapes_b)[kPairs], const Pose* const (&poses_b)[kPairs])
+        : a(shapes_a, poses_a), b(shapes_b, poses_b) {
+        offset_x = gather_lanes<kPairs>([&](int lane) { return poses_b[lane]->position.x - poses_a[lane]->position.x; });
+        offset_y = gather_lanes<kPairs>([&](int lane) { return poses_b[lane]->position.y - poses_a[lane]->position.y; });
+        scale = (a.reach + b.reach) + square_root(offset_x * offset_x + offset_y * offset_y);
+    }
+};
+
+// The face of largest separation of each pair, the first of equals: A's edges count from 0 on, B's from N on.
+template <int N>
+struct LeadingFaceOfPairs {
+    SeenFace<PairLanes> face;  // of separation minus infinity where no edge has a length
+    PairLanes edge;
+    PairLanes nearest;            // the other core's vertex
+    PairMask is_tied;             // another face is as far
+    PairMask is_b;
+
+    PairMask exists() const { return PairLanes(-std::numeric_limits<double>::infinity()) < face.separation; }
+
+    TUMBLE_LANE_FUNCTION explicit LeadingFaceOfPairs(const CorePairs<N>& pairs) {
+        const PairLanes none(0.0);
+        face = {none, none, none, PairLanes(-std::numeric_limits<double>::infinity()), none, none, none, none, none, none};
+        edge = nearest = none;
+        is_tied = none < none;
+        look<0>(pairs.a, pairs.b, pairs.offset_x, pairs.offset_y, std::make_index_sequence<N>());
+        look<N>(pairs.b, pairs.a, -pairs.offset_x, -pairs.offset_y, std::make_index_sequence<N>());
+        is_b = PairLanes(N - 0.5) < edge;
+        find_other(pairs.a, pairs.b, std::make_index_sequence<N>());
     }
 
 private:
     // Unrolled: the largest so far, and the lowest, then stay in registers.
     template <int First, std::size_t... Edge>
-    TUMBLE_LANE_FUNCTION void look(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other, const PairLanes<N>& offset_x,
-                                   const PairLanes<N>& offset_y, std::index_sequence<Edge...>) {
+    TUMBLE_LANE_FUNCTION void look(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other, const PairLanes& offset_x,
+                                   const PairLanes& offset_y, std::index_sequence<Edge...>) {
         (look_at<First, Edge>(own, other, offset_x, offset_y, std::make_index_sequence<N - 1>()), ...);
     }
 
     template <int First, int Edge, std::size_t... Vertex>
-    TUMBLE_LANE_FUNCTION void look_at(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other, const PairLanes<N>& offset_x,
-                                      const PairLanes<N>& offset_y, std::index_sequence<Vertex...>) {
-        constexpr int kNext = Edge + 1 < N ? Edge + 1 : 0, kAt = First + Edge;
-        const PairLanes<N> edge_x = own.local_x[kNext] - own.local_x[Edge], edge_y = own.local_y[kNext] - own.local_y[Edge];
-        const PairLanes<N> x = outward_x_of(own.c, own.s, edge_x, edge_y), y = outward_y_of(own.c, own.s, edge_x, edge_y);
-        LowestLanes<N> lowest = begin_lowest(x * other.x[0] + y * other.y[0]);
+    TUMBLE_LANE_FUNCTION void look_at(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other, const PairLanes& offset_x,
+                                      const PairLanes& offset_y, std::index_sequence<Vertex...>) {
+        constexpr int kNext = Edge + 1 < N ? Edge + 1 : 0;
+        const PairLanes edge_x = own.local_x[kNext] - own.local_x[Edge], edge_y = own.local_y[kNext] - own.local_y[Edge];
+        const PairLanes x = outward_x_of(own.c, own.s, edge_x, edge_y), y = outward_y_of(own.c, own.s, edge_x, edge_y);
+        LowestLanes<kPairs> lowest{x * other.x[0] + y * other.y[0]};
         (take_lower(lowest, x * other.x[Vertex + 1] + y * other.y[Vertex + 1], Vertex + 1), ...);
-        const PairLanes<N> length = square_root(x * x + y * y);
-        const PairLanes<N> separation =
+        const PairLanes length = square_root(x * x + y * y);
+        const PairLanes separation =
             separation_along(x, y, length, lowest.value, own.x[Edge], own.y[Edge], offset_x, offset_y);
-        outward_x_[kAt] = x;
-        outward_y_[kAt] = y;
-        length_[kAt] = length;
-        nearest_[kAt] = lowest.index;
-        take_larger(leading_, separation, kAt);
+        const PairMask is_larger = face.separation < separation;
+        is_tied = (face.separation == separation) | (is_tied & ~is_larger);
+        replace(face.separation, is_larger, separation);
+        replace(face.outward_x, is_larger, x);
+        replace(face.outward_y, is_larger, y);
+        replace(face.length, is_larger, length);
+        replace(face.first_x, is_larger, own.x[Edge]);
+        replace(face.first_y, is_larger, own.y[Edge]);
+        replace(face.second_x, is_larger, own.x[kNext]);
+        replace(face.second_y, is_larger, own.y[kNext]);
+        replace(edge, is_larger, PairLanes(First + Edge));
+        replace(nearest, is_larger, lowest.index);
     }
 
-    const CoreOfPairs<N>* cores_[2];
-    PairLanes<N> outward_x_[2 * N], outward_y_[2 * N], length_[2 * N];
-    IndexLanes<N> nearest_[2 * N];
-    LargestLanes<N> leading_ = begin_largest<N>();
+    template <std::size_t... Vertex>
+    TUMBLE_LANE_FUNCTION void find_other(const CoreOfPairs<N>& a, const CoreOfPairs<N>& b, std::index_sequence<Vertex...>) {
+        const auto take = [&](int vertex) __attribute__((always_inline)) {
+            const PairMask is_here = nearest == PairLanes(vertex);
+            replace(face.other_x, is_here, select(is_b, a.x[vertex], b.x[vertex]));
+            replace(face.other_y, is_here, select(is_b, a.y[vertex], b.y[vertex]));
+        };
+        (take(Vertex), ...);
+    }
 };
 
 }  // namespace tumble

@@ -9,6 +9,7 @@
 
 #include "narrow/core_distance.hpp"
 #include "narrow/face_lanes.hpp"
+#include "narrow/feature_formulas.hpp"
 
 namespace tumble {
 
@@ -16,17 +17,16 @@ namespace tumble {
 template <int N>
 TUMBLE_LANE_FUNCTION bool measure_by_vertex(const CorePair& pair, const TurnedPair<N>& turned, VertexPair at, CoreDistance& result) {
     const double a_x = turned[0].x[at.a], a_y = turned[0].y[at.a], b_x = turned[1].x[at.b], b_y = turned[1].y[at.b];
-    const double x = -((a_x - b_x) - pair.offset.x), y = -((a_y - b_y) - pair.offset.y);
-    const double height_a = largest(heights(turned[0], x, y)), lowest_b = smallest(heights(turned[1], x, y));
-    const double height = (height_a - lowest_b) - (x * pair.offset.x + y * pair.offset.y);
-    const double distance_sq = x * x + y * y, distance = std::sqrt(distance_sq), proved = -height / distance;
-    result.distance = distance;
-    result.lower = (proved < distance ? proved : distance) - error_bound(pair);
-    result.upper = distance + error_bound(pair);
+    const double x = to_origin(a_x, b_x, pair.offset.x), y = to_origin(a_y, b_y, pair.offset.y);
+    const VertexMeasure<double> measured =
+        measure_vertex(x, y, largest(heights(turned[0], x, y)), smallest(heights(turned[1], x, y)), pair.offset.x, pair.offset.y);
+    result.distance = measured.distance;
+    result.lower = measured.proved - error_bound(pair);
+    result.upper = measured.distance + error_bound(pair);
     result.direction.x = x;
     result.direction.y = y;
-    result.normal.x = x / distance;
-    result.normal.y = y / distance;
+    result.normal.x = measured.normal_x;
+    result.normal.y = measured.normal_y;
     result.on_a.x = a_x;
     result.on_a.y = a_y;
     result.on_b.x = b_x;
@@ -35,24 +35,19 @@ TUMBLE_LANE_FUNCTION bool measure_by_vertex(const CorePair& pair, const TurnedPa
     result.pairs[0].b = result.pairs[1].b = at.b;
     result.pair_count = 1;
     result.overlap = false;
-    return distance_sq + height <= progress_bound(pair) * distance && result.lower > 0.0;
+    return measured.distance_sq + measured.height <= progress_bound(pair) * measured.distance && result.lower > 0.0;
 }
 
 // What B sees where A sees x, by who owns a face: 0 for A, 1 for B.
 inline constexpr double kSign[2] = {1.0, -1.0};
 
-// A face of A - B as its owner sees it: relative to the owner's position, in world axes.
+// A face of A - B by its indices and numbers.
 struct OwnedFace {
     unsigned is_b;  // the owner
     int from;       // the ends of its edge
     int to;
     int nearest;    // the other core's vertex
-    double outward_x;
-    double outward_y;
-    double length;  // of `outward`
-    double separation;
-    double first_x, first_y, second_x, second_y;  // the ends
-    double other_x, other_y;                      // the other core's vertex, relative to the other core's position
+    SeenFace<double> seen;
 };
 
 // Where the foot of the origin lies on a face: between its ends, or beyond one of them.
@@ -60,20 +55,21 @@ enum class Foot { inside, beyond_first, beyond_second };
 
 // The face's separation is a lower bound, and the distance if the foot is inside.
 [[gnu::always_inline]] inline Foot measure_by_face(const CorePair& pair, const OwnedFace& face, CoreDistance& result) {
-    const double sign = kSign[face.is_b], offset_x = sign * pair.offset.x, offset_y = sign * pair.offset.y;
-    const double normal_x = face.outward_x / face.length, normal_y = face.outward_y / face.length;
-    result.distance = face.separation;
-    result.lower = face.separation - error_bound(pair);
-    result.upper = face.separation + error_bound(pair);
-    result.direction.x = sign * face.outward_x;
-    result.direction.y = sign * face.outward_y;
-    result.normal.x = sign * normal_x;
-    result.normal.y = sign * normal_y;
+    const double sign = kSign[face.is_b];
+    const SeenFace<double>& seen = face.seen;
+    const FaceMeasure<double> measured = measure(seen, sign * pair.offset.x, sign * pair.offset.y);
+    result.distance = seen.separation;
+    result.lower = seen.separation - error_bound(pair);
+    result.upper = seen.separation + error_bound(pair);
+    result.direction.x = sign * seen.outward_x;
+    result.direction.y = sign * seen.outward_y;
+    result.normal.x = sign * measured.normal_x;
+    result.normal.y = sign * measured.normal_y;
     double on_x[2], on_y[2];
-    on_x[face.is_b] = (face.other_x + offset_x) - face.separation * normal_x;
-    on_y[face.is_b] = (face.other_y + offset_y) - face.separation * normal_y;
-    on_x[1 - face.is_b] = face.other_x;
-    on_y[1 - face.is_b] = face.other_y;
+    on_x[face.is_b] = measured.own_x;
+    on_y[face.is_b] = measured.own_y;
+    on_x[1 - face.is_b] = seen.other_x;
+    on_y[1 - face.is_b] = seen.other_y;
     result.on_a.x = on_x[0];
     result.on_a.y = on_y[0];
     result.on_b.x = on_x[1];
@@ -82,12 +78,8 @@ enum class Foot { inside, beyond_first, beyond_second };
     result.pairs[1] = pair_of_owner(face.is_b, face.to, face.nearest);
     result.pair_count = 2;
     result.overlap = result.upper < 0.0;
-
-    // The edge is outward turned by a quarter: (-y, x).
-    const double before_x = (face.first_x - face.other_x) - offset_x, before_y = (face.first_y - face.other_y) - offset_y;
-    const double behind_x = (face.second_x - face.other_x) - offset_x, behind_y = (face.second_y - face.other_y) - offset_y;
-    if (before_y * face.outward_x - before_x * face.outward_y >= 0.0) return Foot::beyond_first;
-    return behind_y * face.outward_x - behind_x * face.outward_y <= 0.0 ? Foot::beyond_second : Foot::inside;
+    if (measured.before >= 0.0) return Foot::beyond_first;
+    return measured.behind <= 0.0 ? Foot::beyond_second : Foot::inside;
 }
 
 // One face by its owner and its edge's first vertex; the numbers are those that faces_of() finds for it.
@@ -102,12 +94,12 @@ TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, in
     const double x = edge.y, y = -edge.x;
     const DoubleLanes<N> of_other = heights(other, x, y);
     const double lowest = smallest(of_other);
-    const int nearest = std::countr_zero(lanes_equal_to(of_other, lowest));
+    const int nearest = std::countr_zero(bits_of(of_other == DoubleLanes<N>(lowest)));
     const double own_height = x * first.x + y * first.y;
     const double gap = (lowest - own_height) + (offset_x * x + offset_y * y);
     const double length = std::sqrt(x * x + y * y);
-    return {is_b,    from,    to,       nearest,  x,                y,               length, gap / length,
-            first.x, first.y, second.x, second.y, other.x[nearest], other.y[nearest]};
+    return {is_b, from, to, nearest,
+            {x, y, length, gap / length, first.x, first.y, second.x, second.y, other.x[nearest], other.y[nearest]}};
 }
 
 // The faces of largest separation.
@@ -130,7 +122,7 @@ LeadingFaces<N>::LeadingFaces(const CorePair& cores, const TurnedPair<N>& turned
       of_a(faces_of(cores.a, turned_cores[0], turned_cores[1], cores.offset.x, cores.offset.y)),
       of_b(faces_of(cores.b, turned_cores[1], turned_cores[0], -cores.offset.x, -cores.offset.y)),
       separation(largest(larger(of_a.separation, of_b.separation))),
-      bits(lanes_equal_to(of_a.separation, separation) | lanes_equal_to(of_b.separation, separation) << N) {
+      bits(bits_of(of_a.separation == DoubleLanes<N>(separation)) | bits_of(of_b.separation == DoubleLanes<N>(separation)) << N) {
     if (!(separation > -std::numeric_limits<double>::infinity())) bits = 0;
 }
 
@@ -143,10 +135,10 @@ OwnedFace LeadingFaces<N>::first() const {
     const FaceLanes<N>& face = *faces[is_b];
     const TurnedCore<N>& own = turned[is_b];
     const TurnedCore<N>& other = turned[1 - is_b];
-    const int to = cores[is_b]->next(from), nearest = face.nearest[from];
+    const int to = cores[is_b]->next(from), nearest = static_cast<int>(face.nearest[from]);
     const double x = face.outward_x[from], y = face.outward_y[from];
-    return {is_b, from, to, nearest, x, y, face.length[from], separation,
-            own.x[from], own.y[from], own.x[to], own.y[to], other.x[nearest], other.y[nearest]};
+    return {is_b, from, to, nearest,
+            {x, y, face.length[from], separation, own.x[from], own.y[from], own.x[to], own.y[to], other.x[nearest], other.y[nearest]}};
 }
 
 }  // namespace tumble

@@ -74,8 +74,9 @@ TrueMotion::Body TrueMotion::body_of(const Shape& shape, const Sweep& sweep, DVe
     return body;
 }
 
-// E as the narrow phase derives it: 16 u of the sizes, the offset and the reach for a translation; for a time of impact
-// 24 u of the sizes, the offset and the ways, and 4 u of the angles times the levers.
+// E: 16 u of the sizes, the offset and the reach for a translation, as the narrow phase derives it; for a time of impact
+// 24 u of the sizes, the offset and the ways, which is less than its worst cases add up to, and 4 u of the angles times the
+// levers.
 TrueMotion::TrueMotion(const CastQuery& query) {
     const Real radii = static_cast<Real>(query.a.radius()) + query.b.radius();
     reach_ = radii + query.target;

@@ -18,26 +18,26 @@ namespace tumble {
 
 namespace simd {
 
+using Float4 = float __attribute__((vector_size(16)));
 using Double4 = double __attribute__((vector_size(32)));
-using Index4 = long long __attribute__((vector_size(32)));
+using Mask4 = long long __attribute__((vector_size(32)));  // all bits of a lane, or none
 
 // What a register holds of N lanes: eight of them with AVX-512, else four.
 template <int N>
 struct Register {
     using Double = Double4;
-    using Index = Index4;
+    using Mask = Mask4;
     static constexpr int kWidth = 4;
 };
 
 #if defined(__AVX512F__)
 using Double8 = double __attribute__((vector_size(64)));
-using Index8 = long long __attribute__((vector_size(64)));
 
 template <int N>
     requires(N % 8 == 0)
 struct Register<N> {
     using Double = Double8;
-    using Index = Index8;
+    using Mask = __mmask8;
     static constexpr int kWidth = 8;
 };
 
@@ -46,10 +46,15 @@ inline constexpr __mmask8 kAll = 0xff;
 
 TUMBLE_LANE_FUNCTION void take_larger(Double8& a, const Double8& b) { a = _mm512_maskz_max_pd(kAll, a, b); }
 TUMBLE_LANE_FUNCTION void take_smaller(Double8& a, const Double8& b) { a = _mm512_maskz_min_pd(kAll, a, b); }
-TUMBLE_LANE_FUNCTION unsigned equal_bits(const Double8& a, const Double8& b) { return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ); }
-TUMBLE_LANE_FUNCTION unsigned less_bits(const Double8& a, const Double8& b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+TUMBLE_LANE_FUNCTION __mmask8 less(const Double8& a, const Double8& b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+TUMBLE_LANE_FUNCTION __mmask8 equal(const Double8& a, const Double8& b) { return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ); }
+TUMBLE_LANE_FUNCTION unsigned bits_of(__mmask8 mask) { return mask; }
+TUMBLE_LANE_FUNCTION void replace(Double8& where, __mmask8 mask, const Double8& by) { where = _mm512_mask_mov_pd(where, mask, by); }
 TUMBLE_LANE_FUNCTION void load_widened(Double8& part, const float* values) {
     part = _mm512_maskz_cvtps_pd(kAll, _mm256_loadu_ps(values));
+}
+TUMBLE_LANE_FUNCTION void widen(Double8& part, const Float4& low, const Float4& high) {
+    part = _mm512_maskz_cvtps_pd(kAll, __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7));
 }
 TUMBLE_LANE_FUNCTION void take_root(Double8& part) { part = _mm512_maskz_sqrt_pd(kAll, part); }
 TUMBLE_LANE_FUNCTION Double4 larger_halves(const Double8& part) {
@@ -76,34 +81,55 @@ TUMBLE_LANE_FUNCTION void take_smaller(Double4& a, const Double4& b) {
 #endif
 }
 
-// Bit i is set where lane i of a equals lane i of b.
-TUMBLE_LANE_FUNCTION unsigned equal_bits(const Double4& a, const Double4& b) {
+// By intrinsics where there are any: of the compiler's own comparison g++ makes a mask register with AVX-512, and of that the
+// lanes that blending and bits_of() need.
+TUMBLE_LANE_FUNCTION Mask4 less(const Double4& a, const Double4& b) {
 #if defined(__AVX__)
-    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_EQ_OQ)));
+    return reinterpret_cast<Mask4>(_mm256_cmp_pd(a, b, _CMP_LT_OQ));
+#else
+    return a < b;
+#endif
+}
+
+TUMBLE_LANE_FUNCTION Mask4 equal(const Double4& a, const Double4& b) {
+#if defined(__AVX__)
+    return reinterpret_cast<Mask4>(_mm256_cmp_pd(a, b, _CMP_EQ_OQ));
+#else
+    return a == b;
+#endif
+}
+
+TUMBLE_LANE_FUNCTION unsigned bits_of(const Mask4& mask) {
+#if defined(__AVX__)
+    return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<Double4>(mask)));
 #else
     unsigned bits = 0;
-    for (int i = 0; i < 4; ++i) bits |= static_cast<unsigned>(a[i] == b[i]) << i;
+    for (int i = 0; i < 4; ++i) bits |= static_cast<unsigned>(mask[i] != 0) << i;
     return bits;
 #endif
 }
 
-TUMBLE_LANE_FUNCTION unsigned less_bits(const Double4& a, const Double4& b) {
+TUMBLE_LANE_FUNCTION void replace(Double4& where, const Mask4& mask, const Double4& by) {
 #if defined(__AVX__)
-    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
+    where = _mm256_blendv_pd(where, by, reinterpret_cast<Double4>(mask));
 #else
-    unsigned bits = 0;
-    for (int i = 0; i < 4; ++i) bits |= static_cast<unsigned>(a[i] < b[i]) << i;
-    return bits;
+    where = mask ? by : where;
 #endif
 }
 
-// Four floats, widened; the compiler's own conversion goes by halves that are then loaded whole, which waits for both.
-TUMBLE_LANE_FUNCTION void load_widened(Double4& part, const float* values) {
+// The compiler's own conversion goes by halves that are then loaded whole, which waits for both.
+TUMBLE_LANE_FUNCTION void widen(Double4& part, const Float4& values) {
 #if defined(__AVX__)
-    part = _mm256_cvtps_pd(_mm_loadu_ps(values));
+    part = _mm256_cvtps_pd(values);
 #else
     for (int lane = 0; lane < 4; ++lane) part[lane] = values[lane];
 #endif
+}
+
+TUMBLE_LANE_FUNCTION void load_widened(Double4& part, const float* values) {
+    Float4 four;
+    std::memcpy(&four, values, sizeof four);
+    widen(part, four);
 }
 
 TUMBLE_LANE_FUNCTION void take_root(Double4& part) {
@@ -153,6 +179,11 @@ struct DoubleLanes {
         for (int i = 0; i < kParts; ++i) result.part[i] = a.part[i] * b.part[i];
         return result;
     }
+    TUMBLE_LANE_FUNCTION friend DoubleLanes operator-(const DoubleLanes& a) {
+        DoubleLanes result;
+        for (int i = 0; i < kParts; ++i) result.part[i] = -a.part[i];
+        return result;
+    }
     TUMBLE_LANE_FUNCTION friend DoubleLanes operator*(double a, const DoubleLanes& b) { return DoubleLanes(a) * b; }
     TUMBLE_LANE_FUNCTION friend DoubleLanes operator/(const DoubleLanes& a, const DoubleLanes& b) {
         DoubleLanes result;
@@ -161,10 +192,82 @@ struct DoubleLanes {
     }
 };
 
+// A number of one pair as it is in a lane.
+inline double square_root(double number) { return std::sqrt(number); }
+inline double smaller(double a, double b) { return a < b ? a : b; }
+
+// One of two for each lane.
 template <int N>
-TUMBLE_LANE_FUNCTION DoubleLanes<N> load_lanes(const double (&values)[N]) {
+struct MaskLanes {
+    using Part = typename simd::Register<N>::Mask;
+
+    Part part[DoubleLanes<N>::kParts];
+
+    TUMBLE_LANE_FUNCTION friend MaskLanes operator&(const MaskLanes& a, const MaskLanes& b) {
+        MaskLanes result;
+        for (int i = 0; i < DoubleLanes<N>::kParts; ++i) result.part[i] = static_cast<Part>(a.part[i] & b.part[i]);
+        return result;
+    }
+    TUMBLE_LANE_FUNCTION friend MaskLanes operator|(const MaskLanes& a, const MaskLanes& b) {
+        MaskLanes result;
+        for (int i = 0; i < DoubleLanes<N>::kParts; ++i) result.part[i] = static_cast<Part>(a.part[i] | b.part[i]);
+        return result;
+    }
+    TUMBLE_LANE_FUNCTION friend MaskLanes operator~(const MaskLanes& a) {
+        MaskLanes result;
+        for (int i = 0; i < DoubleLanes<N>::kParts; ++i) result.part[i] = static_cast<Part>(~a.part[i]);
+        return result;
+    }
+};
+
+template <int N>
+TUMBLE_LANE_FUNCTION MaskLanes<N> operator<(const DoubleLanes<N>& a, const DoubleLanes<N>& b) {
+    MaskLanes<N> result;
+    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) result.part[i] = simd::less(a.part[i], b.part[i]);
+    return result;
+}
+
+template <int N>
+TUMBLE_LANE_FUNCTION MaskLanes<N> operator==(const DoubleLanes<N>& a, const DoubleLanes<N>& b) {
+    MaskLanes<N> result;
+    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) result.part[i] = simd::equal(a.part[i], b.part[i]);
+    return result;
+}
+
+// Puts `by` where the mask says so.
+template <int N>
+TUMBLE_LANE_FUNCTION void replace(DoubleLanes<N>& where, const MaskLanes<N>& mask, const DoubleLanes<N>& by) {
+    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) simd::replace(where.part[i], mask.part[i], by.part[i]);
+}
+
+// mask ? x : y
+template <int N>
+TUMBLE_LANE_FUNCTION DoubleLanes<N> select(const MaskLanes<N>& mask, const DoubleLanes<N>& x, const DoubleLanes<N>& y) {
+    DoubleLanes<N> result = y;
+    replace(result, mask, x);
+    return result;
+}
+
+// Bit i is set where lane i is.
+template <int N>
+TUMBLE_LANE_FUNCTION unsigned bits_of(const MaskLanes<N>& mask) {
+    unsigned bits = 0;
+    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) bits |= simd::bits_of(mask.part[i]) << (DoubleLanes<N>::kWidth * i);
+    return bits & ((1u << N) - 1u);
+}
+
+// number(i) in lane i, put together in registers: a wide load of what was just stored by single numbers waits for all of them.
+template <int N, typename Number>
+TUMBLE_LANE_FUNCTION DoubleLanes<N> gather_lanes(const Number& number) {
     DoubleLanes<N> lanes;
-    std::memcpy(lanes.part, values, sizeof values);
+    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) {
+        const int k = DoubleLanes<N>::kWidth * i;
+        if constexpr (DoubleLanes<N>::kWidth == 8)
+            lanes.part[i] = typename DoubleLanes<N>::Part{number(k), number(k + 1), number(k + 2), number(k + 3),
+                                                          number(k + 4), number(k + 5), number(k + 6), number(k + 7)};
+        else
+            lanes.part[i] = typename DoubleLanes<N>::Part{number(k), number(k + 1), number(k + 2), number(k + 3)};
+    }
     return lanes;
 }
 
@@ -183,15 +286,6 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> square_root(const DoubleLanes<N>& lanes) {
     return result;
 }
 
-// For each lane: condition > 0 ? x : y. A NaN selects y.
-template <int N>
-TUMBLE_LANE_FUNCTION DoubleLanes<N> select_positive(const DoubleLanes<N>& condition, const DoubleLanes<N>& x,
-                                                    const DoubleLanes<N>& y) {
-    DoubleLanes<N> result;
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) result.part[i] = condition.part[i] > typename DoubleLanes<N>::Part{} ? x.part[i] : y.part[i];
-    return result;
-}
-
 template <int N>
 TUMBLE_LANE_FUNCTION DoubleLanes<N> larger(const DoubleLanes<N>& a, const DoubleLanes<N>& b) {
     DoubleLanes<N> result = a;
@@ -206,67 +300,17 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> smaller(const DoubleLanes<N>& a, const Doubl
     return result;
 }
 
-// An index a lane.
-template <int N>
-struct IndexLanes {
-    using Part = typename simd::Register<N>::Index;
-
-    Part part[N / simd::Register<N>::kWidth];
-
-    [[gnu::always_inline]] int operator[](int lane) const {
-        long long value;
-        std::memcpy(&value, reinterpret_cast<const char*>(part) + sizeof value * static_cast<unsigned>(lane), sizeof value);
-        return static_cast<int>(value);
-    }
-};
-
+// The lowest so far in each lane, and the index it was met with first.
 template <int N>
 struct LowestLanes {
     DoubleLanes<N> value;
-    IndexLanes<N> index;
+    DoubleLanes<N> index{0.0};
 };
 
 template <int N>
-TUMBLE_LANE_FUNCTION LowestLanes<N> begin_lowest(const DoubleLanes<N>& first) {
-    LowestLanes<N> lowest{first, {}};
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) lowest.index.part[i] = typename IndexLanes<N>::Part{};
-    return lowest;
-}
-
-// Keeps the earlier one of equals.
-template <int N>
-TUMBLE_LANE_FUNCTION void take_lower(LowestLanes<N>& lowest, const DoubleLanes<N>& other, long long index) {
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) {
-        const typename IndexLanes<N>::Part is_lower = other.part[i] < lowest.value.part[i];
-        lowest.index.part[i] = is_lower ? typename IndexLanes<N>::Part{} + index : lowest.index.part[i];
-        simd::take_smaller(lowest.value.part[i], other.part[i]);
-    }
-}
-
-// The largest so far in each lane, the index it was met with first, and whether it was met again: all bits set, else none.
-template <int N>
-struct LargestLanes {
-    DoubleLanes<N> value;
-    IndexLanes<N> index;
-    IndexLanes<N> tied;
-};
-
-template <int N>
-TUMBLE_LANE_FUNCTION LargestLanes<N> begin_largest() {
-    LargestLanes<N> largest{DoubleLanes<N>(-std::numeric_limits<double>::infinity()), {}, {}};
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) largest.index.part[i] = largest.tied.part[i] = typename IndexLanes<N>::Part{};
-    return largest;
-}
-
-template <int N>
-TUMBLE_LANE_FUNCTION void take_larger(LargestLanes<N>& largest, const DoubleLanes<N>& other, long long index) {
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) {
-        const typename IndexLanes<N>::Part is_larger = other.part[i] > largest.value.part[i],
-                                           is_equal = other.part[i] == largest.value.part[i];
-        largest.index.part[i] = is_larger ? typename IndexLanes<N>::Part{} + index : largest.index.part[i];
-        largest.tied.part[i] = is_equal | (largest.tied.part[i] & ~is_larger);
-        simd::take_larger(largest.value.part[i], other.part[i]);
-    }
+TUMBLE_LANE_FUNCTION void take_lower(LowestLanes<N>& lowest, const DoubleLanes<N>& other, double index) {
+    replace(lowest.index, other < lowest.value, DoubleLanes<N>(index));
+    lowest.value = smaller(lowest.value, other);
 }
 
 // One lane in all lanes.
@@ -318,24 +362,6 @@ TUMBLE_LANE_FUNCTION double smallest(const DoubleLanes<N>& lanes) {
     simd::take_smaller(four, __builtin_shufflevector(four, four, 2, 3, 0, 1));
     simd::take_smaller(four, __builtin_shufflevector(four, four, 1, 0, 3, 2));
     return four[0];
-}
-
-// Bit i is set where lane i is this value.
-template <int N>
-TUMBLE_LANE_FUNCTION unsigned lanes_equal_to(const DoubleLanes<N>& lanes, double value) {
-    const DoubleLanes<N> values(value);
-    unsigned bits = 0;
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) bits |= simd::equal_bits(lanes.part[i], values.part[i]) << (DoubleLanes<N>::kWidth * i);
-    return bits;
-}
-
-// Bit i is set where lane i is less.
-template <int N>
-TUMBLE_LANE_FUNCTION unsigned lanes_less_than(const DoubleLanes<N>& lanes, double value) {
-    const DoubleLanes<N> values(value);
-    unsigned bits = 0;
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) bits |= simd::less_bits(lanes.part[i], values.part[i]) << (DoubleLanes<N>::kWidth * i);
-    return bits;
 }
 
 }  // namespace tumble

@@ -29,7 +29,8 @@ struct Query {
 
 Real extent_of(const Shape& shape, const Sweep& sweep) { return shape.core_radius() + length(DVec2(sweep.local_center)); }
 
-// The error bound that the header speaks of: 24 u of the sizes and ways, 4 u of the angles times the levers.
+// The error that is held against it: 24 u of the sizes and ways, less than its own worst cases add up to, and 4 u of the angles
+// times the levers.
 Real error_of(const Query& query) {
     const Real e_a = extent_of(query.a, query.sweep_a), e_b = extent_of(query.b, query.sweep_b);
     const Real ways = length(query.sweep_a.end - query.sweep_a.start) + length(query.sweep_b.end - query.sweep_b.start);

@@ -38,8 +38,9 @@ int check_all_operations() {
         const DoubleLanes<N> x = a.lanes(), y = b.lanes();
         const DoubleLanes<N> sum = x + y, difference = x - y, product = x * y, quotient = x / y, root = square_root(x * x);
         const DoubleLanes<N> minimum = smaller(x, y), maximum = larger(x, y), next = next_lanes(x), third = spread<2>(x);
-        const DoubleLanes<N> chosen = select_positive(x, y, DoubleLanes<N>(7.0));
-        LowestLanes<N> lowest = begin_lowest(x);
+        const DoubleLanes<N> chosen = select(x < y, y, DoubleLanes<N>(7.0)), negative = -x;
+        const MaskLanes<N> is_less = x < y, is_equal = x == y;
+        LowestLanes<N> lowest{x};
         take_lower(lowest, y, 5);
         double largest_value = a.value[0], smallest_value = a.value[0];
         unsigned equal = 0;
@@ -54,7 +55,12 @@ int check_all_operations() {
             CHECK(maximum[i] == std::max(p, q));
             CHECK(next[i] == a.value[(i + 1) % N]);
             CHECK(third[i] == a.value[2]);
-            CHECK(chosen[i] == (p > 0.0 ? q : 7.0));
+            CHECK(chosen[i] == (p < q ? q : 7.0));
+            CHECK(negative[i] == -p);
+            CHECK((bits_of(is_less) >> i & 1u) == (p < q));
+            CHECK((bits_of(is_equal) >> i & 1u) == (p == q));
+            CHECK((bits_of(is_less | is_equal) >> i & 1u) == (p <= q));
+            CHECK((bits_of(~is_less & ~is_equal) >> i & 1u) == (p > q));
             CHECK(lowest.value[i] == std::min(p, q));
             CHECK(lowest.index[i] == (q < p ? 5 : 0));
             largest_value = std::max(largest_value, p);
@@ -63,10 +69,7 @@ int check_all_operations() {
         CHECK(largest(x) == largest_value);
         CHECK(smallest(x) == smallest_value);
         for (int i = 0; i < N; ++i) equal |= static_cast<unsigned>(a.value[i] == largest_value) << i;
-        CHECK(lanes_equal_to(x, largest_value) == equal);
-        unsigned less = 0;
-        for (int i = 0; i < N; ++i) less |= static_cast<unsigned>(a.value[i] < b.value[0]) << i;
-        CHECK(lanes_less_than(x, b.value[0]) == less);
+        CHECK(bits_of(x == DoubleLanes<N>(largest_value)) == equal);
         ties += std::popcount(equal) > 1;
     }
     return ties;
@@ -81,14 +84,15 @@ TEST_CASE("every operation does in each lane what it does to single numbers") {
     }
 }
 
-TEST_CASE("NaN is not positive, and minus infinity is the largest only of itself") {
+TEST_CASE("NaN is neither less nor equal, -0 is 0, and minus infinity is the largest only of itself") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-    const DoubleLanes<4> chosen = select_positive(DoubleLanes<4>(nan), DoubleLanes<4>(1.0), DoubleLanes<4>(-inf));
+    const DoubleLanes<4> chosen = select(DoubleLanes<4>(0.0) < DoubleLanes<4>(nan), DoubleLanes<4>(1.0), DoubleLanes<4>(-inf));
     CHECK(chosen[3] == -inf);
-    CHECK(lanes_equal_to(chosen, largest(chosen)) == 0xf);
-    CHECK(lanes_equal_to(DoubleLanes<8>(nan), nan) == 0);
-    CHECK(lanes_less_than(DoubleLanes<8>(nan), 1.0) == 0);
-    CHECK(lanes_less_than(DoubleLanes<8>(-0.0), 0.0) == 0);
+    CHECK(bits_of(chosen == DoubleLanes<4>(largest(chosen))) == 0xf);
+    CHECK(bits_of(DoubleLanes<8>(nan) == DoubleLanes<8>(nan)) == 0);
+    CHECK(bits_of(DoubleLanes<8>(nan) < DoubleLanes<8>(1.0)) == 0);
+    CHECK(bits_of(DoubleLanes<8>(-0.0) < DoubleLanes<8>(0.0)) == 0);
+    CHECK(bits_of(~(DoubleLanes<8>(nan) < DoubleLanes<8>(1.0))) == 0xff);
 }
 
 TEST_CASE("floats are widened without change, denormal ones too") {
