@@ -46,8 +46,8 @@ inline constexpr __mmask8 kAll = 0xff;
 
 TUMBLE_LANE_FUNCTION void take_larger(Double8& a, const Double8& b) { a = _mm512_maskz_max_pd(kAll, a, b); }
 TUMBLE_LANE_FUNCTION void take_smaller(Double8& a, const Double8& b) { a = _mm512_maskz_min_pd(kAll, a, b); }
-TUMBLE_LANE_FUNCTION __mmask8 less(const Double8& a, const Double8& b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
-TUMBLE_LANE_FUNCTION __mmask8 equal(const Double8& a, const Double8& b) { return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ); }
+TUMBLE_LANE_FUNCTION void take_less(__mmask8& mask, const Double8& a, const Double8& b) { mask = _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+TUMBLE_LANE_FUNCTION void take_equal(__mmask8& mask, const Double8& a, const Double8& b) { mask = _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ); }
 TUMBLE_LANE_FUNCTION unsigned bits_of(__mmask8 mask) { return mask; }
 TUMBLE_LANE_FUNCTION void replace(Double8& where, __mmask8 mask, const Double8& by) { where = _mm512_mask_mov_pd(where, mask, by); }
 TUMBLE_LANE_FUNCTION void load_widened(Double8& part, const float* values) {
@@ -83,19 +83,19 @@ TUMBLE_LANE_FUNCTION void take_smaller(Double4& a, const Double4& b) {
 
 // By intrinsics where there are any: of the compiler's own comparison g++ makes a mask register with AVX-512, and of that the
 // lanes that blending and bits_of() need.
-TUMBLE_LANE_FUNCTION Mask4 less(const Double4& a, const Double4& b) {
+TUMBLE_LANE_FUNCTION void take_less(Mask4& mask, const Double4& a, const Double4& b) {
 #if defined(__AVX__)
-    return reinterpret_cast<Mask4>(_mm256_cmp_pd(a, b, _CMP_LT_OQ));
+    mask = reinterpret_cast<Mask4>(_mm256_cmp_pd(a, b, _CMP_LT_OQ));
 #else
-    return a < b;
+    mask = a < b;
 #endif
 }
 
-TUMBLE_LANE_FUNCTION Mask4 equal(const Double4& a, const Double4& b) {
+TUMBLE_LANE_FUNCTION void take_equal(Mask4& mask, const Double4& a, const Double4& b) {
 #if defined(__AVX__)
-    return reinterpret_cast<Mask4>(_mm256_cmp_pd(a, b, _CMP_EQ_OQ));
+    mask = reinterpret_cast<Mask4>(_mm256_cmp_pd(a, b, _CMP_EQ_OQ));
 #else
-    return a == b;
+    mask = a == b;
 #endif
 }
 
@@ -223,14 +223,14 @@ struct MaskLanes {
 template <int N>
 TUMBLE_LANE_FUNCTION MaskLanes<N> operator<(const DoubleLanes<N>& a, const DoubleLanes<N>& b) {
     MaskLanes<N> result;
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) result.part[i] = simd::less(a.part[i], b.part[i]);
+    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) simd::take_less(result.part[i], a.part[i], b.part[i]);
     return result;
 }
 
 template <int N>
 TUMBLE_LANE_FUNCTION MaskLanes<N> operator==(const DoubleLanes<N>& a, const DoubleLanes<N>& b) {
     MaskLanes<N> result;
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) result.part[i] = simd::equal(a.part[i], b.part[i]);
+    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) simd::take_equal(result.part[i], a.part[i], b.part[i]);
     return result;
 }
 
