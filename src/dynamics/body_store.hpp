@@ -62,6 +62,9 @@ struct MovingBody {
     // By the forces of the next step.
     Vec2 acceleration;                  // m/s^2
     float angular_acceleration = 0.0f;  // rad/s^2
+
+    // Of the centre of mass, as long as nothing is in its way.
+    Vec2 free_acceleration(Vec2 gravity) const { return motion.gravity_scale * gravity + acceleration; }
 };
 
 class BodyStore {

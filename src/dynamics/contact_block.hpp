@@ -31,7 +31,7 @@ struct ContactBlockPoint {
     Lanes carried;         // the normal impulse with which the step began
     Lanes tangent_mass;
     Lanes tangent_impulse;
-    Lanes approach_speed;   // normal velocity before the step, negative if approaching; with restitution only
+    Lanes approach_speed;   // normal velocity at the impact, negative if approaching; with restitution only
     Lanes largest_impulse;  // normal, over the sub-steps
 };
 
@@ -56,6 +56,7 @@ struct ContactBlock {
     bool has_rolling_resistance;
     Lanes radius_a, radius_b;  // of the shapes' rounding, m
     Lanes restitution;
+    Lanes acceleration;  // along the normal, of B's centre against A's if nothing were in their way; with restitution only
     Lanes tangent_speed;
     Lanes rolling_resistance;  // m
     Lanes rolling_mass;        // kg m^2
@@ -64,7 +65,7 @@ struct ContactBlock {
 
 // Fills one block per block of the graph from manifolds and bodies.
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
-                      const Tuning& tuning, float h, std::vector<ContactBlock>& blocks);
+                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks);
 
 // Takes the impulses back, so that they warm the next step.
 void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts);
@@ -79,6 +80,6 @@ void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
 void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h);
 
 // Bounces: once after the sub-steps, where an impulse stopped an approach faster than the threshold.
-void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float threshold);
+void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float threshold, float h);
 
 }  // namespace tumble

@@ -1,5 +1,6 @@
 // From contacts to blocks and back: the only place where lanes are filled one by one.
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/contact_block.hpp"
 
@@ -16,7 +17,7 @@ ContactBlock make_neutral_block() {
     for (Lanes* lanes :
          {&block.normal_x, &block.normal_y, &block.inv_mass_ax, &block.inv_mass_ay, &block.inv_mass_bx,
           &block.inv_mass_by, &block.linear_normal, &block.linear_tangent, &block.least_response, &block.inv_inertia_a,
-          &block.inv_inertia_b, &block.coupling, &block.friction, &block.radius_a, &block.radius_b, &block.restitution,
+          &block.inv_inertia_b, &block.coupling, &block.friction, &block.radius_a, &block.radius_b, &block.restitution, &block.acceleration,
           &block.tangent_speed, &block.rolling_resistance, &block.rolling_mass, &block.rolling_impulse})
         *lanes = zero;
     for (ContactBlockPoint& point : block.points)
@@ -122,23 +123,42 @@ void set_masses(ContactBlock& block) {
     block.rolling_mass = select_less(zero, inertia, one / inertia, zero);
 }
 
-// The velocities at which points meet, before gravity or any impulse of this step.
-void set_approach_speeds(ContactBlock& block, const BodyStore& bodies) {
+Vec2 free_acceleration(const BodyStore& bodies, std::uint32_t body, Vec2 gravity) {
+    const std::uint32_t flags = bodies.solver_bodies[body].flags;
+    return flags & kDynamicBody ? allowed(flags, bodies.moving[body].free_acceleration(gravity)) : Vec2{};
+}
+
+// The velocity at a gap of 0, either way, of what has this velocity at this gap under this acceleration.
+float velocity_at_impact(float velocity, float gap, float acceleration) {
+    const float square = velocity * velocity - 2.0f * acceleration * gap;
+    return std::copysign(std::sqrt(std::max(square, 0.0f)), velocity);
+}
+
+// The velocities at which points meet, from those before the step and the free motion over the gap. What the scheme keeps
+// under an acceleration a is (v + a h / 2)^2 - 2 a x: velocities are those of the middle of a sub-step.
+void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, float h) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
-        const SolverBody& a = bodies.solver_bodies[block.body_a[lane]];
-        const SolverBody& b = bodies.solver_bodies[block.body_b[lane]];
+        const std::uint32_t body_a = block.body_a[lane], body_b = block.body_b[lane];
+        const SolverBody& a = bodies.solver_bodies[body_a];
+        const SolverBody& b = bodies.solver_bodies[body_b];
         const Vec2 normal{block.normal_x[lane], block.normal_y[lane]};
         const float linear = dot(b.velocity - a.velocity, normal);
-        for (ContactBlockPoint& point : block.points)
-            point.approach_speed[lane] =
+        const Vec2 acceleration =
+            free_acceleration(bodies, body_b, gravity) - free_acceleration(bodies, body_a, gravity);
+        const float along = dot(acceleration, normal);
+        block.acceleration[lane] = along;
+        for (ContactBlockPoint& point : block.points) {
+            const float now =
                 linear + b.angular_velocity * point.across_b[lane] - a.angular_velocity * point.across_a[lane];
+            point.approach_speed[lane] = velocity_at_impact(now + 0.5f * h * along, point.separation[lane], along);
+        }
     }
 }
 
 }  // namespace
 
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
-                      const Tuning& tuning, float h, std::vector<ContactBlock>& blocks) {
+                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks) {
     const Softness softness = contact_softness(tuning, h), static_softness = static_contact_softness(tuning, h);
     const ContactBlock neutral = make_neutral_block();
     blocks.resize(graph.block_count());
@@ -156,7 +176,7 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
         }
         block.softness = is_static ? static_softness : softness;
         set_masses(block);
-        if (block.has_restitution) set_approach_speeds(block, bodies);
+        if (block.has_restitution) set_approaches(block, bodies, gravity, h);
     }
 }
 

@@ -194,11 +194,11 @@ TUMBLE_LANE_FUNCTION NormalRow make_rigid_row(const ContactBlock& block, const C
             normal_velocity(point, state) + gap * inv_h - point.inverse_mass * point.normal_impulse};
 }
 
-TUMBLE_LANE_FUNCTION void solve_normals(ContactBlock& block, const NormalRow& first, const NormalRow& second,
-                                        BlockState& state) {
-    const Lanes q1 = first.residual - block.coupling * block.points[1].normal_impulse;
-    const Lanes q2 = second.residual - block.coupling * block.points[0].normal_impulse;
-    apply_normals(block, {first.diagonal, second.diagonal, block.coupling, q1, q2}, state);
+TUMBLE_LANE_FUNCTION void solve_normals(ContactBlock& block, const Lanes& coupling, const NormalRow& first,
+                                        const NormalRow& second, BlockState& state) {
+    const Lanes q1 = first.residual - coupling * block.points[1].normal_impulse;
+    const Lanes q2 = second.residual - coupling * block.points[0].normal_impulse;
+    apply_normals(block, {first.diagonal, second.diagonal, coupling, q1, q2}, state);
 }
 
 // Coulomb friction against the normal impulse; a belt's surface moves by itself.
@@ -223,20 +223,35 @@ TUMBLE_LANE_FUNCTION void solve_rolling(ContactBlock& block, BlockState& state) 
     apply_rolling(block, change, state);
 }
 
-// Restores e times the approach speed where an impulse stopped an approach fast enough.
-TUMBLE_LANE_FUNCTION void solve_restitution(const ContactBlock& block, ContactBlockPoint& point, float threshold,
-                                            BlockState& state) {
+// A point that bounces: where an impulse stopped an approach fast enough. 1 or 0.
+TUMBLE_LANE_FUNCTION Lanes is_bouncing(const ContactBlockPoint& point, float threshold) {
+    const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
+    const Lanes was_fast = select_less(point.approach_speed, Lanes::Constant(-threshold), one, zero);
+    return select_less(zero, point.largest_impulse, was_fast, zero);
+}
+
+// A bouncing point is to part with e times the speed of its impact where it met: at a separation s under the acceleration
+// a with (v + a h / 2)^2 = (e v_impact)^2 + 2 a s, as in set_approaches(). Others keep their impulses.
+TUMBLE_LANE_FUNCTION NormalRow make_bounce_row(const ContactBlock& block, const ContactBlockPoint& point,
+                                               const Lanes& shift, const Lanes& bouncing, float h,
+                                               const BlockState& state) {
     const Lanes zero = Lanes::Zero();
-    const Lanes normal_mass = Lanes::Ones() / point.inverse_mass;
-    const Lanes bounce_mass =
-        select_less(point.approach_speed, Lanes::Constant(-threshold), normal_mass, zero);
-    const Lanes mass = select_less(zero, point.largest_impulse, bounce_mass, zero);
-    const Lanes old_impulse = point.normal_impulse;
-    const Lanes wanted =
-        old_impulse - mass * (normal_velocity(point, state) + block.restitution * point.approach_speed);
-    point.normal_impulse = wanted.max(zero);
-    const Lanes change = point.normal_impulse - old_impulse;
-    apply_normal(block, point, change, state);
+    const Lanes back = block.restitution * point.approach_speed;
+    const Lanes fallen = 2.0f * block.acceleration * current_separation(block, point, shift, state);
+    const Lanes wanted = (back * back + fallen).max(zero).sqrt() - 0.5f * h * block.acceleration;
+    const Lanes missing = select_less(zero, bouncing, normal_velocity(point, state) - wanted, zero);
+    return {point.inverse_mass, missing - point.inverse_mass * point.normal_impulse};
+}
+
+// Both points at once: one after the other they would make a box that falls flat spin.
+TUMBLE_LANE_FUNCTION void solve_restitution(ContactBlock& block, float threshold, float h, BlockState& state) {
+    const Lanes shift = center_shift(block, state);
+    const Lanes first_bounces = is_bouncing(block.points[0], threshold);
+    const Lanes second_bounces = is_bouncing(block.points[1], threshold);
+    const NormalRow first = make_bounce_row(block, block.points[0], shift, first_bounces, h, state);
+    const NormalRow second = make_bounce_row(block, block.points[1], shift, second_bounces, h, state);
+    const Lanes coupling = block.coupling * first_bounces * second_bounces;
+    solve_normals(block, coupling, first, second, state);
 }
 
 }  // namespace
@@ -259,7 +274,7 @@ void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
         const Lanes shift = center_shift(block, state);
         const NormalRow first = make_soft_row(block, block.points[0], shift, inv_h, push_out_speed, state);
         const NormalRow second = make_soft_row(block, block.points[1], shift, inv_h, push_out_speed, state);
-        solve_normals(block, first, second, state);
+        solve_normals(block, block.coupling, first, second, state);
         finish(block, state, bodies);
     }
 }
@@ -272,18 +287,18 @@ void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
         if (block.has_rolling_resistance) solve_rolling(block, state);
         const NormalRow first = make_rigid_row(block, block.points[0], shift, inv_h, state);
         const NormalRow second = make_rigid_row(block, block.points[1], shift, inv_h, state);
-        solve_normals(block, first, second, state);
+        solve_normals(block, block.coupling, first, second, state);
         for (ContactBlockPoint& point : block.points)
             point.largest_impulse = point.largest_impulse.max(point.normal_impulse);
         finish(block, state, bodies);
     }
 }
 
-void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float threshold) {
+void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float threshold, float h) {
     for (ContactBlock& block : blocks) {
         if (!block.has_restitution) continue;
         BlockState state = load(block, bodies);
-        for (ContactBlockPoint& point : block.points) solve_restitution(block, point, threshold, state);
+        solve_restitution(block, threshold, h, state);
         finish(block, state, bodies);
     }
 }

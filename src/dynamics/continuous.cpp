@@ -207,12 +207,11 @@ private:
         simulation_.impacts.push_back(mover.meeting);
         const std::uint32_t index = simulation_.bodies.frames[mover.body].solver_body;
         SolverBody& body = simulation_.bodies.solver_bodies[index];
-        const MovingBody& moving = simulation_.bodies.moving[index];
         body.delta_position = to_float(mover.fraction * (mover.sweep.end - mover.sweep.start));
         body.delta_rotation = make_rotation(mover.fraction * mover.sweep.turn);
         const float lost = static_cast<float>(1.0 - mover.fraction) * simulation_.settings.duration;
-        const Vec2 acceleration = moving.motion.gravity_scale * simulation_.settings.gravity + moving.acceleration;
-        body.velocity -= allowed(body.flags, lost * acceleration);
+        const MovingBody& moving = simulation_.bodies.moving[index];
+        body.velocity -= allowed(body.flags, lost * moving.free_acceleration(simulation_.settings.gravity));
     }
 
     static constexpr std::size_t kNobody = Mover::kNobody;

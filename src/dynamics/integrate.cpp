@@ -34,8 +34,7 @@ void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedL
         const BodyMotion& motion = moving.motion;
         const float linear_decay = 1.0f / (1.0f + h * motion.linear_damping);
         const float angular_decay = 1.0f / (1.0f + h * motion.angular_damping);
-        const Vec2 velocity =
-            linear_decay * (body.velocity + h * (motion.gravity_scale * gravity + moving.acceleration));
+        const Vec2 velocity = linear_decay * (body.velocity + h * moving.free_acceleration(gravity));
         const float spin = angular_decay * (body.angular_velocity + h * moving.angular_acceleration);
         body.velocity = allowed(body.flags, velocity);
         body.angular_velocity = allowed(body.flags, spin);

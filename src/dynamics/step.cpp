@@ -151,7 +151,7 @@ void collide_woken(Simulation& simulation) {
 void prepare_constraints(Simulation& simulation) {
     simulation.graph.build(simulation.contacts.all(), simulation.bodies);
     prepare_contacts(simulation.contacts.all(), simulation.bodies, simulation.graph, simulation.settings.tuning,
-                     substep_duration(simulation), simulation.blocks);
+                     simulation.settings.gravity, substep_duration(simulation), simulation.blocks);
     simulation.joints.prepare(simulation.bodies);
 }
 
@@ -170,7 +170,7 @@ void run_substep(Simulation& simulation) {
 
 void bounce(Simulation& simulation) {
     apply_restitution(simulation.blocks, simulation.bodies.solver_bodies,
-                      simulation.settings.tuning.restitution_threshold);
+                      simulation.settings.tuning.restitution_threshold, substep_duration(simulation));
 }
 
 void store_results(Simulation& simulation) {

@@ -62,7 +62,7 @@ struct Tangle {
             contacts.push_back(make_touching(a, b, {turn.c, turn.s}, arm_a, arm_b, 0.01f * value(random)));
         }
         graph.build(contacts, bodies);
-        prepare_contacts(contacts, bodies, graph, {}, kH, blocks);
+        prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks);
     }
 };
 
@@ -136,7 +136,7 @@ TEST_CASE("a soft contact gets the impulse of the closed form") {
     ConstraintGraph graph;
     graph.build(contacts, bodies);
     std::vector<ContactBlock> blocks;
-    prepare_contacts(contacts, bodies, graph, {}, kH, blocks);
+    prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks);
     solve_contacts(blocks, bodies.solver_bodies, 1.0f / kH, kPushOutSpeed);
     const double omega = 2.0 * kPi * 60.0, h = 1.0 / 240.0;
     const double a1 = 2.0 * 10.0 + h * omega, a2 = h * omega * a1, mass_scale = a2 / (1.0 + a2);
@@ -176,7 +176,7 @@ TEST_CASE("two points share a centred push equally, and do not tip the box") {
     ConstraintGraph graph;
     graph.build(contacts, bodies);
     std::vector<ContactBlock> blocks;
-    prepare_contacts(contacts, bodies, graph, {}, kH, blocks);
+    prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks);
     relax_contacts(blocks, bodies.solver_bodies, 1.0f / kH);
     CHECK(blocks[0].points[0].normal_impulse[0] == doctest::Approx(0.5).epsilon(1e-5));
     CHECK(blocks[0].points[1].normal_impulse[0] == blocks[0].points[0].normal_impulse[0]);
