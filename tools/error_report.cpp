@@ -46,8 +46,10 @@ void write_diagnostics(JsonWriter& json, const std::vector<Diagnostic>& diagnost
             .member("column", diagnostic.column)
             .member("pointer", diagnostic.pointer)
             .member("message", diagnostic.message)
-            .member("hint", diagnostic.hint)
-            .close_object();
+            .member("hint", diagnostic.hint);
+        json.key("included_by").open_array();
+        for (const std::string& place : diagnostic.included_by) json.value(place);
+        json.close_array().close_object();
     }
     json.close_array();
 }

@@ -30,9 +30,8 @@ Verdict judge(const std::string& file) {
     verdict.file = file;
     try {
         const Scene scene = load_scene(file, {.overrides = {}, .seed = {}, .lint = true}, &verdict.diagnostics);
-        const SceneWorld built = build_world(scene);
-        verdict.bodies = built.bodies.size();
-        verdict.joints = built.joints.size();
+        verdict.bodies = count_bodies(scene);
+        verdict.joints = scene.joints.size();
     } catch (const SceneError& error) {
         verdict.code = ExitCode::invalid_input;
         verdict.error = error.what();

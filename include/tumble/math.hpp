@@ -98,6 +98,9 @@ struct SinCos {
 // Absolute error below 4e-16 for |radians| <= 1e6; NaN beyond and for what is not finite.
 SinCos sin_cos(double radians);
 
+// The same of any finite number of degrees; multiples of 90 are exact.
+SinCos sin_cos_degrees(double degrees);
+
 // The angle of (x, y) in (-pi, pi], relative error below 6e-16; 0 for (0, 0), NaN for what is not finite.
 double arc_tangent(double y, double x);
 

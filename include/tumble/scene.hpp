@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -34,9 +35,10 @@ struct Diagnostic {
     std::string message;      // "must be greater than 0, got -1"
     std::string source_line;  // the line of the file, for the caret
     std::string hint;         // may be empty
+    std::vector<std::string> included_by{};  // "file:line:column" of what includes the file, innermost first
 };
 
-// "file:line:column: pointer: message", the source line, the caret, the hint.
+// "file:line:column: pointer: message", the source line, the caret, the hint, who includes the file.
 std::string to_string(const Diagnostic& diagnostic);
 
 // A scene that cannot be read: all its errors, at most 20; what() is their text.
@@ -123,26 +125,31 @@ struct SceneShape {
     bool sensor = false;
 };
 
-// Repeaters copy a body, starting at its position; the copies are named name[0], name[1], ...
+// Repeaters copy a body, starting at its position; the copies are named name[0], name[1], ... The angle (degrees) turns
+// the pattern about the position; the copies keep their own.
 struct GridRepeat {  // row by row, upwards
     int columns = 1;
     int rows = 1;
     DVec2 spacing{1.0, 1.0};
+    double angle = 0.0;
 };
 struct PyramidRepeat {  // lowest row first, each row centred above the one below and one shorter
     int base = 1;
     DVec2 spacing{1.0, 1.0};
+    double angle = 0.0;
 };
-struct RingRepeat {  // about the position, counter-clockwise from angle 0
+struct RingRepeat {  // about the position, counter-clockwise from the angle
     int count = 1;
     double radius = 1.0;
-    bool turn = false;  // each copy by its angle on the ring
+    bool turn = false;  // each copy by its angle from the first
+    double angle = 0.0;
 };
 struct ScatterRepeat {  // at random in a box about the position, drawn from the scene's seed
     int count = 1;
     DVec2 size{1.0, 1.0};
     bool turn = false;        // each copy by a random angle
     double separation = 0.0;  // least distance between the positions of two copies
+    double angle = 0.0;
 };
 
 using SceneRepeat = std::variant<GridRepeat, PyramidRepeat, RingRepeat, ScatterRepeat>;
@@ -246,6 +253,12 @@ enum class SceneEventKind { contact_begin, contact_end, sensor_begin, sensor_end
 
 using SceneBox = std::pair<DVec2, DVec2>;  // lower left and upper right corner, m
 
+// Coordinates of their own: a turn, then a shift.
+struct SceneFrame {
+    DVec2 position;
+    double angle = 0.0;  // degrees
+};
+
 // A claim that ExpectationWatch (scene_run.hpp) tests: exactly one of those that are starred.
 struct SceneExpectation {
     std::optional<double> at_rest_by;       // * s
@@ -266,10 +279,20 @@ struct SceneExpectation {
     std::optional<SceneInterval> event_count;  // * events so far of the kind `event`, of `body` or of all
     std::optional<SceneEventKind> event;
     std::string state_hash;              // * 16 hexadecimal digits
+    std::optional<SceneFrame> frame;     // in which boxes, heights and angles are measured; default: the world's
     SceneMoment when = SceneMoment::end;  // for the claims of a state
     std::optional<double> at;             // s: at this time in place of `when`
     std::optional<double> from;           // s: what is before does not count
     std::optional<double> until;          // s: nor what is after
+};
+
+// Another scene file whose bodies, joints, materials, events and claims become part of this scene. What belongs to its
+// world stays behind: settings, camera, events of gravity, claims that name neither a body nor a joint.
+struct SceneInclude {
+    std::string file;    // seen from the folder of the including file
+    DVec2 position;      // where its origin comes to lie
+    double angle = 0.0;  // degrees, about that point
+    std::string prefix;  // put before each of its names
 };
 
 struct Scene {
@@ -278,6 +301,7 @@ struct Scene {
     std::string description;
     SceneSettings world;
     SceneCamera camera;
+    std::vector<SceneInclude> include;  // empty once its files are part of what follows: behind what is the scene's own
     std::vector<SceneMaterial> materials;
     std::vector<SceneBody> bodies;
     std::vector<SceneJoint> joints;
@@ -286,18 +310,24 @@ struct Scene {
     std::string custom;  // JSON text, or empty
 };
 
+// Gives the text of an included file, or throws FileError.
+using ReadIncluded = std::function<std::string(const std::filesystem::path& file)>;
+
 // What a caller changes in a scene before it is read.
 struct LoadOptions {
     std::vector<std::string> overrides;  // "/json/pointer=value" each; a value that is not JSON is taken as a string
     std::optional<std::uint64_t> seed;   // replaces /world/seed
     bool lint = false;  // warn of what is valid but likely to disappoint; builds the world and steps it once
+    bool keep_includes = false;  // leave Scene::include as it is written, what it includes out: to write the scene again
+    ReadIncluded read_included{};  // default: from the file system for load_scene(), none for parse_scene()
 };
 
-// Reads a scene. Throws FileError (not readable) or SceneError (not valid). Warnings, if asked for, are appended.
+// Reads a scene, and what it includes. Throws FileError (not readable) or SceneError (not valid). Warnings, if asked for, are appended.
 // Wrong overrides are SceneErrors too: their diagnostics have the override in place of the file, and no line.
 Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* warnings = nullptr);
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options,
                  std::vector<Diagnostic>* warnings = nullptr);
+// A text includes files only by options.read_included; `file_name` is where their paths start from.
 Scene parse_scene(std::string_view text, const std::string& file_name, std::vector<Diagnostic>* warnings = nullptr);
 Scene parse_scene(std::string_view text, const std::string& file_name, const LoadOptions& options,
                   std::vector<Diagnostic>* warnings = nullptr);
@@ -323,6 +353,9 @@ std::vector<Shape> make_shapes(const ShapeGeometry& geometry);
 // shape, or several for chains and outlines. Throws SceneError; `source` stands where the file's name would.
 std::vector<Shape> parse_shapes(std::string_view text, const std::string& source);
 
+// The bodies of the world that a scene makes, copies counted.
+std::size_t count_bodies(const Scene& scene);
+
 // One body of the built world: which entry of Scene::bodies it came from (or, counted on from there, of Scene::timeline),
 // and its name after repeating (empty for unnamed bodies, which are called body[i] in output, i counting the built bodies).
 struct SceneInstance {
@@ -340,7 +373,8 @@ struct SceneWorld {
     std::vector<JointId> joints;        // [scene.joints.size()]
 };
 
-// Throws SceneError if a name does not resolve or geometry is degenerate; the reader has checked both already.
+// Throws SceneError if a name does not resolve, geometry is degenerate (the reader has checked both already) or the scene
+// was loaded with keep_includes.
 SceneWorld build_world(const Scene& scene);
 
 // What an importer could not carry over: the feature and how often it occurred.

@@ -94,14 +94,16 @@ double arc_tangent(double y, double x) {
     return y < 0.0 ? -angle : angle;
 }
 
-Rotation make_rotation(double radians) { return to_rotation(sin_cos(radians)); }
-
-Rotation make_rotation_degrees(double degrees) {
+SinCos sin_cos_degrees(double degrees) {
     const double turn = std::fmod(degrees, 360.0);
     const double quarters = std::nearbyint(turn / 90.0);
     const SinCos v = sin_cos((turn - 90.0 * quarters) * (kPi / 180.0));
-    return to_rotation(turn_by_quarters(v, std::isfinite(quarters) ? static_cast<long>(quarters) : 0));
+    return turn_by_quarters(v, std::isfinite(quarters) ? static_cast<long>(quarters) : 0);
 }
+
+Rotation make_rotation(double radians) { return to_rotation(sin_cos(radians)); }
+
+Rotation make_rotation_degrees(double degrees) { return to_rotation(sin_cos_degrees(degrees)); }
 
 double angle(Rotation q) { return arc_tangent(q.s, q.c); }
 

@@ -2,11 +2,13 @@
 #include <stdexcept>
 
 #include "scene/body_plan.hpp"
+#include "scene/build.hpp"
 #include "scene/check.hpp"
 #include "scene/diagnostics.hpp"
 #include "scene/joints.hpp"
 #include "scene/names.hpp"
 #include "scene/place.hpp"
+#include "scene/repeat.hpp"
 #include "tumble/scene.hpp"
 
 namespace tumble {
@@ -28,11 +30,16 @@ WorldDef make_world_def(const SceneSettings& settings) {
 
 class Builder {
 public:
-    explicit Builder(const Scene& scene) : scene_(scene), result_{World(make_world_def(scene.world)), {}, {}} {}
+    Builder(const Scene& scene, Start start) : scene_(scene), start_(start), result_{World(make_world_def(scene.world)), {}, {}} {}
 
     void add_bodies(std::size_t source) {
         const SceneBody& body = scene_.bodies[source];
-        const BodyPlan plan = plan_body(scene_, body);
+        BodyPlan plan = plan_body(scene_, body);
+        if (start_ == Start::at_rest) {
+            plan.def.awake = true;
+            plan.def.velocity = {};
+            plan.def.angular_velocity = 0.0f;
+        }
         std::size_t copy = 0;
         for (PlacedBody placed : place_copies(body, scene_.world.seed, source)) {
             placed.id = create_body(result_.world, plan, placed.pose);
@@ -51,6 +58,7 @@ public:
 
 private:
     const Scene& scene_;
+    const Start start_;
     SceneWorld result_;
     std::vector<PlacedBody> placed_;
 };
@@ -68,26 +76,35 @@ void report_refusal(Diagnostics& diagnostics, const std::string& pointer, const 
 
 }  // namespace
 
+SceneWorld build_world(const Scene& scene, Start start) {
+    Diagnostics diagnostics(scene.name.empty() ? "scene" : scene.name, "");
+    if (!scene.include.empty())
+        diagnostics.error("/include", "is written only: what it includes is not there", "load the scene without keep_includes");
+    check_scene(scene, sizes_of(scene), diagnostics);
+    diagnostics.finish(nullptr);
+    std::optional<Builder> builder;
+    report_refusal(diagnostics, "/world", [&] { builder.emplace(scene, start); });
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        report_refusal(diagnostics, "/bodies/" + std::to_string(i), [&] { builder->add_bodies(i); });
+    const BodyNames names(scene);
+    for (std::size_t i = 0; i < scene.joints.size(); ++i)
+        report_refusal(diagnostics, "/joints/" + std::to_string(i), [&] { builder->add_joint(scene.joints[i], names); });
+    return builder->take();
+}
+
 }  // namespace scene
+
+SceneWorld build_world(const Scene& scene) { return scene::build_world(scene, scene::Start::as_written); }
 
 const SceneBody& source_of(const Scene& scene, const SceneInstance& body) {
     if (body.source < scene.bodies.size()) return scene.bodies[body.source];
     return scene.timeline.at(body.source - scene.bodies.size()).spawn.value();
 }
 
-SceneWorld build_world(const Scene& scene) {
-    scene::Diagnostics diagnostics(scene.name.empty() ? "scene" : scene.name, "");
-    scene::check_scene(scene, diagnostics);
-    diagnostics.finish(nullptr);
-    std::optional<scene::Builder> builder;
-    scene::report_refusal(diagnostics, "/world", [&] { builder.emplace(scene); });
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        scene::report_refusal(diagnostics, "/bodies/" + std::to_string(i), [&] { builder->add_bodies(i); });
-    const scene::BodyNames names(scene);
-    for (std::size_t i = 0; i < scene.joints.size(); ++i)
-        scene::report_refusal(diagnostics, "/joints/" + std::to_string(i),
-                              [&] { builder->add_joint(scene.joints[i], names); });
-    return builder->take();
+std::size_t count_bodies(const Scene& scene) {
+    std::int64_t count = 0;
+    for (const SceneBody& body : scene.bodies) count += scene::copy_count(body);
+    return static_cast<std::size_t>(count);
 }
 
 }  // namespace tumble

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "scene/claims.hpp"
 #include "scene/fields.hpp"
 #include "scene/geometry.hpp"
 #include "scene/joint_keys.hpp"
@@ -26,19 +27,20 @@ std::string at(const std::string& list, std::size_t index) {
 
 class Checker {
 public:
-    Checker(const Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
+    Checker(const Scene& scene, const SceneSizes& own, Diagnostics& diagnostics)
+        : scene_(scene), own_(own), diagnostics_(diagnostics) {}
 
     void run() {
         bodies_unread_ = diagnostics_.has_errors_in("/bodies");
         if (!check_counts()) return;
         const BodyNames names(scene_);
-        for (std::size_t i = 0; i < scene_.bodies.size(); ++i) check_body(scene_.bodies[i], at("/bodies", i));
+        for (std::size_t i = 0; i < own_.bodies; ++i) check_body(scene_.bodies[i], at("/bodies", i));
         check_unique(names);
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) check_places(i);
-        for (std::size_t i = 0; i < scene_.joints.size(); ++i) check_joint(scene_.joints[i], at("/joints", i), names);
-        for (std::size_t i = 0; i < scene_.timeline.size(); ++i)
+        for (std::size_t i = 0; i < own_.joints; ++i) check_joint(scene_.joints[i], at("/joints", i), names);
+        for (std::size_t i = 0; i < own_.timeline; ++i)
             check_event(scene_.timeline[i], at("/timeline", i), names);
-        for (std::size_t i = 0; i < scene_.expect.size(); ++i)
+        for (std::size_t i = 0; i < own_.expect; ++i)
             check_expectation(scene_.expect[i], at("/expect", i), names);
         if (!scene_.camera.follow.empty()) require_body(scene_.camera.follow, "/camera", "follow", names);
     }
@@ -96,6 +98,10 @@ private:
                                               " of the vertices are duplicate or on an edge and are left out");
     }
 
+    static std::string prefix_hint(std::size_t index, std::size_t own) {
+        return index < own ? "" : R"(a "prefix" tells the names of included files apart)";
+    }
+
     void check_unique(const BodyNames& names) {
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
             const SceneBody& body = scene_.bodies[i];
@@ -103,15 +109,23 @@ private:
             const std::string pointer = at("/bodies", i) + "/name";
             const std::size_t first = *names.find_source(body.name);
             if (first != i)
-                error(pointer, quoted(body.name) + " is the name of " + at("/bodies", first) + " already");
+                error(pointer, quoted(body.name) + " is the name of " + diagnostics_.name_of(at("/bodies", first)) + " already",
+                      prefix_hint(i, own_.bodies));
             else if (!body.repeat && names.is_copy(body.name))
                 error(pointer, quoted(body.name) + " is the name of a copy of a repeated body");
+        }
+        for (std::size_t i = 0; i < scene_.timeline.size(); ++i) {
+            const std::optional<SceneBody>& spawn = scene_.timeline[i].spawn;
+            if (spawn && names.find_source(spawn->name))
+                error(at("/timeline", i) + "/spawn/name", quoted(spawn->name) + " is the name of a body that is there from the start",
+                      prefix_hint(i, own_.timeline));
         }
         std::set<std::string> joint_names;
         for (std::size_t i = 0; i < scene_.joints.size(); ++i) {
             const std::string& name = scene_.joints[i].name;
             if (!name.empty() && !joint_names.insert(name).second)
-                error(at("/joints", i) + "/name", quoted(name) + " is the name of another joint already");
+                error(at("/joints", i) + "/name", quoted(name) + " is the name of another joint already",
+                      prefix_hint(i, own_.joints));
         }
     }
 
@@ -191,7 +205,7 @@ private:
         if (on_joint) check_joint_event(event, pointer);
         if (!on_joint && !event.joint.empty()) error(pointer + "/joint", "belongs to motor speeds and targets");
         if (!event.release.empty()) require_joint(event.release, pointer, "release");
-        if (event.spawn) check_spawn(*event.spawn, pointer + "/spawn", names);
+        if (event.spawn) check_spawn(*event.spawn, pointer + "/spawn");
     }
 
     void check_joint_event(const SceneEvent& event, const std::string& pointer) {
@@ -202,10 +216,8 @@ private:
             error(pointer + "/joint", "only a mouse joint has a target, and " + quoted(event.joint) + " is none");
     }
 
-    void check_spawn(const SceneBody& body, const std::string& pointer, const BodyNames& names) {
+    void check_spawn(const SceneBody& body, const std::string& pointer) {
         check_body(body, pointer);
-        if (names.find_source(body.name))
-            error(pointer + "/name", quoted(body.name) + " is the name of a body that is there from the start");
         try {
             place_copies(body, scene_.world.seed, 0);
         } catch (const std::invalid_argument& cause) {
@@ -251,6 +263,7 @@ private:
         refuse(!claim.joint.empty() && !claim.max_joint_error, "joint", "belongs to 'max_joint_error'");
         if (claim.count && !claim.region) error(pointer, "the key 'region' is missing: where bodies are counted");
         refuse(claim.region && !claim.count, "region", "belongs to 'count'");
+        refuse(claim.frame && !has_place(claim), "frame", "belongs to claims of places, heights and angles");
         if (claim.event_count && !claim.event) error(pointer, "the key 'event' is missing: what is counted");
         refuse(claim.event && !claim.event_count, "event", "belongs to 'event_count'");
         refuse(claim.when != SceneMoment::end && (!of_state || claim.at), "when",
@@ -273,6 +286,7 @@ private:
     }
 
     const Scene& scene_;
+    const SceneSizes own_;
     Diagnostics& diagnostics_;
     bool bodies_unread_ = false;      // names and places may be missing
     std::vector<PlacedBody> placed_;  // [built bodies]
@@ -280,8 +294,12 @@ private:
 
 }  // namespace
 
-void check_scene(const Scene& scene, Diagnostics& diagnostics) {
-    Checker(scene, diagnostics).run();
+SceneSizes sizes_of(const Scene& scene) {
+    return {scene.materials.size(), scene.bodies.size(), scene.joints.size(), scene.timeline.size(), scene.expect.size()};
+}
+
+void check_scene(const Scene& scene, const SceneSizes& own, Diagnostics& diagnostics) {
+    Checker(scene, own, diagnostics).run();
 }
 
 }  // namespace tumble::scene

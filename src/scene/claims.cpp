@@ -19,6 +19,13 @@ std::string event_name(SceneEventKind kind) {
 std::string between(const SceneInterval& allowed) { return number_text(allowed.lower) + " and " + number_text(allowed.upper); }
 std::string box_text(const SceneBox& box) { return brief(box.first) + " to " + brief(box.second); }
 
+// "in the frame at [1, 2] turned by 30 degrees".
+std::string frame_text(const SceneExpectation& claim) {
+    if (!claim.frame) return "";
+    const std::string turn = claim.frame->angle == 0.0 ? "" : " turned by " + number_text(claim.frame->angle) + " degrees";
+    return " in the frame at " + brief(claim.frame->position) + turn;
+}
+
 // "at 4 s", "always from 2 s on".
 std::string time_text(const SceneExpectation& claim) {
     if (claim.at) return " at " + number_text(*claim.at) + " s";
@@ -40,6 +47,10 @@ std::unique_ptr<Claim> make_claim(const SceneExpectation& claim, const Scene& sc
     return of_world ? std::move(of_world) : make_claim_of_bodies(claim);
 }
 
+bool has_place(const SceneExpectation& claim) {
+    return claim.inside || claim.outside || claim.height || claim.angle || claim.count;
+}
+
 std::string claim_text(const SceneExpectation& claim) {
     const std::string body = "'" + claim.body + "'", bodies = claim.body.empty() ? "bodies" : "of " + body;
     if (claim.at_rest_by) return "everything is at rest from " + number_text(*claim.at_rest_by) + " s on";
@@ -48,14 +59,14 @@ std::string claim_text(const SceneExpectation& claim) {
         return "the anchors of " + (claim.joint.empty() ? "no joint" : "'" + claim.joint + "' do not") + " part by more than " +
                number_text(*claim.max_joint_error) + " m";
     if (claim.max_energy_gain) return "the energy does not grow by more than " + number_text(*claim.max_energy_gain) + " J";
-    if (claim.inside) return body + " is inside " + box_text(*claim.inside) + time_text(claim);
-    if (claim.outside) return body + " is outside " + box_text(*claim.outside) + time_text(claim);
-    if (claim.height) return "the height of " + body + " is between " + between(*claim.height) + " m" + time_text(claim);
+    if (claim.inside) return body + " is inside " + box_text(*claim.inside) + frame_text(claim) + time_text(claim);
+    if (claim.outside) return body + " is outside " + box_text(*claim.outside) + frame_text(claim) + time_text(claim);
+    if (claim.height) return "the height of " + body + " is between " + between(*claim.height) + " m" + frame_text(claim) + time_text(claim);
     if (claim.speed) return "the speed of " + body + " is between " + between(*claim.speed) + " m/s" + time_text(claim);
-    if (claim.angle) return "the angle of " + body + " is between " + between(*claim.angle) + " degrees" + time_text(claim);
+    if (claim.angle) return "the angle of " + body + " is between " + between(*claim.angle) + " degrees" + frame_text(claim) + time_text(claim);
     if (!claim.touches.empty()) return body + " touches '" + claim.touches + "'";
     if (!claim.never_touches.empty()) return body + " never touches '" + claim.never_touches + "'";
-    if (claim.count) return "between " + between(*claim.count) + " " + bodies + " are in " + box_text(claim.region.value()) + time_text(claim);
+    if (claim.count) return "between " + between(*claim.count) + " " + bodies + " are in " + box_text(claim.region.value()) + frame_text(claim) + time_text(claim);
     if (claim.event_count)
         return "between " + between(*claim.event_count) + " events '" + event_name(claim.event.value()) + "'" +
                (claim.body.empty() ? "" : " of " + body) + time_text(claim);

@@ -33,6 +33,9 @@ std::unique_ptr<Claim> make_claim_of_world(const SceneExpectation& expectation, 
 // Of bodies: where they are, how fast, what they touch, how many, what happens to them.
 std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& expectation);
 
+// Whether it speaks of a place or an angle, which a frame can measure.
+bool has_place(const SceneExpectation& expectation);
+
 // "'crate' is inside [0, 0] to [2, 3] at 4 s".
 std::string claim_text(const SceneExpectation& expectation);
 

@@ -35,16 +35,29 @@ double distance_to_outside(const SceneBox& box, DVec2 p) {
     return std::max(least, std::numeric_limits<double>::min());
 }
 
+// Claims are measured in a frame; that of the world changes no bit.
+Pose make_frame(const SceneExpectation& claim) {
+    const SceneFrame frame = claim.frame.value_or(SceneFrame{});
+    return {frame.position, make_rotation_degrees(frame.angle)};
+}
+
+Pose seen_from(const Pose& frame, const Pose& pose) {
+    const Rotation f = frame.rotation, q = pose.rotation;
+    return {inverse_transform_point(frame, pose.position), {f.c * q.c + f.s * q.s, f.c * q.s - f.s * q.c}};
+}
+
 // Something about the state of one body.
 class OfBody : public Claim {
 public:
-    explicit OfBody(const std::string& name) : body_(name) {}
+    explicit OfBody(const SceneExpectation& claim) : body_(claim.body), frame_(make_frame(claim)) {}
 
     double excess(const SceneWorld& built) override {
         const SceneInstance* body = body_.find(built);
         state_.reset();
-        if (body != nullptr) state_ = built.world.state(body->id);
-        return state_ ? excess_of_state(*state_) : kGone;
+        if (body == nullptr) return kGone;
+        state_ = built.world.state(body->id);
+        state_->pose = seen_from(frame_, state_->pose);
+        return excess_of_state(*state_);
     }
     std::string finding(const SceneWorld&) const override { return state_ ? seen(*state_) : "it is not there"; }
 
@@ -53,12 +66,13 @@ private:
     virtual std::string seen(const BodyState& state) const = 0;
 
     BodyLookup body_;
-    std::optional<BodyState> state_;
+    Pose frame_;
+    std::optional<BodyState> state_;  // in the frame
 };
 
 class BodyPlace final : public OfBody {
 public:
-    BodyPlace(const std::string& body, const SceneBox& box, bool inside) : OfBody(body), box_(box), inside_(inside) {}
+    BodyPlace(const SceneExpectation& claim, const SceneBox& box, bool inside) : OfBody(claim), box_(box), inside_(inside) {}
 
 private:
     double excess_of_state(const BodyState& state) const override {
@@ -74,9 +88,9 @@ private:
 // A number of a body's state, between two bounds.
 class Measure final : public OfBody {
 public:
-    Measure(const std::string& body, const SceneInterval& allowed, double (*measure)(const BodyState&), const char* before,
-            const char* unit)
-        : OfBody(body), allowed_(allowed), measure_(measure), before_(before), unit_(unit) {}
+    Measure(const SceneExpectation& claim, const SceneInterval& allowed, double (*measure)(const BodyState&),
+            const char* before, const char* unit)
+        : OfBody(claim), allowed_(allowed), measure_(measure), before_(before), unit_(unit) {}
 
 private:
     double excess_of_state(const BodyState& state) const override { return excess_of(measure_(state), allowed_); }
@@ -128,19 +142,21 @@ bool is_one_of(const std::string& name, const SceneInstance& body) {
 
 class Count final : public Claim {
 public:
-    Count(const std::string& of, const SceneBox& region, const SceneInterval& allowed) : of_(of), region_(region), allowed_(allowed) {}
+    explicit Count(const SceneExpectation& claim)
+        : of_(claim.body), frame_(make_frame(claim)), region_(claim.region.value()), allowed_(claim.count.value()) {}
 
     double excess(const SceneWorld& built) override {
         count_ = 0;
         for (const SceneInstance& body : built.bodies)
             if (built.world.is_valid(body.id) && is_one_of(of_, body) && built.world.type(body.id) != BodyType::static_body)
-                count_ += holds(region_, built.world.state(body.id).pose.position);
+                count_ += holds(region_, inverse_transform_point(frame_, built.world.state(body.id).pose.position));
         return excess_of(count_, allowed_);
     }
     std::string finding(const SceneWorld&) const override { return "there are " + std::to_string(count_); }
 
 private:
     std::string of_;
+    Pose frame_;
     SceneBox region_;
     SceneInterval allowed_;
     int count_ = 0;
@@ -196,14 +212,14 @@ double degrees_of(const BodyState& state) { return angle(state.pose.rotation) * 
 }  // namespace
 
 std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& claim) {
-    if (claim.inside) return std::make_unique<BodyPlace>(claim.body, *claim.inside, true);
-    if (claim.outside) return std::make_unique<BodyPlace>(claim.body, *claim.outside, false);
-    if (claim.height) return std::make_unique<Measure>(claim.body, *claim.height, height_of, "its height is", "m");
-    if (claim.speed) return std::make_unique<Measure>(claim.body, *claim.speed, speed_of, "its speed is", "m/s");
-    if (claim.angle) return std::make_unique<Measure>(claim.body, *claim.angle, degrees_of, "its angle is", "degrees");
+    if (claim.inside) return std::make_unique<BodyPlace>(claim, *claim.inside, true);
+    if (claim.outside) return std::make_unique<BodyPlace>(claim, *claim.outside, false);
+    if (claim.height) return std::make_unique<Measure>(claim, *claim.height, height_of, "its height is", "m");
+    if (claim.speed) return std::make_unique<Measure>(claim, *claim.speed, speed_of, "its speed is", "m/s");
+    if (claim.angle) return std::make_unique<Measure>(claim, *claim.angle, degrees_of, "its angle is", "degrees");
     if (!claim.touches.empty()) return std::make_unique<Touching>(claim.body, claim.touches, true);
     if (!claim.never_touches.empty()) return std::make_unique<Touching>(claim.body, claim.never_touches, false);
-    if (claim.count) return std::make_unique<Count>(claim.body, claim.region.value(), *claim.count);
+    if (claim.count) return std::make_unique<Count>(claim);
     return std::make_unique<EventCount>(claim.event.value(), claim.body, *claim.event_count);
 }
 

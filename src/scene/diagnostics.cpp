@@ -63,6 +63,7 @@ std::string to_string(const Diagnostic& d) {
         text += "\n  " + excerpt.line + "\n  " + excerpt.caret;
     }
     if (!d.hint.empty()) text += "\n  hint: " + d.hint;
+    for (const std::string& place : d.included_by) text += "\n  included by " + place;
     return text;
 }
 
@@ -92,11 +93,25 @@ void Diagnostics::error_at_offset(std::size_t offset, std::string message, std::
 }
 
 bool Diagnostics::has_errors_in(std::string_view pointer) const {
-    return overflowed_ || std::any_of(errors_.begin(), errors_.end(),
-                                      [&](const Entry& entry) { return is_within(entry.pointer, pointer); });
+    return overflowed_ ||
+           std::ranges::any_of(errors_, [&](const Entry& entry) { return is_within(entry.pointer, pointer); }) ||
+           std::ranges::any_of(adopted_errors_, [&](const Adopted& entry) { return is_within(entry.include, pointer); });
+}
+
+void Diagnostics::adopt(const std::vector<Diagnostic>& found, const std::string& include) {
+    for (const Diagnostic& diagnostic : found)
+        (diagnostic.severity == Diagnostic::Severity::error ? adopted_errors_ : adopted_warnings_)
+            .push_back({diagnostic, include});
+}
+
+std::string Diagnostics::name_of(const std::string& pointer) const {
+    const std::optional<IncludedPlace> place = included_.find(pointer);
+    return place ? place->name : pointer;
 }
 
 Diagnostic Diagnostics::locate(const Entry& entry, Diagnostic::Severity severity) const {
+    if (const std::optional<IncludedPlace> place = included_.find(entry.pointer))
+        return locate({place->include, place->name + ": " + entry.message, entry.hint}, severity);
     Diagnostic d{severity, file_, 0, 0, entry.pointer, entry.message, "", entry.hint};
     for (const auto& [pointer, origin] : origins_) {
         if (!is_within(entry.pointer, pointer)) continue;
@@ -117,19 +132,26 @@ Diagnostic Diagnostics::locate(const Entry& entry, Diagnostic::Severity severity
     return d;
 }
 
-std::vector<Diagnostic> Diagnostics::locate_all(const std::vector<Entry>& entries,
+std::vector<Diagnostic> Diagnostics::locate_all(const std::vector<Entry>& entries, const std::vector<Adopted>& adopted,
                                                 Diagnostic::Severity severity) const {
     std::vector<Diagnostic> located;
     for (const Entry& entry : entries) located.push_back(locate(entry, severity));
     std::stable_sort(located.begin(), located.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::tie(a.line, a.column) < std::tie(b.line, b.column);
     });
+    for (const Adopted& entry : adopted) {
+        if (located.size() >= kMaxDiagnostics) break;
+        const Diagnostic by = locate({.pointer = entry.include, .message = {}, .hint = {}}, severity);
+        located.push_back(entry.diagnostic);
+        located.back().included_by.push_back(by.line > 0 ? by.file + ':' + std::to_string(by.line) + ':' + std::to_string(by.column)
+                                                         : by.file);
+    }
     return located;
 }
 
 void Diagnostics::finish(std::vector<Diagnostic>* warnings) {
     if (has_errors()) {
-        std::vector<Diagnostic> located = locate_all(errors_, Diagnostic::Severity::error);
+        std::vector<Diagnostic> located = locate_all(errors_, adopted_errors_, Diagnostic::Severity::error);
         if (overflowed_) {
             const std::string more = "there are more errors; these are the first " + std::to_string(kMaxDiagnostics);
             std::string& hint = located.back().hint;
@@ -138,7 +160,7 @@ void Diagnostics::finish(std::vector<Diagnostic>* warnings) {
         throw SceneError(std::move(located));
     }
     if (warnings == nullptr) return;
-    const std::vector<Diagnostic> located = locate_all(warnings_, Diagnostic::Severity::warning);
+    const std::vector<Diagnostic> located = locate_all(warnings_, adopted_warnings_, Diagnostic::Severity::warning);
     warnings->insert(warnings->end(), located.begin(), located.end());
 }
 

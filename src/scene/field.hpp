@@ -39,11 +39,14 @@ inline constexpr Range kRounding{0.0, kLargest};
 inline constexpr Range kNotNegative{0.0, kFastest};
 inline constexpr Range kPositive{0.0, kFastest, true};
 inline constexpr Range kStrength{0.0, 1e12};
+inline constexpr Range kForce{-1e12, 1e12};
 inline constexpr Range kTime{0.0, kLongest};
 inline constexpr Range kInterval{0.0, kLongest, true};
 inline constexpr Range kCount{1.0, kMost};
 inline constexpr Range kBits{0.0, 4294967295.0};
 inline constexpr Range kSeed{0.0, 0x1p64};
+
+inline constexpr std::size_t kMaxNameBytes = 256;  // bytes
 
 // What a text may be.
 enum class Text { any, name, color };

@@ -65,6 +65,15 @@ void visit_fields(V& v, Type<SceneMaterial>) {
 }
 
 template <class V>
+void visit_fields(V& v, Type<SceneInclude>) {
+    v.field({.name = "file", .description = "Path of a scene file, from the folder of this one.", .required = true, .text = Text::name},
+            &SceneInclude::file);
+    v.field({"position", "Where the origin of that scene comes to lie.", "m", kPosition}, &SceneInclude::position);
+    v.field({"angle", "Turn of that scene about its origin.", "degrees"}, &SceneInclude::angle);
+    v.field({"prefix", "Put before each of its names, so that a file can be included twice: \"car1/\"."}, &SceneInclude::prefix);
+}
+
+template <class V>
 void visit_fields(V& v, Type<Scene>) {
     v.field({"$schema", "Where editors find this schema."}, &Scene::schema);
     v.constant({.name = "format", .description = "Version of the file format.", .required = true}, 1);
@@ -72,6 +81,11 @@ void visit_fields(V& v, Type<Scene>) {
     v.field({"description", "What there is to see."}, &Scene::description);
     v.field({"world", "The world and its run."}, &Scene::world);
     v.field({"camera", "What the frames show."}, &Scene::camera);
+    v.field({.name = "include",
+             .description = "Other scenes, placed in this one: their bodies, joints, materials, events and claims. Their world and "
+                            "camera, changes of gravity and claims of the whole world stay behind.",
+             .max_items = 10000},
+            &Scene::include);
     v.named({"materials", "Surfaces, by name."}, &Scene::materials);
     v.field({.name = "bodies", .description = "The bodies.", .max_items = 1000000}, &Scene::bodies);
     v.field({.name = "joints", .description = "What ties bodies together.", .max_items = 1000000}, &Scene::joints);

@@ -19,11 +19,14 @@ inline constexpr std::array<std::pair<SceneJointType, std::string_view>, 8> kEnu
      {SceneJointType::mouse, "mouse"},
      {SceneJointType::filter, "filter"}}};
 
+inline constexpr Field kPatternAngle{"angle", "Turn of the whole pattern about the position; the copies keep their own angle.", "degrees"};
+
 template <class V>
 void visit_fields(V& v, Type<GridRepeat>) {
     v.field({"columns", "Copies in a row.", "", kCount}, &GridRepeat::columns);
     v.field({"rows", "Rows, upwards.", "", kCount}, &GridRepeat::rows);
     v.field({"spacing", "From one column and one row to the next.", "m", kCoordinate}, &GridRepeat::spacing);
+    v.field(kPatternAngle, &GridRepeat::angle);
 }
 
 template <class V>
@@ -32,13 +35,15 @@ void visit_fields(V& v, Type<PyramidRepeat>) {
             &PyramidRepeat::base);
     v.field({"spacing", "From one copy to the next in a row, and from row to row.", "m", kCoordinate},
             &PyramidRepeat::spacing);
+    v.field(kPatternAngle, &PyramidRepeat::angle);
 }
 
 template <class V>
 void visit_fields(V& v, Type<RingRepeat>) {
     v.field({"count", "Copies on the ring, counter-clockwise from the right.", "", kCount, true}, &RingRepeat::count);
     v.field({"radius", "Radius of the ring.", "m", kLength}, &RingRepeat::radius);
-    v.field({"turn", "Whether each copy is turned by its angle on the ring."}, &RingRepeat::turn);
+    v.field({"turn", "Whether each copy is turned by its angle on the ring, from the first one."}, &RingRepeat::turn);
+    v.field(kPatternAngle, &RingRepeat::angle);
 }
 
 template <class V>
@@ -48,6 +53,7 @@ void visit_fields(V& v, Type<ScatterRepeat>) {
     v.field({"turn", "Whether each copy is turned by a random angle."}, &ScatterRepeat::turn);
     v.field({"separation", "Least distance between the positions of two copies.", "m", kRounding},
             &ScatterRepeat::separation);
+    v.field(kPatternAngle, &ScatterRepeat::angle);
 }
 
 template <class V>

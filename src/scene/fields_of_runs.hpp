@@ -25,10 +25,10 @@ void visit_fields(V& v, Type<SceneEvent>) {
     v.field({"until", "Time of the last repetition, or the end of a force or torque.", "s", kTime}, &SceneEvent::until);
     v.field({.name = "body", .description = "Name of the body that is acted on.", .text = Text::name}, &SceneEvent::body);
     v.field({.name = "joint", .description = "Name of the joint that is acted on.", .text = Text::name}, &SceneEvent::joint);
-    v.field({"impulse", "Impulse at the centre of mass of the body.", "N s", {-1e12, 1e12}}, &SceneEvent::impulse);
-    v.field({"angular_impulse", "Angular impulse on the body.", "N m s", {-1e12, 1e12}}, &SceneEvent::angular_impulse);
-    v.field({"force", "Force at the centre of mass of the body, from then on.", "N", {-1e12, 1e12}}, &SceneEvent::force);
-    v.field({"torque", "Torque on the body, from then on.", "N m", {-1e12, 1e12}}, &SceneEvent::torque);
+    v.field({"impulse", "Impulse at the centre of mass of the body.", "N s", kForce}, &SceneEvent::impulse);
+    v.field({"angular_impulse", "Angular impulse on the body.", "N m s", kForce}, &SceneEvent::angular_impulse);
+    v.field({"force", "Force at the centre of mass of the body, from then on.", "N", kForce}, &SceneEvent::force);
+    v.field({"torque", "Torque on the body, from then on.", "N m", kForce}, &SceneEvent::torque);
     v.field({"velocity", "The body's velocity from then on.", "m/s"}, &SceneEvent::velocity);
     v.field({"angular_velocity", "The body's angular velocity from then on.", "degrees/s"}, &SceneEvent::angular_velocity);
     v.field({"motor_speed", "New speed of the joint's motor: degrees/s if it turns, m/s if it slides."}, &SceneEvent::motor_speed);
@@ -39,6 +39,12 @@ void visit_fields(V& v, Type<SceneEvent>) {
     v.field({.name = "release", .description = "Name of a joint that goes.", .text = Text::name}, &SceneEvent::release);
     v.exactly_one({"impulse", "angular_impulse", "force", "torque", "velocity", "angular_velocity", "motor_speed", "target",
                    "gravity", "spawn", "despawn", "release"});
+}
+
+template <class V>
+void visit_fields(V& v, Type<SceneFrame>) {
+    v.field({"position", "Where the origin of the frame lies.", "m", kPosition}, &SceneFrame::position);
+    v.field({"angle", "Turn of the frame.", "degrees"}, &SceneFrame::angle);
 }
 
 template <class V>
@@ -77,6 +83,8 @@ void visit_fields(V& v, Type<SceneExpectation>) {
     v.field({"state_hash", "The state hash, 16 hexadecimal digits as run prints it."}, &SceneExpectation::state_hash);
     v.exactly_one({"at_rest_by", "max_penetration", "max_joint_error", "max_energy_gain", "inside", "outside", "height", "speed",
                    "angle", "touches", "never_touches", "count", "event_count", "state_hash"});
+    v.field({"frame", "Coordinates in which boxes, heights and angles are measured; left out: those of the world."},
+            &SceneExpectation::frame);
     v.field({"when", "When a claim of a state must hold: at the end, always, or sometime."}, &SceneExpectation::when);
     v.field({"at", "At this time alone.", "s", kTime}, &SceneExpectation::at);
     v.field({"from", "What is before does not count.", "s", kTime}, &SceneExpectation::from);

@@ -246,7 +246,7 @@ ImportedScene parse_svg(std::string_view text, const std::string& file_name, con
     scene::require_positive("metres_per_unit", options.metres_per_unit);
     scene::require_positive("tolerance", options.tolerance);
     text = scene::without_byte_order_mark(text);
-    if (text.size() > scene::kMaxFileBytes) throw FileError(file_name, "is larger than 64 MiB");
+    if (text.size() > scene::kMaxFileBytes) throw FileError(file_name, "is larger than " + std::to_string(scene::kMaxFileBytes >> 20) + " MiB");
     return scene::SvgImport(text, file_name, options).run();
 }
 

@@ -9,7 +9,7 @@
 
 namespace tumble::scene {
 
-inline constexpr std::size_t kMaxFileBytes = 64u << 20;
+inline constexpr std::size_t kMaxFileBytes = 32u << 20;   // 20 times as much in memory if it is all numbers
 inline constexpr std::size_t kMaxDepth = 64;           // of nested arrays and objects; later passes recurse
 inline constexpr std::size_t kMaxKeysInObject = 4096;  // looking up a key is linear
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "scene/build.hpp"
 #include "scene/display.hpp"
 
 namespace tumble::scene {
@@ -96,18 +97,6 @@ private:
     Diagnostics& diagnostics_;
 };
 
-// All bodies awake and at rest, so that the first step finds every contact where the file has put the bodies.
-SceneWorld start_at_rest(Scene scene) {
-    for (SceneBody& body : scene.bodies) {
-        body.awake = true;
-        body.velocity = {};
-        body.angular_velocity = 0.0;
-    }
-    SceneWorld built = build_world(scene);
-    built.world.step();
-    return built;
-}
-
 }  // namespace
 
 double mass_ratio(const World& world, BodyId a, BodyId b) {
@@ -122,7 +111,9 @@ void add_body_lints(const Scene& scene, const SceneWorld& built, Diagnostics& di
 }
 
 void add_lints(const Scene& scene, Diagnostics& diagnostics) {
-    const SceneWorld started = start_at_rest(scene);
+    // At rest, the first step finds every contact where the file has put the bodies.
+    SceneWorld started = build_world(scene, Start::at_rest);
+    started.world.step();
     add_body_lints(scene, started, diagnostics);
     add_contact_lints(scene, started, diagnostics);
 }

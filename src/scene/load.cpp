@@ -1,28 +1,45 @@
-// The way of a scene file: bytes, JSON, overrides, fields, checks across fields. Each stage goes on as far as errors of
-// the one before allow, so that a user sees all of them at once.
-#include "scene/check.hpp"
+// A scene from text or file, as a user wants it, and back into a file.
 #include "scene/input.hpp"
 #include "scene/lint.hpp"
-#include "scene/override.hpp"
 #include "scene/reader.hpp"
-#include "scene/writer.hpp"
+#include "scene/reading.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
 
 namespace tumble {
 
+namespace {
+
+std::string read_scene_file(const std::filesystem::path& file) { return read_file(file, scene::kMaxFileBytes); }
+
+template <class T>
+void cut(std::vector<T>& list, std::size_t size) {
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(size), list.end());
+}
+
+// Takes what was included out again.
+void keep_own(Scene& scene, const scene::SceneSizes& own) {
+    cut(scene.materials, own.materials);
+    cut(scene.bodies, own.bodies);
+    cut(scene.joints, own.joints);
+    cut(scene.timeline, own.timeline);
+    cut(scene.expect, own.expect);
+}
+
+}  // namespace
+
 Scene parse_scene(std::string_view text, const std::string& file_name, const LoadOptions& options,
                   std::vector<Diagnostic>* warnings) {
     text = scene::without_byte_order_mark(text);
     scene::Diagnostics diagnostics(file_name, text);
-    Scene result;
-    if (std::optional<scene::Json> value = scene::parse_json(text, diagnostics)) {
-        scene::apply_overrides(options, *value, diagnostics);
-        result = scene::read_scene(*value, diagnostics);
-        scene::check_scene(result, diagnostics);
-        if (options.lint && !diagnostics.has_errors()) scene::add_lints(result, diagnostics);
-    }
+    scene::Reading reading(options.read_included);
+    Scene result = reading.read(text, file_name, options, diagnostics);
+    std::vector<SceneInclude> include = std::exchange(result.include, {});
+    if (options.lint && !diagnostics.has_errors()) scene::add_lints(result, diagnostics);
     diagnostics.finish(warnings);
+    if (!options.keep_includes) return result;
+    keep_own(result, reading.own());
+    result.include = std::move(include);
     return result;
 }
 
@@ -31,7 +48,9 @@ Scene parse_scene(std::string_view text, const std::string& file_name, std::vect
 }
 
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<Diagnostic>* warnings) {
-    return parse_scene(read_file(file, scene::kMaxFileBytes), file.string(), options, warnings);
+    LoadOptions from_file = options;
+    if (!from_file.read_included) from_file.read_included = read_scene_file;
+    return parse_scene(from_file.read_included(file), file.string(), from_file, warnings);
 }
 
 Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* warnings) {

@@ -17,7 +17,6 @@ namespace tumble::scene {
 namespace {
 
 constexpr std::size_t kLongestQuote = 40;
-constexpr std::size_t kLongestName = 256;
 
 // True for #rgb and #rrggbb.
 bool is_color(const std::string& text) {
@@ -59,8 +58,8 @@ public:
     void read(const Json& value, const Place& place, const Field& field, std::string& out) {
         if (!value.is_string()) return wrong(place, "a string", value);
         out = value.get<std::string>();
-        if (field.text == Text::name && (out.empty() || out.size() > kLongestName))
-            wrong(place, "a name of 1 to " + std::to_string(kLongestName) + " bytes", value);
+        if (field.text == Text::name && (out.empty() || out.size() > kMaxNameBytes))
+            wrong(place, "a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes", value);
         if (field.text == Text::color && !is_color(out)) wrong(place, "a colour, \"#rgb\" or \"#rrggbb\"", value);
     }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "scene/random.hpp"
+#include "scene/turn.hpp"
 
 namespace tumble::scene {
 
@@ -100,6 +101,16 @@ std::vector<CopyPlace> places(const ScatterRepeat& scatter, const CopyPlace& cen
     return result;
 }
 
+std::vector<CopyPlace> pattern(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
+    const CopyPlace first{body.position, body.angle};
+    if (!body.repeat) return {first};
+    if (const ScatterRepeat* scatter = std::get_if<ScatterRepeat>(&*body.repeat))
+        return places(*scatter, first, Random(seed, stream));
+    if (const RingRepeat* ring = std::get_if<RingRepeat>(&*body.repeat)) return places(*ring, first);
+    if (const GridRepeat* grid = std::get_if<GridRepeat>(&*body.repeat)) return places(*grid, first);
+    return places(std::get<PyramidRepeat>(*body.repeat), first);
+}
+
 struct Count {
     std::int64_t operator()(const GridRepeat& grid) const { return std::int64_t{grid.columns} * grid.rows; }
     std::int64_t operator()(const PyramidRepeat& pyramid) const {
@@ -116,13 +127,12 @@ std::int64_t copy_count(const SceneBody& body) {
 }
 
 std::vector<CopyPlace> copy_places(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
-    const CopyPlace first{body.position, body.angle};
-    if (!body.repeat) return {first};
-    if (const ScatterRepeat* scatter = std::get_if<ScatterRepeat>(&*body.repeat))
-        return places(*scatter, first, Random(seed, stream));
-    if (const RingRepeat* ring = std::get_if<RingRepeat>(&*body.repeat)) return places(*ring, first);
-    if (const GridRepeat* grid = std::get_if<GridRepeat>(&*body.repeat)) return places(*grid, first);
-    return places(std::get<PyramidRepeat>(*body.repeat), first);
+    std::vector<CopyPlace> result = pattern(body, seed, stream);
+    const double degrees = body.repeat ? std::visit([](const auto& repeat) { return repeat.angle; }, *body.repeat) : 0.0;
+    if (degrees == 0.0) return result;  // with the bits of the formulas
+    for (CopyPlace& place : result)
+        place.position = body.position + turned(place.position - body.position, sin_cos_degrees(degrees));
+    return result;
 }
 
 }  // namespace tumble::scene

@@ -9,7 +9,7 @@ namespace tumble::scene {
 namespace {
 
 constexpr std::size_t kLongestWord = 64;  // longer ones are no typing errors: bounds the work
-constexpr std::size_t kShortList = 12;
+constexpr std::size_t kShortList = 16;
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);

@@ -88,6 +88,10 @@ TEST_CASE("what is not finite, or turns too far, answers NaN") {
 }
 
 TEST_CASE("multiples of 90 degrees are exact") {
+    CHECK(sin_cos_degrees(90.0).cos == 0.0);
+    CHECK(sin_cos_degrees(-180.0).sin == 0.0);
+    CHECK(sin_cos_degrees(-180.0).cos == -1.0);
+    CHECK(sin_cos_degrees(30.0).sin == doctest::Approx(0.5).epsilon(1e-15));
     CHECK(make_rotation_degrees(0.0) == Rotation{1.0f, 0.0f});
     CHECK(make_rotation_degrees(90.0) == Rotation{0.0f, 1.0f});
     CHECK(make_rotation_degrees(-180.0) == Rotation{-1.0f, 0.0f});

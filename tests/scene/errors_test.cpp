@@ -131,7 +131,7 @@ TEST_CASE("a file that is too long or has too many keys is an error") {
     std::string keys = "{\"format\": 1, \"custom\": {\"k\": 0";
     for (int i = 0; i < 5000; ++i) keys += ", \"k" + std::to_string(i) + "\": 0";
     CHECK(error_of(keys + "}}").message == "an object with more than 4096 keys");
-    CHECK(error_of("{\"format\": 1}" + std::string(65u << 20, ' ')).message == "longer than 64 MiB");
+    CHECK(error_of("{\"format\": 1}" + std::string(33u << 20, ' ')).message == "longer than 32 MiB");
 }
 
 TEST_CASE("a long line is shown around the caret only") {

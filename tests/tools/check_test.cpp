@@ -87,15 +87,32 @@ TEST_CASE("check writes JUnit, and draws the moment of a failure") {
 
 TEST_CASE("fmt prints the canonical form, and says what it loses") {
     const Folder folder;
-    const std::string file = folder.write("a.json", "// mine\n{\"bodies\": [], \"world\": {\"substeps\": 4}, \"format\": 1}");
+    const std::string file = folder.write("a.json", "// mine: \"\n{\"bodies\": [], /* // */ \"name\": \"//\\\"/*\", \"world\": {\"substeps\": 4}, \"format\": 1} // end");
     const Answer answer = run_tumble({"fmt", file});
     CHECK(answer.code == 0);
-    CHECK(answer.out == "{\n  \"format\": 1\n}\n");
-    CHECK(answer.err.find("its comments are not kept") != std::string::npos);
+    CHECK(answer.out == "{\n  \"format\": 1,\n  \"name\": \"//\\\"/*\"\n}\n");
+    CHECK(answer.err.find("3 comments are not kept") != std::string::npos);
     CHECK(read_text(file).starts_with("// mine"));
+    CHECK(json::parse(run_tumble({"fmt", file, "--json"}).out)["comments_lost"] == 3);
     CHECK(run_tumble({"fmt", file, "--write"}).code == 0);
     CHECK(read_text(file) == answer.out);
     CHECK(json::parse(run_tumble({"fmt", file, "--json"}).out)["canonical"] == true);
+}
+
+TEST_CASE("fmt keeps includes, or writes what they hold") {
+    const Folder folder;
+    fs::create_directory(folder / "parts");
+    folder.write("parts/ball.json", R"({"format": 1, "bodies": [{"name": "ball", "shapes": [{"circle": {"radius": 1}}]}]})");
+    const std::string file = folder.write("a.json", R"({"format": 1, "include": [{"file": "parts/ball.json", "prefix": "a/"}]})");
+    const json kept = json::parse(run_tumble({"fmt", file}).out), flat = json::parse(run_tumble({"fmt", file, "--flat"}).out);
+    CHECK(kept["include"].size() == 1);
+    CHECK(!kept.contains("bodies"));
+    CHECK(!flat.contains("include"));
+    CHECK(flat["bodies"][0]["name"] == "a/ball");
+    fs::remove(folder / "parts/ball.json");
+    const Answer missing = run_tumble({"validate", file});
+    CHECK(missing.code == 3);
+    CHECK(missing.err.find("a.json:1:36: /include/0/file: ") != std::string::npos);
 }
 
 TEST_CASE("import reads SVG drawings by their extension") {
