@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kMostDepth = 100;               // of groups and references: a cycle of references ends here
 constexpr int kMostElements = 200000;         // visited, references followed
-constexpr std::size_t kMostPoints = 4000000;  // of all figures
+constexpr std::size_t kMostPointsOfAll = 4000000;  // of all figures
 constexpr std::size_t kLongestName = 200;    // bytes; longer ones are left out, and a number still fits behind
 
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
@@ -182,7 +182,7 @@ private:
         if (!is_painted && !style.type) return count("hidden elements");
         if (figure.contours.empty()) return count("elements without extent");
         for (const Contour& contour : figure.contours) points_ += contour.points.size();
-        if (points_ > kMostPoints) throw SvgError("the drawing has more than " + std::to_string(kMostPoints) + " points");
+        if (points_ > kMostPointsOfAll) throw SvgError("the drawing has more than " + std::to_string(kMostPointsOfAll) + " points");
         const double scale = std::sqrt(std::abs(cross(map.x_axis, map.y_axis)));
         SceneBody body = make_svg_body(figure, style, scale, result_notes_);
         if (body.shapes.empty()) return;

@@ -12,7 +12,7 @@ namespace tumble::scene {
 namespace {
 
 constexpr double kSliver = 0.01;                       // of its length
-constexpr double kSmallest = 0.005, kLargest = 100.0;  // m, in a world of scale 1: where the solver's constants are tried
+constexpr double kSmallestBody = 0.005, kLargestBody = 100.0;  // m, in a world of scale 1: where the solver's constants are tried
 
 // The least distance of two parallel lines that the shape fits between (m).
 double width_of(const Shape& shape) {
@@ -74,10 +74,10 @@ private:
                                               " m thin: it has next to no inertia about its length, and its contacts rattle",
                                  "make it thicker, or a capsule, whose ends are round");
         const double scale = scene_.world.scale;
-        if (size < scale * kSmallest || size > scale * kLargest)
+        if (size < scale * kSmallestBody || size > scale * kLargestBody)
             diagnostics_.warning(pointer,
-                                 "is " + brief(size) + " m large: moving bodies behave best between " + brief(scale * kSmallest) +
-                                     " m and " + brief(scale * kLargest) + " m",
+                                 "is " + brief(size) + " m large: moving bodies behave best between " + brief(scale * kSmallestBody) +
+                                     " m and " + brief(scale * kLargestBody) + " m",
                                  R"(give the world a "scale", the size of a typical body)");
     }
 

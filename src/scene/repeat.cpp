@@ -111,7 +111,7 @@ std::vector<CopyPlace> pattern(const SceneBody& body, std::uint64_t seed, std::u
     return places(std::get<PyramidRepeat>(*body.repeat), first);
 }
 
-struct Count {
+struct CopyCount {
     std::int64_t operator()(const GridRepeat& grid) const { return std::int64_t{grid.columns} * grid.rows; }
     std::int64_t operator()(const PyramidRepeat& pyramid) const {
         return std::int64_t{pyramid.base} * (std::int64_t{pyramid.base} + 1) / 2;
@@ -123,7 +123,7 @@ struct Count {
 }  // namespace
 
 std::int64_t copy_count(const SceneBody& body) {
-    return body.repeat ? std::visit(Count{}, *body.repeat) : 1;
+    return body.repeat ? std::visit(CopyCount{}, *body.repeat) : 1;
 }
 
 std::vector<CopyPlace> copy_places(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {

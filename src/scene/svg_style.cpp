@@ -14,7 +14,7 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, BodyType>, 3> kTypes{{{"static", BodyType::static_body},
+constexpr std::array<std::pair<std::string_view, BodyType>, 3> kTypeWords{{{"static", BodyType::static_body},
                                                                        {"kinematic", BodyType::kinematic_body},
                                                                        {"dynamic", BodyType::dynamic_body}}};
 
@@ -66,7 +66,7 @@ SvgPaint make_paint(std::string_view value, const SvgPaint& around, int& gradien
 }
 
 std::optional<BodyType> find_type(std::string_view word) {
-    for (const auto& [name, type] : kTypes)
+    for (const auto& [name, type] : kTypeWords)
         if (word == name) return type;
     return std::nullopt;
 }
@@ -82,7 +82,7 @@ std::optional<BodyType> read_type(const pugi::xml_node& element) {
     split(element.attribute("class").value(), ' ', [&](std::string_view name) {
         if (const auto type = find_type(name)) result = type;
     });
-    for (const auto& [name, type] : kTypes)
+    for (const auto& [name, type] : kTypeWords)
         if (!result && id.starts_with(name)) result = type;
     return result;
 }

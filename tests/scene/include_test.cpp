@@ -179,20 +179,24 @@ TEST_CASE("claims of a part are measured in its frame") {
 TEST_CASE("a frame moves and turns what a claim measures") {
     // The ball is at (3, 4); seen from a frame at (1, 4) turned by 90 degrees it is at (0, -2), and its angle is -60.
     const std::string start = R"("world": {"gravity": [0, 0]}, "bodies": [{"name": "ball", "position": [3, 4], "angle": 30, "shapes": [{"circle": {"radius": 0.1}}]}], "expect": [{"body": "ball", "at": 0, "frame": {"position": [1, 4], "angle": 90}, )";
-    for (const auto& [claim, holds] : {std::pair{R"("inside": [[-0.1, -2.1], [0.1, -1.9]])", true},
-                                       {R"("inside": [[2.9, 3.9], [3.1, 4.1]])", false},
-                                       {R"("outside": [[2.9, 3.9], [3.1, 4.1]])", true},
-                                       {R"("height": [-2.1, -1.9])", true},
-                                       {R"("height": [3.9, 4.1])", false},
-                                       {R"("angle": [-60.1, -59.9])", true},
-                                       {R"("angle": [29.9, 30.1])", false},
-                                       {R"("count": [1, 1], "region": [[-0.1, -2.1], [0.1, -1.9]])", true},
-                                       {R"("count": [1, 1], "region": [[2.9, 3.9], [3.1, 4.1]])", false}}) {
-        const Scene scene = parse_scene(scene_text(start + claim + "}]"), "claim.json");
+    struct Case {
+        const char* claim;
+        bool holds;
+    };
+    for (const Case& c : {Case{R"("inside": [[-0.1, -2.1], [0.1, -1.9]])", true},
+                          {R"("inside": [[2.9, 3.9], [3.1, 4.1]])", false},
+                          {R"("outside": [[2.9, 3.9], [3.1, 4.1]])", true},
+                          {R"("height": [-2.1, -1.9])", true},
+                          {R"("height": [3.9, 4.1])", false},
+                          {R"("angle": [-60.1, -59.9])", true},
+                          {R"("angle": [29.9, 30.1])", false},
+                          {R"("count": [1, 1], "region": [[-0.1, -2.1], [0.1, -1.9]])", true},
+                          {R"("count": [1, 1], "region": [[2.9, 3.9], [3.1, 4.1]])", false}}) {
+        const Scene scene = parse_scene(scene_text(start + c.claim + "}]"), "claim.json");
         SceneRun run(scene);
         ExpectationWatch watch(scene, run.built());
         watch.observe(run.built());
-        CHECK_MESSAGE(watch.results()[0].passed == holds, claim);
+        CHECK_MESSAGE(watch.results()[0].passed == c.holds, c.claim);
         CHECK(watch.results()[0].claim.find("in the frame at [1, 4] turned by 90 degrees") != std::string::npos);
     }
 }

@@ -116,7 +116,7 @@ private:
     void add_arrays() {
         add_values({json::object(), "x", 1, nullptr});
         const json& value = document_.at(json::json_pointer(place_.pointer));
-        const std::size_t least = schema_.value("minItems", 0), most = schema_.value("maxItems", 65535);
+        const std::size_t least = schema_.value("minItems", std::size_t{0}), most = schema_.value("maxItems", std::size_t{65535});
         json changed = value;
         if (least > 0) {
             while (changed.size() >= least) changed.erase(changed.size() - 1);
