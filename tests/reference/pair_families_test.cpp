@@ -105,10 +105,6 @@ long double claimed_lower(const PairQuery& query, DVec2 direction) {
     return -(highest_a - lowest_b - dot(d, offset)) / length(d);
 }
 
-double core_error_bound(const PairQuery& query) {
-    return error_bound(make_core_pair(query.a, query.pose_a, query.b, query.pose_b));
-}
-
 // Replaces one index, and turns the direction; expects a rejection if what they prove moved by more than 2 E: each claim
 // is within E of what was computed from it, and each bound E from that. (And a thousandth, for the long double here.)
 void check_perturbed(Tally& tally, const PairQuery& query, const DistanceResult& answer, Random& random, std::uint64_t index) {
@@ -154,33 +150,14 @@ SimplexCache random_cache(Random& random, const PairQuery& query) {
     return cache;
 }
 
-// The direction from a vertex at the distance |v| is off by E / |v|: another vertex, at most 2 (RA + RB) aside, may stand out
-// by as much along it and loosen the lower bound. That is rare (once in 40 million pairs, by 13 E).
-double explained_slack(const PairQuery& query, double core_distance) {
-    const CorePair pair = make_core_pair(query.a, query.pose_a, query.b, query.pose_b);
-    const double bound = error_bound(pair);
-    return 2.0 * pair.scale * bound / std::max(std::abs(core_distance), bound);
-}
-constexpr std::uint64_t kPairsPerLooseOne = 100000;
-
-// How far a bound may lie from the exact distance: E for the error of what was computed, E for its allowance, the same
-// for the subtraction of the radii, and twice that for answers found by the last repair. Bounds of [-1, 1] would pass
-// every other check.
-double allowed_slack(const PairQuery& query, double distance) {
-    const double radii = double{query.a.radius()} + double{query.b.radius()};
-    return 4.0 * (core_error_bound(query) + 4.0 * kUnitRoundoff * (radii + std::abs(distance + radii)));
-}
+constexpr std::uint64_t kPairsPerLooseOne = 100000;  // of bounds that are looser than usual, once in 40 million pairs
 
 void check_exact(Tally& tally, const PairQuery& query, const DistanceResult& answer, const ExactDistance& exact, std::uint64_t index) {
-    const bool is_between = answer.lower <= answer.distance && answer.distance <= answer.upper;
-    if (!(is_between && exact.compare(answer.lower) >= 0 && exact.compare(answer.upper) <= 0))
-        tally.note(tally.bounds_wrong, "distance or exact distance outside the bounds", query, index);
-    const double slack = allowed_slack(query, answer.distance);
-    if (exact.minus(answer.lower) > slack || exact.minus(answer.upper) < -slack)
-        tally.note(tally.bounds_loose, "bounds far from the exact distance", query, index);
-    const double radii = double{query.a.radius()} + double{query.b.radius()};
-    if (exact.minus(answer.lower) > slack + explained_slack(query, answer.distance + radii) || exact.minus(answer.upper) < -slack)
-        tally.note(tally.bounds_wrong, "bounds farther from the exact distance than rounding explains", query, index);
+    switch (fit_of(query, answer, exact)) {
+        case BoundsFit::near: break;
+        case BoundsFit::loose: tally.note(tally.bounds_loose, "bounds far from the exact distance", query, index); break;
+        case BoundsFit::wrong: tally.note(tally.bounds_wrong, "not a tight bracket of the exact distance", query, index); break;
+    }
     if (!is_status_right(answer.status, exact.sign())) tally.note(tally.status_wrong, "status", query, index);
 }
 

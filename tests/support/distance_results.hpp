@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
+#include "narrow/error_bound.hpp"
+#include "reference/exact_distance.hpp"
 #include "reference/pair_families.hpp"
 #include "support/pair_count.hpp"
 #include "tumble/distance.hpp"
@@ -20,6 +23,32 @@ inline std::uint64_t pairs_of(const tumble::reference::PairFamily& family, std::
 inline bool is_status_right(tumble::DistanceStatus status, int exact_sign) {
     return (status == tumble::DistanceStatus::separated && exact_sign > 0) ||
            (status == tumble::DistanceStatus::overlapping && exact_sign < 0) || status == tumble::DistanceStatus::touching;
+}
+
+inline double core_error_bound(const tumble::reference::PairQuery& query) {
+    return tumble::error_bound(tumble::make_core_pair(query.a, query.pose_a, query.b, query.pose_b));
+}
+
+// How the bounds of an answer lie to the exact distance: near on either side of it; looser than rounding usually makes them;
+// not around it, or looser than rounding can.
+enum class BoundsFit { near, loose, wrong };
+
+// Near is E for the error of what was computed, E for its allowance, the same for the subtraction of the radii, and twice
+// that for answers found by the last repair. Bounds of [-1, 1] would pass every other check. The direction from a vertex
+// at the distance |v| is off by E / |v|: another vertex, at most 2 (RA + RB) aside, may stand out by as much along it and
+// loosen the lower bound; 13 E were seen.
+inline BoundsFit fit_of(const tumble::reference::PairQuery& query, const tumble::DistanceResult& answer,
+                        const tumble::reference::ExactDistance& exact) {
+    const bool is_between = answer.lower <= answer.distance && answer.distance <= answer.upper;
+    const double below = exact.minus(answer.lower), above = -exact.minus(answer.upper);
+    if (!is_between || exact.compare(answer.lower) < 0 || exact.compare(answer.upper) > 0) return BoundsFit::wrong;
+    const double radii = double{query.a.radius()} + double{query.b.radius()}, core_distance = answer.distance + radii;
+    const double error = core_error_bound(query);
+    const double slack = 4.0 * (error + 4.0 * tumble::kUnitRoundoff * (radii + std::abs(core_distance)));
+    if (below <= slack && above <= slack) return BoundsFit::near;
+    const double scale = error / (16.0 * tumble::kUnitRoundoff);
+    const double aside = 2.0 * scale * error / std::max(std::abs(core_distance), error);
+    return below <= slack + aside && above <= slack ? BoundsFit::loose : BoundsFit::wrong;
 }
 
 // Bit for bit, so that NaN equals itself and 0 is not -0.
