@@ -83,8 +83,8 @@ struct Mover {
 
 // The height that a core has in the direction turned back by an angle of this tangent, as a lever.
 [[gnu::noinline]] double lever_of_support(const Core& core, DVec2 center, double height, DVec2 turned_back,
-                                          double back) {
-    return ((support(core, turned_back).height - dot(turned_back, center)) - height) / back;
+                                          double back, int near) {
+    return ((support(core, turned_back, near).height - dot(turned_back, center)) - height) / back;
 }
 
 // The lever of the point X of the window. The direction turns away from one neighbour of the vertex, so that the vertex
@@ -96,7 +96,7 @@ struct Mover {
     const DVec2 turned_back = side.outwards - std::copysign(back, side.rate) * perp(side.outwards);
     const int next = core.next(side.at), previous = core.previous(side.at);
     if (dot(turned_back, core.edge(side.at, side.rate > 0.0 ? previous : next)) < 0.0) return side.lever;
-    return std::max(side.lever, lever_of_support(core, side.center, side.height, turned_back, back));
+    return std::max(side.lever, lever_of_support(core, side.center, side.height, turned_back, back, side.at));
 }
 
 // How the centres approach along a normal that turns: by -(far + along x) cos y + (aside + across x) sin y after the

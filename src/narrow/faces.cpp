@@ -105,24 +105,20 @@ FoundFace deepest_face_in_lanes(const CorePair& pair) {
             true};
 }
 
-// The supports of a core for directions that go round with the edges of the other: each climbs from the one before, so that
-// all of them take as many steps as the core has vertices.
+// The supports of a core for directions that go round with the edges of the other: each is near the one before.
 class SupportsAround {
 public:
     explicit SupportsAround(const Core& core) : core_(core) {}
 
     Support operator()(DVec2 direction) {
-        const bool is_near = has_edge_angles(core_) && dot(direction, previous_) > 0.0;
-        const DVec2 local = core_.turned_back(direction);
-        index_ = is_near ? climb(*core_.large, local, index_) : support(core_, direction).index;
-        previous_ = direction;
-        return support_at(core_, local, index_);
+        const Support found = support(core_, direction, near_);
+        near_ = found.index;
+        return found;
     }
 
 private:
     const Core& core_;
-    DVec2 previous_;
-    int index_ = 0;
+    int near_ = 0;
 };
 
 FoundFace deepest_face_one_by_one(const CorePair& pair) {

@@ -62,7 +62,7 @@ template <typename Reducer, typename Observer>
         best.simplex = simplex;
         best.closest = closest;
         if (closest.contains_origin) return best;
-        const MinkowskiSupport found = support(pair, closest.direction);
+        const MinkowskiSupport found = support(pair, closest.direction, simplex.vertices[0].pair());
         best.height = found.height;
         ++best.iterations;
         observe(simplex, closest, found);

@@ -21,7 +21,7 @@ bool follow_face(const CorePair& pair, LeadingFeature& feature) {
     const int from = own_vertex(feature.owner, feature.pairs[0]), to = own_vertex(feature.owner, feature.pairs[1]);
     const double sign = kSign[feature.owner];
     const DVec2 along = owner.turned(feature.local_edge), outwards = -feature.outwards * perp(along);
-    const int nearest = support(other, -outwards).index;
+    const int nearest = support(other, -outwards, own_vertex(1 - feature.owner, feature.pairs[0])).index;
     const DVec2 above = (other.point(nearest) - owner.point(from)) + sign * pair.offset;
     const double foot = dot(along, above);
     feature.distance = dot(outwards, above);

@@ -17,10 +17,11 @@ struct Support {
 
 [[gnu::always_inline]] inline bool has_edge_angles(const Core& core) { return core.large && core.is_convex; }
 
-// Ties go to the lowest index, of large polygons to any.
-[[gnu::always_inline]] inline Support support(const Core& core, DVec2 direction) {
+// Ties go to the lowest index, of large polygons to any. `near` is a vertex that the support of a large polygon is likely to be
+// near to.
+[[gnu::always_inline]] inline Support support(const Core& core, DVec2 direction, int near = 0) {
     const DVec2 local = core.turned_back(direction);  // once, instead of all vertices out of the core's frame
-    if (has_edge_angles(core)) return support_at(core, local, large_support(*core.large, local));
+    if (has_edge_angles(core)) return support_at(core, local, large_support(*core.large, local, near));
     Support best = support_at(core, local, 0);
     for (int i = 1; i < core.count; ++i) {
         const Support other = support_at(core, local, i);
@@ -62,9 +63,9 @@ struct MinkowskiSupport {
     double height;  // direction . w, from the supports' own heights
 };
 
-[[gnu::always_inline]] inline MinkowskiSupport support(const CorePair& pair, DVec2 direction) {
-    const Support a = support(pair.a, direction);
-    const Support b = support(pair.b, -direction);
+[[gnu::always_inline]] inline MinkowskiSupport support(const CorePair& pair, DVec2 direction, VertexPair near = {}) {
+    const Support a = support(pair.a, direction, near.a);
+    const Support b = support(pair.b, -direction, near.b);
     const VertexPair at{static_cast<std::uint16_t>(a.index), static_cast<std::uint16_t>(b.index)};
     return {minkowski_vertex(pair, at), (a.height + b.height) - dot(direction, pair.offset)};
 }
