@@ -49,6 +49,21 @@ struct GjkResult {
     ++simplex.count;
 }
 
+// Where rounding hides that a simplex is nearer than the best one, its direction may still prove more: that of an edge whose
+// foot is a hair's breadth from the vertex that the best one is.
+[[gnu::noinline]] inline GjkResult with_better_proof(const CorePair& pair, GjkResult best, const Simplex& simplex,
+                                                     const Closest& closest) {
+    if (closest.contains_origin) return best;
+    const double height = support(pair, closest.direction, simplex.vertices[0].pair()).height;
+    ++best.iterations;
+    if (height * length(best.closest.direction) < best.height * length(closest.direction)) {
+        best.simplex = simplex;
+        best.closest = closest;
+        best.height = height;
+    }
+    return best;
+}
+
 // `Reducer::reduce(pair, simplex)` reduces the simplex to the smallest subset that holds the point nearest to the origin,
 // and says where that is. `observe(simplex, closest, support)` sees each iteration before the support is added.
 template <typename Reducer, typename Observer>
@@ -58,7 +73,7 @@ template <typename Reducer, typename Observer>
     best.closest.distance_sq = std::numeric_limits<double>::infinity();
     for (;;) {
         const Closest closest = Reducer::reduce(pair, simplex);
-        if (!(closest.distance_sq < best.closest.distance_sq)) return best;  // rounding: the previous one was as near
+        if (!(closest.distance_sq < best.closest.distance_sq)) return with_better_proof(pair, best, simplex, closest);
         best.simplex = simplex;
         best.closest = closest;
         if (closest.contains_origin) return best;
