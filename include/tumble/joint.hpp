@@ -23,7 +23,8 @@ struct JointLimits {
 };
 
 // A spring and damper by how they would move the two bodies on their own: frequency and damping ratio (0: swings on,
-// 1: no overshoot). Stable at any stiffness, but stiffer than a quarter of the sub-steps' frequency it is not a spring.
+// 1: no overshoot). The stiffest is 0.15 of the sub-steps' frequency, 36 Hz at four of them sixty times a second: any
+// stiffer one acts as that.
 struct JointSpring {
     float hertz = 1.0f;          // > 0
     float damping_ratio = 0.0f;  // >= 0

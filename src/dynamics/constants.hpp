@@ -43,6 +43,12 @@ inline constexpr float kJointHertz = 60.0f;
 inline constexpr float kJointDampingRatio = 2.0f;
 inline constexpr float kJointHertzPerSubstep = 0.25f;
 
+// Springs of joints: no stiffer than this / h, just under 1 / (2 pi). An implicit spring is stable on the mass that it was
+// made for. What else holds the bodies makes them heavier, and then the impulse of the last sub-step lags behind by
+// h (w h) a1 (see softness.hpp): of the damping a1 w there remains a1 w (1 - (w h)^2). Higher: a row of boards welded by
+// springs of 60 Hz shakes itself to pieces.
+inline constexpr float kSpringHertzPerSubstep = 0.15f;
+
 // Approach speed below which a contact does not bounce, m/s. Lower: resting bodies hop for ever, as one sub-step of
 // gravity is read as an approach. Higher: slow bounces stick.
 inline constexpr float kRestitutionThreshold = 1.0f;

@@ -2,6 +2,7 @@
 // hinge, the way of a slider, the travel of a suspension and the length of a rope.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "dynamics/joint_row.hpp"
@@ -39,13 +40,11 @@ public:
     // alone: solved again after the positions have moved on, they would damp twice.
     void solve(const JointBodies& joint, const JointRow& row, float value, float rest, const JointContext& context,
                bool use_bias, std::span<SolverBody> all) {
-        if (spring_ && use_bias) {
-            const Softness softness = make_softness(spring_->hertz, spring_->damping_ratio, context.h);
-            solve_equality(joint, row, softness, value - rest, spring_impulse_, all);
-        }
+        if (spring_ && use_bias)
+            solve_equality(joint, row, spring_softness(*spring_, context.h), value - rest, spring_impulse_, all);
         if (motor_)
-            solve_bounded_row(joint, row, Softness{}, -motor_->speed, context.h * motor_->max_effort, motor_impulse_,
-                              all);
+            solve_bounded_row(joint, row, Softness{}, -motor_speed(value, context.inv_h),
+                              context.h * motor_->max_effort, motor_impulse_, all);
         if (limits_) {
             solve_limit(joint, row, 1.0f, value - limits_->lower, context, use_bias, lower_impulse_, all);
             solve_limit(joint, row, -1.0f, limits_->upper - value, context, use_bias, upper_impulse_, all);
@@ -66,6 +65,14 @@ public:
     }
 
 private:
+    // A motor stops at the limits: pushing on would only bend them.
+    float motor_speed(float value, float inv_h) const {
+        if (!limits_) return motor_->speed;
+        const float slowest = std::min((limits_->lower - value) * inv_h, 0.0f);
+        const float fastest = std::max((limits_->upper - value) * inv_h, 0.0f);
+        return std::clamp(motor_->speed, slowest, fastest);
+    }
+
     std::optional<JointSpring> spring_;
     std::optional<DriveMotor> motor_;
     std::optional<JointLimits> limits_;

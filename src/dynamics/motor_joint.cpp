@@ -21,7 +21,7 @@ void MotorJoint::solve(const JointContext& context, bool use_bias, std::span<Sol
     float turning_error = 0.0f;
     Vec2 error;
     if (def_.spring) {
-        softness = make_softness(def_.spring->hertz, def_.spring->damping_ratio, context.h);
+        softness = spring_softness(*def_.spring, context.h);
         turning_error = angle_.now(bodies_, bodies);
         error = bodies_.current_separation(bodies);
     }

@@ -1,12 +1,14 @@
 // Soft constraints: a spring and damper given by frequency and damping ratio, integrated implicitly over a sub-step.
 //
 // The impulse is - mass * (mass_scale * (relative velocity + bias_rate * error)) - impulse_scale * (impulse so far)
-// [Catto 2011, "Soft Constraints"; Catto 2024, "Solver2D"]. Unconditionally stable; rigid is {0, 1, 0}.
+// [Catto 2011, "Soft Constraints"; Catto 2024, "Solver2D"]. Stable whatever the stiffness, if `mass` is what the impulse
+// moves; rigid is {0, 1, 0}.
 #pragma once
 
 #include <algorithm>
 
 #include "dynamics/constants.hpp"
+#include "tumble/joint.hpp"
 
 namespace tumble {
 
@@ -35,6 +37,10 @@ inline Softness static_contact_softness(const Tuning& tuning, float h) {
 
 inline Softness joint_softness(const Tuning& tuning, float h) {
     return make_softness(std::min(tuning.joint_hertz, kJointHertzPerSubstep / h), kJointDampingRatio, h);
+}
+
+inline Softness spring_softness(const JointSpring& spring, float h) {
+    return make_softness(std::min(spring.hertz, kSpringHertzPerSubstep / h), spring.damping_ratio, h);
 }
 
 }  // namespace tumble

@@ -5,7 +5,7 @@ namespace tumble {
 namespace {
 
 Softness softness_of(const std::optional<JointSpring>& spring, const JointContext& context, bool use_bias) {
-    return spring ? make_softness(spring->hertz, spring->damping_ratio, context.h)
+    return spring ? spring_softness(*spring, context.h)
                   : context.equality_softness(use_bias);
 }
 

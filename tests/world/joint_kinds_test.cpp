@@ -199,6 +199,69 @@ TEST_CASE("a lift's motor raises its load at its speed up to the limit, or stall
     }
 }
 
+// A limit that gave way to its motor would give by F / (m w^2) = 500 / (2 w^2) = 1.8 mm, or T / (I w^2).
+TEST_CASE("a strong motor stops at the limit, and holds there what pulls it away") {
+    Rig lift(true);
+    const JointId joint = lift.world.create_joint(PrismaticJointDef{.body_a = lift.pivot,
+                                                                    .body_b = lift.box,
+                                                                    .axis_a = {0.0f, 1.0f},
+                                                                    .limits = JointLimits{-1.0f, 1.0f},
+                                                                    .motor = LinearMotor{2.0f, 500.0f}});
+    run(lift.world, 120);
+    CHECK(std::abs(lift.position().y - 1.0) < 1e-5);
+    CHECK(std::abs(lift.world.state(lift.box).velocity.y) < 1e-5f);
+    CHECK(lift.world.reaction(joint).force.y == doctest::Approx(20.0).epsilon(0.001));
+    Rig hinge(false);
+    hinge.world.create_joint(RevoluteJointDef{.body_a = hinge.pivot,
+                                              .body_b = hinge.box,
+                                              .limits = JointLimits{-0.5f, 0.7f},
+                                              .motor = AngularMotor{-3.0f, 1000.0f}});
+    run(hinge.world, 120);
+    CHECK(std::abs(hinge.angle() + 0.5) < 1e-5);
+}
+
+// What else holds two boards makes them heavier for a spring between them than it thinks.
+TEST_CASE("springs of any stiffness between boards, in a row and at a wall, never gain energy") {
+    for (const float hertz : {30.0f, 60.0f, 240.0f})
+        for (const float damping : {0.0f, 1.0f})
+            for (const bool at_wall : {false, true}) {
+                CAPTURE(hertz);
+                CAPTURE(damping);
+                CAPTURE(at_wall);
+                World world = weightless();
+                BodyId before = world.create_body({.type = BodyType::static_body});
+                std::vector<BodyId> boards;
+                for (int i = 0; i < 6; ++i) {
+                    const BodyId board = add_dynamic(world, {i + 0.5, 0.0}, make_box({1.0f, 0.1f}));
+                    const Vec2 end{i == 0 ? 0.0f : 0.5f, 0.0f};
+                    if (i > 0 || at_wall)
+                        world.create_joint(WeldJointDef{.body_a = before,
+                                                        .body_b = board,
+                                                        .anchor_a = end,
+                                                        .anchor_b = {-0.5f, 0.0f},
+                                                        .angular_spring = JointSpring{hertz, damping}});
+                    boards.push_back(before = board);
+                }
+                world.set_velocity(boards.back(), {}, 1.0f);
+                const auto kinetic = [&] {
+                    double sum = 0.0;
+                    for (const BodyId board : boards) {
+                        const BodyState state = world.state(board);
+                        const BodyMass mass = world.mass(board);
+                        const double w = static_cast<double>(state.angular_velocity);
+                        sum += 0.5 * double{mass.mass} * length_sq(DVec2(state.velocity)) +
+                               0.5 * double{mass.inertia} * w * w;
+                    }
+                    return sum;
+                };
+                const double start = kinetic();
+                for (int step = 0; step < 600; ++step) {
+                    world.step();
+                    REQUIRE(kinetic() < 1.01 * start);
+                }
+            }
+}
+
 TEST_CASE("a spring on a slider has its frequency") {
     Rig rig(false);
     rig.world.create_joint(
