@@ -50,9 +50,9 @@ struct GjkResult {
 }
 
 // Where rounding hides that a simplex is nearer than the best one, its direction may still prove more: that of an edge whose
-// foot is a hair's breadth from the vertex that the best one is.
-[[gnu::noinline]] inline GjkResult with_better_proof(const CorePair& pair, GjkResult best, const Simplex& simplex,
-                                                     const Closest& closest) {
+// foot is a hair's breadth from the vertex that the best one is. By value: an address would keep the loop's simplex out of
+// registers, 20 of 115 ns.
+[[gnu::noinline]] inline GjkResult with_better_proof(const CorePair& pair, GjkResult best, Simplex simplex, Closest closest) {
     if (closest.contains_origin) return best;
     const double height = support(pair, closest.direction, simplex.vertices[0].pair()).height;
     ++best.iterations;
