@@ -1,7 +1,6 @@
 #include "dynamics/contact_store.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "dynamics/constants.hpp"
 #include "dynamics/shape_store.hpp"
@@ -46,12 +45,8 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tun
 
 void ContactStore::merge_woken() {
     if (woken_.empty()) return;
-    const auto by_shapes = [](const Contact& a, const Contact& b) { return a.shapes < b.shapes; };
-    std::sort(woken_.begin(), woken_.end(), by_shapes);
-    merged_.clear();
-    std::merge(contacts_.begin(), contacts_.end(), woken_.begin(), woken_.end(), std::back_inserter(merged_),
-               by_shapes);
-    contacts_.swap(merged_);
+    std::sort(woken_.begin(), woken_.end(), [](const Contact& a, const Contact& b) { return a.shapes < b.shapes; });
+    insert(woken_.size(), [&](std::size_t i) { return woken_[i].shapes; }, [&](std::size_t i) { return woken_[i]; });
     woken_.clear();
 }
 

@@ -15,7 +15,7 @@ struct Tuning;
 class ContactStore {
 public:
     // Drops the contacts for which keep(contact) does not hold and adds one for each new pair (sorted, none present
-    // yet). One pass, into a second buffer that becomes the first.
+    // yet).
     template <class Keep>
     void update(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning, Keep&& keep);
 
@@ -37,18 +37,19 @@ public:
     std::vector<Contact>& all() { return contacts_; }
     const std::vector<Contact>& all() const { return contacts_; }
 
-    // Of the second buffer.
-    std::size_t spare_bytes() const { return merged_.capacity() * sizeof(Contact); }
-
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
         visit(self.contacts_, self.woken_);
     }
 
 private:
+    // Puts `count` contacts in their places, from the back and without a second buffer: pair_of(i) ascends, make(i) is the
+    // contact of that pair.
+    template <class PairOf, class Make>
+    void insert(std::size_t count, PairOf&& pair_of, Make&& make);
+
     std::vector<Contact> contacts_;
     std::vector<Contact> woken_;
-    std::vector<Contact> merged_;
 };
 
 // Radii, friction and what else the pair has of its two surfaces.
@@ -65,16 +66,20 @@ bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
 template <class Keep>
 void ContactStore::update(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning,
                           Keep&& keep) {
-    merged_.clear();
-    auto next_new = new_pairs.begin();
-    for (const Contact& contact : contacts_) {
-        for (; next_new != new_pairs.end() && *next_new < contact.shapes; ++next_new)
-            merged_.push_back(make_contact(*next_new, shapes, tuning));
-        if (keep(contact)) merged_.push_back(contact);
+    keep_if(keep);
+    insert(new_pairs.size(), [&](std::size_t i) { return new_pairs[i]; },
+           [&](std::size_t i) { return make_contact(new_pairs[i], shapes, tuning); });
+}
+
+template <class PairOf, class Make>
+void ContactStore::insert(std::size_t count, PairOf&& pair_of, Make&& make) {
+    std::size_t from = contacts_.size(), to = from + count;
+    if (to > contacts_.capacity()) contacts_.reserve(to + to / 8);  // a contact is large, and their number settles
+    contacts_.resize(to);
+    while (count > 0) {
+        const bool is_last = from == 0 || contacts_[from - 1].shapes < pair_of(count - 1);
+        contacts_[--to] = is_last ? make(--count) : contacts_[--from];
     }
-    for (; next_new != new_pairs.end(); ++next_new)
-        merged_.push_back(make_contact(*next_new, shapes, tuning));
-    contacts_.swap(merged_);
 }
 
 template <class Keep>

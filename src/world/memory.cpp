@@ -36,6 +36,7 @@ public:
         list(shape.large()->x);
         list(shape.large()->y);
         list(shape.large()->edge_angles);
+        list(shape.large()->edges_before);
     }
 
     std::size_t bytes() const { return bytes_; }
@@ -65,7 +66,7 @@ WorldMemory count_memory(const Simulation& simulation) {
     memory.shapes = bytes_of(simulation.shapes);
     memory.joints = bytes_of(simulation.joints);
     memory.broad_phase = bytes_of(simulation.broad) + simulation.broad.spare_bytes();
-    memory.contacts = bytes_of(simulation.contacts, simulation.sleeping) + simulation.contacts.spare_bytes();
+    memory.contacts = bytes_of(simulation.contacts, simulation.sleeping);
     memory.solver = simulation.graph.bytes() + capacity_bytes(simulation.blocks);
     memory.other = bytes_of(simulation.events) + simulation.islands.bytes() +
                    capacity_bytes(simulation.sleepers, simulation.island_of_root, simulation.sleeping_joints,
