@@ -53,6 +53,14 @@ struct CollisionCounts {
     std::int64_t iterations = 0;
 };
 
+// A contact of a moving shape with a static one that is no part of a chain.
+struct StaticContact {
+    std::uint32_t moving_shape = 0;
+    std::uint32_t contact = 0;  // index
+
+    friend constexpr auto operator<=>(StaticContact, StaticContact) = default;
+};
+
 // A body that moves fast enough in this step to be swept.
 struct Mover {
     static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
@@ -89,6 +97,8 @@ struct Simulation {
     std::vector<Sleeper> sleepers;
     std::vector<std::uint32_t> island_of_root;  // by solver body
     std::vector<JointId> sleeping_joints;
+
+    std::vector<StaticContact> footings;  // of the stage that smooths seams, likewise
 
     // Of continuous collision, likewise.
     std::vector<Mover> movers;

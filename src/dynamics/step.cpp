@@ -4,6 +4,7 @@
 #include "dynamics/continuous.hpp"
 #include "dynamics/events.hpp"
 #include "dynamics/integrate.hpp"
+#include "dynamics/seams.hpp"
 #include "dynamics/simulation.hpp"
 #include "dynamics/sleep.hpp"
 
@@ -72,6 +73,7 @@ void step(Simulation& simulation) {
     simulation.collided = {};
     collide_pairs(simulation);
     collide_woken(simulation);
+    smooth_seams(simulation);
     clock.stop(ms.collide);
     prepare_constraints(simulation);
     clock.stop(ms.prepare);
