@@ -78,7 +78,7 @@ void draw_failures(const SceneCheck& check, const CheckArguments& options) {
 ExitCode check_all(const Command& command, const CheckArguments& options) {
     if (!options.junit.empty()) refuse_to_overwrite(options.junit, options.force);
     catch_interrupts();
-    const std::vector<SceneCheck> checks = check_scene_files(options.files, options.changes, options.jobs);
+    const std::vector<SceneCheck> checks = check_scene_files(without_schemas(options.files), options.changes, options.jobs);
     // An interruption weighs most, then a scene that could not be read or run, then a claim that does not hold.
     const auto weight = [](ExitCode code) { return code == ExitCode::failed ? 1 : static_cast<int>(code) * 10; };
     ExitCode code = ExitCode::ok;

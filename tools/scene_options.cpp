@@ -25,6 +25,17 @@ Scene read_scene(const SceneOptions& options) {
     return scene;
 }
 
+std::vector<std::string> without_schemas(const std::vector<std::string>& files) {
+    std::vector<std::string> scenes;
+    for (const std::string& file : files) {
+        if (files.size() > 1 && file.ends_with(".schema.json"))
+            narrate(file + ": a schema, not a scene: left out\n");
+        else
+            scenes.push_back(file);
+    }
+    return scenes;
+}
+
 std::string file_name_of(const Scene& scene, const std::filesystem::path& scene_file) {
     std::string name = scene.name.empty() ? scene_file.stem().string() : scene.name;
     for (char& character : name) {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tumble/scene.hpp"
 
@@ -23,6 +24,9 @@ void add_scene_options(CLI::App& subcommand, SceneOptions& options);
 
 // Reads the scene with its changes, and says its warnings. Throws FileError or SceneError.
 Scene read_scene(const SceneOptions& options);
+
+// Of several files, those that are not called *.schema.json, which a pattern like scenes/*.json catches too; says so.
+std::vector<std::string> without_schemas(const std::vector<std::string>& files);
 
 // The scene's name as a file name: its letters, digits, '.', '_' and '-'; of the file if it has no name.
 std::string file_name_of(const Scene& scene, const std::filesystem::path& scene_file);

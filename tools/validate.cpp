@@ -64,7 +64,7 @@ ExitCode validate(const Command& command, const std::vector<std::string>& files)
     ExitCode code = ExitCode::ok;
     JsonWriter json;
     json.open_object().key("scenes").open_array();
-    for (const std::string& file : files) {
+    for (const std::string& file : without_schemas(files)) {
         const Verdict verdict = judge(file);
         code = std::max(code, verdict.code);
         if (command.json)

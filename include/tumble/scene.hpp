@@ -224,11 +224,12 @@ struct SceneJoint {
     std::string custom;
 };
 
-// Something that happens during the run, once (`at`) or again and again (`every`, from 0 `until` a time): exactly one of
-// the actions. Who acts on a body or joint that is not there, not yet or no longer, does nothing.
+// Something that happens during the run, once (`at`) or again and again (`every`, `from` a time `until` a time): exactly one
+// of the actions. Who acts on a body or joint that is not there, not yet or no longer, does nothing.
 struct SceneEvent {
     std::optional<double> at;     // s
     std::optional<double> every;  // s
+    std::optional<double> from;   // s: the first repetition; default: 0
     std::optional<double> until;  // s: the last repetition, or the end of a force or torque; default: the end of the run
     std::string body;             // what impulses, forces and velocities act on
     std::string joint;            // what motor speeds and targets belong to
@@ -409,7 +410,8 @@ struct SvgOptions {
 ImportedScene import_svg(const std::filesystem::path& file, const SvgOptions& options = {});
 ImportedScene parse_svg(std::string_view text, const std::string& file_name, const SvgOptions& options = {});
 
-// Reads a R.U.B.E. (b2dJson) export. Throws FileError or SceneError.
+// Reads a R.U.B.E. (b2dJson) export; the scene is called as the file. Throws FileError or SceneError.
 ImportedScene import_rube(const std::filesystem::path& file);
+ImportedScene parse_rube(std::string_view text, const std::string& file_name);
 
 }  // namespace tumble

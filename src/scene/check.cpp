@@ -40,6 +40,7 @@ public:
         for (std::size_t i = 0; i < own_.joints; ++i) check_joint(scene_.joints[i], at("/joints", i), names);
         for (std::size_t i = 0; i < own_.timeline; ++i)
             check_event(scene_.timeline[i], at("/timeline", i), names);
+        check_beats();
         for (std::size_t i = 0; i < own_.expect; ++i)
             check_expectation(scene_.expect[i], at("/expect", i), names);
         if (!scene_.camera.follow.empty()) require_body(scene_.camera.follow, "/camera", "follow", names);
@@ -188,15 +189,26 @@ private:
         refuse(!slides && !joint.motor->max_torque, "motor", "turns: its strength is 'max_torque', in N m");
     }
 
+    // Of included events too: their own scene may have had shorter steps.
+    void check_beats() {
+        const double dt = 1.0 / scene_.world.steps_per_second;
+        for (std::size_t i = 0; i < scene_.timeline.size(); ++i) {
+            const std::string pointer = at("/timeline", i);
+            const std::optional<double>& every = scene_.timeline[i].every;
+            if (every && *every < dt && !diagnostics_.has_errors_in(pointer))
+                error(pointer + "/every", "is shorter than a step of " + number_text(dt) + " s");
+        }
+    }
+
     void check_event(const SceneEvent& event, const std::string& pointer, const BodyNames& names) {
         if (diagnostics_.has_errors_in(pointer)) return;
-        const double dt = 1.0 / scene_.world.steps_per_second;
         const bool lasts = event.force || event.torque;
         const bool on_body = lasts || event.impulse || event.angular_impulse || event.velocity || event.angular_velocity;
         const bool on_joint = event.motor_speed || event.target;
-        if (event.every && *event.every < dt) error(pointer + "/every", "is shorter than a step of " + number_text(dt) + " s");
         if (event.every && (lasts || !event.despawn.empty() || !event.release.empty()))
             error(pointer + "/every", "belongs to what can happen again: a force lasts, what is gone cannot go again");
+        if (event.from && !event.every) error(pointer + "/from", "belongs to events with 'every'");
+        if (event.from && event.until && *event.until < *event.from) error(pointer + "/until", "must not be before 'from'");
         if (event.until && !event.every && !lasts) error(pointer + "/until", "belongs to events with 'every', and to forces");
         if (event.until && event.at && *event.until <= *event.at) error(pointer + "/until", "must be after 'at'");
         if (on_body) require_any_body(event.body, pointer, "body", names);

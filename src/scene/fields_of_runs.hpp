@@ -20,8 +20,10 @@ inline constexpr std::array<std::pair<SceneEventKind, std::string_view>, 6> kEnu
 template <class V>
 void visit_fields(V& v, Type<SceneEvent>) {
     v.field({"at", "Time of a single event.", "s", kTime}, &SceneEvent::at);
-    v.field({"every", "Interval of an event that happens again and again, from 0 on.", "s", kInterval}, &SceneEvent::every);
+    v.field({"every", "Interval of an event that happens again and again, from 0 on or 'from' a time.", "s", kInterval},
+            &SceneEvent::every);
     v.exactly_one({"at", "every"});
+    v.field({"from", "Time of the first repetition.", "s", kTime}, &SceneEvent::from);
     v.field({"until", "Time of the last repetition, or the end of a force or torque.", "s", kTime}, &SceneEvent::until);
     v.field({.name = "body", .description = "Name of the body that is acted on.", .text = Text::name}, &SceneEvent::body);
     v.field({.name = "joint", .description = "Name of the joint that is acted on.", .text = Text::name}, &SceneEvent::joint);

@@ -208,9 +208,12 @@ private:
 }  // namespace scene
 
 ImportedScene import_rube(const std::filesystem::path& file) {
-    const std::string content = read_file(file, scene::kMaxFileBytes);
+    return parse_rube(read_file(file, scene::kMaxFileBytes), file.string());
+}
+
+ImportedScene parse_rube(std::string_view content, const std::string& file_name) {
     const std::string text = scene::without_javascript(scene::without_byte_order_mark(content));
-    scene::Diagnostics diagnostics(file.string(), text);
+    scene::Diagnostics diagnostics(file_name, text);
     ImportedScene imported;
     if (const std::optional<scene::Json> document = scene::parse_json(text, diagnostics)) {
         if (document->is_object() && document->contains("metaworld")) {
@@ -224,9 +227,10 @@ ImportedScene import_rube(const std::filesystem::path& file) {
         }
     }
     diagnostics.finish(nullptr);
+    const std::filesystem::path file = file_name;
     imported.scene.name = file.stem().string();
     imported.scene.description = "Imported from the R.U.B.E. export " + file.filename().string() + ".";
-    imported.scene = parse_scene(to_json(imported.scene), file.string() + " (as imported)");
+    imported.scene = parse_scene(to_json(imported.scene), file_name + " (as imported)");
     return imported;
 }
 

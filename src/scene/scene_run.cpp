@@ -74,7 +74,7 @@ struct SceneRun::Impl {
         const double now = time() + slack;
         if (event.at && happening.lasts()) return now >= *event.at && (!event.until || now < *event.until);
         if (event.at) return happening.count == 0 && now >= *event.at;
-        const double due = static_cast<double>(happening.count) * event.every.value_or(0.0);
+        const double due = event.from.value_or(0.0) + static_cast<double>(happening.count) * event.every.value_or(0.0);
         return now >= due && due <= event.until.value_or(std::numeric_limits<double>::infinity()) + slack;
     }
 

@@ -161,6 +161,8 @@ inline const std::vector<BadScene> kBadScenes = {
     {R"({"format": 1, "bodies": [{"name": "a"}], "timeline": [{"at": 2, "until": 1, "body": "a", "force": [0, 0]}]})", "/timeline/0/until", "must be after 'at'", kNumbers},
     {R"({"format": 1, "bodies": [{"name": "a"}], "timeline": [{"at": 2, "spawn": {"name": "a"}}]})", "/timeline/0/spawn/name", "is the name of a body that is there", kNames},
     {R"({"format": 1, "timeline": [{"at": 2, "spawn": {"shapes": [{"circle": {"radius": -1}}]}}]})", "/timeline/0/spawn/shapes/0/circle/radius", "must be greater than 0, got -1"},
+    {R"({"format": 1, "timeline": [{"at": 2, "from": 1, "gravity": [0, 0]}]})", "/timeline/0/from", "belongs to events with 'every'", kKinds},
+    {R"({"format": 1, "timeline": [{"every": 1, "from": 2, "until": 1, "gravity": [0, 0]}]})", "/timeline/0/until", "must not be before 'from'", kNumbers},
     {R"({"format": 1, "timeline": [{"at": 2, "release": "x"}]})", "/timeline/0/release", "there is no joint \"x\"", kNames},
     {R"({"format": 1, "expect": [{}]})", "/expect/0", "needs one of the keys at_rest_by"},
     {R"({"format": 1, "expect": [{"at_rest_by": "soon"}]})", "/expect/0/at_rest_by", "must be a number, got \"soon\""},

@@ -45,7 +45,7 @@ inline std::vector<std::string> scenes_with_every_field() {
         joint + R"("type": "prismatic", "anchor": [0, 5], "axis": [1, 0]}])",
         joint + R"("type": "weld", "anchor": [0, 5], "angular_spring": {"hertz": 2, "damping_ratio": 0.5}}])",
         joint + R"("type": "motor", "anchor": [0, 5], "velocity": [1, 0], "angular_velocity": 3, "max_force": 10, "max_torque": 10}])",
-        bodies + R"("timeline": [{"every": 0.5, "until": 2, "spawn": {"name": "drop", "position": [9, 9]}}, {"at": 1, "gravity": [0, 1]}])",
+        bodies + R"("timeline": [{"every": 0.5, "from": 1, "until": 2, "spawn": {"name": "drop", "position": [9, 9]}}, {"at": 1, "gravity": [0, 1]}])",
     };
     for (const char* action :
          {R"("body": "a", "impulse": [1, 0])", R"("body": "a", "angular_impulse": 1)", R"("body": "a", "force": [1, 0], "until": 2)",

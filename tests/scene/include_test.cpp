@@ -314,6 +314,9 @@ TEST_CASE("an include that cannot be is refused at its place") {
                   "/include/1/file", "b.json", ""},
              Case{with_main({{"far.json", scene_text(R"("bodies": [{"position": [1e9, 0]}])")}}, includes(R"({"file": "far.json", "position": [1, 0]})")),
                   "/include/0", "a position out of range", ""},
+             Case{with_main({{"fast.json", scene_text(R"("world": {"steps_per_second": 240}, "timeline": [{"every": 0.005, "spawn": {}}])")}},
+                            includes(R"({"file": "fast.json"})")),
+                  "/include/0", "/timeline/0/every of fast.json: is shorter than a step", ""},
              Case{with_main(bodies, includes(R"({"position": [1, 0]})")), "/include/0", "the key \"file\" is missing", ""},
              Case{with_main(bodies, includes(R"({"file": "a.json", "angel": 1})")), "/include/0/angel", "unknown key", "angle"},
          }) {

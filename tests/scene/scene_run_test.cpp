@@ -34,6 +34,14 @@ TEST_CASE("an impulse happens before the first step that begins at its time or l
     CHECK(speed_after(at_start, 1) == doctest::Approx(2.0f / kMass).epsilon(1e-5));
 }
 
+TEST_CASE("what repeats from a time on begins then and keeps its beat") {
+    const Scene scene =
+        make_disc_scene(R"("timeline": [{"every": 0.1, "from": 0.25, "until": 0.4, "body": "disc", "impulse": [1, 0]}])");
+    // At 15 and 21 steps; 27 is past the end.
+    for (const auto& [steps, impulses] : {std::pair{15, 0}, {16, 1}, {21, 1}, {22, 2}, {100, 2}})
+        CHECK(speed_after(scene, steps) == doctest::Approx(static_cast<float>(impulses) / kMass).epsilon(1e-5));
+}
+
 TEST_CASE("an impulse that repeats happens at 0, every, 2 every ... up to until") {
     const Scene scene =
         make_disc_scene(R"("timeline": [{"every": 0.1, "until": 0.3, "body": "disc", "impulse": [1, 0]}])");

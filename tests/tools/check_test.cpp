@@ -99,6 +99,17 @@ TEST_CASE("fmt prints the canonical form, and says what it loses") {
     CHECK(json::parse(run_tumble({"fmt", file, "--json"}).out)["canonical"] == true);
 }
 
+TEST_CASE("a pattern may catch the schema of the scenes beside it") {
+    const Folder folder;
+    const std::string scene = folder.write("a.json", R"({"format": 1})"), schema = folder.write("scene.schema.json", "{}");
+    for (const char* command : {"check", "validate"}) {
+        const Answer both = run_tumble({command, scene, schema});
+        CHECK(both.code == 0);
+        CHECK(both.err.find("left out") != std::string::npos);
+        CHECK(run_tumble({command, schema}).code == 3);
+    }
+}
+
 TEST_CASE("fmt keeps includes, or writes what they hold") {
     const Folder folder;
     fs::create_directory(folder / "parts");
