@@ -126,13 +126,28 @@ public:
             touching_ = 0;
         }
     }
-    double excess(const SceneWorld&) override { return (touching_ > 0) == wanted_ ? 0.0 : 1.0; }
-    std::string finding(const SceneWorld&) const override { return touching_ > 0 ? "they touch" : "they do not touch"; }
+    // Of a touch that is missed, the nearest approach decides.
+    double excess(const SceneWorld& built) override {
+        gap_ = kGone;
+        if ((touching_ > 0) == wanted_) return 0.0;
+        if (!wanted_) return 1.0;
+        const SceneInstance* a = a_.find(built);
+        const SceneInstance* b = b_.find(built);
+        if (a == nullptr || b == nullptr) return kGone;
+        const DistanceResult nearest = built.world.distance(a->id, b->id).nearest;
+        if (nearest.status != DistanceStatus::invalid) gap_ = std::max(nearest.distance, 0.0);
+        return std::max(gap_, std::numeric_limits<double>::min());
+    }
+    std::string finding(const SceneWorld&) const override {
+        if (touching_ > 0) return "they touch";
+        return gap_ == kGone ? "they do not touch" : "they are " + brief(gap_) + " m apart";
+    }
 
 private:
     BodyLookup a_, b_;
     bool wanted_;
-    int touching_ = 0;  // pairs of shapes
+    int touching_ = 0;    // pairs of shapes
+    double gap_ = kGone;  // m, between solid shapes
 };
 
 // Whether an instance is the body of that name, one of its copies, or any if there is no name.

@@ -134,6 +134,18 @@ TEST_CASE("a file that is too long or has too many keys is an error") {
     CHECK(error_of("{\"format\": 1}" + std::string(33u << 20, ' ')).message == "longer than 32 MiB");
 }
 
+TEST_CASE("lists that are too long are refused before anything is made of them") {
+    const auto repeated = [](const std::string& element, std::size_t count) {
+        std::string list = element;
+        for (std::size_t i = 1; i < count; ++i) list += ',' + element;
+        return '[' + list + ']';
+    };
+    CHECK(error_of("{\"format\": 1, \"bodies\": " + repeated("{}", 1000001) + "}").message ==
+          "must be an array of at most 1000000, got an array of 1000001");
+    CHECK(error_of(test::with_shape("{\"polygon\": {\"vertices\": " + repeated("[0,1]", 65536) + "}}")).message ==
+          "must be an array of at most 65535, got an array of 65536");
+}
+
 TEST_CASE("a long line is shown around the caret only") {
     const Diagnostic error = error_of("{\"format\": 1, \"custom\": \"" + std::string(1000, 'x') + "\", \"nam\": \"\"}");
     CHECK(to_string(error).size() < 400);

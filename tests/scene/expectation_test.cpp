@@ -134,6 +134,10 @@ TEST_CASE("touching is known by contacts and sensors, and by who") {
     const ExpectationResult hit = thrown(R"({"body": "ball", "never_touches": "wall"})", "false");
     CHECK(hit.finding == "they touch");
     CHECK((hit.step >= 29 && hit.step <= 31));
+    // At 0.4 s, 1.6 m of the 2 m are behind it.
+    const ExpectationResult missed = thrown(R"({"body": "ball", "touches": "wall", "until": 0.4})", "false");
+    CHECK(missed.finding == "they are 0.4 m apart");
+    CHECK(missed.step == 24);
 }
 
 TEST_CASE("bodies are counted where they are, and events as they happen") {
