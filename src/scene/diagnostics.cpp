@@ -152,7 +152,7 @@ std::vector<Diagnostic> Diagnostics::locate_all(const std::vector<Entry>& entrie
 void Diagnostics::finish(std::vector<Diagnostic>* warnings) {
     if (has_errors()) {
         std::vector<Diagnostic> located = locate_all(errors_, adopted_errors_, Diagnostic::Severity::error);
-        if (overflowed_) {
+        if (overflowed_ || errors_.size() + adopted_errors_.size() > kMaxDiagnostics) {
             const std::string more = "there are more errors; these are the first " + std::to_string(kMaxDiagnostics);
             std::string& hint = located.back().hint;
             hint = hint.empty() ? more : hint + "; " + more;

@@ -274,6 +274,18 @@ TEST_CASE("an included error is shown in its own file, with who included it") {
           "  included by main.json:2:14");
 }
 
+TEST_CASE("errors of several parts are together at most 20") {
+    std::string bodies = R"("bodies": [{"angle": null})";
+    for (int i = 1; i < 15; ++i) bodies += R"(, {"angle": null})";
+    const std::string bad = scene_text(bodies + "]");
+    const std::vector<Diagnostic> errors =
+        errors_of({{"a.json", bad}, {"b.json", bad}, {"main.json", includes(R"({"file": "a.json"}, {"file": "b.json"})")}});
+    REQUIRE(errors.size() == 20);
+    CHECK(errors[14].file == "a.json");
+    CHECK(errors[15].file == "b.json");
+    CHECK(errors[19].hint.find("there are more errors") != std::string::npos);
+}
+
 TEST_CASE("warnings of a part come once, however often it is included") {
     const std::string hull = scene_text(R"("bodies": [{"shapes": [{"polygon": {"vertices": [[0, 0], [2, 0], [2, 2], [1, 0.5], [0, 2]]}}]}])");
     const Files files = {{"main.json", includes(R"({"file": "hull.json"}, {"file": "hull.json", "position": [9, 9]})")}, {"hull.json", hull}};
