@@ -262,6 +262,21 @@ TEST_CASE("springs of any stiffness between boards, in a row and at a wall, neve
             }
 }
 
+TEST_CASE("a slider that is torn tens of kilometres away is still solved") {
+    World world = weightless();
+    const BodyId rail = add_body(world, BodyType::kinematic_body, {}, make_box({0.1f, 0.1f}));
+    world.set_velocity(rail, {-5.7f, 3.4f}, 7.5f);
+    const BodyId box = add_dynamic(world, {}, make_box({4.0f, 3.0f}));
+    world.create_joint(PrismaticJointDef{.body_a = box,
+                                         .body_b = rail,
+                                         .anchor_a = {0.1f, 0.0f},
+                                         .axis_a = {1.0f, 2.0f},
+                                         .limits = JointLimits{0.5f, 1.0f}});
+    world.set_transform(box, {{-29261.7, 27670.6}, make_rotation(1.0)});
+    world.set_velocity(box, {322.0f, -237.0f}, -47.0f);
+    CHECK_NOTHROW(run(world, 300));
+}
+
 TEST_CASE("a spring on a slider has its frequency") {
     Rig rig(false);
     rig.world.create_joint(
