@@ -59,7 +59,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
         report_warning("more frames than steps a second: some frames repeat the one before");
     prepare_run_folder(options.folder, with_frames, options.force);
     summary_.emplace(open_output(summary_file(options.folder), options.force));
-    events_.emplace(events_file(options.folder), options.force, scene, run_.built());
+    events_.emplace(events_file(options.folder), options.force, run_.built());
     if (!options.contacts.empty()) contacts_.emplace(options.contacts, options.force);
     if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, options.force);
     if (!options.hashes.empty()) hashes_.emplace(options.hashes, options.force);

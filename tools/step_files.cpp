@@ -83,12 +83,12 @@ void ContactsFile::record(const SceneWorld& built) {
     file_.write(lines_);
 }
 
-EventsFile::EventsFile(const std::filesystem::path& file, bool force, const Scene& scene, const SceneWorld& world)
+EventsFile::EventsFile(const std::filesystem::path& file, bool force, const SceneWorld& world)
     : file_(open_output(file, force)) {
     file_.write("step,time,event,a,b,x,y,nx,ny,speed\n");
     for (std::size_t i = 0; i < world.joints.size(); ++i) {
-        const std::string& name = scene.joints[i].name;
-        joints_.set(world.joints[i], csv_field(name.empty() ? "joint[" + std::to_string(i) + "]" : name));
+        const std::string& name = world.joints[i].name;
+        joints_.set(world.joints[i].id, csv_field(name.empty() ? "joint[" + std::to_string(i) + "]" : name));
     }
 }
 

@@ -90,7 +90,7 @@ private:
 // name or joint[i]) and fell_asleep.
 class EventsFile {
 public:
-    EventsFile(const std::filesystem::path& file, bool force, const Scene& scene, const SceneWorld& world);
+    EventsFile(const std::filesystem::path& file, bool force, const SceneWorld& world);
     void record(const SceneWorld& world);
     OutputFile& file() noexcept { return file_; }
 

@@ -201,6 +201,15 @@ struct SceneJointSpring {
     double damping_ratio = 0.0;
 };
 
+// Makes a joint for each of so many copies of its bodies, row by row: the next column ties the next copies, the next row those
+// `row_step` places on. A body that is not a copy stays. Anchor and axis in the world are those of the first joint, and keep
+// their place in the first of its bodies that is a copy. Copies are named name[0], name[1], ...
+struct JointRepeat {
+    int columns = 1;
+    int rows = 1;
+    int row_step = 0;
+};
+
 struct SceneJoint {
     SceneJointType type = SceneJointType::revolute;
     std::string name;
@@ -221,6 +230,7 @@ struct SceneJoint {
     std::optional<double> break_force;               // N
     std::optional<double> break_torque;              // N m
     bool collide_connected = false;
+    std::optional<JointRepeat> repeat;
     std::string custom;
 };
 
@@ -368,10 +378,17 @@ struct SceneInstance {
 // The entry that the body came from.
 const SceneBody& source_of(const Scene& scene, const SceneInstance& body);
 
+// A joint of the world and the joint of the scene that it is from, with its name, a copy's own.
+struct SceneJointInstance {
+    JointId id;
+    std::size_t source = 0;
+    std::string name;
+};
+
 struct SceneWorld {
     World world;
     std::vector<SceneInstance> bodies;  // in the order of creation: ids of those that have gone are stale
-    std::vector<JointId> joints;        // [scene.joints.size()]
+    std::vector<SceneJointInstance> joints;  // in the order of the scene and of the copies
 };
 
 // Throws SceneError if a name does not resolve, geometry is degenerate (the reader has checked both already) or the scene

@@ -124,7 +124,7 @@ ImportDifferences compare_with_box2d(const std::filesystem::path& rube_file, con
         }
         const std::optional<JointAnchors> theirs =
             anchors_of(joint, *bodies.at(joint.value("bodyA", std::size_t{0})), *bodies.at(joint.value("bodyB", std::size_t{0})), world);
-        const std::optional<JointAnchors> ours = built.world.joint_anchors(built.joints[next++]);
+        const std::optional<JointAnchors> ours = built.world.joint_anchors(built.joints[next++].id);
         if (!theirs || !ours) continue;
         worst.anchor = std::max({worst.anchor, length(ours->a - theirs->a), length(ours->b - theirs->b)});
         ++worst.joints;

@@ -21,10 +21,10 @@ void add_anchor(Layer& layer, const View& view, DVec2 at) {
 
 }  // namespace
 
-void add_joints(Layer& layer, const View& view, const World& world, std::span<const JointId> joints) {
-    for (const JointId id : joints) {
-        if (!world.is_valid(id)) continue;
-        const std::optional<JointAnchors> ends = world.joint_anchors(id);
+void add_joints(Layer& layer, const View& view, const World& world, std::span<const SceneJointInstance> joints) {
+    for (const SceneJointInstance& joint : joints) {
+        if (!world.is_valid(joint.id)) continue;
+        const std::optional<JointAnchors> ends = world.joint_anchors(joint.id);
         if (!ends) continue;
         const DVec2 from = view.to_pixels(ends->a), to = view.to_pixels(ends->b);
         if (length(to - from) > 2.0 * style::kAnchor * view.detail())

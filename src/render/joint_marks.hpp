@@ -5,11 +5,11 @@
 
 #include "render/primitives.hpp"
 #include "render/view.hpp"
-#include "tumble/world.hpp"
+#include "tumble/scene.hpp"
 
 namespace tumble::render {
 
 // Appends the joints that still exist: a dot at each anchor, a line between the two where they are apart.
-void add_joints(Layer& layer, const View& view, const World& world, std::span<const JointId> joints);
+void add_joints(Layer& layer, const View& view, const World& world, std::span<const SceneJointInstance> joints);
 
 }  // namespace tumble::render

@@ -5,7 +5,7 @@
 #include "scene/build.hpp"
 #include "scene/check.hpp"
 #include "scene/diagnostics.hpp"
-#include "scene/joints.hpp"
+#include "scene/joint_copies.hpp"
 #include "scene/names.hpp"
 #include "scene/place.hpp"
 #include "scene/repeat.hpp"
@@ -48,10 +48,11 @@ public:
         }
     }
 
-    void add_joint(const SceneJoint& joint, const BodyNames& names) {
-        const PlacedBody& a = placed_[names.find(joint.body_a).value()];
-        const PlacedBody& b = placed_[names.find(joint.body_b).value()];
-        result_.joints.push_back(result_.world.create_joint(make_joint(joint, a, b)));
+    void add_joints(std::size_t source, const BodyNames& names) {
+        const SceneJoint& joint = scene_.joints[source];
+        std::size_t copy = 0;
+        for (const JointDef& def : make_joints(joint, names, placed_))
+            result_.joints.push_back({result_.world.create_joint(def), source, copy_name(joint, copy++)});
     }
 
     SceneWorld take() { return std::move(result_); }
@@ -88,7 +89,7 @@ SceneWorld build_world(const Scene& scene, Start start) {
         report_refusal(diagnostics, "/bodies/" + std::to_string(i), [&] { builder->add_bodies(i); });
     const BodyNames names(scene);
     for (std::size_t i = 0; i < scene.joints.size(); ++i)
-        report_refusal(diagnostics, "/joints/" + std::to_string(i), [&] { builder->add_joint(scene.joints[i], names); });
+        report_refusal(diagnostics, "/joints/" + std::to_string(i), [&] { builder->add_joints(i, names); });
     return builder->take();
 }
 

@@ -8,8 +8,8 @@
 #include "scene/claims.hpp"
 #include "scene/fields.hpp"
 #include "scene/geometry.hpp"
+#include "scene/joint_copies.hpp"
 #include "scene/joint_keys.hpp"
-#include "scene/joints.hpp"
 #include "scene/json_text.hpp"
 #include "scene/names.hpp"
 #include "scene/place.hpp"
@@ -161,11 +161,24 @@ private:
         if (!a || !b) return;
         if (*a == *b)
             return error(pointer + "/bodies", "a joint needs two bodies, got " + quoted(joint.body_a) + " twice");
+        if (joint.repeat) check_joint_repeat(joint, pointer + "/repeat", names);
         if (diagnostics_.has_errors_in(pointer) || bodies_unread_) return;
         try {
-            make_joint(joint, placed_[*a], placed_[*b]);
+            make_joints(joint, names, placed_);
         } catch (const std::invalid_argument& cause) {
             error(pointer, cause.what());
+        }
+    }
+
+    void check_joint_repeat(const SceneJoint& joint, const std::string& pointer, const BodyNames& names) {
+        if (!names.is_copy(joint.body_a) && !names.is_copy(joint.body_b))
+            return error(pointer, "belongs to joints of repeated bodies", "name the first copy: \"plank[0]\"");
+        if (joint.repeat->rows > 1 && joint.repeat->row_step < joint.repeat->columns)
+            return error(pointer, "has rows that tie the same copies again", "\"row_step\" is at least the number of columns");
+        for (const std::string* body : {&joint.body_a, &joint.body_b}) {
+            const std::size_t needed = last_step(joint), there = names.copies_after(*body).value_or(needed);
+            if (needed > there)
+                error(pointer, "needs " + std::to_string(needed) + " copies after " + quoted(*body) + ", there are " + std::to_string(there));
         }
     }
 
@@ -242,9 +255,16 @@ private:
         if (!names.is_spawned(name)) require_body(name, pointer, key, names);
     }
 
-    const SceneJoint* require_joint(const std::string& name, const std::string& pointer, const std::string& key) {
+    // Of repeated joints a copy; where all are meant, `or_all`, their common name too.
+    const SceneJoint* require_joint(const std::string& name, const std::string& pointer, const std::string& key, bool or_all = false) {
         for (const SceneJoint& joint : scene_.joints)
-            if (!name.empty() && joint.name == name) return &joint;
+            if (!name.empty() && (or_all || !joint.repeat) && joint.name == name) return &joint;
+        const std::string_view base = base_name(name);
+        for (const SceneJoint& joint : scene_.joints) {
+            if (!joint.repeat || joint.name != base) continue;
+            const std::optional<std::size_t> copy = copy_number(name);
+            if (copy && *copy < static_cast<std::size_t>(copy_count(joint))) return &joint;
+        }
         if (diagnostics_.has_errors_in("/joints")) return nullptr;
         if (name.empty()) {
             error(pointer, "the key " + quoted(key) + " is missing: the name of a joint");
@@ -271,7 +291,7 @@ private:
         refuse(!of_body && !of_some && !claim.body.empty(), "body", "belongs to claims of a body, of counts and of events");
         if (!claim.touches.empty()) require_any_body(claim.touches, pointer, "touches", names);
         if (!claim.never_touches.empty()) require_any_body(claim.never_touches, pointer, "never_touches", names);
-        if (!claim.joint.empty()) require_joint(claim.joint, pointer, "joint");
+        if (!claim.joint.empty()) require_joint(claim.joint, pointer, "joint", true);
         refuse(!claim.joint.empty() && !claim.max_joint_error, "joint", "belongs to 'max_joint_error'");
         if (claim.count && !claim.region) error(pointer, "the key 'region' is missing: where bodies are counted");
         refuse(claim.region && !claim.count, "region", "belongs to 'count'");

@@ -42,8 +42,8 @@ std::string time_text(const SceneExpectation& claim) {
 
 }  // namespace
 
-std::unique_ptr<Claim> make_claim(const SceneExpectation& claim, const Scene& scene, const SceneWorld& built) {
-    std::unique_ptr<Claim> of_world = make_claim_of_world(claim, scene, built);
+std::unique_ptr<Claim> make_claim(const SceneExpectation& claim, const SceneWorld& built) {
+    std::unique_ptr<Claim> of_world = make_claim_of_world(claim, built);
     return of_world ? std::move(of_world) : make_claim_of_bodies(claim);
 }
 

@@ -25,10 +25,10 @@ public:
 };
 
 // One of the two below. `built` is the world at its start.
-std::unique_ptr<Claim> make_claim(const SceneExpectation& expectation, const Scene& scene, const SceneWorld& built);
+std::unique_ptr<Claim> make_claim(const SceneExpectation& expectation, const SceneWorld& built);
 
 // Of the whole world: rest, depth, joints, energy, hash. Null for other claims.
-std::unique_ptr<Claim> make_claim_of_world(const SceneExpectation& expectation, const Scene& scene, const SceneWorld& built);
+std::unique_ptr<Claim> make_claim_of_world(const SceneExpectation& expectation, const SceneWorld& built);
 
 // Of bodies: where they are, how fast, what they touch, how many, what happens to them.
 std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& expectation);

@@ -8,6 +8,7 @@
 #include "scene/claims.hpp"
 #include "scene/display.hpp"
 #include "scene/joint_gap.hpp"
+#include "scene/names.hpp"
 
 namespace tumble::scene {
 
@@ -75,9 +76,9 @@ private:
 
 class JointError final : public Claim {
 public:
-    JointError(double limit, const std::string& name, const Scene& scene, const SceneWorld& built) : limit_(limit) {
-        for (std::size_t i = 0; i < built.joints.size(); ++i)
-            if (name.empty() || scene.joints[i].name == name) joints_.push_back({built.joints[i], scene.joints[i].name, i});
+    JointError(double limit, const std::string& name, const SceneWorld& built) : limit_(limit) {
+        for (const SceneJointInstance& joint : built.joints)
+            if (name.empty() || joint.name == name || base_name(joint.name) == name) joints_.push_back(joint);
     }
 
     double excess(const SceneWorld& built) override {
@@ -94,20 +95,14 @@ public:
     double margin() const override { return widest_; }
     std::string finding(const SceneWorld&) const override {
         if (joints_.empty()) return "there is no joint";
-        const Named& joint = joints_[joint_];
-        const std::string name = joint.name.empty() ? "joints[" + std::to_string(joint.index) + "]" : "'" + joint.name + "'";
+        const SceneJointInstance& joint = joints_[joint_];
+        const std::string name = joint.name.empty() ? "joints[" + std::to_string(joint.source) + "]" : "'" + joint.name + "'";
         return "the anchors of " + name + " are " + brief(widest_) + " m apart";
     }
 
 private:
-    struct Named {
-        JointId id;
-        std::string name;
-        std::size_t index = 0;
-    };
-
     double limit_;
-    std::vector<Named> joints_;
+    std::vector<SceneJointInstance> joints_;
     double widest_ = 0.0;
     std::size_t joint_ = 0;
 };
@@ -172,10 +167,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Claim> make_claim_of_world(const SceneExpectation& claim, const Scene& scene, const SceneWorld& built) {
+std::unique_ptr<Claim> make_claim_of_world(const SceneExpectation& claim, const SceneWorld& built) {
     if (claim.at_rest_by) return std::make_unique<AtRest>();
     if (claim.max_penetration) return std::make_unique<Penetration>(*claim.max_penetration);
-    if (claim.max_joint_error) return std::make_unique<JointError>(*claim.max_joint_error, claim.joint, scene, built);
+    if (claim.max_joint_error) return std::make_unique<JointError>(*claim.max_joint_error, claim.joint, built);
     if (claim.max_energy_gain) return std::make_unique<EnergyGain>(*claim.max_energy_gain);
     if (!claim.state_hash.empty()) return std::make_unique<StateHash>(claim.state_hash);
     return nullptr;

@@ -52,7 +52,7 @@ ExpectationWatch::ExpectationWatch(const Scene& scene, const SceneWorld& built) 
     const double rate = double{built.world.def().steps_per_second};
     for (const SceneExpectation& expectation : scene.expect) {
         Watched& watched = impl_->watched.emplace_back();
-        watched.claim = scene::make_claim(expectation, scene, built);
+        watched.claim = scene::make_claim(expectation, built);
         watched.text = scene::claim_text(expectation);
         watched.moment = moment_of(expectation);
         if (expectation.from) watched.from = scene::first_step_at(*expectation.from, rate);

@@ -120,6 +120,14 @@ void visit_fields(V& v, Type<SceneJointSpring>) {
 }
 
 template <class V>
+void visit_fields(V& v, Type<JointRepeat>) {
+    v.field({"columns", "Copies in a row: each ties the copies of the bodies next to those that the one before ties.", "", kCount},
+            &JointRepeat::columns);
+    v.field({"rows", "Rows of copies.", "", kCount}, &JointRepeat::rows);
+    v.field({"row_step", "Copies of the bodies from one row to the next.", "", {0.0, kCount.max}}, &JointRepeat::row_step);
+}
+
+template <class V>
 void visit_fields(V& v, Type<SceneJoint>) {
     v.field({.name = "type",
              .description = "revolute: a hinge; distance: a rod, spring or rope; prismatic: a slider; weld: glue; wheel: a "
@@ -166,6 +174,7 @@ void visit_fields(V& v, Type<SceneJoint>) {
     v.field({"break_torque", "Torque at which the joint is destroyed.", "N m", {0.0, 1e12, true}},
             &SceneJoint::break_torque);
     v.field({"collide_connected", "Whether the two bodies touch each other."}, &SceneJoint::collide_connected);
+    v.field({"repeat", "Makes a joint for each of many copies of its bodies."}, &SceneJoint::repeat);
     v.json({"custom", "Anything a user wants to keep."}, &SceneJoint::custom);
 }
 

@@ -53,15 +53,15 @@ public:
         check_speed(source, thickness);
     }
 
-    void check_joint(std::size_t index) {
+    void check_joint(const SceneJointInstance& joint) {
         const World& world = built_.world;
-        const auto [a, b] = std::visit([](const auto& joint) { return std::pair(joint.body_a, joint.body_b); },
-                                       world.joint(built_.joints[index]));
-        if (scene_.joints[index].type == SceneJointType::filter) return;
+        const auto [a, b] = std::visit([](const auto& def) { return std::pair(def.body_a, def.body_b); },
+                                       world.joint(joint.id));
+        if (scene_.joints[joint.source].type == SceneJointType::filter) return;
         if (world.type(a) != BodyType::dynamic_body || world.type(b) != BodyType::dynamic_body) return;
         const double ratio = mass_ratio(world, a, b);
         if (ratio <= kLargeMassRatio) return;
-        diagnostics_.warning("/joints/" + std::to_string(index),
+        diagnostics_.warning("/joints/" + std::to_string(joint.source),
                              "ties bodies of " + brief(world.mass(a).mass) + " kg and " + brief(world.mass(b).mass) +
                                  " kg: joints stretch under what is over 100 times heavier",
                              "bring the densities nearer to each other, or give the world more substeps");
@@ -107,7 +107,7 @@ double mass_ratio(const World& world, BodyId a, BodyId b) {
 void add_body_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics) {
     BodyLinter linter(scene, built, diagnostics);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) linter.check_shapes(i);
-    for (std::size_t i = 0; i < scene.joints.size(); ++i) linter.check_joint(i);
+    for (const SceneJointInstance& joint : built.joints) linter.check_joint(joint);
 }
 
 void add_lints(const Scene& scene, Diagnostics& diagnostics) {

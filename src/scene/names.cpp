@@ -33,16 +33,17 @@ std::optional<std::size_t> BodyNames::find(std::string_view name) const {
 }
 
 std::optional<std::size_t> BodyNames::find_copy(std::string_view name) const {
-    const std::size_t bracket = name.rfind('[');
-    if (bracket == std::string_view::npos || name.back() != ']') return std::nullopt;
-    const auto repeated = sources_.find(name.substr(0, bracket));
-    if (repeated == sources_.end() || !repeated->second.repeated) return std::nullopt;
-    const std::string_view digits = name.substr(bracket + 1, name.size() - bracket - 2);
-    std::size_t copy = 0;
-    const std::from_chars_result parsed = std::from_chars(digits.data(), digits.data() + digits.size(), copy);
-    const bool is_canonical = parsed.ec == std::errc{} && std::to_string(copy) == digits;
-    if (!is_canonical || copy >= repeated->second.count) return std::nullopt;
-    return repeated->second.first + copy;
+    const std::optional<std::size_t> copy = copy_number(name);
+    const auto repeated = sources_.find(base_name(name));
+    if (!copy || repeated == sources_.end() || !repeated->second.repeated || *copy >= repeated->second.count) return std::nullopt;
+    return repeated->second.first + *copy;
+}
+
+std::optional<std::size_t> BodyNames::copies_after(std::string_view name) const {
+    const std::optional<std::size_t> copy = find_copy(name);
+    if (!copy) return std::nullopt;
+    const Source& source = sources_.find(base_name(name))->second;
+    return source.first + source.count - 1 - *copy;
 }
 
 std::optional<std::size_t> BodyNames::find_source(std::string_view name) const {
@@ -67,8 +68,21 @@ std::string copy_name(const SceneBody& body, std::size_t copy) {
     return body.repeat ? copy_name(body.name, copy) : body.name;
 }
 
+std::string copy_name(const SceneJoint& joint, std::size_t copy) {
+    return joint.repeat ? copy_name(joint.name, copy) : joint.name;
+}
+
 std::string copy_name(const std::string& name, std::size_t copy) {
     return name.empty() ? name : name + '[' + std::to_string(copy) + ']';
+}
+
+std::optional<std::size_t> copy_number(std::string_view name) {
+    const std::string_view base = base_name(name);
+    if (base == name) return std::nullopt;
+    const std::string_view digits = name.substr(base.size() + 1, name.size() - base.size() - 2);
+    std::size_t copy = 0;
+    const std::from_chars_result parsed = std::from_chars(digits.data(), digits.data() + digits.size(), copy);
+    return parsed.ec == std::errc{} && std::to_string(copy) == digits ? std::optional(copy) : std::nullopt;
 }
 
 std::string_view base_name(std::string_view name) {

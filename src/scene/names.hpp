@@ -29,6 +29,9 @@ public:
     // Whether a copy of a repeated body has this name.
     bool is_copy(std::string_view name) const { return find_copy(name).has_value(); }
 
+    // How many copies of the same body come after this one; nothing if the name is not a copy's.
+    std::optional<std::size_t> copies_after(std::string_view name) const;
+
     // Why `name` names nothing, for a hint; may be empty.
     std::string hint(std::string_view name) const;
 
@@ -48,7 +51,11 @@ private:
 
 // "crate[3]"; empty for an empty name.
 std::string copy_name(const SceneBody& body, std::size_t copy);
+std::string copy_name(const SceneJoint& joint, std::size_t copy);
 std::string copy_name(const std::string& name, std::size_t copy);
+
+// 3 of "crate[3]"; nothing of any other name.
+std::optional<std::size_t> copy_number(std::string_view name);
 
 // "crate" of "crate[3]"; any other name itself.
 std::string_view base_name(std::string_view name);

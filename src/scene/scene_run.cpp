@@ -60,8 +60,8 @@ struct SceneRun::Impl {
             happening.index = i;
             happening.body = scene::BodyLookup(event.despawn.empty() ? event.body : event.despawn);
             const std::string& joint = event.release.empty() ? event.joint : event.release;
-            for (std::size_t k = 0; k < scene.joints.size() && !joint.empty(); ++k)
-                if (scene.joints[k].name == joint) happening.joint = built.joints[k];
+            const auto found = std::ranges::find(built.joints, joint, &SceneJointInstance::name);
+            if (!joint.empty() && found != built.joints.end()) happening.joint = found->id;
             if (event.spawn) happening.plan = scene::plan_body(scene, *event.spawn);
         }
     }

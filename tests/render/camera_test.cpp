@@ -72,7 +72,7 @@ TEST_CASE("a turning beam stays in view all the way round") {
     HandMadeScene s;
     const BodyId post = s.add_static("post", {0.0, 0.0}, make_circle(0.1f));
     const BodyId beam = s.add_dynamic("beam", {0.0, 0.0}, make_box({10.0f, 0.5f}));
-    s.built.joints.push_back(s.built.world.create_joint(RevoluteJointDef{post, beam, {}, {}}));
+    s.built.joints.push_back({s.built.world.create_joint(RevoluteJointDef{post, beam, {}, {}}), 0, ""});
     CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({-5.0, -5.0}, {5.0, 5.0}));
 }
 

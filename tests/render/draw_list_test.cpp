@@ -146,13 +146,13 @@ TEST_CASE("a joint has a dot where it holds, and a line between anchors that are
     HandMadeScene s;
     const BodyId a = s.add_dynamic("a", {98.0, 50.0}, make_circle(0.2f));
     const BodyId b = s.add_dynamic("b", {102.0, 50.0}, make_circle(0.2f));
-    s.built.joints.push_back(s.built.world.create_joint(RevoluteJointDef{a, b, {2.0f, 0.0f}, {-2.0f, 0.0f}}));
+    s.built.joints.push_back({s.built.world.create_joint(RevoluteJointDef{a, b, {2.0f, 0.0f}, {-2.0f, 0.0f}}), 0, ""});
     const DrawList hinge = build(s);
     REQUIRE(hinge.details.circles.size() == 1);
     CHECK(hinge.details.circles[0].x == doctest::Approx(0.0));
     CHECK(hinge.details.boxes.empty());
 
-    s.built.joints.push_back(s.built.world.create_joint(DistanceJointDef{a, b, {}, {}, 4.0f}));
+    s.built.joints.push_back({s.built.world.create_joint(DistanceJointDef{a, b, {}, {}, 4.0f}), 1, ""});
     const DrawList rod = build(s);
     CHECK(rod.details.circles.size() == 3);
     REQUIRE(rod.details.boxes.size() == 1);

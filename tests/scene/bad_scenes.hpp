@@ -95,6 +95,7 @@ inline const std::vector<BadScene> kBadScenes = {
     {with_joint(R"("type": "revolute", "bodies": ["a", "a"], "anchor": [0, 0])"), "/joints/0/bodies", "a joint needs two bodies", kNames},
     {with_joint(R"("type": "revolute", "bodies": ["a", "b"])"), "/joints/0", "needs one of the keys anchor, anchors", kNeeds},
     {with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "anchors": [[0, 0], [0, 0]])"), "/joints/0/anchors", "only one of them is allowed"},
+    {with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "repeat": {"columns": 2})"), "/joints/0/repeat", "belongs to joints of repeated bodies", kNames},
     {with_joint(R"("type": "distance", "bodies": ["a", "b"], "anchor": [0, 0])"), "/joints/0/anchor", "needs 'anchors'", kNeeds},
     {with_joint(R"("type": "distance", "bodies": ["a", "b"], "anchors": [[2, 0], [0, 0]])"), "/joints/0", "needs anchors that are apart", kGeometry},
     {with_joint(R"("type": "distance", "bodies": ["a", "b"], "anchors": [[0, 0], [0, 0]], "length": 0)"), "/joints/0/length", "must be greater than 0, got 0"},

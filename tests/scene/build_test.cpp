@@ -33,7 +33,7 @@ TEST_CASE("the example becomes a world with names, copies and a joint") {
     CHECK(built.bodies[17].name == "crate[14]");
     CHECK(built.bodies[17].source == 3);
     REQUIRE(built.joints.size() == 1);
-    const auto& hinge = std::get<RevoluteJointDef>(built.world.joint(built.joints[0]));
+    const auto& hinge = std::get<RevoluteJointDef>(built.world.joint(built.joints[0].id));
     CHECK(hinge.body_a == built.bodies[0].id);
     CHECK(hinge.anchor_a == Vec2{0, 1.5f});  // the ground's origin is at (0, -0.5)
     CHECK(hinge.anchor_b == Vec2{0, 0});
@@ -95,12 +95,12 @@ TEST_CASE("a joint's world anchor becomes local to turned and shifted bodies") {
                                     "");
     const SceneWorld built = build_world(scene);
     // a is turned by +90 degrees: up in the world is +x of a; b by 180: up is -y.
-    const auto& hinge = std::get<RevoluteJointDef>(built.world.joint(built.joints[0]));
+    const auto& hinge = std::get<RevoluteJointDef>(built.world.joint(built.joints[0].id));
     CHECK(hinge.anchor_a == Vec2{3, 0});
     CHECK(hinge.anchor_b == Vec2{0, 1});
     CHECK(hinge.reference_angle == static_cast<float>(kPi / 2));  // 540 - 90 = 450, of which a whole turn is left out
     // a's anchor lies at (5, 1) in the world, b's at (5, 4).
-    CHECK(std::get<DistanceJointDef>(built.world.joint(built.joints[1])).length == 3.0f);
+    CHECK(std::get<DistanceJointDef>(built.world.joint(built.joints[1].id)).length == 3.0f);
 }
 
 TEST_CASE("saving and loading gives the same world, bit for bit, before and after steps") {

@@ -34,6 +34,8 @@ inline std::vector<std::string> scenes_with_every_field() {
         shape + R"("segment": {"from": [0, 0], "to": [1, 0]}}]}])",
         shape + R"("chain": {"points": [[0, 0], [1, 0], [1, 1]], "loop": true, "two_sided": true}}]}])",
         shape + R"("outline": {"points": [[0, 0], [1, 0], [0, 1]]}}]}])",
+        R"("bodies": [{"name": "node", "repeat": {"grid": {"columns": 3, "rows": 2}}}],
+           "joints": [{"type": "filter", "bodies": ["node[0]", "node[1]"], "repeat": {"columns": 2, "rows": 2, "row_step": 3}}])",
         R"("bodies": [{"repeat": {"grid": {"columns": 2, "rows": 3, "spacing": [1, 1], "angle": 5}}},
                       {"repeat": {"pyramid": {"base": 3, "spacing": [1, 1], "angle": 5}}},
                       {"repeat": {"ring": {"count": 3, "radius": 2, "turn": true, "angle": 5}}},

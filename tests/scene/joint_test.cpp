@@ -22,7 +22,7 @@ SceneWorld build_joint(const std::string& keys) {
 template <class Def>
 Def built_def(const std::string& keys) {
     const SceneWorld built = build_joint(keys);
-    return std::get<Def>(built.world.joint(built.joints[0]));
+    return std::get<Def>(built.world.joint(built.joints[0].id));
 }
 
 constexpr float kQuarterTurn = static_cast<float>(kPi / 2.0);
@@ -92,5 +92,64 @@ TEST_CASE("welds, motors, mice and filters") {
     CHECK(mouse.spring == JointSpring{5.0f, 0.7f});
     CHECK(mouse.max_force == 100.0f);
     const SceneWorld filtered = build_joint(R"("type": "filter")");
-    CHECK(std::holds_alternative<FilterJointDef>(filtered.world.joint(filtered.joints[0])));
+    CHECK(std::holds_alternative<FilterJointDef>(filtered.world.joint(filtered.joints[0].id)));
+}
+
+TEST_CASE("a repeated joint ties copy after copy, its anchor at the same place in each") {
+    // Four planks on a ring, each turned by its angle: the hinge at the end of the first is at the end of each.
+    const SceneWorld built = build_world(parse_scene(R"({"format": 1, "bodies": [
+        {"name": "post", "type": "static"},
+        {"name": "plank", "repeat": {"ring": {"count": 4, "radius": 5, "turn": true}}, "shapes": [{"box": {"size": [0.2, 2]}}]}],
+        "joints": [
+        {"type": "revolute", "name": "link", "bodies": ["plank[0]", "plank[1]"], "anchor": [5, 1], "repeat": {"columns": 3}},
+        {"type": "prismatic", "name": "rail", "bodies": ["post", "plank[1]"], "anchor": [0, 5], "axis": [0, 1], "repeat": {"columns": 3}}]})",
+                                                    "ring.json"));
+    REQUIRE(built.joints.size() == 6);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& link = std::get<RevoluteJointDef>(built.world.joint(built.joints[i].id));
+        CHECK(built.joints[i].name == "link[" + std::to_string(i) + "]");
+        CHECK(built.joints[i].source == 0);
+        CHECK(link.body_a == built.bodies[1 + i].id);
+        CHECK(link.body_b == built.bodies[2 + i].id);
+        CHECK(length(link.anchor_a - Vec2{0.0f, 1.0f}) < 1e-6f);
+        CHECK(length(link.anchor_b - Vec2{-4.0f, -5.0f}) < 1e-6f);  // the second stands at (0, 5), turned by a quarter
+        const auto& rail = std::get<PrismaticJointDef>(built.world.joint(built.joints[3 + i].id));
+        CHECK(rail.body_a == built.bodies[0].id);
+        CHECK(rail.body_b == built.bodies[2 + i].id);
+        CHECK(length(rail.anchor_b) < 1e-6f);  // (0, 5) is the centre of the first one that it holds
+        const double turned = kPi / 2.0 * static_cast<double>(i + 1);
+        CHECK(length(rail.axis_a - to_float(DVec2{sin_cos(turned).cos, sin_cos(turned).sin})) < 1e-6f);
+    }
+}
+
+TEST_CASE("rows of a repeated joint start row_step copies on") {
+    const SceneWorld built = build_world(parse_scene(R"({"format": 1, "bodies": [
+        {"name": "ball", "repeat": {"grid": {"columns": 3, "rows": 2}}, "shapes": [{"circle": {"radius": 0.4}}]}],
+        "joints": [{"type": "revolute", "bodies": ["ball[0]", "ball[1]"], "anchors": [[0.5, 0], [-0.5, 0]],
+                    "repeat": {"columns": 2, "rows": 2, "row_step": 3}}]})",
+                                                    "net.json"));
+    REQUIRE(built.joints.size() == 4);
+    const std::size_t firsts[] = {0, 1, 3, 4};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto& hinge = std::get<RevoluteJointDef>(built.world.joint(built.joints[i].id));
+        CHECK(hinge.body_a == built.bodies[firsts[i]].id);
+        CHECK(hinge.body_b == built.bodies[firsts[i] + 1].id);
+    }
+}
+
+TEST_CASE("a repeated joint is refused where copies are missing or tied twice") {
+    const auto error_of = [](const std::string& repeat) -> std::string {
+        try {
+            parse_scene(R"({"format": 1, "bodies": [{"name": "ball", "repeat": {"grid": {"columns": 3, "rows": 2}}}],
+                "joints": [{"type": "filter", "bodies": ["ball[0]", "ball[1]"], "repeat": )" + repeat + "}]}",
+                        "net.json");
+        } catch (const SceneError& error) {
+            return error.diagnostics.front().pointer + ": " + error.diagnostics.front().message;
+        }
+        return "";
+    };
+    CHECK(error_of(R"({"columns": 5})").empty());
+    CHECK(error_of(R"({"columns": 6})") == "/joints/0/repeat: needs 5 copies after \"ball[1]\", there are 4");
+    CHECK(error_of(R"({"columns": 2, "rows": 2})") == "/joints/0/repeat: has rows that tie the same copies again");
+    CHECK(error_of(R"({"columns": 1000000, "rows": 1000000, "row_step": 1000000})").starts_with("/joints/0/repeat: needs"));
 }
