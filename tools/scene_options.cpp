@@ -1,5 +1,6 @@
 #include "scene_options.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 #include "console.hpp"
@@ -26,9 +27,11 @@ Scene read_scene(const SceneOptions& options) {
 }
 
 std::vector<std::string> without_schemas(const std::vector<std::string>& files) {
+    const auto is_schema = [](const std::string& file) { return file.ends_with(".schema.json"); };
+    const bool has_scene = !std::ranges::all_of(files, is_schema);
     std::vector<std::string> scenes;
     for (const std::string& file : files) {
-        if (files.size() > 1 && file.ends_with(".schema.json"))
+        if (has_scene && is_schema(file))
             narrate(file + ": a schema, not a scene: left out\n");
         else
             scenes.push_back(file);

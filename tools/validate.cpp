@@ -31,7 +31,7 @@ Verdict judge(const std::string& file) {
     try {
         const Scene scene = load_scene(file, {.overrides = {}, .seed = {}, .lint = true}, &verdict.diagnostics);
         verdict.bodies = count_bodies(scene);
-        verdict.joints = scene.joints.size();
+        verdict.joints = count_joints(scene);
     } catch (const SceneError& error) {
         verdict.code = ExitCode::invalid_input;
         verdict.error = error.what();

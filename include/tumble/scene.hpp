@@ -367,6 +367,9 @@ std::vector<Shape> parse_shapes(std::string_view text, const std::string& source
 // The bodies of the world that a scene makes, copies counted.
 std::size_t count_bodies(const Scene& scene);
 
+// Its joints, likewise.
+std::size_t count_joints(const Scene& scene);
+
 // One body of the built world: which entry of Scene::bodies it came from (or, counted on from there, of Scene::timeline),
 // and its name after repeating (empty for unnamed bodies, which are called body[i] in output, i counting the built bodies).
 struct SceneInstance {
@@ -378,7 +381,8 @@ struct SceneInstance {
 // The entry that the body came from.
 const SceneBody& source_of(const Scene& scene, const SceneInstance& body);
 
-// A joint of the world and the joint of the scene that it is from, with its name, a copy's own.
+// One joint of the built world: which entry of Scene::joints it came from, and its name after repeating (empty for unnamed
+// joints, which are called joint[i] in output, i counting the built joints).
 struct SceneJointInstance {
     JointId id;
     std::size_t source = 0;

@@ -3,6 +3,8 @@
 // Velocities are handled in the contact's frame: the relative normal velocity of the centres of mass and the two
 // angular velocities follow each impulse, and the linear velocities are updated once at the end of a block. Of a body
 // locked along one axis, a normal impulse changes the tangent velocity too: that is seen when the block is loaded again.
+#include <algorithm>
+
 #include "dynamics/contact_block.hpp"
 #include "simd/transpose.hpp"
 
@@ -163,11 +165,10 @@ struct NormalRow {
 };
 
 // What a soft contact keeps of its impulse, if it is taken back less than a spring would for the load that it carries,
-// and more for what is new.
+// and more for what is new: all of it at most, where sub-steps are shorter than 0.8 ms.
 TUMBLE_LANE_FUNCTION Lanes kept_impulse(const ContactBlock& block, const ContactBlockPoint& point) {
-    const float back = block.softness.impulse_scale;
-    const float keeps_fresh = 1.0f - kFreshSoftness * back;
-    const float keeps_more_carried = (kFreshSoftness - kCarriedSoftness) * back;
+    const float back = block.softness.impulse_scale, fresh_back = std::min(kFreshSoftness * back, 1.0f);
+    const float keeps_fresh = 1.0f - fresh_back, keeps_more_carried = fresh_back - kCarriedSoftness * back;
     return keeps_fresh * point.normal_impulse + keeps_more_carried * point.carried.min(point.normal_impulse);
 }
 

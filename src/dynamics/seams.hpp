@@ -11,7 +11,8 @@
 
 namespace tumble {
 
-// A stage of the step, between collision and the preparation of constraints.
+// A stage of the step, between collision and the preparation of constraints. Tiles are static shapes of at most eight vertices;
+// for each moving shape all pairs of those that it touches are looked at.
 void smooth_seams(Simulation& simulation);
 
 }  // namespace tumble

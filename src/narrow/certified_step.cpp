@@ -27,8 +27,8 @@ double positive_part(double x) {
     return x > 0.0 ? x : 0.0;
 }
 
-// At most the first positive root of gap = closing x + curvature x^2, and at most the window; without a square root. The root
-// is gap / (closing + curvature root): with a number beyond it in its place the quotient falls short if the curvature is
+// At most the first positive root of gap = closing x + curvature x^2, and at most the window; by a square root only
+// where the bound does not close at first. The root is gap / (closing + curvature root): with a number beyond it in its place the quotient falls short if the curvature is
 // positive, and so it does with a number before it if that is negative. gap / closing lies before such a root.
 double root_of(Bound bound, double gap, double window) {
     const double closing = bound.closing, curvature = bound.curvature;
@@ -40,7 +40,7 @@ double root_of(Bound bound, double gap, double window) {
     return std::min((std::sqrt(closing * closing + 4.0 * curvature * gap) - closing) / (2.0 * curvature), window);
 }
 
-// That root without a square root, from its series in the curvature; it may fall short of it or beyond by the third
+// That root from its series in the curvature; it may fall short of it or beyond by the third
 // order.
 double root_to_second_order(Bound bound, double gap) {
     if (!(bound.closing > 0.0)) return std::numeric_limits<double>::infinity();

@@ -1,4 +1,5 @@
-// What a feature of A - B says of the distance: each formula once, for the numbers of one pair or of a pair a lane.
+// What a feature of A - B says of the distance: the arithmetic that one pair and a pair a lane share. What is decided by it
+// is in measure_cores.hpp, and in measure_pairs.hpp by masks.
 #pragma once
 
 #include "narrow/error_bound.hpp"

@@ -108,4 +108,10 @@ std::size_t count_bodies(const Scene& scene) {
     return static_cast<std::size_t>(count);
 }
 
+std::size_t count_joints(const Scene& scene) {
+    std::int64_t count = 0;
+    for (const SceneJoint& joint : scene.joints) count += scene::copy_count(joint);
+    return static_cast<std::size_t>(count);
+}
+
 }  // namespace tumble

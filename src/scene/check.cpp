@@ -62,6 +62,14 @@ private:
                                         std::to_string(kMaxBodies) + " are allowed");
             return false;
         }
+        std::int64_t joints = 0;
+        for (std::size_t i = 0; i < scene_.joints.size(); ++i) {
+            joints += copy_count(scene_.joints[i]);
+            if (joints <= kMaxBodies) continue;
+            error(at("/joints", i), "makes " + std::to_string(joints) + " joints with those before; at most " +
+                                        std::to_string(kMaxBodies) + " are allowed");
+            return false;
+        }
         return true;
     }
 
@@ -121,9 +129,13 @@ private:
                 error(at("/timeline", i) + "/spawn/name", quoted(spawn->name) + " is the name of a body that is there from the start",
                       prefix_hint(i, own_.timeline));
         }
-        std::set<std::string> joint_names;
+        std::set<std::string, std::less<>> joint_names, repeated;
+        for (const SceneJoint& joint : scene_.joints)
+            if (joint.repeat) repeated.insert(joint.name);
         for (std::size_t i = 0; i < scene_.joints.size(); ++i) {
             const std::string& name = scene_.joints[i].name;
+            if (copy_number(name) && repeated.contains(base_name(name)))
+                error(at("/joints", i) + "/name", quoted(name) + " is a name for copies of a repeated joint");
             if (!name.empty() && !joint_names.insert(name).second)
                 error(at("/joints", i) + "/name", quoted(name) + " is the name of another joint already",
                       prefix_hint(i, own_.joints));

@@ -77,8 +77,11 @@ private:
 class JointError final : public Claim {
 public:
     JointError(double limit, const std::string& name, const SceneWorld& built) : limit_(limit) {
-        for (const SceneJointInstance& joint : built.joints)
-            if (name.empty() || joint.name == name || base_name(joint.name) == name) joints_.push_back(joint);
+        for (std::size_t i = 0; i < built.joints.size(); ++i) {
+            const SceneJointInstance& joint = built.joints[i];
+            if (!name.empty() && joint.name != name && base_name(joint.name) != name) continue;
+            joints_.push_back({joint.id, joint.name.empty() ? "joint[" + std::to_string(i) + "]" : "'" + joint.name + "'"});
+        }
     }
 
     double excess(const SceneWorld& built) override {
@@ -95,14 +98,17 @@ public:
     double margin() const override { return widest_; }
     std::string finding(const SceneWorld&) const override {
         if (joints_.empty()) return "there is no joint";
-        const SceneJointInstance& joint = joints_[joint_];
-        const std::string name = joint.name.empty() ? "joints[" + std::to_string(joint.source) + "]" : "'" + joint.name + "'";
-        return "the anchors of " + name + " are " + brief(widest_) + " m apart";
+        return "the anchors of " + joints_[joint_].display_name + " are " + brief(widest_) + " m apart";
     }
 
 private:
     double limit_;
-    std::vector<SceneJointInstance> joints_;
+    struct Named {
+        JointId id;
+        std::string display_name;
+    };
+
+    std::vector<Named> joints_;
     double widest_ = 0.0;
     std::size_t joint_ = 0;
 };

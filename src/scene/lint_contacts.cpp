@@ -18,9 +18,13 @@ constexpr double kOverlapLimit = 0.01; // m, in a world of scale 1: never more
 constexpr double kAcross = 0.5;        // cosine: steeper contacts carry no weight
 constexpr double kVisibleSag = 0.05;   // of the smaller extent of the body that sinks
 
-// Under a load that stays each contact point gives half as much as a spring of 30 Hz on the mass that it moves, 60 Hz
-// against what does not move (rad/s). In a world of another scale their frequencies follow the inverse root of it.
-constexpr double kContactSpring = 2.0 * kPi * 30.0, kGroundSpring = 2.0 * kContactSpring;
+// Under a load that stays each contact point gives half as much as a spring of 30 Hz on the mass that it moves, twice that
+// against what does not move. In a world of another scale the frequency follows the inverse root of it, up to an eighth of
+// the sub-steps'.
+double contact_spring(const SceneSettings& world) {  // rad/s
+    const double hertz = std::min(30.0 / std::sqrt(world.scale), 0.125 * world.steps_per_second * world.substeps);
+    return 2.0 * kPi * hertz;
+}
 constexpr double kSagPart = 0.5;
 constexpr double kPushOutSpeed = 3.0;  // m/s, in a world of scale 1
 
@@ -41,8 +45,8 @@ public:
         for (const ContactPoint& contact : built_.world.contacts()) {
             const std::size_t a = index_.at(contact.body_a.index), b = index_.at(contact.body_b.index);
             Touch& touch = touches.try_emplace({a, b}, Touch{a, b, HUGE_VAL, {}, 0.0}).first->second;
-            const double spring = is_dynamic(a) && is_dynamic(b) ? kContactSpring : kGroundSpring;
-            touch.stiffness += spring * spring / (scene.world.scale * (mobility(a, contact) + mobility(b, contact)));
+            const double spring = (is_dynamic(a) && is_dynamic(b) ? 1.0 : 2.0) * contact_spring(scene.world);
+            touch.stiffness += spring * spring / (mobility(a, contact) + mobility(b, contact));
             if (double{contact.separation} >= touch.separation) continue;
             touch.separation = double{contact.separation};
             touch.normal = DVec2(contact.normal);

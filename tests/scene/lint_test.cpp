@@ -102,11 +102,14 @@ TEST_CASE("in a world of marbles sizes and sinking are those of marbles") {
     const std::string small = R"(, "world": {"scale": 0.02})";
     CHECK(warnings_of(R"({"shapes": [{"circle": {"radius": 0.002}}]})", small).empty());
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 2}}]})", small), "between 0.0001 m and 2 m"));
-    // Frequencies follow the inverse root of the scale, so that 20 boxes of 2 cm sink by a fiftieth of 0.0677 m.
+    // At the step rate of the scale, 60 / sqrt(0.02), frequencies follow its inverse root, so that 20 boxes of 2 cm sink by a
+    // fiftieth of 0.0677 m. At the usual rate they stay at an eighth of the sub-steps', 30 Hz, and all of the 0.0677 m is left.
     const std::string ground = R"({"type": "static", "position": [0, -0.01], "shapes": [{"box": {"size": [1.8, 0.02]}}]}, )";
     const std::string tower =
         R"({"position": [0, 0.01], "repeat": {"grid": {"rows": 20, "spacing": [1, 0.02]}}, "shapes": [{"box": {"size": [0.02, 0.02]}}]})";
-    CHECK(says(warning_of(ground + tower, small), "will sink by about 0.00135 m"));
+    const std::string quick = R"(, "world": {"scale": 0.02, "steps_per_second": 424.264})";
+    CHECK(says(warning_of(ground + tower, quick), "will sink by about 0.00135 m"));
+    CHECK(says(warning_of(ground + tower, small), "will sink by about 0.0677 m"));
 }
 
 TEST_CASE("lints are made on request alone") {
