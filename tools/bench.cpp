@@ -12,6 +12,7 @@
 #include "places.hpp"
 #include "query_bench.hpp"
 #include "step_bench.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
 

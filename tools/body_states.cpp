@@ -8,7 +8,9 @@
 #include "csv_file.hpp"
 #include "json_writer.hpp"
 #include "step_files.hpp"
+#include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::tools {
 

@@ -14,6 +14,7 @@
 #include "scene_check.hpp"
 #include "scene_options.hpp"
 #include "scene_shot.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
 

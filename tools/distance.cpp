@@ -15,7 +15,7 @@
 #include "input_error.hpp"
 #include "trace_output.hpp"
 #include "tumble/distance.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
 

@@ -7,7 +7,7 @@
 
 #include "exit_code.hpp"
 #include "json_writer.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
 

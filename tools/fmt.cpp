@@ -9,6 +9,7 @@
 #include "json_writer.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
 

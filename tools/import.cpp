@@ -13,6 +13,8 @@
 #include "reference/b2_rube.hpp"
 #include "run_options.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_import.hpp"
 
 namespace tumble::tools {
 

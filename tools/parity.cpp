@@ -14,6 +14,7 @@
 #include "reference/cast_families.hpp"
 #include "reference/pair_families.hpp"
 #include "reference/parity.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::tools {
 

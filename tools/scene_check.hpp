@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exit_code.hpp"
+#include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {

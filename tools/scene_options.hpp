@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
 

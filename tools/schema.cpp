@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 #include "console.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "input_error.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
 

@@ -11,6 +11,7 @@
 #include "run_folder.hpp"
 #include "step_files.hpp"
 #include "stopwatch.hpp"
+#include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {

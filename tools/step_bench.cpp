@@ -7,6 +7,7 @@
 #include "cpu_clock.hpp"
 #include "median.hpp"
 #include "reference/b2_world.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::tools {
 

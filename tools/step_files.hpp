@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "output_path.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::tools {
 

@@ -10,6 +10,8 @@
 #include "error_report.hpp"
 #include "json_writer.hpp"
 #include "scene_options.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::tools {
 

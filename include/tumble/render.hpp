@@ -13,6 +13,7 @@
 #include "tumble/drawing.hpp"
 #include "tumble/math.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble {
 

@@ -1,52 +1,20 @@
-// Scenes: the portable description of a world as plain data, its JSON file, and the world built from it.
+// Scenes: the portable description of a world as plain data.
 //
-// Format 1 is described in README.md and published as scenes/scene.schema.json. A Scene keeps the doubles and degrees
-// of its file; build_world() converts each number once, so that saving and loading give the same world bit for bit.
+// Format 1 of their files is described in README.md and published as scenes/scene.schema.json. A Scene keeps the doubles and
+// degrees of its file. Files are read and written by scene_file.hpp, worlds built by scene_world.hpp.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "tumble/body.hpp"
-#include "tumble/file.hpp"
-#include "tumble/joint.hpp"
 #include "tumble/math.hpp"
-#include "tumble/shape.hpp"
-#include "tumble/world.hpp"
 
 namespace tumble {
-
-// Where a scene file is wrong and how to mend it.
-struct Diagnostic {
-    enum class Severity { error, warning };
-    Severity severity = Severity::error;
-    std::string file;
-    int line = 0;             // from 1; 0 if the place is unknown
-    int column = 0;           // from 1, in bytes
-    std::string pointer;      // JSON pointer of the value
-    std::string message;      // "must be greater than 0, got -1"
-    std::string source_line;  // the line of the file, for the caret
-    std::string hint;         // may be empty
-    std::vector<std::string> included_by{};  // "file:line:column" of what includes the file, innermost first
-};
-
-// "file:line:column: pointer: message", the source line, the caret, the hint, who includes the file.
-std::string to_string(const Diagnostic& diagnostic);
-
-// A scene that cannot be read: all its errors, at most 20; what() is their text.
-class SceneError : public std::runtime_error {
-public:
-    explicit SceneError(std::vector<Diagnostic> diagnostics);
-    std::vector<Diagnostic> diagnostics;
-};
 
 struct SceneSettings {
     DVec2 gravity{0.0, -10.0};  // m/s^2
@@ -320,119 +288,5 @@ struct Scene {
     std::vector<SceneExpectation> expect;
     std::string custom;  // JSON text, or empty
 };
-
-// Gives the text of an included file, or throws FileError.
-using ReadIncluded = std::function<std::string(const std::filesystem::path& file)>;
-
-// What a caller changes in a scene before it is read.
-struct LoadOptions {
-    std::vector<std::string> overrides;  // "/json/pointer=value" each; a value that is not JSON is taken as a string
-    std::optional<std::uint64_t> seed;   // replaces /world/seed
-    bool lint = false;  // warn of what is valid but likely to disappoint; builds the world and steps it once
-    bool keep_includes = false;  // leave Scene::include as it is written, what it includes out: to write the scene again
-    ReadIncluded read_included{};  // default: from the file system for load_scene(), none for parse_scene()
-};
-
-// Reads a scene, and what it includes. Throws FileError (not readable) or SceneError (not valid). Warnings, if asked for, are appended.
-// Wrong overrides are SceneErrors too: their diagnostics have the override in place of the file, and no line.
-Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* warnings = nullptr);
-Scene load_scene(const std::filesystem::path& file, const LoadOptions& options,
-                 std::vector<Diagnostic>* warnings = nullptr);
-// A text includes files only by options.read_included; `file_name` is where their paths start from.
-Scene parse_scene(std::string_view text, const std::string& file_name, std::vector<Diagnostic>* warnings = nullptr);
-Scene parse_scene(std::string_view text, const std::string& file_name, const LoadOptions& options,
-                  std::vector<Diagnostic>* warnings = nullptr);
-
-// The canonical text: keys in the schema's order, defaults left out, shortest round-trip numbers. Throws
-// std::invalid_argument for a `custom` that is not JSON.
-std::string to_json(const Scene& scene);
-void save_scene(const Scene& scene,
-                const std::filesystem::path& file);  // written aside, then renamed; throws FileError
-
-// The JSON schema (Draft-07) of format 1, as published in scenes/scene.schema.json.
-std::string scene_schema();
-
-// xxHash64 of what is simulated, as canonical text: everything but $schema, name, description, camera, colours,
-// expectations and custom. Equal simulations, equal hashes.
-std::uint64_t scene_hash(const Scene& scene);
-
-// The shapes that a scene's shape stands for, in body coordinates: one, or several for chains and outlines. Throws
-// std::invalid_argument, with the value printed, for degenerate geometry.
-std::vector<Shape> make_shapes(const ShapeGeometry& geometry);
-
-// Reads a shape as scene files write it, {"box": {"size": [2, 1]}}, for a distance query: radii of 0 are allowed. One
-// shape, or several for chains and outlines. Throws SceneError; `source` stands where the file's name would.
-std::vector<Shape> parse_shapes(std::string_view text, const std::string& source);
-
-// The bodies of the world that a scene makes, copies counted.
-std::size_t count_bodies(const Scene& scene);
-
-// Its joints, likewise.
-std::size_t count_joints(const Scene& scene);
-
-// One body of the built world: which entry of Scene::bodies it came from (or, counted on from there, of Scene::timeline),
-// and its name after repeating (empty for unnamed bodies, which are called body[i] in output, i counting the built bodies).
-struct SceneInstance {
-    BodyId id;
-    std::size_t source = 0;
-    std::string name;
-};
-
-// The entry that the body came from.
-const SceneBody& source_of(const Scene& scene, const SceneInstance& body);
-
-// One joint of the built world: which entry of Scene::joints it came from, and its name after repeating (empty for unnamed
-// joints, which are called joint[i] in output, i counting the built joints).
-struct SceneJointInstance {
-    JointId id;
-    std::size_t source = 0;
-    std::string name;
-};
-
-struct SceneWorld {
-    World world;
-    std::vector<SceneInstance> bodies;  // in the order of creation: ids of those that have gone are stale
-    std::vector<SceneJointInstance> joints;  // in the order of the scene and of the copies
-};
-
-// Throws SceneError if a name does not resolve, geometry is degenerate (the reader has checked both already) or the scene
-// was loaded with keep_includes.
-SceneWorld build_world(const Scene& scene);
-
-// What an importer could not carry over: the feature and how often it occurred.
-struct ImportNote {
-    std::string feature;
-    int count = 0;
-};
-
-struct ImportedScene {
-    Scene scene;
-    std::vector<ImportNote> notes;
-};
-
-struct SvgOptions {
-    double metres_per_unit = 0.01;  // of a user unit: a page of 1280 x 720 is 12.8 m x 7.2 m
-    double tolerance = 0.005;       // m: the largest distance of a curve from the chords that it becomes
-};
-
-// Reads an SVG drawing: each figure (rect, circle, ellipse, line, polyline, polygon, path, also by <use>) becomes a body
-// of its own, in the order of drawing, named by its id and with a material of its colour. What has an area (closed and
-// filled, or filled without a stroke) is dynamic, what is only a line is a static chain along its middle. A word decides
-// otherwise: data-type="static", "dynamic" or "kinematic", a class of that name, or an id that begins with it, on the
-// figure or on a group around it. A closed line that shall move is an area, an open one is made of capsules as thick as
-// its stroke.
-//
-// The y axis is turned upwards; the origin is the lower left corner of the viewBox, or of width and height, and the
-// camera shows that page. Concave areas are outlines; holes are filled in, and outlines that cross themselves replaced by
-// their hull. The notes count that, and texts, images, gradients, clip paths and what else a world has no place for.
-//
-// Throws FileError, or SceneError with line and column for what is not XML or not SVG; std::invalid_argument for options
-// that are not positive.
-ImportedScene import_svg(const std::filesystem::path& file, const SvgOptions& options = {});
-ImportedScene parse_svg(std::string_view text, const std::string& file_name, const SvgOptions& options = {});
-
-// Reads a R.U.B.E. (b2dJson) export; the scene is called as the file. Throws FileError or SceneError.
-ImportedScene import_rube(const std::filesystem::path& file);
-ImportedScene parse_rube(std::string_view text, const std::string& file_name);
 
 }  // namespace tumble

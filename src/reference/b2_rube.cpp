@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tumble/file.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::reference {
 

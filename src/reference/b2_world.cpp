@@ -8,6 +8,7 @@
 
 #include "reference/b2_fixtures.hpp"
 #include "reference/b2_types.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::reference {
 

@@ -4,6 +4,7 @@
 #include "render/primitives.hpp"
 #include "render/view.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::render {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 

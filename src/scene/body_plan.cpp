@@ -2,6 +2,7 @@
 
 #include "scene/geometry.hpp"
 #include "tumble/chain.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tumble/scene.hpp"
+#include "tumble/world.hpp"
 
 namespace tumble::scene {
 

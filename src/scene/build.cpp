@@ -10,6 +10,7 @@
 #include "scene/place.hpp"
 #include "scene/repeat.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/included_parts.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::scene {
 

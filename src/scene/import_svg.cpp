@@ -13,6 +13,7 @@
 #include "scene/svg_body.hpp"
 #include "scene/svg_text.hpp"
 #include "tumble/file.hpp"
+#include "tumble/scene_import.hpp"
 
 namespace tumble {
 

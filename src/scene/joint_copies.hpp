@@ -6,6 +6,7 @@
 
 #include "scene/joints.hpp"
 #include "scene/names.hpp"
+#include "tumble/scene.hpp"
 
 namespace tumble::scene {
 

@@ -1,7 +1,9 @@
 // From a scene's joint to the world's, given where its bodies are at load.
 #pragma once
 
+#include "tumble/joint.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/world.hpp"
 
 namespace tumble::scene {
 

@@ -6,6 +6,7 @@
 
 #include "scene/build.hpp"
 #include "scene/display.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 

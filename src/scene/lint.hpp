@@ -2,6 +2,8 @@
 #pragma once
 
 #include "scene/diagnostics.hpp"
+#include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 

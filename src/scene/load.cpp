@@ -5,6 +5,8 @@
 #include "scene/reading.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble {
 

@@ -15,6 +15,9 @@
 #include "scene/rube_values.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
+#include "tumble/scene_import.hpp"
 
 namespace tumble {
 

@@ -7,6 +7,7 @@
 
 #include "scene/geometry.hpp"
 #include "scene/json_text.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 

@@ -9,7 +9,7 @@
 
 #include "scene/diagnostics.hpp"
 #include "scene/json.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_import.hpp"
 
 namespace tumble::scene {
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "tumble/outline.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 

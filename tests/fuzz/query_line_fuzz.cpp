@@ -10,7 +10,7 @@
 #include "distance_query.hpp"
 #include "input_error.hpp"
 #include "plain_query.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 using namespace tumble;
 

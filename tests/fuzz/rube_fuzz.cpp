@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
+#include "tumble/scene_import.hpp"
 
 using namespace tumble;
 

@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
 #include "tumble/scene_run.hpp"
 
 using namespace tumble;

@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include "reference/parity.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
 
 using namespace tumble;
 using namespace tumble::reference;

@@ -7,6 +7,7 @@
 
 #include "render/png.hpp"
 #include "render/temporary_folder.hpp"
+#include "tumble/file.hpp"
 #include "tumble/render.hpp"
 
 using namespace tumble;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble {
 

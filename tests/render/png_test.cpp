@@ -19,7 +19,7 @@
 #include <stb_image.h>
 
 #include "render/temporary_folder.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/file.hpp"
 
 using namespace tumble;
 

@@ -6,6 +6,8 @@
 #include "scene/example.hpp"
 #include "scene/shipped.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
 
 using namespace tumble;
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::test {
 

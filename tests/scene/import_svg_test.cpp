@@ -6,6 +6,9 @@
 
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
+#include "tumble/scene_import.hpp"
 
 using namespace tumble;
 

@@ -7,6 +7,8 @@
 
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
 #include "tumble/scene_run.hpp"
 
 using namespace tumble;

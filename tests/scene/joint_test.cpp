@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
 
 using namespace tumble;
 

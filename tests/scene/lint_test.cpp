@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 using namespace tumble;
 

@@ -9,7 +9,7 @@
 
 #include "scene/every_field.hpp"
 #include "scene/schema_validator.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 using namespace tumble;
 using nlohmann::json;

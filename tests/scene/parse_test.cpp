@@ -3,6 +3,7 @@
 
 #include "scene/example.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 using namespace tumble;
 

@@ -6,6 +6,7 @@
 #include "scene/bad_scenes.hpp"
 #include "scene/example.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 using namespace tumble;
 

@@ -5,6 +5,9 @@
 #include <map>
 
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
+#include "tumble/scene_import.hpp"
 
 using namespace tumble;
 

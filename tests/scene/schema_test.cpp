@@ -9,7 +9,7 @@
 #include "scene/example.hpp"
 #include "scene/schema_validator.hpp"
 #include "scene/shipped.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 using namespace tumble;
 

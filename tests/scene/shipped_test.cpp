@@ -10,6 +10,8 @@
 #include "tumble/body.hpp"
 #include "tumble/distance.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
 
 using namespace tumble;
 

@@ -10,6 +10,7 @@
 #include "scene/json_text.hpp"
 #include "scene/shipped.hpp"
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 using namespace tumble;
 

@@ -10,7 +10,7 @@
 
 #include "input_error.hpp"
 #include "json_writer.hpp"
-#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 using namespace tumble;
 using namespace tumble::tools;

@@ -1,0 +1,55 @@
+// The world that a scene describes. Each number of the scene is converted once, so that saving and loading it give the same
+// world bit for bit.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "tumble/joint.hpp"
+#include "tumble/scene.hpp"
+#include "tumble/shape.hpp"
+#include "tumble/world.hpp"
+
+namespace tumble {
+
+// The shapes that a scene's shape stands for, in body coordinates: one, or several for chains and outlines. Throws
+// std::invalid_argument, with the value printed, for degenerate geometry.
+std::vector<Shape> make_shapes(const ShapeGeometry& geometry);
+
+// The bodies of the world that a scene makes, copies counted.
+std::size_t count_bodies(const Scene& scene);
+
+// Its joints, likewise.
+std::size_t count_joints(const Scene& scene);
+
+// One body of the built world: which entry of Scene::bodies it came from (or, counted on from there, of Scene::timeline),
+// and its name after repeating (empty for unnamed bodies, which are called body[i] in output, i counting the built bodies).
+struct SceneInstance {
+    BodyId id;
+    std::size_t source = 0;
+    std::string name;
+};
+
+// The entry that the body came from.
+const SceneBody& source_of(const Scene& scene, const SceneInstance& body);
+
+// One joint of the built world: which entry of Scene::joints it came from, and its name after repeating (empty for unnamed
+// joints, which are called joint[i] in output, i counting the built joints).
+struct SceneJointInstance {
+    JointId id;
+    std::size_t source = 0;
+    std::string name;
+};
+
+struct SceneWorld {
+    World world;
+    std::vector<SceneInstance> bodies;  // in the order of creation: ids of those that have gone are stale
+    std::vector<SceneJointInstance> joints;  // in the order of the scene and of the copies
+};
+
+// Throws SceneError if a name does not resolve, geometry is degenerate (the reader has checked both already) or the scene
+// was loaded with keep_includes.
+SceneWorld build_world(const Scene& scene);
+
+}  // namespace tumble
