@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "scene/claims.hpp"
+#include "scene/check_claim.hpp"
 #include "scene/fields.hpp"
 #include "scene/geometry.hpp"
 #include "scene/joint_copies.hpp"
@@ -16,6 +16,7 @@
 #include "scene/pointer.hpp"
 #include "scene/repeat.hpp"
 #include "scene/suggest.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 
@@ -34,16 +35,17 @@ public:
         bodies_unread_ = diagnostics_.has_errors_in("/bodies");
         if (!check_counts()) return;
         const BodyNames names(scene_);
+        const References references(scene_, names, bodies_unread_, diagnostics_);
         for (std::size_t i = 0; i < own_.bodies; ++i) check_body(scene_.bodies[i], at("/bodies", i));
         check_unique(names);
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) check_places(i);
-        for (std::size_t i = 0; i < own_.joints; ++i) check_joint(scene_.joints[i], at("/joints", i), names);
+        for (std::size_t i = 0; i < own_.joints; ++i) check_joint(scene_.joints[i], at("/joints", i), names, references);
         for (std::size_t i = 0; i < own_.timeline; ++i)
-            check_event(scene_.timeline[i], at("/timeline", i), names);
+            check_event(scene_.timeline[i], at("/timeline", i), references);
         check_beats();
         for (std::size_t i = 0; i < own_.expect; ++i)
-            check_expectation(scene_.expect[i], at("/expect", i), names);
-        if (!scene_.camera.follow.empty()) require_body(scene_.camera.follow, "/camera", "follow", names);
+            check_expectation(scene_.expect[i], at("/expect", i), references, diagnostics_);
+        if (!scene_.camera.follow.empty()) references.body(scene_.camera.follow, "/camera", "follow");
     }
 
 private:
@@ -53,24 +55,19 @@ private:
 
     // The later checks count copies: false if there are too many to go on.
     bool check_counts() {
-        std::int64_t total = 0;
-        for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
-            const std::int64_t count = copy_count(scene_.bodies[i]);
-            total += std::max<std::int64_t>(count, 0);
-            if (count >= 0 && total <= kMaxBodies) continue;
-            error(at("/bodies", i), "makes " + std::to_string(total) + " bodies with those before; at most " +
-                                        std::to_string(kMaxBodies) + " are allowed");
-            return false;
-        }
-        std::int64_t joints = 0;
-        for (std::size_t i = 0; i < scene_.joints.size(); ++i) {
-            joints += copy_count(scene_.joints[i]);
-            if (joints <= kMaxBodies) continue;
-            error(at("/joints", i), "makes " + std::to_string(joints) + " joints with those before; at most " +
-                                        std::to_string(kMaxBodies) + " are allowed");
-            return false;
-        }
-        return true;
+        const auto is_within_limit = [this](const auto& list, const std::string& what) {
+            std::int64_t total = 0;
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                const std::int64_t count = copy_count(list[i]);
+                total += std::max<std::int64_t>(count, 0);
+                if (count >= 0 && total <= kMaxBodies) continue;
+                error(at("/" + what, i), "makes " + std::to_string(total) + " " + what + " with those before; at most " +
+                                             std::to_string(kMaxBodies) + " are allowed");
+                return false;
+            }
+            return true;
+        };
+        return is_within_limit(scene_.bodies, "bodies") && is_within_limit(scene_.joints, "joints");
     }
 
     void check_body(const SceneBody& body, const std::string& pointer) {
@@ -153,23 +150,10 @@ private:
         }
     }
 
-    std::optional<std::size_t> require_body(const std::string& name, const std::string& pointer, const std::string& key,
-                                            const BodyNames& names) {
-        const std::optional<std::size_t> found = names.find(name);
-        if (!found && !bodies_unread_) {
-            if (name.empty())
-                error(pointer, "the key " + quoted(key) + " is missing: the name of a body");
-            else
-                error(pointer + '/' + key, "there is no body " + quoted(name), names.hint(name));
-        }
-        return found;
-    }
-
-    void check_joint(const SceneJoint& joint, const std::string& pointer, const BodyNames& names) {
+    void check_joint(const SceneJoint& joint, const std::string& pointer, const BodyNames& names, const References& references) {
         if (diagnostics_.has_errors_in(pointer)) return;
         check_joint_keys(joint, pointer);
-        const auto a = require_body(joint.body_a, pointer, "bodies/0", names);
-        const auto b = require_body(joint.body_b, pointer, "bodies/1", names);
+        const auto a = references.body(joint.body_a, pointer, "bodies/0"), b = references.body(joint.body_b, pointer, "bodies/1");
         if (!a || !b) return;
         if (*a == *b)
             return error(pointer + "/bodies", "a joint needs two bodies, got " + quoted(joint.body_a) + " twice");
@@ -225,7 +209,7 @@ private:
         }
     }
 
-    void check_event(const SceneEvent& event, const std::string& pointer, const BodyNames& names) {
+    void check_event(const SceneEvent& event, const std::string& pointer, const References& references) {
         if (diagnostics_.has_errors_in(pointer)) return;
         const bool lasts = event.force || event.torque;
         const bool on_body = lasts || event.impulse || event.angular_impulse || event.velocity || event.angular_velocity;
@@ -236,17 +220,17 @@ private:
         if (event.from && event.until && *event.until < *event.from) error(pointer + "/until", "must not be before 'from'");
         if (event.until && !event.every && !lasts) error(pointer + "/until", "belongs to events with 'every', and to forces");
         if (event.until && event.at && *event.until <= *event.at) error(pointer + "/until", "must be after 'at'");
-        if (on_body) require_any_body(event.body, pointer, "body", names);
+        if (on_body) references.any_body(event.body, pointer, "body");
         if (!on_body && !event.body.empty()) error(pointer + "/body", "belongs to impulses, forces and velocities");
-        if (!event.despawn.empty()) require_any_body(event.despawn, pointer, "despawn", names);
-        if (on_joint) check_joint_event(event, pointer);
+        if (!event.despawn.empty()) references.any_body(event.despawn, pointer, "despawn");
+        if (on_joint) check_joint_event(event, pointer, references);
         if (!on_joint && !event.joint.empty()) error(pointer + "/joint", "belongs to motor speeds and targets");
-        if (!event.release.empty()) require_joint(event.release, pointer, "release");
+        if (!event.release.empty()) references.joint(event.release, pointer, "release");
         if (event.spawn) check_spawn(*event.spawn, pointer + "/spawn");
     }
 
-    void check_joint_event(const SceneEvent& event, const std::string& pointer) {
-        const SceneJoint* joint = require_joint(event.joint, pointer, "joint");
+    void check_joint_event(const SceneEvent& event, const std::string& pointer, const References& references) {
+        const SceneJoint* joint = references.joint(event.joint, pointer, "joint");
         if (joint == nullptr) return;
         if (event.motor_speed && !joint->motor) error(pointer + "/joint", "the joint " + quoted(event.joint) + " has no motor");
         if (event.target && joint->type != SceneJointType::mouse)
@@ -260,73 +244,6 @@ private:
         } catch (const std::invalid_argument& cause) {
             error(pointer + "/repeat", cause.what());
         }
-    }
-
-    // A body that is there from the start, or made by the timeline.
-    void require_any_body(const std::string& name, const std::string& pointer, const std::string& key, const BodyNames& names) {
-        if (!names.is_spawned(name)) require_body(name, pointer, key, names);
-    }
-
-    // Of repeated joints a copy; where all are meant, `or_all`, their common name too.
-    const SceneJoint* require_joint(const std::string& name, const std::string& pointer, const std::string& key, bool or_all = false) {
-        for (const SceneJoint& joint : scene_.joints)
-            if (!name.empty() && (or_all || !joint.repeat) && joint.name == name) return &joint;
-        const std::string_view base = base_name(name);
-        for (const SceneJoint& joint : scene_.joints) {
-            if (!joint.repeat || joint.name != base) continue;
-            const std::optional<std::size_t> copy = copy_number(name);
-            if (copy && *copy < static_cast<std::size_t>(copy_count(joint))) return &joint;
-        }
-        if (diagnostics_.has_errors_in("/joints")) return nullptr;
-        if (name.empty()) {
-            error(pointer, "the key " + quoted(key) + " is missing: the name of a joint");
-            return nullptr;
-        }
-        std::vector<std::string_view> known;
-        for (const SceneJoint& joint : scene_.joints) known.push_back(joint.name);
-        error(pointer + '/' + key, "there is no joint " + quoted(name), suggestion(name, known));
-        return nullptr;
-    }
-
-    void check_expectation(const SceneExpectation& claim, const std::string& pointer, const BodyNames& names) {
-        if (diagnostics_.has_errors_in(pointer)) return;
-        const bool of_body = claim.inside || claim.outside || claim.height || claim.speed || claim.angle ||
-                             !claim.touches.empty() || !claim.never_touches.empty();
-        const bool of_some = claim.count || claim.event_count;  // of a body's copies, or of all
-        const bool of_state = claim.inside || claim.outside || claim.height || claim.speed || claim.angle || claim.count;
-        const auto refuse = [&](bool present, const std::string& key, const std::string& reason) {
-            if (present) error(pointer + '/' + key, reason);
-        };
-        if (of_body) require_any_body(claim.body, pointer, "body", names);
-        if (of_some && !claim.body.empty() && !names.find_source(base_name(claim.body)) && !names.is_spawned(copy_name(claim.body, 0)))
-            require_any_body(claim.body, pointer, "body", names);
-        refuse(!of_body && !of_some && !claim.body.empty(), "body", "belongs to claims of a body, of counts and of events");
-        if (!claim.touches.empty()) require_any_body(claim.touches, pointer, "touches", names);
-        if (!claim.never_touches.empty()) require_any_body(claim.never_touches, pointer, "never_touches", names);
-        if (!claim.joint.empty()) require_joint(claim.joint, pointer, "joint", true);
-        refuse(!claim.joint.empty() && !claim.max_joint_error, "joint", "belongs to 'max_joint_error'");
-        if (claim.count && !claim.region) error(pointer, "the key 'region' is missing: where bodies are counted");
-        refuse(claim.region && !claim.count, "region", "belongs to 'count'");
-        refuse(claim.frame && !has_place(claim), "frame", "belongs to claims of places, heights and angles");
-        if (claim.event_count && !claim.event) error(pointer, "the key 'event' is missing: what is counted");
-        refuse(claim.event && !claim.event_count, "event", "belongs to 'event_count'");
-        refuse(claim.when != SceneMoment::end && (!of_state || claim.at), "when",
-               "belongs to claims of a state, without 'at'");
-        const bool at_one_time = of_state || claim.event_count || !claim.state_hash.empty();
-        refuse(claim.at && !at_one_time, "at", "belongs to what can be looked at once");
-        const bool over_a_time = !claim.at && !claim.at_rest_by && claim.state_hash.empty() && !claim.event_count &&
-                                 !(of_state && claim.when == SceneMoment::end);
-        refuse(claim.from && !over_a_time, "from", "belongs to claims over a time");
-        refuse(claim.until && !over_a_time, "until", "belongs to claims over a time");
-        if (claim.from && claim.until && *claim.until < *claim.from) error(pointer + "/until", "must not be before 'from'");
-        for (const auto& [box, key] : {std::pair{&claim.inside, "inside"}, {&claim.outside, "outside"}, {&claim.region, "region"}}) {
-            if (!*box) continue;
-            const auto& [lower, upper] = **box;
-            if (lower.x > upper.x || lower.y > upper.y)
-                error(pointer + '/' + key, "must be the lower left and the upper right corner of a box");
-        }
-        const bool is_hash = claim.state_hash.size() == 16 && claim.state_hash.find_first_not_of("0123456789abcdef") == std::string::npos;
-        refuse(!claim.state_hash.empty() && !is_hash, "state_hash", "must be 16 digits 0-9 and a-f");
     }
 
     const Scene& scene_;
