@@ -12,6 +12,11 @@ namespace {
 // sinking. Greater: what is faster is kicked at seams.
 constexpr float kSameNormal = 1e-4f;
 
+// Out of the ground.
+Vec2 ground_normal(const Contact& contact, std::uint32_t moving_shape) {
+    return contact.shapes.b == moving_shape ? contact.manifold.normal : -contact.manifold.normal;
+}
+
 // A contact as the moving shape feels it: positions are from its body's.
 struct Footing {
     const ShapeRecord& ground;
@@ -26,7 +31,7 @@ Footing footing_of(const Simulation& simulation, const Contact& contact, std::ui
     const Manifold& manifold = contact.manifold;
     const BodyFrame& moving = simulation.bodies.frames[on_a ? contact.body_b : contact.body_a];
     const BodyFrame& ground = simulation.bodies.frames[on_a ? contact.body_a : contact.body_b];
-    const Vec2 normal = on_a ? manifold.normal : -manifold.normal;
+    const Vec2 normal = ground_normal(contact, moving_shape);
     double height = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < manifold.point_count; ++i) {
         const ManifoldPoint& point = manifold.points[i];
@@ -73,6 +78,18 @@ void find_footings(Simulation& simulation) {
     std::sort(found.begin(), found.end());
 }
 
+// Drops the contact if its ground does not rise above the plane that the shape lies on by the other one.
+void drop_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint32_t index, std::uint32_t other) {
+    Contact& contact = simulation.contacts.all()[index];
+    const Contact& lies = simulation.contacts.all()[other];
+    if (contact.manifold.point_count == 0 || lies.manifold.point_count == 0) return;
+    const Vec2 normal = ground_normal(contact, moving_shape), normal_of_plane = ground_normal(lies, moving_shape);
+    if (std::abs(cross(normal, normal_of_plane)) < kSameNormal) return;
+    const Footing ground = footing_of(simulation, contact, moving_shape), plane = footing_of(simulation, lies, moving_shape);
+    const double tolerance = double{kRecyclingPart} * double{contact.speculative_distance};
+    if (!rises_above(ground, plane, tolerance)) drop(contact);
+}
+
 }  // namespace
 
 void smooth_seams(Simulation& simulation) {
@@ -81,16 +98,8 @@ void smooth_seams(Simulation& simulation) {
     for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
         while (last < found.size() && found[last].moving_shape == found[first].moving_shape) ++last;
         for (std::size_t i = first; i < last; ++i)
-            for (std::size_t other = first; other < last; ++other) {
-                Contact& contact = simulation.contacts.all()[found[i].contact];
-                const Contact& lies = simulation.contacts.all()[found[other].contact];
-                if (i == other || contact.manifold.point_count == 0 || lies.manifold.point_count == 0) continue;
-                const Footing ground = footing_of(simulation, contact, found[i].moving_shape);
-                const Footing plane = footing_of(simulation, lies, found[i].moving_shape);
-                const double tolerance = double{kRecyclingPart} * double{contact.speculative_distance};
-                const bool same = std::abs(cross(ground.normal, plane.normal)) < kSameNormal;
-                if (!same && !rises_above(ground, plane, tolerance)) drop(contact);
-            }
+            for (std::size_t other = first; other < last; ++other)
+                drop_if_below(simulation, found[first].moving_shape, found[i].contact, found[other].contact);
     }
 }
 

@@ -72,7 +72,7 @@ const std::string kPart = scene_text(R"(
     "expect": [
         {"body": "hub", "inside": [[0, 1], [2, 3]], "at": 0},
         {"body": "hub", "angle": [19, 21], "at": 0},
-        {"body": "row", "count": [0, 0], "region": [[0, 0], [1, 1]]},
+        {"body": "slider", "count": [1, 1], "region": [[1.9, -3.1], [2.1, -2.9]], "at": 0},
         {"joint": "hinge", "max_joint_error": 0.1},
         {"body": "hub", "never_touches": "row[1]"},
         {"at_rest_by": 1}, {"max_penetration": 0.1}, {"max_energy_gain": 1000}
