@@ -1,13 +1,16 @@
 // `tumble check`: simulate scenes without drawing them, and test what they claim about themselves.
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "command.hpp"
 #include "console.hpp"
+#include "error_report.hpp"
 #include "interrupt.hpp"
 #include "json_writer.hpp"
 #include "output_path.hpp"
@@ -37,15 +40,18 @@ std::string verdict_line(const SceneCheck& check) {
            " claims hold\n";
 }
 
+// All on one stream, so that a log keeps the order, and each finding with its file, so that it can be searched for.
 void say(const SceneCheck& check) {
-    write_output(verdict_line(check));
-    if (!check.error.empty()) report_error(check.error);
+    std::string text = verdict_line(check);
+    if (!check.error.empty()) text += "  " + check.error + (check.error.ends_with('\n') ? "" : "\n");
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
         const ExpectationResult& result = check.expectations[i];
         if (result.passed) continue;
-        narrate("  /expect/" + std::to_string(i) + " failed: expected that " + result.claim + "\n    at step " +
-                std::to_string(result.step) + ": " + result.finding + "\n");
+        text += "  " + check.file + ": " + pointer_of_claim(i) + " failed: expected that " + result.claim + "\n    " +
+                moment_text(result) + ": " + result.finding + "\n";
+        if (!check.shots.empty() && !check.shots[i].empty()) text += "    drawn: " + check.shots[i].string() + "\n";
     }
+    write_output(text);
 }
 
 void write(JsonWriter& json, const SceneCheck& check) {
@@ -55,40 +61,56 @@ void write(JsonWriter& json, const SceneCheck& check) {
     json.key("expectations").open_array();
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
         const ExpectationResult& result = check.expectations[i];
-        json.open_object().member("pointer", "/expect/" + std::to_string(i)).member("claim", result.claim);
-        json.member("passed", result.passed).member("finding", result.finding).member("step", result.step);
+        json.open_object().member("pointer", pointer_of_claim(i)).member("claim", result.claim);
+        json.member("passed", result.passed).member("finding", result.finding);
+        json.member("step", result.step).member("time", result.time);
+        if (!check.shots.empty() && !check.shots[i].empty()) json.member("shot", check.shots[i].string());
         json.close_object();
     }
     json.close_array().close_object();
 }
 
-// A picture of the moment that decided each claim that does not hold: DIR/<scene>-expect-<index>.png.
-void draw_failures(const SceneCheck& check, const CheckArguments& options) {
+// Scenes of one name are told apart by a number: x, x-2, x-3.
+void make_names_differ(std::vector<SceneCheck>& checks) {
+    std::set<std::string> taken;
+    for (SceneCheck& check : checks) {
+        const std::string name = check.name;
+        for (int copy = 2; !taken.insert(check.name).second; ++copy) check.name = name + "-" + std::to_string(copy);
+    }
+}
+
+// A picture of the moment that decided each claim that does not hold: DIR/<scene>-expect-<index>.png. A picture that cannot
+// be had is said, and the claims still decide the exit code.
+void draw_failures(SceneCheck& check, const CheckArguments& options) {
+    check.shots.resize(check.expectations.size());
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
         const ExpectationResult& result = check.expectations[i];
         if (result.passed) continue;
-        const Scene scene = load_scene(check.file, options.changes);
-        const std::filesystem::path file =
-            options.shots / (file_name_of(scene, check.file) + "-expect-" + std::to_string(i) + ".png");
-        refuse_to_overwrite(file, options.force);
-        draw_scene_at(scene, result.step, {}, file);
-        narrate("    drawn: " + file.string() + "\n");
+        const std::filesystem::path file = options.shots / (check.name + "-expect-" + std::to_string(i) + ".png");
+        try {
+            refuse_to_overwrite(file, options.force);
+            draw_scene_at(load_scene(check.file, options.changes), result.step, {}, file);
+            check.shots[i] = file;
+        } catch (...) {
+            report_warning("not drawn: " + explain(std::current_exception()).message);
+        }
     }
 }
 
 ExitCode check_all(const Command& command, const CheckArguments& options) {
     if (!options.junit.empty()) refuse_to_overwrite(options.junit, options.force);
     catch_interrupts();
-    const std::vector<SceneCheck> checks = check_scene_files(without_schemas(options.files), options.changes, options.jobs);
+    std::vector<SceneCheck> checks = check_scene_files(without_schemas(options.files), options.changes, options.jobs);
     // An interruption weighs most, then a scene that could not be read or run, then a claim that does not hold.
     const auto weight = [](ExitCode code) { return code == ExitCode::failed ? 1 : static_cast<int>(code) * 10; };
     ExitCode code = ExitCode::ok;
     JsonWriter json;
     json.open_object().key("scenes").open_array();
-    for (const SceneCheck& check : checks) {
+    if (!options.shots.empty()) make_names_differ(checks);
+    for (SceneCheck& check : checks) {
         if (weight(check.code) > weight(code)) code = check.code;
-        command.json ? write(json, check) : say(check);
         if (!options.shots.empty()) draw_failures(check, options);
+        command.json ? write(json, check) : say(check);
     }
     json.close_array().member("passed", code == ExitCode::ok).close_object();
     if (command.json) write_output(json.text() + "\n");

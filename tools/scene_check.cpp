@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <exception>
 #include <thread>
 
 #include "error_report.hpp"
 #include "interrupt.hpp"
 #include "json_writer.hpp"
+#include "scene_options.hpp"
 #include "stopwatch.hpp"
 #include "tumble/drawing.hpp"
 
@@ -17,6 +19,7 @@ namespace tumble::tools {
 namespace {
 
 void run_to_the_end(const Scene& scene, SceneCheck& check) {
+    check.name = file_name_of(scene, check.file);
     SceneRun run(scene);
     ExpectationWatch watch(scene, run.built());
     watch.observe(run.built());
@@ -59,9 +62,18 @@ std::string junit_suite(const SceneCheck& check) {
     if (broken)
         text += "    <testcase" + class_name + attribute("name", "runs") + "><error" +
                 attribute("message", check.error) + "/></testcase>\n";
-    for (const ExpectationResult& result : check.expectations) {
-        text += "    <testcase" + class_name + attribute("name", result.claim);
-        text += result.passed ? "/>\n" : "><failure" + attribute("message", result.finding) + "/></testcase>\n";
+    for (std::size_t i = 0; i < check.expectations.size(); ++i) {
+        const ExpectationResult& result = check.expectations[i];
+        // With its place: two claims may read the same, and viewers merge cases of one name.
+        text += "    <testcase" + class_name + attribute("name", pointer_of_claim(i) + ": " + result.claim);
+        if (result.passed) {
+            text += "/>\n";
+            continue;
+        }
+        text += "><failure" + attribute("message", moment_text(result) + ": " + result.finding) + "/>";
+        if (!check.shots.empty() && !check.shots[i].empty())
+            text += "<system-out>drawn: " + escape_markup(check.shots[i].string()) + "</system-out>";
+        text += "</testcase>\n";
     }
     return text + "  </testsuite>\n";
 }
@@ -71,6 +83,7 @@ std::string junit_suite(const SceneCheck& check) {
 SceneCheck check_scene_file(const std::string& file, const LoadOptions& changes) {
     SceneCheck check;
     check.file = file;
+    check.name = file_name_of({}, file);
     const Stopwatch watch;
     try {
         run_to_the_end(load_scene(file, changes), check);
@@ -97,6 +110,14 @@ std::vector<SceneCheck> check_scene_files(const std::vector<std::string>& files,
     }
     return checks;
 }
+
+std::string moment_text(const ExpectationResult& result) {
+    char text[64];
+    std::snprintf(text, sizeof text, "at %.4g s (step %llu)", result.time, static_cast<unsigned long long>(result.step));
+    return text;
+}
+
+std::string pointer_of_claim(std::size_t index) { return "/expect/" + std::to_string(index); }
 
 std::string to_junit(const std::vector<SceneCheck>& checks) {
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"tumble\">\n";

@@ -18,11 +18,11 @@ void check_expectation(const SceneExpectation& claim, const std::string& pointer
     const auto refuse = [&](bool present, const std::string& key, const std::string& reason) {
         if (present) diagnostics.error(pointer + '/' + key, reason);
     };
-    if (of_body) references.any_body(claim.body, pointer, "body");
+    if (of_body) references.body_or_copies(claim.body, pointer, "body");
     if (of_some && !claim.body.empty()) references.body_or_copies(claim.body, pointer, "body");
     refuse(!of_body && !of_some && !claim.body.empty(), "body", "belongs to claims of a body, of counts and of events");
-    if (!claim.touches.empty()) references.any_body(claim.touches, pointer, "touches");
-    if (!claim.never_touches.empty()) references.any_body(claim.never_touches, pointer, "never_touches");
+    if (!claim.touches.empty()) references.body_or_copies(claim.touches, pointer, "touches");
+    if (!claim.never_touches.empty()) references.body_or_copies(claim.never_touches, pointer, "never_touches");
     if (!claim.joint.empty()) references.joint(claim.joint, pointer, "joint", true);
     refuse(!claim.joint.empty() && !claim.max_joint_error, "joint", "belongs to 'max_joint_error'");
     if (claim.count && !claim.region) diagnostics.error(pointer, "the key 'region' is missing: where bodies are counted");

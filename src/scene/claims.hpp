@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "scene/names.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_world.hpp"
 
@@ -16,6 +17,9 @@ public:
     // To be called for the first state and after each step: for claims about what happened since.
     virtual void follow(const SceneWorld&) {}
 
+    // Whether there is anything to look at in this state, which was followed; else it does not count.
+    virtual bool applies() const { return true; }
+
     // 0 where the claim holds in this state, which was followed, else how far it is from holding.
     virtual double excess(const SceneWorld& built) = 0;
 
@@ -26,13 +30,13 @@ public:
 };
 
 // One of the two below. `built` is the world at its start.
-std::unique_ptr<Claim> make_claim(const SceneExpectation& expectation, const SceneWorld& built);
+std::unique_ptr<Claim> make_claim(const SceneExpectation& expectation, const BodyNames& names, const SceneWorld& built);
 
 // Of the whole world: rest, depth, joints, energy, hash. Null for other claims.
 std::unique_ptr<Claim> make_claim_of_world(const SceneExpectation& expectation, const SceneWorld& built);
 
 // Of bodies: where they are, how fast, what they touch, how many, what happens to them.
-std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& expectation);
+std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& expectation, const BodyNames& names);
 
 // Whether it speaks of a place or an angle, which a frame can measure.
 bool has_place(const SceneExpectation& expectation);

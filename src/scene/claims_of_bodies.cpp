@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "scene/claims.hpp"
 #include "scene/display.hpp"
 #include "scene/names.hpp"
+#include "tumble/distance.hpp"
 
 namespace tumble::scene {
 
@@ -46,33 +48,53 @@ Pose seen_from(const Pose& frame, const Pose& pose) {
     return {inverse_transform_point(frame, pose.position), {f.c * q.c + f.s * q.s, f.c * q.s - f.s * q.c}};
 }
 
-// Something about the state of one body.
+// Something about the state of a body, or of each of its copies: the worst of them decides.
 class OfBody : public Claim {
 public:
-    explicit OfBody(const SceneExpectation& claim) : body_(claim.body), frame_(make_frame(claim)) {}
+    OfBody(const SceneExpectation& claim, bool of_copies)
+        : bodies_(claim.body, of_copies), of_copies_(of_copies), frame_(make_frame(claim)),
+          waits_(of_copies && claim.when == SceneMoment::always && !claim.at) {}
+
+    void follow(const SceneWorld& built) override { bodies_.update(built); }
+
+    // What holds of all copies at all times is asked while there are any.
+    bool applies() const override { return !waits_ || !bodies_.members().empty(); }
 
     double excess(const SceneWorld& built) override {
-        const SceneInstance* body = body_.find(built);
+        double worst = kGone;
         state_.reset();
-        if (body == nullptr) return kGone;
-        state_ = built.world.state(body->id);
-        state_->pose = seen_from(frame_, state_->pose);
-        return excess_of_state(*state_);
+        for (const SceneInstance& body : bodies_.members()) {
+            BodyState state = built.world.state(body.id);
+            state.pose = seen_from(frame_, state.pose);
+            const double excess = excess_of_state(state);
+            if (state_ && excess <= worst) continue;
+            worst = excess;
+            state_ = state;
+            name_ = body.name;
+        }
+        return worst;
     }
-    std::string finding(const SceneWorld&) const override { return state_ ? seen(*state_) : "it is not there"; }
+    std::string finding(const SceneWorld&) const override {
+        if (!state_) return of_copies_ ? "there is none" : "it is not there";
+        return (of_copies_ ? "'" + name_ + "': " : "") + seen(*state_);
+    }
 
 private:
     virtual double excess_of_state(const BodyState& state) const = 0;
     virtual std::string seen(const BodyState& state) const = 0;
 
-    BodyLookup body_;
+    BodyGroup bodies_;
+    bool of_copies_;
     Pose frame_;
-    std::optional<BodyState> state_;  // in the frame
+    bool waits_;
+    std::string name_;                // of who decides
+    std::optional<BodyState> state_;  // its, in the frame
 };
 
 class BodyPlace final : public OfBody {
 public:
-    BodyPlace(const SceneExpectation& claim, const SceneBox& box, bool inside) : OfBody(claim), box_(box), inside_(inside) {}
+    BodyPlace(const SceneExpectation& claim, bool of_copies, const SceneBox& box, bool inside)
+        : OfBody(claim, of_copies), box_(box), inside_(inside) {}
 
 private:
     double excess_of_state(const BodyState& state) const override {
@@ -88,9 +110,9 @@ private:
 // A number of a body's state, between two bounds.
 class Measure final : public OfBody {
 public:
-    Measure(const SceneExpectation& claim, const SceneInterval& allowed, double (*measure)(const BodyState&),
+    Measure(const SceneExpectation& claim, bool of_copies, const SceneInterval& allowed, double (*measure)(const BodyState&),
             const char* before, const char* unit)
-        : OfBody(claim), allowed_(allowed), measure_(measure), before_(before), unit_(unit) {}
+        : OfBody(claim, of_copies), allowed_(allowed), measure_(measure), before_(before), unit_(unit) {}
 
 private:
     double excess_of_state(const BodyState& state) const override { return excess_of(measure_(state), allowed_); }
@@ -102,52 +124,77 @@ private:
     const char* unit_;
 };
 
-// Whether two bodies touch, from the events of every step.
+// How near the nearest shapes of two bodies are that could touch, a sensor's included (m).
+double gap_between(const World& world, BodyId a, BodyId b) {
+    const DistanceResult nearest = world.distance(a, b).nearest;  // of the solid ones
+    double gap = nearest.status == DistanceStatus::invalid ? kGone : nearest.distance;
+    for (const ShapeId one : world.shapes(a))
+        for (const ShapeId other : world.shapes(b))
+            if (world.is_sensor(one) != world.is_sensor(other))
+                gap = std::min(gap, tumble::distance(world.shape(one), world.state(a).pose, world.shape(other), world.state(b).pose).distance);
+    return std::max(gap, 0.0);
+}
+
+// Whether two bodies touch, or any of their copies, from the events of every step.
 class Touching final : public Claim {
 public:
-    Touching(const std::string& a, const std::string& b, bool wanted) : a_(a), b_(b), wanted_(wanted) {}
+    Touching(BodyGroup a, BodyGroup b, bool wanted) : a_(std::move(a)), b_(std::move(b)), wanted_(wanted) {}
 
     void follow(const SceneWorld& built) override {
-        const SceneInstance* a = a_.find(built);
-        const SceneInstance* b = b_.find(built);
-        const StepEvents& events = built.world.events();
-        if (built.world.step_count() > 0 && a != nullptr && b != nullptr) {
-            const World& world = built.world;
-            const auto are_the_two = [&](ShapeId one, ShapeId other) {
-                if (!world.is_valid(one) || !world.is_valid(other)) return false;
-                const BodyId p = world.body(one), q = world.body(other);
-                return (p == a->id && q == b->id) || (p == b->id && q == a->id);
-            };
-            for (const ContactBegin& event : events.contact_begins) touching_ += are_the_two(event.shape_a, event.shape_b);
-            for (const ContactEnd& event : events.contact_ends) touching_ -= are_the_two(event.shape_a, event.shape_b);
-            for (const SensorEvent& event : events.sensor_begins) touching_ += are_the_two(event.sensor, event.visitor);
-            for (const SensorEvent& event : events.sensor_ends) touching_ -= are_the_two(event.sensor, event.visitor);
-        } else {
-            touching_ = 0;
-        }
+        a_.update(built);
+        b_.update(built);
+        const World& world = built.world;
+        std::erase_if(touching_, [&](const auto& pair) { return !world.is_valid(pair.first.first) || !world.is_valid(pair.first.second); });
+        if (world.step_count() == 0) return;
+        const auto add = [&](ShapeId one, ShapeId other, int change) {
+            if (!world.is_valid(one) || !world.is_valid(other)) return;
+            const BodyId p = world.body(one), q = world.body(other);
+            if (!(a_.has(p) && b_.has(q)) && !(a_.has(q) && b_.has(p))) return;
+            const auto pair = touching_.try_emplace(std::minmax(p, q), 0).first;
+            pair->second += change;
+            if (pair->second == 0) touching_.erase(pair);
+        };
+        const StepEvents& events = world.events();
+        for (const ContactBegin& event : events.contact_begins) add(event.shape_a, event.shape_b, 1);
+        for (const ContactEnd& event : events.contact_ends) add(event.shape_a, event.shape_b, -1);
+        for (const SensorEvent& event : events.sensor_begins) add(event.sensor, event.visitor, 1);
+        for (const SensorEvent& event : events.sensor_ends) add(event.sensor, event.visitor, -1);
     }
+
     // Of a touch that is missed, the nearest approach decides.
     double excess(const SceneWorld& built) override {
         gap_ = kGone;
-        if ((touching_ > 0) == wanted_) return 0.0;
+        if (!touching_.empty() == wanted_) return 0.0;
         if (!wanted_) return 1.0;
-        const SceneInstance* a = a_.find(built);
-        const SceneInstance* b = b_.find(built);
-        if (a == nullptr || b == nullptr) return kGone;
-        const DistanceResult nearest = built.world.distance(a->id, b->id).nearest;
-        if (nearest.status != DistanceStatus::invalid) gap_ = std::max(nearest.distance, 0.0);
+        if (a_.members().size() * b_.members().size() <= kMostPairs) measure_gap(built.world);
         return std::max(gap_, std::numeric_limits<double>::min());
     }
-    std::string finding(const SceneWorld&) const override {
-        if (touching_ > 0) return "they touch";
+    std::string finding(const SceneWorld& built) const override {
+        if (!touching_.empty()) return touching_text(built);
+        if (a_.members().empty() || b_.members().empty()) return "'" + (a_.members().empty() ? a_ : b_).name() + "'" + " is not there";
         return gap_ == kGone ? "they do not touch" : "they are " + brief(gap_) + " m apart";
     }
 
 private:
-    BodyLookup a_, b_;
+    static constexpr std::size_t kMostPairs = 1000;  // whose distance is asked in every step
+
+    void measure_gap(const World& world) {
+        for (const SceneInstance& a : a_.members())
+            for (const SceneInstance& b : b_.members())
+                if (a.id != b.id) gap_ = std::min(gap_, gap_between(world, a.id, b.id));
+    }
+
+    // Copies are told apart.
+    std::string touching_text(const SceneWorld& built) const {
+        const auto& [first, second] = touching_.begin()->first;
+        const bool are_single = a_.members().size() == 1 && b_.members().size() == 1;
+        return are_single ? "they touch" : display_name(built, first) + " and " + display_name(built, second) + " touch";
+    }
+
+    BodyGroup a_, b_;
     bool wanted_;
-    int touching_ = 0;    // pairs of shapes
-    double gap_ = kGone;  // m, between solid shapes
+    std::map<std::pair<BodyId, BodyId>, int> touching_;  // how many pairs of their shapes do
+    double gap_ = kGone;                                 // m
 };
 
 // Whether an instance is the body of that name, one of its copies, or any if there is no name.
@@ -226,14 +273,16 @@ double degrees_of(const BodyState& state) { return angle(state.pose.rotation) * 
 
 }  // namespace
 
-std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& claim) {
-    if (claim.inside) return std::make_unique<BodyPlace>(claim, *claim.inside, true);
-    if (claim.outside) return std::make_unique<BodyPlace>(claim, *claim.outside, false);
-    if (claim.height) return std::make_unique<Measure>(claim, *claim.height, height_of, "its height is", "m");
-    if (claim.speed) return std::make_unique<Measure>(claim, *claim.speed, speed_of, "its speed is", "m/s");
-    if (claim.angle) return std::make_unique<Measure>(claim, *claim.angle, degrees_of, "its angle is", "degrees");
-    if (!claim.touches.empty()) return std::make_unique<Touching>(claim.body, claim.touches, true);
-    if (!claim.never_touches.empty()) return std::make_unique<Touching>(claim.body, claim.never_touches, false);
+std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& claim, const BodyNames& names) {
+    const bool of_copies = names.is_shared(claim.body);
+    const auto group = [&](const std::string& name) { return BodyGroup(name, names.is_shared(name)); };
+    if (claim.inside) return std::make_unique<BodyPlace>(claim, of_copies, *claim.inside, true);
+    if (claim.outside) return std::make_unique<BodyPlace>(claim, of_copies, *claim.outside, false);
+    if (claim.height) return std::make_unique<Measure>(claim, of_copies, *claim.height, height_of, "its height is", "m");
+    if (claim.speed) return std::make_unique<Measure>(claim, of_copies, *claim.speed, speed_of, "its speed is", "m/s");
+    if (claim.angle) return std::make_unique<Measure>(claim, of_copies, *claim.angle, degrees_of, "its angle is", "degrees");
+    if (!claim.touches.empty()) return std::make_unique<Touching>(group(claim.body), group(claim.touches), true);
+    if (!claim.never_touches.empty()) return std::make_unique<Touching>(group(claim.body), group(claim.never_touches), false);
     if (claim.count) return std::make_unique<Count>(claim);
     return std::make_unique<EventCount>(claim.event.value(), claim.body, *claim.event_count);
 }

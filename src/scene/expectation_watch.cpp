@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "scene/claims.hpp"
+#include "scene/names.hpp"
 #include "scene/step_time.hpp"
 #include "tumble/scene_run.hpp"
 
@@ -27,11 +28,17 @@ struct Watched {
     SceneMoment moment = SceneMoment::end;
     std::uint64_t from = 0;       // the first step that counts
     std::uint64_t to = kForever;  // the last one
-    bool seen = false;
+    bool reached = false;         // whether the run came to a step that counts
+    bool seen = false;            // and to one that the claim applies to
     double excess = 0.0;  // of the moment that decides so far
     double margin = 0.0;
     std::string finding;
     std::uint64_t step = 0;
+
+    std::string finding_text() const {
+        if (seen) return finding;
+        return reached ? "there never is any" : "the run ends before that";
+    }
 
     // Whether a new state decides in place of the one before it.
     bool decides(double new_excess, double new_margin) const {
@@ -46,13 +53,17 @@ struct Watched {
 
 struct ExpectationWatch::Impl {
     std::vector<Watched> watched;  // [scene.expect.size()]
+    double rate = 0.0;             // steps/s
+    std::uint64_t last_step = 0;
 };
 
 ExpectationWatch::ExpectationWatch(const Scene& scene, const SceneWorld& built) : impl_(std::make_unique<Impl>()) {
     const double rate = double{built.world.def().steps_per_second};
+    impl_->rate = rate;
+    const scene::BodyNames names(scene);
     for (const SceneExpectation& expectation : scene.expect) {
         Watched& watched = impl_->watched.emplace_back();
-        watched.claim = scene::make_claim(expectation, built);
+        watched.claim = scene::make_claim(expectation, names, built);
         watched.text = scene::claim_text(expectation);
         watched.moment = moment_of(expectation);
         if (expectation.from) watched.from = scene::first_step_at(*expectation.from, rate);
@@ -68,9 +79,12 @@ ExpectationWatch& ExpectationWatch::operator=(ExpectationWatch&&) noexcept = def
 
 void ExpectationWatch::observe(const SceneWorld& built) {
     const std::uint64_t step = built.world.step_count();
+    impl_->last_step = step;
     for (Watched& watched : impl_->watched) {
         watched.claim->follow(built);
         if (step < watched.from || step > watched.to) continue;
+        watched.reached = true;
+        if (!watched.claim->applies()) continue;
         const double excess = watched.claim->excess(built), margin = watched.claim->margin();
         if (!watched.decides(excess, margin)) continue;
         watched.seen = true;
@@ -85,7 +99,8 @@ std::vector<ExpectationResult> ExpectationWatch::results() const {
     std::vector<ExpectationResult> results;
     for (const Watched& watched : impl_->watched) {
         const bool passed = watched.seen && watched.excess == 0.0;
-        results.push_back({passed, watched.text, watched.seen ? watched.finding : "the run ends before that", watched.step});
+        const std::uint64_t step = watched.seen ? watched.step : impl_->last_step;
+        results.push_back({passed, watched.text, watched.finding_text(), step, static_cast<double>(step) / impl_->rate});
     }
     return results;
 }

@@ -57,7 +57,7 @@ void visit_fields(V& v, Type<SceneExpectation>) {
             &SceneExpectation::max_joint_error);
     v.field({"max_energy_gain", "How much kinetic and potential energy may grow above that at the start.", "J", kStrength},
             &SceneExpectation::max_energy_gain);
-    v.field({.name = "body", .description = "Name of the body that is looked at.", .text = Text::name},
+    v.field({.name = "body", .description = "Name of the body that is looked at; the common name of copies means each of them.", .text = Text::name},
             &SceneExpectation::body);
     v.field({.name = "joint", .description = "Name of the joint that is looked at.", .text = Text::name},
             &SceneExpectation::joint);
@@ -70,9 +70,9 @@ void visit_fields(V& v, Type<SceneExpectation>) {
             &SceneExpectation::speed);
     v.field({"angle", "Least and greatest angle of the body, between -180 and 180.", "degrees", {-180.0, 180.0}},
             &SceneExpectation::angle);
-    v.field({.name = "touches", .description = "Name of a body that the body touches at least once.", .text = Text::name},
+    v.field({.name = "touches", .description = "Name of a body that the body touches at least once; of copies, any of them.", .text = Text::name},
             &SceneExpectation::touches);
-    v.field({.name = "never_touches", .description = "Name of a body that the body never touches.", .text = Text::name},
+    v.field({.name = "never_touches", .description = "Name of a body that the body never touches; of copies, none of them.", .text = Text::name},
             &SceneExpectation::never_touches);
     v.field({"count", "Least and greatest number of bodies with their position in 'region', of the copies of 'body' or of all.",
              "", {0.0, 1e9}},

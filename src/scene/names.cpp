@@ -26,6 +26,12 @@ bool BodyNames::is_spawned(std::string_view name) const {
     return found != spawned_.end() && found->second == (base != name);
 }
 
+bool BodyNames::is_shared(std::string_view name) const {
+    const auto source = sources_.find(name);
+    const auto spawned = spawned_.find(name);
+    return (source != sources_.end() && source->second.repeated) || (spawned != spawned_.end() && spawned->second);
+}
+
 std::optional<std::size_t> BodyNames::find(std::string_view name) const {
     const auto exact = sources_.find(name);
     if (exact != sources_.end() && !exact->second.repeated) return exact->second.first;

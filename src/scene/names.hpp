@@ -26,6 +26,9 @@ public:
     // Whether the timeline makes a body of this name.
     bool is_spawned(std::string_view name) const;
 
+    // Whether copies share this name, of a body that is repeated or made by the timeline more than once.
+    bool is_shared(std::string_view name) const;
+
     // Whether a copy of a repeated body has this name.
     bool is_copy(std::string_view name) const { return find_copy(name).has_value(); }
 

@@ -24,7 +24,7 @@ void References::any_body(const std::string& name, const std::string& pointer, c
 }
 
 void References::body_or_copies(const std::string& name, const std::string& pointer, const std::string& key) const {
-    if (!names_.find_source(base_name(name)) && !names_.is_spawned(copy_name(name, 0))) any_body(name, pointer, key);
+    if (!names_.is_shared(name)) any_body(name, pointer, key);
 }
 
 const SceneJoint* References::joint(const std::string& name, const std::string& pointer, const std::string& key, bool or_all) const {

@@ -78,6 +78,8 @@ TEST_CASE("a place is looked at at its time, or at the end; what is never reache
     const ExpectationResult never = judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[-9, -9], [9, 9]], "at": 2}])"), 90);
     CHECK_FALSE(never.passed);
     CHECK(never.finding == "the run ends before that");
+    CHECK(never.step == 90);
+    CHECK(never.time == 1.5);
 }
 
 TEST_CASE("a place can be claimed always, sometime, within a time, and from outside") {
@@ -138,6 +140,54 @@ TEST_CASE("touching is known by contacts and sensors, and by who") {
     const ExpectationResult missed = thrown(R"({"body": "ball", "touches": "wall", "until": 0.4})", "false");
     CHECK(missed.finding == "they are 0.4 m apart");
     CHECK(missed.step == 24);
+}
+
+TEST_CASE("a touch of a sensor that is missed says by how much, and one of a body that never comes that it is not there") {
+    const std::string scene = R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
+        {"name": "ball", "velocity": [4, 0], "shapes": [{"circle": {"radius": 0.5}}]},
+        {"name": "gate", "type": "static", "position": [9, 0], "shapes": [{"box": {"size": [1, 4]}, "sensor": true}]}],
+        "timeline": [{"at": 8, "spawn": {"name": "late", "shapes": [{"circle": {"radius": 1}}]}}], "expect": [)";
+    // A gap of 8 m, 4 m of which are behind it after a second.
+    CHECK(judge(parse_scene(scene + R"({"body": "ball", "touches": "gate"}]})", ""), 60).finding == "they are 4 m apart");
+    CHECK(judge(parse_scene(scene + R"({"body": "ball", "touches": "late"}]})", ""), 60).finding == "'late' is not there");
+}
+
+TEST_CASE("the common name of copies claims of each where they are, and of any what they touch") {
+    // Copies at x = 0, 3 and 6 m; each falls for a second by 5 m and a little, the ball hits the middle one at once.
+    const auto fall = [](const std::string& claim) {
+        return judge(parse_scene(R"({"format": 1, "bodies": [
+            {"name": "ball", "type": "kinematic", "position": [3, 0.9], "shapes": [{"circle": {"radius": 0.5}}]},
+            {"name": "drop", "repeat": {"grid": {"columns": 3, "spacing": [3, 1]}}, "shapes": [{"circle": {"radius": 0.5}}]}],
+            "timeline": [{"every": 0.25, "from": 0.5, "spawn": {"name": "late", "position": [20, 0], "shapes": [{"circle": {"radius": 0.5}}]}}],
+            "expect": [)" + claim + "]}", ""), 60);
+    };
+    CHECK(fall(R"({"body": "drop", "height": [-9, 1], "when": "always"})").passed);
+    const ExpectationResult outside = fall(R"({"body": "drop", "inside": [[-1, -9], [4, 9]]})");
+    CHECK_FALSE(outside.passed);
+    CHECK(outside.finding.starts_with("'drop[2]': it is at [6, "));
+    CHECK(fall(R"({"body": "ball", "touches": "drop"})").passed);
+    CHECK(fall(R"({"body": "drop", "touches": "ball"})").passed);
+    const ExpectationResult hit = fall(R"({"body": "drop", "never_touches": "ball"})");
+    CHECK_FALSE(hit.passed);
+    CHECK(hit.finding == "'ball' and 'drop[1]' touch");
+    CHECK(fall(R"({"body": "drop", "never_touches": "drop"})").passed);
+    // Before the first of them there is nothing to look at, and if none comes nothing is borne out.
+    CHECK(fall(R"({"body": "late", "inside": [[19, -9], [21, 1]], "when": "always"})").passed);
+    CHECK_FALSE(fall(R"({"body": "late", "height": [-0.1, 1], "when": "always"})").passed);
+    const ExpectationResult never = fall(R"({"body": "late", "height": [-9, 1], "when": "always", "until": 0.4})");
+    CHECK_FALSE(never.passed);
+    CHECK(never.finding == "there never is any");
+}
+
+TEST_CASE("a claim reads as a sentence") {
+    const auto text = [](const std::string& claim) {
+        return judge(make_disc_scene("\"expect\": [" + claim + "]"), 1).claim;
+    };
+    CHECK(text(R"({"event_count": [1, 1], "event": "sensor_begin"})") == "exactly 1 'sensor_begin' happens by the end");
+    CHECK(text(R"({"event_count": [2, 3], "event": "contact_end", "body": "disc", "at": 2})") == "between 2 and 3 'contact_end' of 'disc' happen by 2 s");
+    CHECK(text(R"({"count": [0, 0], "region": [[0, 0], [1, 1]]})") == "exactly 0 bodies are in [0, 0] to [1, 1] at the end");
+    CHECK(text(R"({"body": "disc", "height": [1, 2]})") == "the height of 'disc' is between 1 and 2 m at the end");
+    CHECK(text(R"({"body": "disc", "angle": [0, 0]})") == "the angle of 'disc' is 0 degrees at the end");
 }
 
 TEST_CASE("bodies are counted where they are, and events as they happen") {

@@ -53,23 +53,28 @@ TEST_CASE("a claim that does not hold is exit code 7, with what was expected and
 
     const Answer answer = run_tumble({"check", good, bad});
     CHECK(answer.code == 7);
-    CHECK(answer.out == good + ": 2 of 2 claims hold\n" + bad + ": 1 of 2 claims hold\n");
-    CHECK(answer.err ==
-          "  /expect/1 failed: expected that 'crate' is inside [-1, 2] to [1, 5] at the end\n"
-          "    at step 60: it is at [0, 1]\n");
+    CHECK(answer.out == good + ": 2 of 2 claims hold\n" + bad + ": 1 of 2 claims hold\n  " + bad +
+                            ": /expect/1 failed: expected that 'crate' is inside [-1, 2] to [1, 5] at the end\n"
+                            "    at 1 s (step 60): it is at [0, 1]\n");
+    CHECK(answer.err.empty());
     CHECK(run_tumble({"check", bad, "--set", "/expect/1/inside/0/1=0.9"}).code == 0);
 
     const json document = json::parse(run_tumble({"check", bad, good, "--json", "--jobs", "2"}).out);
     CHECK(document["passed"] == false);
     CHECK(document["scenes"][0]["expectations"][1]["pointer"] == "/expect/1");
     CHECK(document["scenes"][0]["expectations"][1]["passed"] == false);
+    CHECK(document["scenes"][0]["expectations"][1]["time"] == 1.0);
     CHECK(document["scenes"][1]["passed"] == true);
 }
 
 TEST_CASE("a scene that cannot be read weighs more than a claim that does not hold") {
     const Folder folder;
     const std::string bad = folder.write("bad.json", crate_scene("2")), broken = folder.write("broken.json", "{");
-    CHECK(run_tumble({"check", broken, bad}).code == 3);
+    const Answer both = run_tumble({"check", broken, bad});
+    CHECK(both.code == 3);
+    const std::size_t unread = both.out.find(broken + ":1:2: "), failed = both.out.find(bad + ": /expect/1 failed");
+    CHECK(unread < failed);
+    CHECK(failed != std::string::npos);
     CHECK(run_tumble({"check", bad, (folder / "missing.json").string()}).code == 4);
 }
 
@@ -79,10 +84,27 @@ TEST_CASE("check writes JUnit, and draws the moment of a failure") {
     CHECK(run_tumble({"check", bad, "--junit", junit, "--shots", (folder / "shots").string()}).code == 7);
     const std::string text = read_text(junit);
     CHECK(text.find("tests=\"2\" failures=\"1\" errors=\"0\"") != std::string::npos);
-    CHECK(text.find("<failure message=\"it is at [0, 1]\"/>") != std::string::npos);
+    CHECK(text.find("name=\"/expect/1: 'crate' is inside") != std::string::npos);
+    CHECK(text.find("<failure message=\"at 1 s (step 60): it is at [0, 1]\"/><system-out>drawn: ") != std::string::npos);
     CHECK(fs::file_size(folder / "shots/crate___floor-expect-1.png") > 1000);
     CHECK(run_tumble({"check", bad, "--junit", junit}).code == 4);
     CHECK(run_tumble({"check", bad, "--junit", junit, "--force"}).code == 7);
+}
+
+TEST_CASE("pictures of scenes of one name stand beside each other, and those there already do not hide the failure") {
+    const Folder folder;
+    fs::create_directory(folder / "b");
+    const std::string one = folder.write("x.json", crate_scene("2")), other = folder.write("b/x.json", crate_scene("3"));
+    const std::vector<std::string> arguments{"check", one, other, "--shots", (folder / "shots").string(), "--json"};
+    const Answer first = run_tumble(arguments);
+    CHECK(first.code == 7);
+    const json document = json::parse(first.out);
+    CHECK(document["scenes"][0]["expectations"][1]["shot"] == (folder / "shots/crate___floor-expect-1.png").string());
+    CHECK(document["scenes"][1]["expectations"][1]["shot"] == (folder / "shots/crate___floor-2-expect-1.png").string());
+    CHECK(fs::exists(folder / "shots/crate___floor-2-expect-1.png"));
+    const Answer again = run_tumble(arguments);
+    CHECK(again.code == 7);
+    CHECK(again.err.find("not drawn: ") != std::string::npos);
 }
 
 TEST_CASE("fmt prints the canonical form, and says what it loses") {
