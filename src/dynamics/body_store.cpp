@@ -18,7 +18,7 @@ BodyId BodyStore::create(const BodyDef& def) {
     record.type = def.type;
     record.is_enabled = def.enabled;
     record.motion = {def.gravity_scale, def.linear_damping, def.angular_damping, 0.0f, 0.0f, def.allow_sleep};
-    if (def.allow_fast_rotation) record.flags |= kUnlimitedSpin;
+    if (def.allow_fast_rotation) record.flags |= kFastSpin;
     if (def.bullet) record.flags |= kBulletBody;
     if (def.locks.x) record.flags |= kLockX;
     if (def.locks.y) record.flags |= kLockY;

@@ -85,8 +85,10 @@ inline constexpr float kContinuousCore = 0.75f;
 inline constexpr float kContinuousInnerCores[] = {0.5f, 0.25f, 0.0f};
 
 // Rotation limit a step, rad: an eighth of a turn. More breaks the linearisation of contacts within the step, and
-// continuous collision. A body may be allowed more (wheels, projectiles: round things).
+// continuous collision. A body may be allowed more (wheels, projectiles: round things), up to half a turn a sub-step:
+// beyond, nothing in the step tells which way it turned.
 inline constexpr float kMaxRotation = static_cast<float>(0.25 * kPi);
+inline constexpr float kMaxFastRotation = static_cast<float>(kPi);
 
 // Bodies that are locked along an axis are at a dead point where they give way by less than this part of what they would
 // without the lock: pushed within 6 degrees of the locked axis. Smaller: such pushes throw them aside. Larger: they are

@@ -19,6 +19,7 @@ public:
     JointReaction reaction(float inv_h) const { return {inv_h * impulse() * axis_, 0.0f}; }
     float position() const { return length_; }
     void take_over(const DistanceJoint& old);
+    void forget_impulses() { rod_impulse_ = 0.0f, drive_.forget_impulses(); }
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {

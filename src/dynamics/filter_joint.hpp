@@ -18,6 +18,7 @@ public:
     JointReaction reaction(float) const { return {}; }
     float position() const { return 0.0f; }
     void take_over(const FilterJoint&) {}
+    void forget_impulses() {}
 
     template <class Self, class Visitor>
     static void visit_members(Self&, Visitor&&) {}

@@ -17,11 +17,13 @@ Rotation turned(Rotation delta, Rotation q) {
     return {static_cast<float>(scale * c), static_cast<float>(scale * s)};
 }
 
+// Turning faster than `spin` is common and only limited; what is faster than anything may be was thrown.
 void limit_speed(SolverBody& body, const SpeedLimits& limits) {
-    if (length_sq(body.velocity) > limits.speed * limits.speed)
-        body.velocity = (limits.speed / length(body.velocity)) * body.velocity;
-    if (!(body.flags & kUnlimitedSpin))
-        body.angular_velocity = std::clamp(body.angular_velocity, -limits.spin, limits.spin);
+    const bool is_too_fast = length_sq(body.velocity) > limits.speed * limits.speed;
+    if (is_too_fast) body.velocity = (limits.speed / length(body.velocity)) * body.velocity;
+    if (is_too_fast || std::abs(body.angular_velocity) > limits.fast_spin) body.flags |= kThrownBody;
+    const float spin = body.flags & kFastSpin ? limits.fast_spin : limits.spin;
+    body.angular_velocity = std::clamp(body.angular_velocity, -spin, spin);
 }
 
 }  // namespace
@@ -42,9 +44,10 @@ void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedL
     }
 }
 
-void integrate_positions(BodyStore& bodies, float h) {
+void integrate_positions(BodyStore& bodies, float h, const SpeedLimits& limits) {
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
         SolverBody& body = bodies.solver_bodies[i];
+        if (body.flags & kDynamicBody) limit_speed(body, limits);
         body.delta_position += h * body.velocity;
         body.delta_rotation = compose(small_rotation(h * body.angular_velocity), body.delta_rotation);
     }
@@ -64,6 +67,7 @@ void finalize_poses(BodyStore& bodies, const SpeedLimits& limits) {
         if (body.flags & kDynamicBody) limit_speed(body, limits);
         body.delta_position = {};
         body.delta_rotation = {};
+        body.flags &= ~std::uint32_t{kThrownBody};
         bodies.moving[i].acceleration = {};
         bodies.moving[i].angular_acceleration = 0.0f;
     }

@@ -7,15 +7,17 @@
 namespace tumble {
 
 struct SpeedLimits {
-    float speed = 0.0f;  // m/s
-    float spin = 0.0f;   // rad/s, unless a body may turn faster
+    float speed = 0.0f;      // m/s
+    float spin = 0.0f;       // rad/s
+    float fast_spin = 0.0f;  // of bodies that may turn fast, and what nothing passes unless it is thrown
 };
 
 // v += h (g + F / m), damping v / (1 + h c), speed limits. Bodies that are not dynamic keep their velocities.
 void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits);
 
-// Deltas of position and rotation by the new velocities.
-void integrate_positions(BodyStore& bodies, float h);
+// Deltas of position and rotation by the new velocities, within the speed limits: what contradictory joints ask for in
+// a sub-step would tear them farther apart than they were.
+void integrate_positions(BodyStore& bodies, float h, const SpeedLimits& limits);
 
 // Takes the deltas into the poses and clears them, with the forces that made them. No body ends a step faster than the
 // speed limits: joints that contradict each other may have thrown it.

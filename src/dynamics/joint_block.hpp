@@ -78,6 +78,15 @@ struct RowBlock {
     }
 };
 
+// The impulses along the rows of a block that undo what a unit impulse along another row does to them: - K^-1 k.
+inline Vec2 block_answer(const JointBodies& joint, const RowBlock& block, const JointRow& row) {
+    const BlockMatrix matrix = block.matrix(joint);
+    if (joint.may_be_singular() || matrix.is_singular()) return {};
+    const float first = row_response(joint, block.first, row), second = row_response(joint, block.second, row);
+    const float scale = 1.0f / matrix.determinant();
+    return {scale * (matrix.k12 * second - matrix.k22 * first), scale * (matrix.k12 * first - matrix.k11 * second)};
+}
+
 // As row_change(), for a matrix that is not singular.
 inline Vec2 block_change(const BlockMatrix& k, const Softness& softness, Vec2 speed, Vec2 impulse) {
     const float scale = softness.mass_scale / k.determinant();

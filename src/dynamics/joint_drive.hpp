@@ -58,6 +58,8 @@ public:
         if (limits_) lower_impulse_ = old.lower_impulse_, upper_impulse_ = old.upper_impulse_;
     }
 
+    void forget_impulses() { spring_impulse_ = motor_impulse_ = lower_impulse_ = upper_impulse_ = 0.0f; }
+
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
         visit(self.spring_, self.motor_, self.limits_, self.spring_impulse_, self.motor_impulse_, self.lower_impulse_,

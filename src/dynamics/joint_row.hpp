@@ -18,6 +18,13 @@ struct JointRow {
     float turn_b = 0.0f;
 };
 
+inline JointRow operator+(const JointRow& a, const JointRow& b) {
+    return {a.axis + b.axis, a.turn_a + b.turn_a, a.turn_b + b.turn_b};
+}
+inline JointRow operator*(float factor, const JointRow& row) {
+    return {factor * row.axis, factor * row.turn_a, factor * row.turn_b};
+}
+
 // The relative rotation of the bodies.
 inline constexpr JointRow kTurningRow{{}, 1.0f, 1.0f};
 

@@ -107,6 +107,11 @@ void JointStore::redefine(JointId id, const JointDef& def) {
     });
 }
 
+void JointStore::forget_impulses(JointId id) {
+    visit_list_of(*this, id,
+                  [&](auto& list, const auto&) { list.joints[records_[id.index].slot].forget_impulses(); });
+}
+
 void JointStore::wake(JointId id) {
     JointRecord& record = records_[id.index];
     if (record.is_awake) return;

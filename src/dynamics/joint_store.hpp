@@ -49,6 +49,9 @@ public:
     // Another definition of the same kind and bodies; the impulses go on.
     void redefine(JointId id, const JointDef& def);
 
+    // The next step solves the joint as if it had just been made.
+    void forget_impulses(JointId id);
+
     bool is_awake(JointId id) const { return records_[id.index].is_awake; }
     void wake(JointId id);
     void put_to_sleep(std::span<const JointId> ids);

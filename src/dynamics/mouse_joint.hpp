@@ -18,6 +18,7 @@ public:
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, 0.0f}; }
     float position() const { return length(bodies_.center_difference + bodies_.arm_b - bodies_.arm_a); }
     void take_over(const MouseJoint& old) { impulse_ = old.impulse_; }
+    void forget_impulses() { impulse_ = {}; }
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {

@@ -26,6 +26,7 @@ public:
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * drive_.impulse()}; }
     float position() const { return angle_.at_start(); }
     void take_over(const RevoluteJoint& old);
+    void forget_impulses() { impulse_ = {}, drive_.forget_impulses(); }
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {

@@ -13,11 +13,12 @@ namespace tumble {
 
 enum BodyFlag : std::uint32_t {
     kDynamicBody = 1u << 0,    // has a mass: gravity, damping and impulses act on it
-    kUnlimitedSpin = 1u << 1,  // may turn more than kMaxRotation in a step
+    kFastSpin = 1u << 1,       // may turn by kMaxFastRotation in a sub-step
     kBulletBody = 1u << 2,     // is swept against other dynamic bodies too
     kLockX = 1u << 3,          // has no velocity along the world's x axis,
     kLockY = 1u << 4,          // along y,
     kLockRotation = 1u << 5,   // or of turning
+    kThrownBody = 1u << 6,     // passed the speed limits in this step
 };
 
 struct alignas(32) SolverBody {

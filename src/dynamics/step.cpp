@@ -38,7 +38,8 @@ float substep_duration(const Simulation& simulation) {
 }
 
 SpeedLimits speed_limits(const Simulation& simulation) {
-    return {simulation.settings.tuning.max_speed, kMaxRotation / simulation.settings.duration};
+    return {simulation.settings.tuning.max_speed, kMaxRotation / simulation.settings.duration,
+            kMaxFastRotation / substep_duration(simulation)};
 }
 
 JointContext joint_context(const Simulation& simulation) {
@@ -80,6 +81,7 @@ void step(Simulation& simulation) {
     for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation);
     bounce(simulation);
     store_results(simulation);
+    forget_throws(simulation);
     clock.stop(ms.solve);
     stop_at_impacts(simulation);
     finalize_poses(simulation.bodies, speed_limits(simulation));
@@ -165,7 +167,7 @@ void run_substep(Simulation& simulation) {
     warm_start_contacts(simulation.blocks, bodies);
     simulation.joints.solve(context, true, bodies);
     solve_contacts(simulation.blocks, bodies, context.inv_h, simulation.settings.tuning.push_out_speed);
-    integrate_positions(simulation.bodies, context.h);
+    integrate_positions(simulation.bodies, context.h, speed_limits(simulation));
     simulation.joints.solve(context, false, bodies);
     relax_contacts(simulation.blocks, bodies, context.inv_h);
 }
@@ -179,6 +181,16 @@ void store_results(Simulation& simulation) {
     store_impulses(simulation.blocks, simulation.graph, simulation.contacts.all());
     simulation.joints.store(joint_context(simulation));
     simulation.events.broken_joints = simulation.joints.broken();
+}
+
+// Joints that contradict each other, or pull a body against what it was stopped at, push the harder the longer they do.
+// Their impulses cancel only as long as nothing turns, and grow without bound (a hundredfold a step) once they throw
+// their bodies about: those are not carried over.
+void forget_throws(Simulation& simulation) {
+    const BodyStore& bodies = simulation.bodies;
+    for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i)
+        if (bodies.solver_bodies[i].flags & kThrownBody)
+            for (const JointId id : bodies.records[bodies.moving[i].body].joints) simulation.joints.forget_impulses(id);
 }
 
 void update_proxies(Simulation& simulation) {

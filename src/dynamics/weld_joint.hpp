@@ -19,6 +19,7 @@ public:
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * turning_impulse_}; }
     float position() const { return angle_.at_start(); }
     void take_over(const WeldJoint& old);
+    void forget_impulses() { impulse_ = {}, turning_impulse_ = 0.0f; }
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {

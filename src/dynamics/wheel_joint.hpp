@@ -23,6 +23,7 @@ public:
     }
     float position() const { return dot(axis_, bodies_.center_difference + bodies_.arm_b - bodies_.arm_a); }
     void take_over(const WheelJoint& old);
+    void forget_impulses() { across_impulse_ = 0.0f, suspension_.forget_impulses(), axle_.forget_impulses(); }
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {

@@ -61,7 +61,7 @@ BodyDef World::definition(BodyId id) const {
     def.linear_damping = record.motion.linear_damping;
     def.angular_damping = record.motion.angular_damping;
     def.gravity_scale = record.motion.gravity_scale;
-    def.allow_fast_rotation = has(kUnlimitedSpin);
+    def.allow_fast_rotation = has(kFastSpin);
     def.bullet = has(kBulletBody);
     def.allow_sleep = record.motion.allow_sleep;
     def.awake = !bodies.is_asleep(id.index);
@@ -151,7 +151,7 @@ void World::set_bullet(BodyId id, bool bullet) {
 void World::set_allow_fast_rotation(BodyId id, bool allowed) {
     impl_->require(id);
     wake(impl_->simulation, id.index);
-    impl_->simulation.bodies.set_flag(id.index, kUnlimitedSpin, allowed);
+    impl_->simulation.bodies.set_flag(id.index, kFastSpin, allowed);
 }
 
 void World::set_mass(BodyId id, const std::optional<BodyMass>& mass) {

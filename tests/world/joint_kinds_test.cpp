@@ -119,6 +119,23 @@ TEST_CASE("a lift's motor raises its load at its speed up to the limit, or stall
     }
 }
 
+// Its weight of 20 N on an arm of 0.3 m asks for 6 N m. It sags by F / (m w^2) = 0.1 mm.
+TEST_CASE("a slider whose weight is beside its rail is held upright by its rail") {
+    Rig rig(true, {0.3, 0.0});
+    const JointId lift = rig.world.create_joint(PrismaticJointDef{.body_a = rig.pivot,
+                                                                  .body_b = rig.box,
+                                                                  .anchor_b = {-0.3f, 0.0f},
+                                                                  .axis_a = {0.0f, 1.0f},
+                                                                  .limits = JointLimits{-1.0f, 2.0f}});
+    run(rig.world, 240);
+    CHECK(rig.position().y == doctest::Approx(-1.0).epsilon(0.001));
+    CHECK(std::abs(rig.angle()) < 1e-3);
+    const JointReaction reaction = rig.world.reaction(lift);
+    CHECK(reaction.force.y == doctest::Approx(20.0).epsilon(0.001));
+    CHECK(std::abs(reaction.force.x) < 0.02f);
+    CHECK(reaction.torque == doctest::Approx(6.0).epsilon(0.005));
+}
+
 // A limit that gave way to its motor would give by F / (m w^2) = 500 / (2 w^2) = 1.8 mm, or T / (I w^2).
 TEST_CASE("a strong motor stops at the limit, and holds there what pulls it away") {
     Rig lift(true);
