@@ -26,21 +26,26 @@ inline Softness make_softness(float hertz, float damping_ratio, float h) {
     return {omega / a1, a2 * a3, a3};
 }
 
+inline float contact_hertz(const Tuning& tuning, float h) {
+    return std::min(tuning.contact_hertz, kContactHertzPerSubstep / h);
+}
+
 inline Softness contact_softness(const Tuning& tuning, float h) {
-    return make_softness(std::min(tuning.contact_hertz, kContactHertzPerSubstep / h), kContactDampingRatio, h);
+    return make_softness(contact_hertz(tuning, h), kContactDampingRatio, h);
 }
 
 inline Softness static_contact_softness(const Tuning& tuning, float h) {
-    const float hertz = std::min(tuning.contact_hertz, kContactHertzPerSubstep / h);
-    return make_softness(kStaticStiffening * hertz, kContactDampingRatio, h);
+    return make_softness(kStaticStiffening * contact_hertz(tuning, h), kContactDampingRatio, h);
 }
 
 inline Softness joint_softness(const Tuning& tuning, float h) {
     return make_softness(std::min(tuning.joint_hertz, kJointHertzPerSubstep / h), kJointDampingRatio, h);
 }
 
+inline float stiffest_spring(float h) { return kSpringHertzPerSubstep / h; }  // Hz
+
 inline Softness spring_softness(const JointSpring& spring, float h) {
-    return make_softness(std::min(spring.hertz, kSpringHertzPerSubstep / h), spring.damping_ratio, h);
+    return make_softness(std::min(spring.hertz, stiffest_spring(h)), spring.damping_ratio, h);
 }
 
 }  // namespace tumble

@@ -41,7 +41,7 @@ public:
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) check_places(i);
         for (std::size_t i = 0; i < own_.joints; ++i) check_joint(scene_.joints[i], at("/joints", i), names, references);
         for (std::size_t i = 0; i < own_.timeline; ++i)
-            check_event(scene_.timeline[i], at("/timeline", i), references);
+            check_event(scene_.timeline[i], at("/timeline", i), names, references);
         check_beats();
         for (std::size_t i = 0; i < own_.expect; ++i)
             check_expectation(scene_.expect[i], at("/expect", i), references, diagnostics_);
@@ -209,7 +209,7 @@ private:
         }
     }
 
-    void check_event(const SceneEvent& event, const std::string& pointer, const References& references) {
+    void check_event(const SceneEvent& event, const std::string& pointer, const BodyNames& names, const References& references) {
         if (diagnostics_.has_errors_in(pointer)) return;
         const bool lasts = event.force || event.torque;
         const bool on_body = lasts || event.impulse || event.angular_impulse || event.velocity || event.angular_velocity;
@@ -221,12 +221,23 @@ private:
         if (event.until && !event.every && !lasts) error(pointer + "/until", "belongs to events with 'every', and to forces");
         if (event.until && event.at && *event.until <= *event.at) error(pointer + "/until", "must be after 'at'");
         if (on_body) references.any_body(event.body, pointer, "body");
+        if (const SceneBody* body = on_body ? find_definition(scene_, names, event.body) : nullptr)
+            check_new_velocity(event, pointer, *body);
         if (!on_body && !event.body.empty()) error(pointer + "/body", "belongs to impulses, forces and velocities");
         if (!event.despawn.empty()) references.any_body(event.despawn, pointer, "despawn");
         if (on_joint) check_joint_event(event, pointer, references);
         if (!on_joint && !event.joint.empty()) error(pointer + "/joint", "belongs to motor speeds and targets");
         if (!event.release.empty()) references.joint(event.release, pointer, "release");
         if (event.spawn) check_spawn(*event.spawn, pointer + "/spawn");
+    }
+
+    // The world refuses it.
+    void check_new_velocity(const SceneEvent& event, const std::string& pointer, const SceneBody& body) {
+        if (!event.velocity && !event.angular_velocity) return;
+        if (body.type == BodyType::static_body)
+            error(pointer + "/body", quoted(event.body) + " is static: it has no velocity", R"("type": "kinematic" moves by its velocity alone)");
+        else if (!body.enabled)
+            error(pointer + "/body", quoted(event.body) + " is not enabled: it has no velocity");
     }
 
     void check_joint_event(const SceneEvent& event, const std::string& pointer, const References& references) {

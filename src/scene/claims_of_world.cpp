@@ -9,13 +9,11 @@
 #include "scene/display.hpp"
 #include "scene/joint_gap.hpp"
 #include "scene/names.hpp"
+#include "tumble/world_limits.hpp"
 
 namespace tumble::scene {
 
 namespace {
-
-// The speed below which the stepper lets bodies fall asleep (m/s).
-double rest_speed(const World& world) { return 0.05 * std::sqrt(double{world.def().scale}); }
 
 class AtRest final : public Claim {
 public:
@@ -31,7 +29,7 @@ public:
             fastest_ = speed;
             body_ = i;
         }
-        return fastest_ < rest_speed(built.world) ? 0.0 : fastest_;
+        return fastest_ < double{world_limits(built.world.def()).rest_speed} ? 0.0 : fastest_;
     }
     double margin() const override { return fastest_; }
     std::string finding(const SceneWorld& built) const override {

@@ -42,9 +42,13 @@ void visit_fields(V& v, Type<SegmentGeometry>) {
 
 template <class V>
 void visit_fields(V& v, Type<ChainGeometry>) {
-    v.field({"points", "Corners, one after the other.", "m", kCoordinate, true, 2}, &ChainGeometry::points);
+    v.field({"points",
+             "Corners, one after the other. On the left of this direction is the inside, which things pass through unhindered: "
+             "a ground to stand on goes from right to left, the inside of a bowl or room clockwise.",
+             "m", kCoordinate, true, 2},
+            &ChainGeometry::points);
     v.field({"loop", "Whether the last point is joined to the first."}, &ChainGeometry::loop);
-    v.field({"two_sided", "Whether both sides are solid, not only the left of its direction."},
+    v.field({"two_sided", "Whether it is met from both sides, not only from the right of its direction."},
             &ChainGeometry::two_sided);
 }
 

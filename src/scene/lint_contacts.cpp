@@ -8,6 +8,7 @@
 
 #include "scene/display.hpp"
 #include "scene/lint.hpp"
+#include "tumble/world_limits.hpp"
 
 namespace tumble::scene {
 
@@ -17,16 +18,6 @@ constexpr double kOverlap = 0.02;      // of the smaller extent: twice the overl
 constexpr double kOverlapLimit = 0.01; // m, in a world of scale 1: never more
 constexpr double kAcross = 0.5;        // cosine: steeper contacts carry no weight
 constexpr double kVisibleSag = 0.05;   // of the smaller extent of the body that sinks
-
-// Under a load that stays each contact point gives half as much as a spring of 30 Hz on the mass that it moves, twice that
-// against what does not move. In a world of another scale the frequency follows the inverse root of it, up to an eighth of
-// the sub-steps'.
-double contact_spring(const SceneSettings& world) {  // rad/s
-    const double hertz = std::min(30.0 / std::sqrt(world.scale), 0.125 * world.steps_per_second * world.substeps);
-    return 2.0 * kPi * hertz;
-}
-constexpr double kSagPart = 0.5;
-constexpr double kPushOutSpeed = 3.0;  // m/s, in a world of scale 1
 
 // All points between two bodies, as one.
 struct Touch {
@@ -39,13 +30,15 @@ struct Touch {
 class ContactLinter {
 public:
     ContactLinter(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics)
-        : scene_(scene), built_(started), diagnostics_(diagnostics), up_(-1.0 * scene.world.gravity) {
+        : scene_(scene), built_(started), diagnostics_(diagnostics), limits_(world_limits(started.world.def())), up_(-1.0 * scene.world.gravity) {
         for (std::size_t i = 0; i < built_.bodies.size(); ++i) index_[built_.bodies[i].id.index] = i;
         std::map<std::pair<std::size_t, std::size_t>, Touch> touches;
         for (const ContactPoint& contact : built_.world.contacts()) {
             const std::size_t a = index_.at(contact.body_a.index), b = index_.at(contact.body_b.index);
             Touch& touch = touches.try_emplace({a, b}, Touch{a, b, HUGE_VAL, {}, 0.0}).first->second;
-            const double spring = (is_dynamic(a) && is_dynamic(b) ? 1.0 : 2.0) * contact_spring(scene.world);
+            // A spring on the mass that the point moves, in rad/s.
+            const double stiffening = is_dynamic(a) && is_dynamic(b) ? 1.0 : double{limits_.static_stiffening};
+            const double spring = 2.0 * kPi * stiffening * double{limits_.contact_hertz};
             touch.stiffness += spring * spring / (mobility(a, contact) + mobility(b, contact));
             if (double{contact.separation} >= touch.separation) continue;
             touch.separation = double{contact.separation};
@@ -60,7 +53,7 @@ public:
             const double allowed = std::min(kOverlap * std::min(extent_of(touch.a), extent_of(touch.b)), scene_.world.scale * kOverlapLimit);
             if (touch.separation >= -allowed || !said.insert({source(touch.a), source(touch.b)}).second) continue;
             warn(touch.b, name(touch.b) + " starts " + brief(-touch.separation) + " m inside " + name(touch.a) +
-                              ": they are pushed apart, by up to " + brief(std::sqrt(scene_.world.scale) * kPushOutSpeed) + " m/s",
+                              ": they are pushed apart, by up to " + brief(double{limits_.push_out_speed}) + " m/s",
                  "move one of them, or keep them from meeting by a filter");
         }
     }
@@ -110,6 +103,7 @@ public:
         std::iota(upwards.begin(), upwards.end(), std::size_t{0});
         std::ranges::stable_sort(upwards, {}, [this](std::size_t i) { return height(i); });
         std::vector<double> load(built_.bodies.size()), sunk(built_.bodies.size());  // N; m
+        std::vector<std::size_t> softest(built_.bodies.size());                      // what gives way most below a body
         for (std::size_t k = upwards.size(); k-- > 0;) {
             const std::size_t i = upwards[k];
             if (!is_dynamic(i)) continue;
@@ -120,12 +114,18 @@ public:
         for (const std::size_t i : upwards) {
             if (!is_dynamic(i)) continue;
             const double share = load[i] / static_cast<double>(below[i].size());
-            for (const Support& under : below[i]) sunk[i] = std::max(sunk[i], sunk[under.body] + kSagPart * share / under.stiffness);
+            for (const Support& under : below[i]) {
+                const double with_it = sunk[under.body] + double{limits_.sag_part} * share / under.stiffness;
+                if (with_it > sunk[i]) softest[i] = under.body;
+                sunk[i] = std::max(sunk[i], with_it);
+            }
             const bool is_visible = sunk[i] > kVisibleSag * extent_of(i);
             if (is_visible && (worst == upwards.size() || sunk[i] > sunk[worst])) worst = i;
         }
         if (worst == upwards.size()) return;
-        warn(worst, "what " + name(worst) + " stands on will sink by about " + brief(sunk[worst]) + " m under its weight",
+        const bool is_crushed = sunk[worst] > extent_of(worst);
+        warn(worst, "what " + name(worst) + " stands on (" + name(softest[worst]) + ") will sink by " +
+                        (is_crushed ? "more than its size" : "about " + brief(sunk[worst]) + " m") + " under its weight",
              "contacts give a little each: fewer or lighter bodies on top of each other, or lower gravity");
     }
 
@@ -162,6 +162,7 @@ private:
     const Scene& scene_;
     const SceneWorld& built_;
     Diagnostics& diagnostics_;
+    WorldLimits limits_;
     DVec2 up_;                                     // gravity, the other way round (m/s^2)
     std::map<std::uint32_t, std::size_t> index_;   // of BodyId::index
     std::vector<Touch> touches_;                   // in the order of the bodies

@@ -70,6 +70,15 @@ std::string BodyNames::hint(std::string_view name) const {
     return suggestion(name, names);
 }
 
+const SceneBody* find_definition(const Scene& scene, const BodyNames& names, std::string_view name) {
+    const std::optional<std::size_t> exact = names.find_source(name), shared = names.find_source(base_name(name));
+    if (exact) return &scene.bodies[*exact];
+    if (shared && names.is_copy(name)) return &scene.bodies[*shared];
+    for (const SceneEvent& event : scene.timeline)
+        if (event.spawn && (event.spawn->name == name || event.spawn->name == base_name(name))) return &*event.spawn;
+    return nullptr;
+}
+
 std::string copy_name(const SceneBody& body, std::size_t copy) {
     return body.repeat ? copy_name(body.name, copy) : body.name;
 }

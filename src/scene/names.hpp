@@ -52,6 +52,9 @@ private:
     std::map<std::string, bool, std::less<>> spawned_;  // by the name of the body: whether more than once
 };
 
+// The body that has a name in the end: an entry of Scene::bodies, repeated or not, or what an event spawns. Null if none.
+const SceneBody* find_definition(const Scene& scene, const BodyNames& names, std::string_view name);
+
 // "crate[3]"; empty for an empty name.
 std::string copy_name(const SceneBody& body, std::size_t copy);
 std::string copy_name(const SceneJoint& joint, std::size_t copy);

@@ -84,6 +84,7 @@ void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagn
         places.add("/bodies", scene.bodies.size(), pointer, include.file);
         places.add("/joints", scene.joints.size(), pointer, include.file);
         places.add("/timeline", scene.timeline.size(), pointer, include.file);
+        places.add("/expect", scene.expect.size(), pointer, include.file);
         append(scene.bodies, placed.bodies);
         append(scene.joints, placed.joints);
         append(scene.timeline, placed.timeline);

@@ -111,6 +111,8 @@ inline const std::vector<BadScene> kBadScenes = {
     // timeline, expectations, camera
     {R"({"format": 1, "timeline": [{"at": 1}]})", "/timeline/0", "needs one of the keys impulse, angular_impulse, force, torque, velocity, angular_velocity, motor_speed, target, gravity, spawn, despawn, release"},
     {R"({"format": 1, "timeline": [{"at": 1, "body": "x", "impulse": [1, 0]}]})", "/timeline/0/body", "there is no body \"x\"", kNames},
+    {R"({"format": 1, "bodies": [{"name": "w", "type": "static"}], "timeline": [{"at": 1, "body": "w", "velocity": [1, 0]}]})", "/timeline/0/body", "\"w\" is static: it has no velocity", kKinds},
+    {R"({"format": 1, "bodies": [{"name": "w", "repeat": {"grid": {"columns": 2}}, "enabled": false}], "timeline": [{"at": 1, "body": "w[1]", "angular_velocity": 9}]})", "/timeline/0/body", "is not enabled", kKinds},
     {R"({"format": 1, "timeline": [{"at": 1, "until": 2, "spawn": {}}]})", "/timeline/0/until", "belongs to events with 'every'", kKinds},
     {R"({"format": 1, "expect": [{"at_rest_by": 1, "max_penetration": 1}]})", "/expect/0/max_penetration", "only one of them is allowed"},
     {R"({"format": 1, "expect": [{"inside": [[0, 0], [1, 1]]}]})", "/expect/0", "the key \"body\" is missing", kNeeds},

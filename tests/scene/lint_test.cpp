@@ -25,7 +25,7 @@ Diagnostic warning_of(const std::string& bodies, const std::string& rest = "") {
     REQUIRE_MESSAGE(warnings.size() == 1, bodies << " has " << warnings.size() << " warnings");
     CHECK(warnings[0].severity == Diagnostic::Severity::warning);
     CHECK(!warnings[0].hint.empty());
-    CHECK(warnings[0].line == 1);
+    CHECK(warnings[0].line > 0);
     return warnings[0];
 }
 
@@ -55,6 +55,90 @@ TEST_CASE("a body that moves farther in a step than it is thick is warned of, un
     CHECK(warnings_of(target + ball + R"(, "bullet": true})").empty());
     CHECK(warnings_of(target + ball + "}", R"(, "world": {"steps_per_second": 240})").empty());
     CHECK(says(warning_of(target + ball + R"(, "bullet": true})", R"(, "world": {"continuous": false})"), "not continuous"));
+}
+
+TEST_CASE("an arm that a motor swings farther in a step than it is thick is warned of, at the fastest speed") {
+    // 900 degrees/s of a tip 2 m away at 60 Hz: 15.7 x 2 / 60 = 0.524 m; the arm is 0.2 m thick.
+    const std::string bodies = R"({"name": "wall", "type": "static", "position": [-1, 0]}, {"name": "ball", "position": [0, 5], "shapes": [{"circle": {"radius": 0.5}}]},
+        {"name": "arm", "shapes": [{"box": {"size": [2, 0.2]}}])";
+    const auto joint = [](const std::string& speed, const std::string& events) {
+        return R"(, "joints": [{"type": "revolute", "name": "hinge", "bodies": ["wall", "arm"], "anchor": [-1, 0], "motor": {"speed": )" + speed +
+               R"(, "max_torque": 100}}], "timeline": [)" + events + "]";
+    };
+    const Diagnostic fast = warning_of(bodies + "}", joint("900", ""));
+    CHECK(fast.pointer == "/joints/0/motor");
+    CHECK(says(fast, "moves 'arm' by up to 0.524 m in a step, and it is 0.2 m thick"));
+    CHECK(warning_of(bodies + "}", joint("0", R"({"at": 1, "joint": "hinge", "motor_speed": -900})")).pointer == "/timeline/0/motor_speed");
+    CHECK(warning_of(bodies + "}", joint("900", R"({"at": 1, "joint": "hinge", "motor_speed": -800})")).pointer == "/joints/0/motor");
+    CHECK(warnings_of(bodies + R"(, "bullet": true})", joint("900", "")).empty());
+    CHECK(warnings_of(bodies + "}", joint("300", "")).empty());
+    CHECK(says(warning_of(bodies + "}", joint("0", R"({"at": 1, "body": "ball", "velocity": [90, 0]})")), "is 1.5 m in a step"));
+}
+
+TEST_CASE("a chain that bodies start behind is warned of, one that they stand on is not") {
+    const auto on_chain = [](const std::string& points, const std::string& more = "") {
+        return warnings_of(R"({"name": "hills", "type": "static", "shapes": [{"circle": {"radius": 0.1}}, {"chain": {"points": )" + points + more +
+                           R"(}}]}, {"name": "car", "position": [2, 3], "shapes": [{"circle": {"radius": 0.5}}]})");
+    };
+    const std::string to_the_right = "[[-9, 0], [0, 0], [9, 1]]", to_the_left = "[[9, 1], [0, 0], [-9, 0]]";
+    const std::vector<Diagnostic> wrong = on_chain(to_the_right);
+    REQUIRE(wrong.size() == 1);
+    CHECK(wrong[0].pointer == "/bodies/0/shapes/1/chain/points");
+    CHECK(says(wrong[0], "'car' is on the side from which it is open"));
+    CHECK(on_chain(to_the_left).empty());
+    CHECK(on_chain(to_the_right, R"(, "two_sided": true)").empty());
+    // A block that the car is above, and a room that it is in.
+    CHECK(on_chain("[[0, 0], [4, 0], [4, 1], [0, 1]]", R"(, "loop": true)").empty());
+    CHECK(on_chain("[[0, 0], [0, 9], [4, 9], [4, 0]]", R"(, "loop": true)").empty());
+    CHECK(on_chain("[[0, 0], [4, 0], [4, 9], [0, 9]]", R"(, "loop": true)").size() == 1);
+    // Held up by something nearer.
+    CHECK(warnings_of(R"({"name": "hills", "type": "static", "shapes": [{"chain": {"points": )" + to_the_right + R"(}}, {"box": {"size": [9, 1], "center": [0, 1.5]}}]},
+        {"name": "car", "position": [2, 3], "shapes": [{"circle": {"radius": 0.5}}]})").empty());
+}
+
+TEST_CASE("joints that start apart or act far away, and springs too stiff for the steps are warned of") {
+    const std::string bodies = R"({"name": "a", "shapes": [{"box": {"size": [1, 1]}}]}, {"name": "b", "position": [8, 0], "shapes": [{"box": {"size": [1, 1]}}]})";
+    const auto tied = [](const std::string& joint) {
+        return R"(, "world": {"gravity": [0, 0]}, "joints": [{"bodies": ["a", "b"], )" + joint + "}]";
+    };
+    const std::string rod = R"("type": "distance", "anchors": [[0, 0], [0, 0]])";
+    CHECK(says(warning_of(bodies, tied(rod + R"(, "length": 30)")), "starts 22 m apart from where it holds 'a' and 'b'"));
+    CHECK(warnings_of(bodies, tied(rod + R"(, "length": 8.05)")).empty());
+    CHECK(warnings_of(bodies, tied(rod + R"(, "limits": [0, 9])")).empty());
+    CHECK(warnings_of(bodies, tied(rod + R"(, "length": 30, "spring": {"hertz": 2})")).empty());
+    CHECK(says(warning_of(bodies, tied(R"("type": "revolute", "anchor": [50, 50])")), "acts at [50, 50], far away from both 'a' and 'b'"));
+    CHECK(warnings_of(bodies, tied(R"("type": "revolute", "anchor": [0, -9])")).empty());
+    // 0.15 of 240 sub-steps a second.
+    const Diagnostic stiff = warning_of(bodies, tied(rod + R"(, "spring": {"hertz": 36.5})"));
+    CHECK(stiff.pointer == "/joints/0/spring/hertz");
+    CHECK(says(stiff, "counts as 36 Hz"));
+    CHECK(warnings_of(bodies, tied(rod + R"(, "spring": {"hertz": 36})")).empty());
+}
+
+TEST_CASE("what the run never comes to, and what nothing obeys, is warned of") {
+    const std::string bodies = R"({"name": "ball", "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "wall", "type": "static", "position": [9, 0]},
+        {"name": "lift", "type": "kinematic", "position": [-9, 0], "shapes": [{"box": {"size": [1, 1]}}]})";
+    const auto event = [](const std::string& text) { return R"(, "world": {"duration": 3}, "timeline": [)" + text + "]"; };
+    const auto claim = [](const std::string& text) { return R"(, "world": {"duration": 3}, "expect": [)" + text + "]"; };
+    CHECK(says(warning_of(bodies, event(R"({"at": 3, "gravity": [0, 0]})")), "the run ends at 3 s: it never happens"));
+    CHECK(warnings_of(bodies, event(R"({"at": 2.98, "gravity": [0, 0]})")).empty());
+    CHECK(warning_of(bodies, event(R"({"every": 1, "from": 4, "gravity": [0, 0]})")).pointer == "/timeline/0/from");
+    CHECK(says(warning_of(bodies, claim(R"({"at_rest_by": 3.1})")), "the run ends at 3 s: it cannot hold"));
+    CHECK(warnings_of(bodies, claim(R"({"at_rest_by": 3})")).empty());
+    CHECK(warning_of(bodies, claim(R"({"body": "ball", "height": [0, 1], "at": 8})")).pointer == "/expect/0/at");
+    CHECK(says(warning_of(bodies, event(R"({"at": 1, "body": "wall", "impulse": [1, 0]})")), "is static"));
+    CHECK(says(warning_of(bodies, event(R"({"at": 1, "body": "lift", "torque": 1})")), "is kinematic"));
+    CHECK(warnings_of(bodies, event(R"({"at": 1, "body": "lift", "velocity": [1, 0]}, {"at": 1, "body": "ball", "torque": 1})")).empty());
+    const Diagnostic gone = warning_of(bodies, event(R"({"at": 2, "body": "ball", "impulse": [1, 0]}, {"at": 1, "despawn": "ball"})"));
+    CHECK(gone.pointer == "/timeline/0/body");
+    CHECK(says(gone, "goes at 1 s"));
+}
+
+TEST_CASE("bodies of segments and sensors alone are warned of, as they weigh nothing") {
+    CHECK(says(warning_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})"), "counts as 1 kg that does not turn"));
+    CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 1}, "sensor": true}]})"), "weigh nothing"));
+    CHECK(warnings_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}], "mass": {"mass": 2, "inertia": 1}})").empty());
+    CHECK(warnings_of(R"({"name": "pin"}, {"type": "static", "shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})").empty());
 }
 
 TEST_CASE("masses that differ by more than a hundred are warned of where they touch or are tied") {
@@ -94,7 +178,12 @@ TEST_CASE("a stack is said to sink by half of what the contact springs would giv
     const Diagnostic stack =
         warning_of(kGround + R"({"name": "box", "position": [0, 0.5], "repeat": {"grid": {"rows": 20}}, "shapes": [{"box": {"size": [1, 1]}}]})");
     CHECK(stack.pointer == "/bodies/1");
-    CHECK(says(stack, "'box[19]' stands on will sink by about 0.0677 m"));
+    CHECK(says(stack, "'box[19]' stands on ('box[18]') will sink by about 0.0677 m"));
+    // 1 kg on a feather of 2.5 g: 400 times its load.
+    const std::string feather = R"({"name": "feather", "position": [0, 0.25], "shapes": [{"box": {"size": [0.5, 0.5]}, "material": "f"}]}, )";
+    const std::vector<Diagnostic> crushed = warnings_of(kGround + feather + R"({"name": "anvil", "position": [0, 1], "shapes": [{"box": {"size": [1, 1]}, "material": "a"}]})",
+                                                        R"(, "materials": {"f": {"density": 0.01}, "a": {"density": 5000}})");
+    CHECK(std::ranges::any_of(crushed, [](const Diagnostic& warning) { return says(warning, "'anvil' stands on ('feather') will sink by more than its size"); }));
     CHECK(warnings_of(kGround + R"({"position": [0, 0.5], "repeat": {"grid": {"rows": 6}}, "shapes": [{"box": {"size": [1, 1]}}]})").empty());
 }
 
@@ -103,13 +192,13 @@ TEST_CASE("in a world of marbles sizes and sinking are those of marbles") {
     CHECK(warnings_of(R"({"shapes": [{"circle": {"radius": 0.002}}]})", small).empty());
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 2}}]})", small), "between 0.0001 m and 2 m"));
     // At the step rate of the scale, 60 / sqrt(0.02), frequencies follow its inverse root, so that 20 boxes of 2 cm sink by a
-    // fiftieth of 0.0677 m. At the usual rate they stay at an eighth of the sub-steps', 30 Hz, and all of the 0.0677 m is left.
+    // fiftieth of 0.0677 m. At the usual rate they stay at an eighth of the sub-steps', 30 Hz, and all of the 0.0677 m is left, three boxes high.
     const std::string ground = R"({"type": "static", "position": [0, -0.01], "shapes": [{"box": {"size": [1.8, 0.02]}}]}, )";
     const std::string tower =
         R"({"position": [0, 0.01], "repeat": {"grid": {"rows": 20, "spacing": [1, 0.02]}}, "shapes": [{"box": {"size": [0.02, 0.02]}}]})";
     const std::string quick = R"(, "world": {"scale": 0.02, "steps_per_second": 424.264})";
     CHECK(says(warning_of(ground + tower, quick), "will sink by about 0.00135 m"));
-    CHECK(says(warning_of(ground + tower, small), "will sink by about 0.0677 m"));
+    CHECK(says(warning_of(ground + tower, small), "will sink by more than its size"));
 }
 
 TEST_CASE("lints are made on request alone") {

@@ -1,0 +1,19 @@
+#include "tumble/world_limits.hpp"
+
+#include "dynamics/constants.hpp"
+#include "dynamics/softness.hpp"
+
+namespace tumble {
+
+WorldLimits world_limits(const WorldDef& def) {
+    const Tuning tuning = make_tuning(def.scale);
+    const float h = 1.0f / (def.steps_per_second * static_cast<float>(def.substeps));
+    return {.rest_speed = tuning.sleep_speed,
+            .push_out_speed = tuning.push_out_speed,
+            .contact_hertz = contact_hertz(tuning, h),
+            .static_stiffening = kStaticStiffening,
+            .sag_part = kCarriedSoftness,
+            .stiffest_spring = stiffest_spring(h)};
+}
+
+}  // namespace tumble

@@ -1,0 +1,40 @@
+// The limits that are told are those that the stepper keeps to.
+#include "tumble/world_limits.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace tumble;
+
+TEST_CASE("what is slower than the speed of rest falls asleep, in worlds of all scales") {
+    for (const float scale : {0.02f, 1.0f, 50.0f}) {
+        CAPTURE(scale);
+        const auto sleeps = [&](float part) {
+            const WorldDef def{.gravity = {}, .scale = scale};
+            World world(def);
+            const BodyId body = world.create_body({.velocity = {part * world_limits(def).rest_speed, 0.0f}});
+            world.add_shape(body, {.shape = make_circle(0.5f * scale)});
+            for (int i = 0; i < 600; ++i) world.step();
+            return !world.is_awake(body);
+        };
+        CHECK(sleeps(0.99f));
+        CHECK_FALSE(sleeps(1.01f));
+    }
+}
+
+TEST_CASE("springs of joints are no stiffer than the stiffest") {
+    for (const int substeps : {2, 4}) {
+        CAPTURE(substeps);
+        const auto hash = [&](float part) {
+            const WorldDef def{.substeps = substeps};
+            World world(def);
+            const BodyId pin = world.create_body({.type = BodyType::static_body}), bob = world.create_body({.pose = {{1.0, 0.0}, {}}});
+            world.add_shape(bob, {.shape = make_circle(0.2f)});
+            world.create_joint(DistanceJointDef{.body_a = pin, .body_b = bob, .length = 1.0f,
+                                                .spring = JointSpring{part * world_limits(def).stiffest_spring, 0.5f}});
+            for (int i = 0; i < 30; ++i) world.step();
+            return world.state_hash();
+        };
+        CHECK(hash(1.0f) == hash(7.0f));
+        CHECK(hash(1.0f) != hash(0.99f));
+    }
+}
