@@ -59,7 +59,8 @@ struct ShapePair {
 // it has been slower than 0.05 m/s for half a second. Asleep it costs nothing. It wakes when something awake touches
 // it, when one of its bodies is given a velocity, a force, a shape or a joint, and when what it leans on moves or goes.
 //
-// Calls with a stale or foreign id, with values that are not finite or out of range throw std::invalid_argument with
+// Calls with an id that names nothing here (of something destroyed, or of another world: an id does not know its world
+// and may happen to name something in this one), with values that are not finite or out of range throw std::invalid_argument with
 // the value printed, and leave the world as it was.
 class World {
 public:
@@ -104,7 +105,7 @@ public:
     // Of the centre of mass. What is locked stays 0. Static and disabled bodies have none to set: they are refused.
     void set_velocity(BodyId id, Vec2 velocity, float angular_velocity);
 
-    // Another type: a body that becomes static stops, and what leant on it wakes.
+    // Another type: a body that becomes static stops, and what leant on it wakes. Forces of the next step are gone.
     void set_type(BodyId id, BodyType type);
 
     // A disabled body keeps its place, shapes and joints, but is not part of the world: it does not move, its joints do
@@ -131,7 +132,7 @@ public:
     void set_gravity(Vec2 gravity);
 
     // A force (N, world axes) at a world point and a torque (N m), during the next step only; an impulse (N s) and an
-    // angular impulse (N m s) at once. They act on dynamic bodies, and do nothing to others.
+    // angular impulse (N m s) at once. They act on dynamic bodies, with the mass of the moment, and do nothing to others.
     void apply_force(BodyId id, Vec2 force, DVec2 point);
     void apply_torque(BodyId id, float torque);
     void apply_impulse(BodyId id, Vec2 impulse, DVec2 point);

@@ -1,6 +1,7 @@
 #include "dynamics/events.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace tumble {
 
@@ -29,6 +30,14 @@ void report_begin(Simulation& simulation, const Contact& contact) {
         simulation.events.contact_begins.push_back(contact_begin(simulation, contact));
     else
         simulation.events.sensor_begins.push_back(sensor_event(simulation, contact));
+}
+
+void report_end(Simulation& simulation, const Contact& contact) {
+    if (contact.kind == ContactKind::solid)
+        simulation.events.contact_ends.push_back(
+            {id_of(simulation.shapes, contact.shapes.a), id_of(simulation.shapes, contact.shapes.b)});
+    else
+        simulation.events.sensor_ends.push_back(sensor_event(simulation, contact));
 }
 
 // A sensor whose bodies are all at rest overlaps what it did.
@@ -61,13 +70,9 @@ void clear(StepEvents& events) {
     events.fell_asleep.clear();
 }
 
-void report_end(Simulation& simulation, const Contact& contact) {
-    if (!contact.was_touching) return;
-    if (contact.kind == ContactKind::solid)
-        simulation.events.contact_ends.push_back(
-            {id_of(simulation.shapes, contact.shapes.a), id_of(simulation.shapes, contact.shapes.b)});
-    else
-        simulation.events.sensor_ends.push_back(sensor_event(simulation, contact));
+void report_parting(Simulation& simulation, const Contact& contact) {
+    if (contact.is_touching && !contact.was_touching) report_begin(simulation, contact);
+    if (contact.is_touching || contact.was_touching) report_end(simulation, contact);
 }
 
 void report_events(Simulation& simulation) {
@@ -85,8 +90,12 @@ void report_events(Simulation& simulation) {
         contact.was_touching = contact.is_touching;
     }
     simulation.contact_counts = counts;
-    // Ends come from two places; sensors are not in the order of their pairs.
+    // They come from two places; sensors are not in the order of their pairs.
     StepEvents& events = simulation.events;
+    std::sort(events.contact_begins.begin(), events.contact_begins.end(),
+              [](const ContactBegin& a, const ContactBegin& b) {
+                  return std::tie(a.shape_a, a.shape_b) < std::tie(b.shape_a, b.shape_b);
+              });
     std::sort(events.contact_ends.begin(), events.contact_ends.end());
     std::sort(events.sensor_begins.begin(), events.sensor_begins.end());
     std::sort(events.sensor_ends.begin(), events.sensor_ends.end());

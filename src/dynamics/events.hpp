@@ -11,7 +11,7 @@ void report_events(Simulation& simulation);
 
 void clear(StepEvents& events);
 
-// A contact is about to be dropped: ends it if it touched.
-void report_end(Simulation& simulation, const Contact& contact);
+// A contact is about to be dropped: it ends if it touched, and begins before if it came and went within the step.
+void report_parting(Simulation& simulation, const Contact& contact);
 
 }  // namespace tumble

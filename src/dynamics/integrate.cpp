@@ -26,6 +26,16 @@ void limit_speed(SolverBody& body, const SpeedLimits& limits) {
     body.angular_velocity = std::clamp(body.angular_velocity, -spin, spin);
 }
 
+// Nothing moves the static solver body but an impulse that is not finite, and then all who rest on it are lost: the first
+// of the bodies that it stands for.
+std::uint32_t find_moved_static(const BodyStore& bodies) {
+    const SolverBody& body = bodies.solver_bodies[kStaticSolverBody];
+    if (body.velocity == Vec2{} && body.angular_velocity == 0.0f) return kNoBody;
+    for (const BodyId id : bodies.ids.live())
+        if (bodies.frames[id.index].solver_body == kStaticSolverBody) return id.index;
+    return kNoBody;
+}
+
 }  // namespace
 
 void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits) {
@@ -82,7 +92,7 @@ std::uint32_t find_diverged(const BodyStore& bodies) {
                             is_finite(frame.center) && std::isfinite(frame.pose.rotation.c + frame.pose.rotation.s);
         if (!finite) first = std::min(first, bodies.moving[i].body);
     }
-    return first;
+    return first != kNoBody ? first : find_moved_static(bodies);
 }
 
 }  // namespace tumble

@@ -1,5 +1,6 @@
 #include "dynamics/shape_store.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace tumble {
@@ -67,10 +68,13 @@ BodyMass body_mass(const std::vector<ShapeId>& shapes, const ShapeStore& store) 
         moment += part_mass * center;
         inertia += static_cast<double>(record.material.density) * part.inertia + part_mass * length_sq(center);
     }
-    if (!(mass > 0.0)) return {1.0f, {}, 0.0f};
+    // A mass between these has an inverse that is neither 0 nor infinite.
+    constexpr double kLightest = std::numeric_limits<float>::min(), kHeaviest = std::numeric_limits<float>::max();
+    if (!(mass >= kLightest)) return {1.0f, {}, 0.0f};
     const DVec2 center = (1.0 / mass) * moment;
     inertia -= mass * length_sq(center);
-    return {static_cast<float>(mass), to_float(center), static_cast<float>(inertia)};
+    return {static_cast<float>(std::min(mass, kHeaviest)), to_float(center),
+            static_cast<float>(std::min(inertia, kHeaviest))};
 }
 
 float body_reach(Vec2 from, const std::vector<ShapeId>& shapes, const ShapeStore& store) {

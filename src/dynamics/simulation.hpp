@@ -119,6 +119,10 @@ bool may_collide(const Simulation& simulation, ProxyPair shapes);
 // The same without regard to type and rest, for solid shapes alone.
 bool may_touch(const Simulation& simulation, ProxyPair shapes);
 
+// True if what was changed since the last step has parted two solid shapes, or keeps them from touching: the next step
+// ends their contact.
+bool is_over(const Simulation& simulation, const Contact& contact);
+
 // The stages, in order.
 void find_pairs(Simulation& simulation);
 void collide_pairs(Simulation& simulation);

@@ -42,7 +42,7 @@ void find_islands(Simulation& simulation) {
     IslandFinder& islands = simulation.islands;
     islands.reset(simulation.bodies.solver_bodies.size());
     for (const Contact& contact : simulation.contacts.all())
-        if (is_touching(contact) && simulation.is_live(contact.shapes))
+        if (is_touching(contact) && !is_over(simulation, contact))
             tie(islands, simulation.bodies, contact.body_a, contact.body_b);
     simulation.joints.for_each_awake_pair(
         [&](std::uint32_t a, std::uint32_t b) { tie(islands, simulation.bodies, a, b); });
@@ -53,8 +53,8 @@ void find_islands(Simulation& simulation) {
 void set_contacts_aside(Simulation& simulation) {
     simulation.contacts.keep_if([&](const Contact& contact) {
         const BodyStore& bodies = simulation.bodies;
-        if (!simulation.is_live(contact.shapes)) return true;  // the next step drops it
-        if (contact.kind != ContactKind::solid) return true;   // who sleeps in a sensor is still there
+        if (contact.kind != ContactKind::solid) return true;  // who sleeps in a sensor is still there
+        if (is_over(simulation, contact)) return true;        // the next step drops it
         const bool sleeps_a = bodies.is_asleep(contact.body_a), sleeps_b = bodies.is_asleep(contact.body_b);
         if (!sleeps_a && !sleeps_b) return true;
         if (bodies.is_active(contact.body_a) || bodies.is_active(contact.body_b)) return true;
@@ -185,6 +185,17 @@ void wake_met(Simulation& simulation, std::uint32_t body) {
                                [&](std::uint32_t other) { near.push_back(simulation.shapes[other].body); });
     for (const std::uint32_t other : near)
         if (simulation.bodies.is_asleep(other)) wake(simulation, other);
+}
+
+bool touch_in_sleep(const Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {
+    const std::uint32_t island_a = simulation.bodies.records[body_a].island;
+    const std::uint32_t island = island_a != kNoIsland ? island_a : simulation.bodies.records[body_b].island;
+    if (island == kNoIsland) return false;
+    const std::vector<Contact>& contacts = simulation.sleeping.all()[island].contacts;
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+        return (contact.body_a == body_a && contact.body_b == body_b) ||
+               (contact.body_a == body_b && contact.body_b == body_a);
+    });
 }
 
 void merge_sleeping_islands(Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {

@@ -24,6 +24,9 @@ void put_island_to_sleep(Simulation& simulation, std::uint32_t body);
 // Puts a dynamic body to sleep that touches nothing and has no joint yet.
 void put_new_body_to_sleep(Simulation& simulation, std::uint32_t body);
 
+// True if two bodies touch of which at least one sleeps.
+bool touch_in_sleep(const Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b);
+
 // Two sleeping bodies are joined: their islands become one.
 void merge_sleeping_islands(Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b);
 

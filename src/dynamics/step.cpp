@@ -48,10 +48,15 @@ JointContext joint_context(const Simulation& simulation) {
 }
 
 bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {
-    for (const JointId id : simulation.bodies.records[body_a].joints) {
+    // The ground may have thousands of joints.
+    const std::vector<JointId>& joints_a = simulation.bodies.records[body_a].joints;
+    const std::vector<JointId>& joints_b = simulation.bodies.records[body_b].joints;
+    const bool fewer_on_a = joints_a.size() < joints_b.size();
+    const std::uint32_t other = fewer_on_a ? body_b : body_a;
+    for (const JointId id : fewer_on_a ? joints_a : joints_b) {
         const JointDef& def = simulation.joints.def(id);
-        const std::uint32_t a = joint_body_a(def).index, b = joint_body_b(def).index;
-        if ((a == body_b || b == body_b) && !collides_connected(def)) return true;
+        const bool is_other = joint_body_a(def).index == other || joint_body_b(def).index == other;
+        if (is_other && !collides_connected(def)) return true;
     }
     return false;
 }
@@ -106,12 +111,21 @@ bool may_touch(const Simulation& simulation, ProxyPair shapes) {
            !joined_without_contact(simulation, a.body, b.body);
 }
 
+bool is_over(const Simulation& simulation, const Contact& contact) {
+    return !simulation.is_live(contact.shapes) || !simulation.broad.overlap(contact.shapes) ||
+           (simulation.filters_changed && !may_touch(simulation, contact.shapes));
+}
+
 bool may_collide(const Simulation& simulation, ProxyPair shapes) {
     const ShapeRecord& a = simulation.shapes[shapes.a];
     const ShapeRecord& b = simulation.shapes[shapes.b];
     if (!simulation.is_live(shapes)) return false;
-    if (a.is_sensor != b.is_sensor) return a.body != b.body && may_meet(a.filter, b.filter);
     const BodyStore& bodies = simulation.bodies;
+    if (a.is_sensor != b.is_sensor) {
+        const bool both_static = bodies.frames[a.body].type == BodyType::static_body &&
+                                 bodies.frames[b.body].type == BodyType::static_body;
+        return a.body != b.body && !both_static && may_meet(a.filter, b.filter);
+    }
     const bool can_give_way = bodies.is_dynamic(a.body) || bodies.is_dynamic(b.body);
     const bool can_come_near = bodies.is_active(a.body) || bodies.is_active(b.body);
     return can_give_way && can_come_near && may_touch(simulation, shapes);
@@ -129,7 +143,7 @@ void find_pairs(Simulation& simulation) {
         const bool keep = simulation.is_live(contact.shapes) && simulation.broad.overlap(contact.shapes) &&
                           !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
         if (!keep) {
-            report_end(simulation, contact);
+            report_parting(simulation, contact);
             simulation.broad.forget(contact.shapes);
         }
         return keep;

@@ -47,6 +47,8 @@ void World::Impl::update_mass(BodyId id) {
     const BodyRecord& record = bodies.records[id.index];
     const std::vector<ShapeId>& shapes = record.shapes;
     BodyMass mass;
+    // Nobody asks how far a static body reaches, and one of thousands of shapes is made a shape at a time.
+    if (bodies.frames[id.index].type == BodyType::static_body) return bodies.set_mass(id, mass, 0.0f, 0.0f);
     if (bodies.is_dynamic(id.index)) mass = record.own_mass ? *record.own_mass : body_mass(shapes, simulation.shapes);
     bodies.set_mass(id, mass, body_reach(mass.center, shapes, simulation.shapes),
                     smallest_extent(shapes, simulation.shapes));
@@ -191,6 +193,9 @@ JointId World::create_joint(const JointDef& def) {
     simulation.bodies.records[a.index].joints.push_back(id);
     simulation.bodies.records[b.index].joints.push_back(id);
     simulation.filters_changed |= !collides_connected(def);
+    // What sleeps on what it may no longer touch has lost its hold.
+    if (!collides_connected(def) && touch_in_sleep(simulation, a.index, b.index))
+        for (const BodyId body : {a, b}) wake(simulation, body.index);
     impl_->tie(id, a.index, b.index);
     return id;
 }

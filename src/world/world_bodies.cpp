@@ -85,6 +85,7 @@ void World::set_transform(BodyId id, const Pose& pose) {
 void World::set_type(BodyId id, BodyType type) {
     impl_->require(id);
     Simulation& simulation = impl_->simulation;
+    if (type == simulation.bodies.records[id.index].type) return;
     wake_with_neighbors(simulation, id.index);
     impl_->displace_shapes(id);
     simulation.bodies.set_type(id.index, type);

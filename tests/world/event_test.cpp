@@ -211,3 +211,45 @@ TEST_CASE("filters: categories must know each other, groups have the last word")
     CHECK(world.state(b).pose.position.x < 0.49);
     CHECK(world.is_valid(a));
 }
+
+// Balls of 10 cm that fly at each other, 5 cm off the middle, are done with each other within two steps; the phase is where
+// in a step they meet. They touch for less than one, and are out of each other's boxes at its end.
+TEST_CASE("who is deflected has begun to touch, also if both are far apart at the end of the step") {
+    int met = 0, within_a_step = 0;
+    for (int phase = 0; phase < 200; ++phase) {
+        World world = weightless();
+        BodyDef def;
+        def.bullet = true;
+        def.pose.position = {-2.0 - 0.05 * phase, 0.0};
+        def.velocity = {300.0f, 0.0f};
+        const BodyId left = world.create_body(def);
+        world.add_shape(left, {.shape = make_circle(0.1f)});
+        def.pose.position = {2.0, 0.05};
+        def.velocity = {-150.0f, 0.0f};
+        world.add_shape(world.create_body(def), {.shape = make_circle(0.1f)});
+        std::size_t begins = 0, ends = 0;
+        for (int step = 0; step < 10; ++step) {
+            world.step();
+            begins += world.events().contact_begins.size();
+            ends += world.events().contact_ends.size();
+            within_a_step += !world.events().contact_begins.empty() && !world.events().contact_ends.empty();
+        }
+        const bool deflected = world.state(left).velocity != Vec2{300.0f, 0.0f};
+        met += deflected;
+        CHECK(begins == (deflected ? 1u : 0u));
+        CHECK(ends == begins);
+    }
+    CHECK(met == 200);
+    CHECK(within_a_step > 0);
+}
+
+TEST_CASE("a sensor that becomes static lets go of what is static") {
+    World world;
+    add_floor(world);
+    const BodyId sensor = add_sensor(world, {0.0, 0.0}, kBox, BodyType::kinematic_body);
+    world.step();
+    CHECK(world.events().sensor_begins.size() == 1);
+    world.set_type(sensor, BodyType::static_body);
+    world.step();
+    CHECK(world.events().sensor_ends.size() == 1);
+}

@@ -85,3 +85,21 @@ TEST_CASE("a world that diverges says which body, and can still be read") {
     CHECK(world.bodies().size() == 2);
     CHECK_NOTHROW(world.state(lost));
 }
+
+TEST_CASE("a body of whatever shapes has a mass that gives way") {
+    for (const float radius : {1e-30f, 1e-19f, 1e-3f, 1e19f, 3e38f})
+        for (const float density : {0.0f, 1e-38f, 1.0f, 3e38f}) {
+            World world = weightless();
+            const BodyId body = add_dynamic(world, {}, make_circle(radius), {.density = density});
+            CHECK(world.mass(body).mass > 0.0f);
+            CHECK(std::isfinite(world.mass(body).mass));
+            world.validate();
+        }
+}
+
+TEST_CASE("an impulse that is not finite stops the world even if only static bodies feel it") {
+    World world;
+    const BodyId a = add_static(world, {0.0, 5.0}, make_circle(1.0f)), b = add_static(world, {1.0, 5.0}, make_circle(1.0f));
+    world.create_joint(DistanceJointDef{.body_a = a, .body_b = b, .anchor_b = {1e30f, 1e30f}, .length = 1.0f});
+    CHECK_THROWS_AS(world.step(), SimulationDiverged);
+}

@@ -343,3 +343,55 @@ TEST_CASE("the hash knows who sleeps") {
     CHECK(awake.state(body).pose == asleep.state(body).pose);
     CHECK(awake.state_hash() != asleep.state_hash());
 }
+
+TEST_CASE("a body that is taken away and put to sleep there leaves its old neighbours awake") {
+    World world;
+    add_floor(world);
+    const std::vector<BodyId> boxes = add_stack(world, 2);
+    run(world, 30);
+    world.set_transform(boxes[0], {{50.0, 50.0}, {}});
+    world.set_awake(boxes[0], false);
+    world.validate();
+    CHECK(world.is_awake(boxes[1]));
+    world.step();
+    // With the floor and with the upper box: the next step ends them, asleep or not.
+    CHECK(world.events().contact_ends.size() == 2);
+    world.validate();
+    run(world, 60);
+    CHECK_FALSE(world.is_awake(boxes[0]));
+    CHECK(std::abs(world.state(boxes[1]).pose.position.y - 0.5) < 0.01);
+}
+
+TEST_CASE("what may not touch any more is not held through sleep") {
+    CollisionFilter apart;
+    apart.group = -1;
+    World world;
+    add_floor(world);
+    const std::vector<BodyId> boxes = add_stack(world, 2);
+    run(world, 10);
+    for (const BodyId box : boxes) world.set_filter(world.shapes(box)[0], apart);
+    for (const BodyId box : boxes) world.set_awake(box, false);
+    world.validate();
+    world.step();
+    CHECK(world.events().contact_ends.size() == 1);
+    for (const BodyId box : boxes) world.set_awake(box, true);
+    run(world, 60);
+    CHECK(std::abs(world.state(boxes[1]).pose.position.y - 0.5) < 0.01);
+}
+
+TEST_CASE("a joint that keeps sleepers that touch from touching wakes them") {
+    for (const bool joins_floor : {false, true}) {
+        World world;
+        const BodyId floor = add_floor(world);
+        const std::vector<BodyId> boxes = add_stack(world, 2);
+        run(world, 200);
+        REQUIRE(all_asleep(world, boxes));
+        world.create_joint(FilterJointDef{joins_floor ? floor : boxes[1], boxes[0]});
+        CHECK(all_awake(world, boxes));
+        world.step();
+        CHECK(world.events().contact_ends.size() == 1);
+        world.validate();
+        run(world, 60);  // 5 m of fall
+        CHECK(world.state(boxes[joins_floor ? 0 : 1]).pose.position.y < (joins_floor ? -4.0 : 0.51));
+    }
+}
