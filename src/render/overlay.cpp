@@ -121,9 +121,9 @@ void add_ties(Marks& marks, const View& view, const World& world) {
 
 }  // namespace
 
-void add_overlay(Layer& layer, const View& view, const World& world, const Overlay& overlay) {
-    Marks marks(layer, view);
-    if (overlay.islands) add_islands(layer, view, world);
+void add_overlay(DrawList& list, const View& view, const World& world, const Overlay& overlay) {
+    Marks marks(list.overlay, view);
+    if (overlay.islands) add_islands(list.islands, view, world);
     if (overlay.aabbs) add_boxes(marks, view, world);
     if (overlay.joints) add_ties(marks, view, world);
     if (overlay.velocity) add_velocities(marks, view, world);

@@ -11,7 +11,7 @@
 
 namespace tumble::render {
 
-void add_overlay(Layer& layer, const View& view, const World& world, const Overlay& overlay);
+void add_overlay(DrawList& list, const View& view, const World& world, const Overlay& overlay);
 
 // A line of the legend: what a mark of this colour means.
 struct LegendLine {

@@ -79,11 +79,14 @@ struct DrawList {
     Layer ground;   // static bodies
     Layer bodies;   // all others
     Layer details;  // orientation marks and joints
-    Layer overlay;  // what the stepper knows
+    Layer islands;  // bodies once more, by their islands
+    Layer overlay;  // what else the stepper knows
     Layer labels;
 
-    std::array<Layer*, 6> layers() { return {&grid, &ground, &bodies, &details, &overlay, &labels}; }
-    std::array<const Layer*, 6> layers() const { return {&grid, &ground, &bodies, &details, &overlay, &labels}; }
+    std::array<Layer*, 7> layers() { return {&grid, &ground, &bodies, &details, &islands, &overlay, &labels}; }
+    std::array<const Layer*, 7> layers() const {
+        return {&grid, &ground, &bodies, &details, &islands, &overlay, &labels};
+    }
 };
 
 }  // namespace tumble::render

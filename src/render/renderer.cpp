@@ -54,7 +54,7 @@ void Renderer::draw(const Scene& scene, const SceneWorld& world, const Camera& c
                                     ") and " + std::to_string(camera.height));
     const render::View view = render::make_view(camera, impl_->width, impl_->height);
     render::build_draw_list(impl_->list, scene, world, view);
-    render::add_overlay(impl_->list.overlay, view, world.world, overlay);
+    render::add_overlay(impl_->list, view, world.world, overlay);
     render::add_labels(impl_->list, impl_->atlas, view, scene.name, time, render::legend_of(overlay));
     impl_->canvas.draw(impl_->list.background, std::as_const(impl_->list).layers(), impl_->atlas, image);
 }

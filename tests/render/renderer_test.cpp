@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/glyph_atlas.hpp"
@@ -61,6 +62,27 @@ TEST_CASE("frames repeat byte for byte, in one renderer and in another") {
     CHECK(frame(first, s, 0.75).rgba != image.rgba);  // the clock is in the frame
     Renderer moved = std::move(second);
     CHECK(frame(moved, s).rgba == image.rgba);
+}
+
+TEST_CASE("islands cover bodies, and no other mark") {
+    HandMadeScene s = playground();
+    const BodyId crate = s.built.bodies[1].id, ball = s.built.bodies[2].id;
+    for (const BodyId body : {crate, ball}) s.built.world.set_velocity(body, {4.0f, 0.0f}, 0.0f);
+    Renderer renderer(640, 360);
+    const auto seen = [&](const Overlay& overlay, int x, int y) {
+        Image image;
+        renderer.draw(s.scene, s.built, {{0.0, 1.0}, 9.0}, 0.5, image, overlay);
+        return render::pixel(image, x, y);
+    };
+    const Overlay velocity{.velocity = true}, islands{.islands = true}, both{.islands = true, .velocity = true};
+    // The way of 0.1 s is 16 pixels long. 8 of them from the middles of crate and ball:
+    for (const auto& [x, y] : {std::pair{320 - 80 + 8, 180 + 20}, std::pair{320 + 80 + 8, 180}}) {
+        CHECK(seen(both, x, y) == seen(velocity, x, y));
+        CHECK(seen(both, x, y) != seen(islands, x, y));
+    }
+    // Away from it, where the bodies are of one colour:
+    for (const auto& [x, y] : {std::pair{320 - 80 - 8, 180 + 20 + 8}, std::pair{320 + 80 - 20, 180 + 10}})
+        CHECK(seen(both, x, y) == seen(islands, x, y));
 }
 
 TEST_CASE("frames of the least and of odd sizes can be drawn, with names of any length") {
