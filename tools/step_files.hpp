@@ -71,8 +71,8 @@ private:
     std::string lines_;
 };
 
-// Every contact point: step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse. Gaps and places as
-// the step found them, impulses of its last sub-step.
+// Every contact point: step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse. Gaps and normals as
+// the step found them, points carried along with the first body, impulses summed over the step.
 class ContactsFile {
 public:
     ContactsFile(const std::filesystem::path& file, bool force);

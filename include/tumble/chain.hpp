@@ -17,7 +17,7 @@ struct ChainLink {
     Vec2 after;               // and the one after its second
     bool has_before = false;  // false at an open end, where the segment is met from all around
     bool has_after = false;
-    bool one_sided = false;   // solid on the left of its direction: met from the right alone
+    bool one_sided = false;   // solid on the left: met from the right; what comes from the left passes whole
 
     friend constexpr bool operator==(const ChainLink&, const ChainLink&) = default;
 };

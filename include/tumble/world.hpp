@@ -44,8 +44,11 @@ struct ContactPoint {
     DVec2 point;  // world, half way between the surfaces
     Vec2 normal;  // from A to B
     std::uint32_t feature = 0;
-    float separation = 0.0f;      // m, negative inside
-    float normal_impulse = 0.0f;  // N s, accumulated over the last sub-step
+    float separation = 0.0f;  // m, negative inside
+
+    // What B got of A in the whole step, N s: along the normal, and along the normal turned clockwise. At rest the points
+    // of a body that lies carry its weight times the step, and what an impact stopped shows its momentum.
+    float normal_impulse = 0.0f;
     float tangent_impulse = 0.0f;
 };
 
@@ -196,8 +199,8 @@ public:
     // What began, ended, broke and fell asleep in the last step. Holds until the next one.
     const StepEvents& events() const noexcept;
 
-    // Contact points of the last step, in order of shape ids: gaps and places as the step found them, impulses as it
-    // left them. Computed on the call: O(contacts).
+    // Contact points of the last step, in order of shape ids: gaps and normals as the step found them, points
+    // carried along with A, impulses summed over the step. Computed on the call: O(contacts).
     std::vector<ContactPoint> contacts() const;
 
     // The pairs that the last step asked the narrow phase about, in order of shape ids: not those of sleeping bodies.

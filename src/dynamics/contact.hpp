@@ -6,12 +6,13 @@
 
 #include "broad/pair_set.hpp"
 #include "dynamics/recycling.hpp"
+#include "narrow/link_meeting.hpp"
 #include "tumble/body.hpp"
 #include "tumble/manifold.hpp"
 
 namespace tumble {
 
-// The impulses of one manifold point, N s, accumulated over the last sub-step.
+// The impulses of one manifold point, N s.
 struct PointImpulse {
     float normal = 0.0f;
     float tangent = 0.0f;  // along the tangent, the normal turned clockwise
@@ -31,9 +32,11 @@ struct Contact {
     std::uint32_t body_a = 0;  // by index
     std::uint32_t body_b = 0;
     Manifold manifold;         // anchors from the bodies' origins
-    PointImpulse impulses[2];  // by manifold point
+    PointImpulse impulses[2];  // by manifold point, of the last sub-step: what the next step is warmed with
+    PointImpulse applied[2];   // the same of the whole last step
     float rolling_impulse = 0.0f;
     ContactKind kind = ContactKind::solid;
+    LinkSide came_from = LinkSide::apart;  // of a chain's segment, until they have parted: what passes it passes whole
     bool is_new = true;           // not collided since it was found or woke
     bool is_touching = false;     // in this step: surfaces met, or an impulse kept them apart
     bool was_touching = false;    // when events were last reported
@@ -51,10 +54,10 @@ struct Contact {
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.shapes, self.body_a, self.body_b, self.manifold, self.impulses, self.rolling_impulse, self.kind,
-              self.is_new, self.is_touching, self.was_touching, self.approach, self.reference, self.cache,
-              self.speculative_distance, self.radius_a, self.radius_b, self.friction, self.restitution,
-              self.rolling_resistance, self.tangent_speed);
+        visit(self.shapes, self.body_a, self.body_b, self.manifold, self.impulses, self.applied, self.rolling_impulse,
+              self.kind, self.came_from, self.is_new, self.is_touching, self.was_touching, self.approach,
+              self.reference, self.cache, self.speculative_distance, self.radius_a, self.radius_b, self.friction,
+              self.restitution, self.rolling_resistance, self.tangent_speed);
     }
 };
 

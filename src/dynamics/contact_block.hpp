@@ -22,17 +22,18 @@ namespace tumble {
 // m; so far that no velocity closes it in a sub-step, and its square is still finite.
 inline constexpr float kAbsentGap = 1e6f;
 
+// What a pass writes stands together: a step of many contacts takes as long as their cache lines.
 struct ContactBlockPoint {
     Lanes along_a, across_a;  // m
     Lanes along_b, across_b;
     Lanes separation;      // at the start of the step, m
     Lanes inverse_mass;    // effective, along the normal, 1/kg; 1 for a point that is not there
     Lanes normal_impulse;  // N s, of the present sub-step
-    Lanes carried;         // the normal impulse with which the step began
-    Lanes tangent_mass;
+    Lanes applied_normal;  // N s, of the step so far: each sub-step ends with the impulse that it has applied in all
     Lanes tangent_impulse;
-    Lanes approach_speed;   // normal velocity at the impact, negative if approaching; with restitution only
-    Lanes largest_impulse;  // normal, over the sub-steps
+    Lanes applied_tangent;
+    Lanes tangent_mass;
+    Lanes carried;  // the normal impulse with which the step began
 };
 
 struct ContactBlock {
@@ -56,6 +57,7 @@ struct ContactBlock {
     bool has_rolling_resistance;
     Lanes radius_a, radius_b;  // of the shapes' rounding, m
     Lanes restitution;
+    Lanes approach_speed[2];  // of each point: normal velocity at the impact, negative if approaching
     Lanes acceleration;  // along the normal, of B's centre against A's if nothing were in their way; with restitution only
     Lanes tangent_speed;
     Lanes rolling_resistance;  // m

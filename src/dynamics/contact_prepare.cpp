@@ -18,13 +18,13 @@ ContactBlock make_neutral_block() {
          {&block.normal_x, &block.normal_y, &block.inv_mass_ax, &block.inv_mass_ay, &block.inv_mass_bx,
           &block.inv_mass_by, &block.linear_normal, &block.linear_tangent, &block.least_response, &block.inv_inertia_a,
           &block.inv_inertia_b, &block.coupling, &block.friction, &block.radius_a, &block.radius_b, &block.restitution,
-          &block.acceleration,
+          &block.approach_speed[0], &block.approach_speed[1], &block.acceleration,
           &block.tangent_speed, &block.rolling_resistance, &block.rolling_mass, &block.rolling_impulse})
         *lanes = zero;
     for (ContactBlockPoint& point : block.points)
         for (Lanes* lanes :
              {&point.along_a, &point.across_a, &point.along_b, &point.across_b, &point.normal_impulse, &point.carried,
-              &point.tangent_mass, &point.tangent_impulse, &point.approach_speed, &point.largest_impulse})
+              &point.tangent_mass, &point.tangent_impulse, &point.applied_normal, &point.applied_tangent})
             *lanes = zero;
     for (ContactBlockPoint& point : block.points) {
         point.separation = Lanes::Constant(kAbsentGap);
@@ -148,10 +148,11 @@ void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, 
             free_acceleration(bodies, body_b, gravity) - free_acceleration(bodies, body_a, gravity);
         const float along = dot(acceleration, normal);
         block.acceleration[lane] = along;
-        for (ContactBlockPoint& point : block.points) {
+        for (int i = 0; i < 2; ++i) {
+            const ContactBlockPoint& point = block.points[i];
             const float now =
                 linear + b.angular_velocity * point.across_b[lane] - a.angular_velocity * point.across_a[lane];
-            point.approach_speed[lane] = velocity_at_impact(now + 0.5f * h * along, point.separation[lane], along);
+            block.approach_speed[i][lane] = velocity_at_impact(now + 0.5f * h * along, point.separation[lane], along);
         }
     }
 }
@@ -191,7 +192,9 @@ void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGra
             for (int i = 0; i < contacts[contact].manifold.point_count; ++i) {
                 contacts[contact].impulses[i] = {block.points[i].normal_impulse[lane],
                                                  block.points[i].tangent_impulse[lane]};
-                contacts[contact].is_touching |= block.points[i].largest_impulse[lane] > 0.0f;
+                contacts[contact].applied[i] = {block.points[i].applied_normal[lane],
+                                                block.points[i].applied_tangent[lane]};
+                contacts[contact].is_touching |= block.points[i].applied_normal[lane] > 0.0f;
             }
             contacts[contact].rolling_impulse = block.rolling_impulse[lane];
         }

@@ -95,6 +95,7 @@ TUMBLE_LANE_FUNCTION void solve_friction(const ContactBlock& block, ContactBlock
     const Lanes wanted = old_impulse - point.tangent_mass * slip;
     point.tangent_impulse = clamp_magnitude(wanted, block.friction * point.normal_impulse);
     const Lanes change = point.tangent_impulse - old_impulse;
+    point.applied_tangent += point.tangent_impulse;
     apply_tangent(block, point, change, state);
 }
 
@@ -110,19 +111,19 @@ TUMBLE_LANE_FUNCTION void solve_rolling(ContactBlock& block, BlockState& state) 
 }
 
 // A point that bounces: where an impulse stopped an approach fast enough. 1 or 0.
-TUMBLE_LANE_FUNCTION Lanes is_bouncing(const ContactBlockPoint& point, float threshold) {
+TUMBLE_LANE_FUNCTION Lanes is_bouncing(const ContactBlock& block, int point, float threshold) {
     const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
-    const Lanes was_fast = select_less(point.approach_speed, Lanes::Constant(-threshold), one, zero);
-    return select_less(zero, point.largest_impulse, was_fast, zero);
+    const Lanes was_fast = select_less(block.approach_speed[point], Lanes::Constant(-threshold), one, zero);
+    return select_less(zero, block.points[point].applied_normal, was_fast, zero);
 }
 
 // A bouncing point is to part with e times the speed of its impact where it met: at a separation s under the acceleration
 // a with (v + a h / 2)^2 = (e v_impact)^2 + 2 a s, as in set_approaches(). Others keep their impulses.
-TUMBLE_LANE_FUNCTION NormalRow make_bounce_row(const ContactBlock& block, const ContactBlockPoint& point,
-                                               const Lanes& shift, const Lanes& bouncing, float h,
-                                               const BlockState& state) {
+TUMBLE_LANE_FUNCTION NormalRow make_bounce_row(const ContactBlock& block, int index, const Lanes& shift,
+                                               const Lanes& bouncing, float h, const BlockState& state) {
+    const ContactBlockPoint& point = block.points[index];
     const Lanes zero = Lanes::Zero();
-    const Lanes back = block.restitution * point.approach_speed;
+    const Lanes back = block.restitution * block.approach_speed[index];
     const Lanes fallen = 2.0f * block.acceleration * current_separation(block, point, shift, state);
     const Lanes wanted = (back * back + fallen).max(zero).sqrt() - 0.5f * h * block.acceleration;
     const Lanes missing = select_less(zero, bouncing, normal_velocity(point, state) - wanted, zero);
@@ -132,10 +133,9 @@ TUMBLE_LANE_FUNCTION NormalRow make_bounce_row(const ContactBlock& block, const 
 // Both points at once: one after the other they would make a box that falls flat spin.
 TUMBLE_LANE_FUNCTION void solve_restitution(ContactBlock& block, float threshold, float h, BlockState& state) {
     const Lanes shift = center_shift(block, state);
-    const Lanes first_bounces = is_bouncing(block.points[0], threshold);
-    const Lanes second_bounces = is_bouncing(block.points[1], threshold);
-    const NormalRow first = make_bounce_row(block, block.points[0], shift, first_bounces, h, state);
-    const NormalRow second = make_bounce_row(block, block.points[1], shift, second_bounces, h, state);
+    const Lanes first_bounces = is_bouncing(block, 0, threshold), second_bounces = is_bouncing(block, 1, threshold);
+    const NormalRow first = make_bounce_row(block, 0, shift, first_bounces, h, state);
+    const NormalRow second = make_bounce_row(block, 1, shift, second_bounces, h, state);
     const Lanes coupling = block.coupling * first_bounces * second_bounces;
     solve_normals(block, coupling, first, second, state);
 }
@@ -174,8 +174,7 @@ void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
         const NormalRow first = make_rigid_row(block, block.points[0], shift, inv_h, state);
         const NormalRow second = make_rigid_row(block, block.points[1], shift, inv_h, state);
         solve_normals(block, block.coupling, first, second, state);
-        for (ContactBlockPoint& point : block.points)
-            point.largest_impulse = point.largest_impulse.max(point.normal_impulse);
+        for (ContactBlockPoint& point : block.points) point.applied_normal += point.normal_impulse;
         finish(block, state, bodies);
     }
 }
@@ -184,7 +183,10 @@ void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bod
     for (ContactBlock& block : blocks) {
         if (!block.has_restitution) continue;
         BlockState state = load(block, bodies);
+        const Lanes before1 = block.points[0].normal_impulse, before2 = block.points[1].normal_impulse;
         solve_restitution(block, threshold, h, state);
+        block.points[0].applied_normal += block.points[0].normal_impulse - before1;
+        block.points[1].applied_normal += block.points[1].normal_impulse - before2;
         finish(block, state, bodies);
     }
 }

@@ -94,26 +94,55 @@ Manifold swapped(const Manifold& manifold) {
     return result;
 }
 
-// The cache belongs to the order of the shapes here: a chain's segment comes first.
-Manifold collide_shapes(const ShapeRecord& a, const Pose& pose_a, const ShapeRecord& b, const Pose& pose_b,
-                        Contact& contact) {
-    const float speculative = contact.speculative_distance;
-    if (a.link) return collide_link(a.shape, *a.link, pose_a, b.shape, pose_b, speculative, contact.cache);
-    if (b.link) return swapped(collide_link(b.shape, *b.link, pose_b, a.shape, pose_a, speculative, contact.cache));
-    return collide(a.shape, pose_a, b.shape, pose_b, speculative, contact.cache);
+struct PlacedShape {
+    const ShapeRecord& record;
+    const Pose& pose;
+};
+
+// True for what parts from the segment, and was on its other side a step ago: it was too fast to be seen there.
+bool came_through(const PlacedShape& chain, const PlacedShape& other, Vec2 way, const Manifold& manifold) {
+    if (!(dot(way, manifold.normal) > 0.0f)) return false;
+    const Pose before{other.pose.position - DVec2(way), other.pose.rotation};
+    return is_behind(chain.record.shape, *chain.record.link, chain.pose, other.record.shape, before);
 }
 
-void collide_anew(Contact& contact, const ShapeRecord& a, const Pose& pose_a, const ShapeRecord& b,
-                  const Pose& pose_b) {
-    const Manifold manifold = collide_shapes(a, pose_a, b, pose_b, contact);
+// The middle of a shape that comes from the solid side reaches the open one while the rest is on its way: that it came
+// from behind is remembered until it has passed, or the segment would throw it out. `way`: of the other shape against
+// the chain in a step, m.
+Manifold collide_with_chain(const PlacedShape& chain, const PlacedShape& other, Vec2 way, Contact& contact) {
+    const LinkMeeting met = meet_link(chain.record.shape, *chain.record.link, chain.pose, other.record.shape, other.pose,
+                                      contact.speculative_distance, contact.cache);
+    const bool is_first = contact.came_from == LinkSide::apart || met.side == LinkSide::apart;
+    if (is_first)
+        contact.came_from = came_through(chain, other, way, met.manifold) ? LinkSide::solid : met.side;
+    return contact.came_from == LinkSide::solid ? Manifold{} : met.manifold;
+}
+
+// The cache belongs to the order of the shapes here: a chain's segment comes first.
+Manifold collide_shapes(const PlacedShape& a, const PlacedShape& b, Vec2 way, Contact& contact) {
+    if (a.record.link) return collide_with_chain(a, b, way, contact);
+    if (b.record.link) return swapped(collide_with_chain(b, a, -way, contact));
+    return collide(a.record.shape, a.pose, b.record.shape, b.pose, contact.speculative_distance, contact.cache);
+}
+
+void collide_anew(Contact& contact, const PlacedShape& a, const PlacedShape& b, Vec2 way) {
+    const Manifold manifold = collide_shapes(a, b, way, contact);
     carry_impulses_over(contact, manifold);
+    contact.applied[0] = contact.applied[1] = {};
     contact.manifold = manifold;
-    contact.reference = {manifold, pose_a.rotation, pose_b.rotation, pose_b.position - pose_a.position, true};
+    contact.reference = {manifold, a.pose.rotation, b.pose.rotation, b.pose.position - a.pose.position, true};
+}
+
+// How far B's centre goes in a step against A's, m.
+Vec2 way_in_step(const Contact& contact, const BodyStore& bodies, float duration) {
+    const SolverBody& a = bodies.solver_bodies[bodies.frames[contact.body_a].solver_body];
+    const SolverBody& b = bodies.solver_bodies[bodies.frames[contact.body_b].solver_body];
+    return duration * (b.velocity - a.velocity);
 }
 
 }  // namespace
 
-bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
+bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, float duration) {
     const ShapeRecord& a = shapes[contact.shapes.a];
     const ShapeRecord& b = shapes[contact.shapes.b];
     const Pose& pose_a = bodies.frames[contact.body_a].pose;
@@ -121,7 +150,7 @@ bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
     const float tolerance = kRecyclingPart * contact.speculative_distance;
     const bool is_recycled =
         recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold);
-    if (!is_recycled) collide_anew(contact, a, pose_a, b, pose_b);
+    if (!is_recycled) collide_anew(contact, {a, pose_a}, {b, pose_b}, way_in_step(contact, bodies, duration));
     look_at_touch(contact, bodies);
     contact.is_new = false;
     return !is_recycled;

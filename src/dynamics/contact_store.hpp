@@ -60,8 +60,9 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tun
 // Whether a sensor overlaps now. Its contact has no manifold: nothing that is solved may see one.
 void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes);
 
-// The manifold of this step; impulses stay with the points whose features go on. False if it was recycled.
-bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes);
+// The manifold of this step of `duration` (s); impulses stay with the points whose features go on. False if it was
+// recycled.
+bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, float duration);
 
 template <class Keep>
 void ContactStore::update(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning,

@@ -54,8 +54,8 @@ void begin_impacts(Simulation& simulation) {
         const auto found = std::lower_bound(contacts.begin(), contacts.end(), pair,
                                             [](const Contact& contact, ProxyPair key) { return contact.shapes < key; });
         if (found == contacts.end() || found->shapes != pair || found->is_touching) continue;
-        collide_contact(*found, simulation.bodies, simulation.shapes);
-        found->is_touching = true;
+        collide_contact(*found, simulation.bodies, simulation.shapes, simulation.settings.duration);
+        found->is_touching = found->came_from != LinkSide::solid;  // else it passes a chain
     }
 }
 

@@ -63,7 +63,7 @@ bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, 
 
 void collide_and_count(Simulation& simulation, Contact& contact) {
     ++simulation.collided.asked;
-    if (!collide_contact(contact, simulation.bodies, simulation.shapes)) return;
+    if (!collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration)) return;
     ++simulation.collided.full;
     simulation.collided.iterations += contact.cache.iterations;
 }

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "narrow/edge_manifold.hpp"
-#include "tumble/chain.hpp"
+#include "narrow/link_meeting.hpp"
 
 namespace tumble {
 
@@ -111,19 +111,20 @@ void keep_points_beside(const OpenSegment& segment, double tolerance, Manifold& 
 
 }  // namespace
 
-Manifold collide_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
+LinkMeeting meet_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
                       const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept {
     const Manifold found = collide(a, world_from_a, b, world_from_b, speculative_distance, cache);
-    if (found.point_count == 0 || a.vertex_count() != 2 || a.vertex(0) == a.vertex(1)) return found;
+    if (found.point_count == 0) return {};
+    if (a.vertex_count() != 2 || a.vertex(0) == a.vertex(1)) return {found, LinkSide::open};
     const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
     const bool is_reversed = is_left(pair, link);
-    if (is_reversed && link.one_sided) return {};
+    if (is_reversed && link.one_sided) return {{}, LinkSide::solid};
     const OpenSegment segment = open_segment(pair.a, link, is_reversed);
     switch (judge(segment, DVec2(found.normal))) {
         case Verdict::admit:
-            return found;
+            return {found, LinkSide::open};
         case Verdict::drop:
-            return {};
+            return {{}, LinkSide::open};
         case Verdict::replace:
             break;
     }
@@ -133,7 +134,12 @@ Manifold collide_link(const Shape& a, const ChainLink& link, const Pose& world_f
     Manifold manifold = edge_manifold(pair, {Side::a, segment.first, -1, {}}, {a.radius(), b.radius()},
                                       speculative_distance, tolerance);
     keep_points_beside(segment, tolerance, manifold);
-    return manifold;
+    return {manifold, LinkSide::open};
+}
+
+Manifold collide_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
+                      const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept {
+    return meet_link(a, link, world_from_a, b, world_from_b, speculative_distance, cache).manifold;
 }
 
 bool is_behind(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,

@@ -17,8 +17,8 @@ ContactPoint report_point(const Simulation& simulation, const Contact& contact, 
     point.normal = contact.manifold.normal;
     point.feature = from.feature;
     point.separation = from.separation;
-    point.normal_impulse = contact.impulses[index].normal;
-    point.tangent_impulse = contact.impulses[index].tangent;
+    point.normal_impulse = contact.applied[index].normal;
+    point.tangent_impulse = contact.applied[index].tangent;
     return point;
 }
 

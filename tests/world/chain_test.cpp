@@ -99,3 +99,36 @@ TEST_CASE("a one-sided chain lets through what comes from its solid side, and ho
         CHECK(world.state(down).pose.position.y > 0.2);
     }
 }
+
+TEST_CASE("what comes from the solid side of a chain meets nothing, at any speed and wherever its steps fall") {
+    for (const Shape& shape : {make_circle(0.1f), make_circle(0.5f), make_box({0.3f, 0.6f}), make_capsule({-0.4f, 0.0f}, {0.4f, 0.0f}, 0.1f)})
+        for (const float speed : {0.5f, 2.9f, 7.3f, 13.0f, 31.0f, 90.0f})
+            for (const double start : {-1.2, -1.25, -1.31, -1.38}) {
+                World world = weightless();
+                add_chain(world, flat_points(), false, true, 0.5f);
+                const BodyId up = add_dynamic(world, {0.13, start}, shape, {}, 0.3);
+                world.set_velocity(up, {0.0f, speed}, 0.0f);
+                INFO("vertices ", shape.vertex_count(), " speed ", speed, " from ", start);
+                for (int step = 0; world.state(up).pose.position.y < 1.5; ++step) {
+                    REQUIRE(step < 400);
+                    world.step();
+                    REQUIRE(world.events().contact_begins.empty());
+                    REQUIRE(world.contacts().empty());
+                }
+                CHECK(world.state(up).velocity == Vec2{0.0f, speed});
+            }
+}
+
+TEST_CASE("what has passed a chain lands on it when it comes back") {
+    World world;
+    add_chain(world, flat_points(), false, true, 0.5f);
+    const BodyId ball = add_dynamic(world, {0.0, -1.0}, make_circle(0.25f));
+    world.set_velocity(ball, {0.0f, 7.0f}, 0.0f);  // to a height of 1.45 m
+    int begins = 0;
+    for (int step = 0; step < 180; ++step) {
+        world.step();
+        begins += static_cast<int>(world.events().contact_begins.size());
+    }
+    CHECK(begins >= 1);
+    CHECK(world.state(ball).pose.position.y == doctest::Approx(0.25).epsilon(0.04));
+}

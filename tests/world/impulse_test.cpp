@@ -1,0 +1,134 @@
+// The impulses that contacts report: those of the whole step, so that they balance what moved.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "support/worlds.hpp"
+
+using namespace tumble;
+using namespace tumble::test;
+
+namespace {
+
+const Shape kBox = make_box({1.0f, 1.0f});
+constexpr double kEpsilon = std::numeric_limits<float>::epsilon();
+
+// m: how far the points of a recycled contact, each fixed on its body, have come apart: a fortieth of 2 cm.
+constexpr double kRecycled = 0.02 / 40.0;
+
+double sum_of_normals(const World& world) {
+    double sum = 0.0;
+    for (const ContactPoint& point : world.contacts()) sum += double{point.normal_impulse};
+    return sum;
+}
+
+// Linear and angular momentum about its centre of mass of a body, against what a step's contacts gave it.
+struct Balance {
+    DVec2 linear;          // N s
+    double angular = 0.0;  // N m s
+    double turnover = 0.0; // N s: of all that came and went, the scale of its rounding
+
+    void add(DVec2 impulse, DVec2 arm) {
+        linear = linear + impulse;
+        angular += cross(arm, impulse);
+        turnover += length(impulse);
+    }
+};
+
+DVec2 impulse_on_b(const ContactPoint& point) {
+    const DVec2 normal(point.normal), tangent = -perp(normal);
+    return double{point.normal_impulse} * normal + double{point.tangent_impulse} * tangent;
+}
+
+DVec2 center_of(const World& world, BodyId body) {
+    return transform_point(world.state(body).pose, world.mass(body).center);
+}
+
+}  // namespace
+
+TEST_CASE("a box at rest shows its weight times the step, whatever the sub-steps") {
+    for (const int substeps : {1, 4, 10}) {
+        WorldDef def;
+        def.substeps = substeps;
+        def.sleeping = false;
+        World world(def);
+        add_floor(world);
+        const BodyId box = add_dynamic(world, {0.0, 0.5}, kBox);
+        run(world, 120);
+        const double weight = double{world.mass(box).mass} * 10.0 * double{kStep};
+        CHECK(world.contacts().size() == 2);
+        CHECK(sum_of_normals(world) == doctest::Approx(weight).epsilon(1e-3));
+        for (const ContactPoint& point : world.contacts())
+            CHECK(double{point.normal_impulse} == doctest::Approx(0.5 * weight).epsilon(0.02));
+    }
+}
+
+TEST_CASE("the impact of a brick shows the momentum that it stops, and that of a bouncing one what it gives back") {
+    for (const float restitution : {0.0f, 0.5f}) {
+        World world;
+        add_floor(world);
+        const BodyId brick = add_dynamic(world, {0.0, 3.0}, make_box({1.0f, 0.5f}), {.restitution = restitution});
+        double shown = 0.0;
+        for (int step = 0; step < 300 && shown == 0.0; ++step) {
+            world.step();
+            shown = sum_of_normals(world);
+        }
+        // Fallen 2.75 m: it arrives with sqrt(2 g h) = 7.4 m/s. It is stopped up to a step later, in a step whose gravity
+        // is stopped too: each m g dt, and the bounce gives back its part.
+        const double mass = double{world.mass(brick).mass}, part = 1.0 + double{restitution};
+        CHECK(std::abs(shown - part * mass * std::sqrt(2.0 * 10.0 * 2.75)) < part * 2.0 * 10.0 * mass * double{kStep});
+    }
+}
+
+TEST_CASE("over every step each body gains what gravity and the reported impulses give it") {
+    WorldDef def;
+    def.sleeping = false;
+    World world(def);
+    add_floor(world, {.friction = 0.7f});
+    add_static(world, {-6.0, 2.0}, make_box({8.0f, 0.4f}), {.friction = 0.3f}, -0.5);
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < 24; ++i) {
+        const Shape shape = i % 3 == 0 ? make_circle(0.4f) : i % 3 == 1 ? kBox : make_capsule({-0.4f, 0.0f}, {0.4f, 0.2f}, 0.2f);
+        const SurfaceMaterial material{.density = 1.0f + static_cast<float>(i % 4), .friction = 0.6f,
+                                       .restitution = i % 5 == 0 ? 0.6f : 0.0f};
+        bodies.push_back(add_dynamic(world, {-7.0 + 1.3 * (i % 6), 4.0 + 1.2 * (i / 6)}, shape, material, 0.2 * i));
+    }
+    double largest_tangent = 0.0, largest_turn = 0.0;
+    for (int step = 0; step < 240; ++step) {
+        std::vector<DVec2> centers;
+        std::vector<BodyState> before;
+        for (const BodyId body : bodies) {
+            centers.push_back(center_of(world, body));
+            before.push_back(world.state(body));
+        }
+        world.step();
+        std::vector<Balance> balances(bodies.size());
+        for (const ContactPoint& point : world.contacts()) {
+            largest_tangent = std::max(largest_tangent, std::abs(double{point.tangent_impulse}));
+            DVec2 place = point.point;  // has gone with A
+            for (std::size_t i = 0; i < bodies.size(); ++i)
+                if (point.body_a == bodies[i]) place -= world.state(bodies[i]).pose.position - before[i].pose.position;
+            for (std::size_t i = 0; i < bodies.size(); ++i) {
+                const double side = point.body_b == bodies[i] ? 1.0 : point.body_a == bodies[i] ? -1.0 : 0.0;
+                if (side != 0.0) balances[i].add(side * impulse_on_b(point), place - centers[i]);
+            }
+        }
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const BodyMass mass = world.mass(bodies[i]);
+            const BodyState after = world.state(bodies[i]);
+            const DVec2 gained = double{mass.mass} * (DVec2(after.velocity) - DVec2(before[i].velocity));
+            const DVec2 wanted = balances[i].linear + DVec2{0.0, -10.0 * double{mass.mass} * double{kStep}};
+            const double turned = double{mass.inertia} * (double{after.angular_velocity} - double{before[i].angular_velocity});
+            // Some 40 roundings of velocities and impulses a sub-step: in each pass, from each contact.
+            const double scale = balances[i].turnover + double{mass.mass} * (1.0 + double{length(after.velocity)});
+            INFO("step ", step, " body ", i);
+            CHECK(length(gained - wanted) < 160.0 * kEpsilon * scale);
+            CHECK(std::abs(turned - balances[i].angular) < 160.0 * kEpsilon * scale + kRecycled * balances[i].turnover);
+            largest_turn = std::max(largest_turn, std::abs(turned));
+        }
+    }
+    CHECK(largest_tangent > 1.0);  // else the balance says nothing of friction
+    CHECK(largest_turn > 0.5);
+}
