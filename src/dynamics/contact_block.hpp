@@ -58,7 +58,8 @@ struct ContactBlock {
     Lanes radius_a, radius_b;  // of the shapes' rounding, m
     Lanes restitution;
     Lanes approach_speed[2];  // of each point: normal velocity at the impact, negative if approaching
-    Lanes acceleration;  // along the normal, of B's centre against A's if nothing were in their way; with restitution only
+    Lanes absorbed;           // work that the normal impulses of this step have taken, J; with restitution only
+    Lanes acceleration;       // along the normal, of B's centre against A's if nothing were in their way; with restitution only
     Lanes tangent_speed;
     Lanes rolling_resistance;  // m
     Lanes rolling_mass;        // kg m^2
@@ -73,7 +74,7 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
 void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts);
 
 // Applies the impulses of the last sub-step again.
-void warm_start_contacts(std::span<const ContactBlock> blocks, std::span<SolverBody> bodies);
+void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies);
 
 // Normal impulses with the soft bias that removes overlap, no faster than the push-out speed.
 void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, float push_out_speed);

@@ -18,7 +18,7 @@ ContactBlock make_neutral_block() {
          {&block.normal_x, &block.normal_y, &block.inv_mass_ax, &block.inv_mass_ay, &block.inv_mass_bx,
           &block.inv_mass_by, &block.linear_normal, &block.linear_tangent, &block.least_response, &block.inv_inertia_a,
           &block.inv_inertia_b, &block.coupling, &block.friction, &block.radius_a, &block.radius_b, &block.restitution,
-          &block.approach_speed[0], &block.approach_speed[1], &block.acceleration,
+          &block.approach_speed[0], &block.approach_speed[1], &block.acceleration, &block.absorbed,
           &block.tangent_speed, &block.rolling_resistance, &block.rolling_mass, &block.rolling_impulse})
         *lanes = zero;
     for (ContactBlockPoint& point : block.points)
