@@ -110,8 +110,8 @@ private:
 // A scene that runs while it is read.
 class RunningStates final : public StateSource {
 public:
-    explicit RunningStates(const std::filesystem::path& file)
-        : scene_(load_scene(file)), run_(scene_),
+    RunningStates(const std::filesystem::path& file, const LoadOptions& changes)
+        : scene_(load_scene(file, changes)), run_(scene_),
           last_step_(static_cast<std::uint64_t>(std::llround(scene_.world.duration * scene_.world.steps_per_second))) {}
 
     bool next(StepStates& states) override {
@@ -166,15 +166,17 @@ private:
 
 }  // namespace
 
-std::unique_ptr<StateSource> open_states(const std::filesystem::path& path) {
+bool is_scene_file(const std::filesystem::path& path) { return !std::filesystem::is_directory(path) && path.extension() != ".csv"; }
+
+std::unique_ptr<StateSource> open_states(const std::filesystem::path& path, const LoadOptions& changes) {
     if (std::filesystem::is_directory(path)) {
         const std::filesystem::path trajectory = path / "trajectory.csv";
         if (!std::filesystem::exists(trajectory))
             throw InputError(path.string() + ": holds no trajectory.csv; run the scene with --trajectory " + trajectory.string());
         return std::make_unique<TrajectoryStates>(trajectory);
     }
-    if (path.extension() == ".csv") return std::make_unique<TrajectoryStates>(path);
-    return std::make_unique<RunningStates>(path);
+    if (is_scene_file(path)) return std::make_unique<RunningStates>(path, changes);
+    return std::make_unique<TrajectoryStates>(path);
 }
 
 }  // namespace tumble::tools

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tumble/scene_file.hpp"
+
 namespace tumble::tools {
 
 inline constexpr std::array<std::string_view, 6> kComponents{"x", "y", "angle", "vx", "vy", "omega"};
@@ -44,6 +46,10 @@ public:
 
 // A scene file (.json), a trajectory (.csv), or the folder of a run that holds trajectory.csv; a run's contacts are those of
 // contacts.csv beside the trajectory. Throws FileError, InputError or SceneError.
-std::unique_ptr<StateSource> open_states(const std::filesystem::path& path);
+// `changes` are those of a scene.
+std::unique_ptr<StateSource> open_states(const std::filesystem::path& path, const LoadOptions& changes = {});
+
+// Whether open_states() would run it.
+bool is_scene_file(const std::filesystem::path& path);
 
 }  // namespace tumble::tools

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "body_states.hpp"
 #include "command.hpp"
 #include "console.hpp"
+#include "csv_file.hpp"
 #include "json_writer.hpp"
 
 namespace tumble::tools {
@@ -20,6 +22,7 @@ namespace {
 struct DiffArguments {
     std::string a, b;
     double tolerance = 0.0;
+    LoadOptions changes;  // of B
 };
 
 struct Difference {
@@ -33,10 +36,25 @@ struct Difference {
     std::vector<std::string> contacts_a, contacts_b;
 };
 
+// The components by kind: what a tolerance of one number is chosen by.
+struct Kind {
+    std::string_view name, unit;
+};
+constexpr std::array<Kind, 4> kKinds{{{"position", "m"}, {"angle", "rad"}, {"velocity", "m/s"}, {"angular velocity", "rad/s"}}};
+constexpr std::array<std::size_t, kComponents.size()> kKindOf{0, 0, 1, 2, 2, 3};
+
+// How far the runs get apart in one kind of component.
+struct Largest {
+    double apart = 0.0;
+    std::string body;
+    std::uint64_t step = 0;
+};
+
 struct Comparison {
     std::uint64_t steps = 0;   // that are equal
     std::size_t bodies = 0;    // most in a step
     std::optional<Difference> first;
+    std::array<Largest, kKinds.size()> largest;  // over all steps that both have, with the same bodies
 };
 
 // The floating-point numbers from one to the other, both zeros being one.
@@ -51,21 +69,24 @@ std::uint64_t ulps_between(Number a, Number b) {
                  : static_cast<std::uint64_t>(y) - static_cast<std::uint64_t>(x);
 }
 
+constexpr std::uint64_t kCountableUlps = 1000000;  // more tell nobody anything
+
 std::uint64_t ulps(const Difference& difference) {
     if (difference.component < kPreciseComponents) return ulps_between<std::int64_t>(difference.a, difference.b);
     return ulps_between<std::int32_t>(static_cast<float>(difference.a), static_cast<float>(difference.b));
 }
 
-std::string_view unit_of(std::size_t component) {
-    constexpr std::array<std::string_view, kComponents.size()> kUnits{"m", "m", "rad", "m/s", "m/s", "rad/s"};
-    return kUnits[component];
+// Of angles, the way around that is shorter.
+double apart(std::size_t component, double a, double b) {
+    const bool is_angle = kKinds[kKindOf[component]].unit == "rad";
+    return std::abs(is_angle ? std::remainder(a - b, 2.0 * kPi) : a - b);
 }
 
 // The first component that differs by more than the tolerance; NaN differs from all but NaN.
 std::optional<std::size_t> first_differing(const NamedState& a, const NamedState& b, double tolerance) {
     for (std::size_t i = 0; i < kComponents.size(); ++i) {
         const double x = a.values[i], y = b.values[i];
-        const bool same = x == y || std::abs(x - y) <= tolerance || (std::isnan(x) && std::isnan(y));
+        const bool same = x == y || apart(i, x, y) <= tolerance || (std::isnan(x) && std::isnan(y));
         if (!same) return i;
     }
     return std::nullopt;
@@ -100,14 +121,25 @@ std::optional<Difference> compare_step(const StepStates& a, const StepStates& b,
     return first;
 }
 
+void update_largest(std::array<Largest, kKinds.size()>& largest, const StepStates& a, const StepStates& b) {
+    for (std::size_t i = 0; i < std::min(a.bodies.size(), b.bodies.size()); ++i)
+        for (std::size_t component = 0; component < kComponents.size(); ++component) {
+            const double distance = apart(component, a.bodies[i].values[component], b.bodies[i].values[component]);
+            Largest& so_far = largest[kKindOf[component]];
+            if (distance > so_far.apart) so_far = {distance, a.bodies[i].body, a.step};
+        }
+}
+
+// The first difference, and from there on how far the runs get apart.
 Comparison compare(const DiffArguments& options) {
-    const std::unique_ptr<StateSource> source_a = open_states(options.a), source_b = open_states(options.b);
+    const std::unique_ptr<StateSource> source_a = open_states(options.a), source_b = open_states(options.b, options.changes);
     Comparison comparison;
     StepStates a, b;
-    for (;; ++comparison.steps) {
+    for (;;) {
         const bool more_a = source_a->next(a), more_b = source_b->next(b);
         if (!more_a && !more_b) return comparison;
         if (more_a != more_b) {
+            if (comparison.first) return comparison;
             const StepStates& longer = more_a ? a : b;
             comparison.first.emplace();
             comparison.first->step = longer.step;
@@ -116,12 +148,63 @@ Comparison compare(const DiffArguments& options) {
             return comparison;
         }
         comparison.bodies = std::max(comparison.bodies, a.bodies.size());
-        comparison.first = compare_step(a, b, options.tolerance);
-        if (!comparison.first) continue;
-        comparison.first->contacts_a = source_a->contacts_of(comparison.first->body);
-        comparison.first->contacts_b = source_b->contacts_of(comparison.first->body);
-        return comparison;
+        const std::optional<Difference> difference = compare_step(a, b, options.tolerance);
+        if (!difference && !comparison.first) ++comparison.steps;
+        if (difference && !comparison.first) {
+            comparison.first = difference;
+            comparison.first->contacts_a = source_a->contacts_of(difference->body);
+            comparison.first->contacts_b = source_b->contacts_of(difference->body);
+        }
+        if (difference && !difference->what.empty()) return comparison;
+        update_largest(comparison.largest, a, b);
     }
+}
+
+// Two files of hashes, as `run --hashes` writes them.
+bool is_hash_file(const std::string& file) {
+    std::ifstream stream(file);
+    std::string header;
+    return std::getline(stream, header) && header.starts_with("step,hash");
+}
+
+// Where two hash files first differ; it says as much as hashes can.
+ExitCode compare_hashes(const Command& command, const DiffArguments& options) {
+    CsvFile<2> file_a(options.a, "step", "hash"), file_b(options.b, "step", "hash");
+    std::array<char*, 2> a{}, b{};
+    std::uint64_t steps = 0;
+    bool more_a = file_a.read(a), more_b = file_b.read(b);
+    for (; more_a && more_b && std::string_view(a[0]) == b[0] && std::string_view(a[1]) == b[1]; ++steps) {
+        more_a = file_a.read(a);
+        more_b = file_b.read(b);
+    }
+    const bool equal = !more_a && !more_b;
+    const std::string step = equal ? "" : more_a ? a[0] : b[0];
+    const std::string hash_a = more_a ? a[1] : "none", hash_b = more_b ? b[1] : "none";
+    if (command.json) {
+        JsonWriter json;
+        json.open_object().member("equal", equal).member("equal_steps", steps);
+        if (!equal) json.key("first").open_object().member("step", file_a.number<std::uint64_t>(step.c_str())).member("hash_a", hash_a).member("hash_b", hash_b).close_object();
+        write_output(json.close_object().text() + "\n");
+    } else if (equal) {
+        write_output("equal hashes: " + std::to_string(steps) + " steps\n");
+    } else {
+        write_output("the first difference is at step " + step + ": the hashes are " + hash_a + " and " + hash_b + "\n");
+    }
+    return equal ? ExitCode::ok : ExitCode::failed;
+}
+
+// "at most apart: 0.3 m of position ('ball' at step 200), ...".
+void append_largest(std::string& text, const Comparison& comparison) {
+    bool is_first = true;
+    for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
+        const Largest& largest = comparison.largest[kind];
+        if (!(largest.apart > 0.0)) continue;
+        append_number(text += is_first ? "  at most apart by " : ", ", static_cast<float>(largest.apart));
+        text += " " + std::string(kKinds[kind].unit) + " of " + std::string(kKinds[kind].name) + " ('" + largest.body + "' at step " +
+                std::to_string(largest.step) + ")";
+        is_first = false;
+    }
+    if (!is_first) text += "\n";
 }
 
 void append_value(std::string& text, std::size_t component, double value) {
@@ -149,9 +232,11 @@ std::string as_text(const Comparison& comparison, double tolerance) {
     text += ", " + std::string(kComponents[first.component]);
     append_value(text += "\n  A ", first.component, first.a);
     append_value(text += "\n  B ", first.component, first.b);
-    append_number(text += "\n  apart by ", std::abs(first.a - first.b));
-    text += " " + std::string(unit_of(first.component)) + ", " + std::to_string(ulps(first)) + " ulps; " +
-            std::to_string(first.differing_bodies) + " of " + std::to_string(comparison.bodies) + " bodies differ in this step\n";
+    append_number(text += "\n  apart by ", apart(first.component, first.a, first.b));
+    text += " " + std::string(kKinds[kKindOf[first.component]].unit);
+    if (ulps(first) <= kCountableUlps) text += ", " + std::to_string(ulps(first)) + (ulps(first) == 1 ? " ulp" : " ulps");
+    text += "; " + std::to_string(first.differing_bodies) + " of " + std::to_string(comparison.bodies) + " bodies differ in this step\n";
+    append_largest(text, comparison);
     append_contacts(text, "A", first.contacts_a);
     append_contacts(text, "B", first.contacts_b);
     return text;
@@ -173,17 +258,27 @@ std::string as_json(const Comparison& comparison) {
             json.member("what", first.what);
         } else {
             json.member("component", kComponents[first.component]).member("a", first.a).member("b", first.b);
-            json.member("apart", std::abs(first.a - first.b)).member("ulps", ulps(first));
+            json.member("apart", apart(first.component, first.a, first.b)).member("ulps", ulps(first));
             json.member("differing_bodies", first.differing_bodies);
             write_contacts(json, "contacts_a", first.contacts_a);
             write_contacts(json, "contacts_b", first.contacts_b);
         }
         json.close_object();
+        json.key("largest").open_array();
+        for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
+            const Largest& largest = comparison.largest[kind];
+            json.open_object().member("of", kKinds[kind].name).member("apart", largest.apart);
+            json.member("body", largest.body).member("step", largest.step).close_object();
+        }
+        json.close_array();
     }
     return json.close_object().text() + "\n";
 }
 
 ExitCode run_diff(const Command& command, const DiffArguments& options) {
+    if (!options.changes.overrides.empty() && !is_scene_file(options.b))
+        throw CLI::ValidationError("--set", "changes a scene, and B is none: " + options.b);
+    if (is_hash_file(options.a) && is_hash_file(options.b)) return compare_hashes(command, options);
     const Comparison comparison = compare(options);
     write_output(command.json ? as_json(comparison) : as_text(comparison, options.tolerance));
     return comparison.first ? ExitCode::failed : ExitCode::ok;
@@ -194,8 +289,11 @@ ExitCode run_diff(const Command& command, const DiffArguments& options) {
 void add_diff(CLI::App& app, Command& command) {
     const auto options = std::make_shared<DiffArguments>();
     CLI::App& diff = add_subcommand(app, command, "diff", "Say where two runs first differ; exit code 7 if they do");
-    diff.add_option("A", options->a, "A trajectory (.csv), the folder of a run that holds one, or a scene to run")->required();
+    diff.add_option("A", options->a, "A trajectory (.csv), the folder of a run that holds one, a scene to run, or a list of hashes (.csv)")->required();
     diff.add_option("B", options->b, "Another")->required();
+    diff.add_option("--set", options->changes.overrides, "Change a value of B, if it is a scene; may be given again")
+        ->type_name("/json/pointer=value")
+        ->allow_extra_args(false);
     diff.add_option("--tolerance", options->tolerance, "Differences up to this (m, rad, m/s, rad/s) do not count")
         ->capture_default_str()
         ->check(CLI::NonNegativeNumber);

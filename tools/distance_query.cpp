@@ -34,20 +34,22 @@ struct ShapeAtPose {
     Pose pose;
 };
 
-// A SHAPE with an optional key "pose".
-ShapeAtPose parse_argument(std::string_view text, const std::string& source) {
-    std::optional<std::string_view> pose;
+// A SHAPE with an optional key "pose", in place of one that was given beside it.
+ShapeAtPose parse_posed(std::string_view text, const std::string& source, std::optional<std::string_view> pose = {}) {
+    const std::string pose_source = source + (pose ? "_pose" : "/pose");
     std::string shape;
     for (const JsonMember& member : members_of(text, source)) {
         if (member.key == "pose") {
             set_once(pose, member);
             continue;
         }
+        for (const std::string_view part : {"position", "angle", "rotation"})
+            if (member.key == part) throw InputError(source + "/" + std::string(part) + ": belongs to the pose: \"pose\": {\"position\": [x, y], \"angle\": degrees}");
         shape += shape.empty() ? "{\"" : ", \"";
         shape.append(member.key).append("\": ").append(member.value);
     }
     shape += shape.empty() ? "{}" : "}";
-    return {parse_shape(shape, source), optional_pose(pose, source + "/pose")};
+    return {parse_shape(shape, source), optional_pose(pose, pose_source)};
 }
 
 const char* to_text(DistanceStatus status) {
@@ -104,11 +106,12 @@ DistanceQuery parse_query_line_strictly(std::string_view line) {
             throw InputError(std::string(member.key) + ": unknown key; a line has a, b, a_pose and b_pose");
     }
     if (!a || !b) throw InputError("needs the keys a and b");
-    return {parse_shape(*a, "a"), parse_shape(*b, "b"), optional_pose(a_pose, "a_pose"), optional_pose(b_pose, "b_pose")};
+    ShapeAtPose at_a = parse_posed(*a, "a", a_pose), at_b = parse_posed(*b, "b", b_pose);
+    return {std::move(at_a.shape), std::move(at_b.shape), at_a.pose, at_b.pose};
 }
 
 DistanceQuery parse_query_arguments(std::string_view a, std::string_view b) {
-    ShapeAtPose at_a = parse_argument(a, "A"), at_b = parse_argument(b, "B");
+    ShapeAtPose at_a = parse_posed(a, "A"), at_b = parse_posed(b, "B");
     return {std::move(at_a.shape), std::move(at_b.shape), at_a.pose, at_b.pose};
 }
 

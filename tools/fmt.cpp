@@ -21,6 +21,7 @@ struct FmtArguments {
     std::string file;
     bool write = false;
     bool flat = false;
+    bool force = false;
 };
 
 // Of a text that was read as a scene: // to the end of the line, and /* */.
@@ -52,6 +53,9 @@ ExitCode format(const Command& command, const FmtArguments& options) {
     const bool changes = before != text;
     // Comments may stand between any two tokens, and the canonical form has no place for them.
     const int comments = count_comments(before);
+    if (options.write && changes && comments > 0 && !options.force)
+        throw FileError(options.file, "has " + std::to_string(comments) + (comments == 1 ? " comment" : " comments") +
+                                          ", for which the canonical form has no place; --force writes it without, \"custom\" is for what shall stay");
     if (comments > 0)
         report_warning(options.file + ": " + std::to_string(comments) +
                        (comments == 1 ? " comment is" : " comments are") + " not kept; \"custom\" is for what shall stay");
@@ -74,6 +78,7 @@ void add_fmt(CLI::App& app, Command& command) {
     CLI::App& fmt = add_subcommand(app, command, "fmt", "Print a scene in its canonical form: one order, no defaults");
     fmt.add_option("SCENE", options->file, "Scene file")->required();
     fmt.add_flag("-w,--write", options->write, "Replace the file in place of printing");
+    fmt.add_flag("--force", options->force, "Replace a file that has comments, without them");
     fmt.add_flag("--flat", options->flat, "With what it includes in place: a scene that needs no other file");
     fmt.callback([&command, options] { command.action = [&command, options] { return format(command, *options); }; });
 }

@@ -34,11 +34,27 @@ bool agrees(const reference::ImportDifferences& found) {
     return found.same_count && std::max({found.mass, found.center, found.inertia, found.anchor}) <= kAllowedDifference;
 }
 
+bool is_svg(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return extension == ".svg";
+}
+
+std::ptrdiff_t count_of(const ImportedScene& imported, BodyType type) {
+    return std::ranges::count(imported.scene.bodies, type, &SceneBody::type);
+}
+
+// What decides in a drawing what moves, which no drawing program asks.
+constexpr const char* kSvgRule =
+    "In a drawing, filled shapes become dynamic bodies, mere lines static chains. class=\"static\" (or \"kinematic\", \"dynamic\"), the "
+    "same in data-type, or an id that begins with it decides otherwise, on a shape or a group: mark a floor by it.";
+
 void write_json(const ImportArguments& options, const ImportedScene& imported,
                 const std::optional<reference::ImportDifferences>& check) {
     JsonWriter json;
     json.open_object().member("scene", options.scene.string());
-    json.member("bodies", imported.scene.bodies.size()).member("joints", imported.scene.joints.size());
+    json.member("bodies", imported.scene.bodies.size()).member("dynamic", count_of(imported, BodyType::dynamic_body));
+    json.member("static", count_of(imported, BodyType::static_body)).member("joints", imported.scene.joints.size());
     json.key("not_carried_over").open_array();
     for (const ImportNote& note : imported.notes)
         json.open_object().member("feature", note.feature).member("count", note.count).close_object();
@@ -53,10 +69,13 @@ void write_json(const ImportArguments& options, const ImportedScene& imported,
 
 void write_text(const ImportArguments& options, const ImportedScene& imported,
                 const std::optional<reference::ImportDifferences>& check) {
-    write_output(options.scene.string() + ": " + std::to_string(imported.scene.bodies.size()) + " bodies, " +
+    write_output(options.scene.string() + ": " + std::to_string(imported.scene.bodies.size()) + " bodies (" +
+                 std::to_string(count_of(imported, BodyType::dynamic_body)) + " dynamic, " +
+                 std::to_string(count_of(imported, BodyType::static_body)) + " static), " +
                  std::to_string(imported.scene.joints.size()) + " joints\n");
     for (const ImportNote& note : imported.notes)
         report_warning("not carried over: " + note.feature + " (" + std::to_string(note.count) + ")");
+    if (is_svg(options.source)) narrate(std::string(kSvgRule) + "\n");
     if (!check) return;
     std::string text = "beside Box2D: " + std::to_string(check->bodies) + " dynamic bodies, masses within ";
     append_number(text, check->mass);
@@ -64,12 +83,6 @@ void write_text(const ImportArguments& options, const ImportedScene& imported,
     append_number(text += ", inertias within ", check->inertia);
     append_number(text += " (relative); " + std::to_string(check->joints) + " joints, anchors within ", check->anchor);
     write_output(text + " m" + (agrees(*check) ? "\n" : ": they do not agree\n"));
-}
-
-bool is_svg(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return extension == ".svg";
 }
 
 ExitCode import_scene(const Command& command, const ImportArguments& options) {
@@ -94,6 +107,7 @@ ExitCode import_scene(const Command& command, const ImportArguments& options) {
 void add_import(CLI::App& app, Command& command) {
     const auto options = std::make_shared<ImportArguments>();
     CLI::App& app_import = add_subcommand(app, command, "import", "Make a scene from a R.U.B.E. (b2dJson) export or an SVG drawing");
+    app_import.footer(kSvgRule);
     app_import.add_option("FILE", options->source, "The export (.json, .js), or the drawing (.svg)")->required();
     app_import.add_option("--scale", options->svg.metres_per_unit, "Metres of a user unit of an SVG drawing")
         ->type_name("M")

@@ -1,18 +1,30 @@
 // The command line of tumble: reads the arguments, runs one subcommand, and turns what it threw into an exit code.
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "command.hpp"
 #include "console.hpp"
 #include "error_report.hpp"
+#include "tumble/suggest.hpp"
 
 namespace {
 
 using namespace tumble::tools;
 
-ExitCode run_command(CLI::App& app, Command& command, int argument_count, const char* const* arguments) {
+// "help run" is "run --help", and "help" alone "--help".
+std::vector<std::string> without_help_command(std::vector<std::string> arguments) {
+    if (arguments.empty() || arguments.front() != "help") return arguments;
+    arguments.erase(arguments.begin());
+    arguments.push_back("--help");
+    return arguments;
+}
+
+ExitCode run_command(CLI::App& app, Command& command, int argument_count, const char* const* argument_texts) {
     bool version = false;
     app.add_flag("--version", version, "Version, compiler, instruction sets; with --json as JSON");
     app.add_flag("--json", command.json)->group("");
@@ -29,9 +41,30 @@ ExitCode run_command(CLI::App& app, Command& command, int argument_count, const 
     add_parity(app, command);
     add_bench(app, command);
     app.require_subcommand(0, 1);
-    app.parse(argument_count, arguments);
+    std::vector<std::string> arguments = without_help_command({argument_texts + 1, argument_texts + argument_count});
+    std::ranges::reverse(arguments);  // as the library takes them
+    app.parse(std::move(arguments));
     if (version) return print_version(command.json);
     return command.action ? command.action() : print_usage();
+}
+
+// What was not understood, with what it may have been meant to be.
+std::string unknown_text(const CLI::App& app) {
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (unknown.empty()) return "an argument is too much";
+    const std::string word = unknown.front().substr(0, unknown.front().find('='));
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    std::vector<std::string> known;
+    if (word.starts_with('-')) {
+        for (const CLI::Option* option : (chosen.empty() ? &app : chosen.front())->get_options())
+            for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    } else if (chosen.empty()) {
+        for (const CLI::App* subcommand : app.get_subcommands({})) known.push_back(subcommand->get_name());
+    }
+    const std::string what = word.starts_with('-') ? "option" : chosen.empty() ? "command" : "argument";
+    const std::string of = chosen.empty() ? "" : " of " + chosen.front()->get_name();
+    const std::string_view nearest = tumble::nearest_word(word, std::vector<std::string_view>(known.begin(), known.end()));
+    return "unknown " + what + " '" + word + "'" + of + (nearest.empty() ? "" : "\n  hint: did you mean '" + std::string(nearest) + "'?");
 }
 
 // Help is an answer, not an error; CLI11 throws for both.
@@ -40,7 +73,8 @@ ExitCode answer_parse_error(CLI::App& app, const CLI::ParseError& error) {
         write_output(app.help("", CLI::AppFormatMode::Normal));
         return ExitCode::ok;
     }
-    report_error(std::string(error.what()) + "\n  hint: tumble COMMAND --help lists the options of a command");
+    const bool is_unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+    report_error((is_unknown ? unknown_text(app) : std::string(error.what())) + "\n  hint: tumble COMMAND --help lists the options of a command");
     return ExitCode::usage;
 }
 

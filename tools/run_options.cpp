@@ -6,6 +6,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "console.hpp"
 #include "json_writer.hpp"
 
 namespace tumble::tools {
@@ -68,13 +69,18 @@ void add_overlay_option(CLI::App& subcommand, Overlay& overlay) {
     const auto parse = [&overlay](const std::string& text) {
         std::istringstream list(text);
         for (std::string name; std::getline(list, name, ',');) {
+            std::erase(name, ' ');
+            if (name == "all") {
+                for (const OverlayPart& part : kOverlayParts) overlay.*part.member = true;
+                continue;
+            }
             const auto found = std::ranges::find(kOverlayParts, name, &OverlayPart::name);
             if (found == kOverlayParts.end())
                 throw CLI::ValidationError("--overlay", "'" + name + "' is none of " + overlay_names());
             overlay.*found->member = true;
         }
     };
-    subcommand.add_option_function<std::string>("--overlay", parse, "Draw over the shapes: " + overlay_names())
+    subcommand.add_option_function<std::string>("--overlay", parse, "Draw over the shapes: " + overlay_names() + ", or all")
         ->type_name("LIST");
 }
 
@@ -97,6 +103,11 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         ->type_name("F.csv");
     subcommand.add_option("--hashes", options.hashes, "Write the state hash after each step")->type_name("F.csv");
     subcommand.add_flag("--force", options.force, "Replace what an earlier run left in the folder");
+    subcommand.parse_complete_callback([&subcommand, &options] {
+        if (!options.no_frames) return;
+        for (const char* const option : {"--fps", "--size", "--overlay"})
+            if (subcommand.count(option) > 0) report_warning(std::string(option) + " has no effect with --no-frames");
+    });
 }
 
 }  // namespace tumble::tools

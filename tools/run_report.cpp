@@ -66,7 +66,8 @@ void add_counters(JsonWriter& json, const RunReport& report) {
 }
 
 std::string describe(const WrittenFiles& files) {
-    const std::string size = format("%.1f MB", static_cast<double>(files.bytes) / 1e6);
+    const double bytes = static_cast<double>(files.bytes);
+    const std::string size = bytes < 1e5 ? format("%.1f kB", bytes / 1e3) : format("%.1f MB", bytes / 1e6);
     if (files.count == 1) return files.path.string() + ", " + size;
     return files.path.string() + " and on, " + std::to_string(files.count) + " files, " + size;
 }
@@ -119,7 +120,7 @@ std::string to_text(const RunReport& report) {
     append_line(text, "time",
                 format("%.2f s: ", report.total_seconds) + format("simulate %.2f, ", report.simulate_seconds) +
                     format("render %.2f, ", report.render_seconds) +
-                    format("encode %.2f on threads beside", report.encode_seconds));
+                    format("encode %.2f (beside it, on threads)", report.encode_seconds));
     return text;
 }
 

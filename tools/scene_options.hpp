@@ -23,7 +23,7 @@ void add_change_options(CLI::App& subcommand, LoadOptions& changes);
 // SCENE, --set and --seed.
 void add_scene_options(CLI::App& subcommand, SceneOptions& options);
 
-// Reads the scene with its changes, and says its warnings. Throws FileError or SceneError.
+// Reads the scene with its changes, and says its warnings; without a name it has that of its file. Throws FileError or SceneError.
 Scene read_scene(const SceneOptions& options);
 
 // Of several files, those that are not called *.schema.json, which a pattern like scenes/*.json catches too; says so.

@@ -58,6 +58,8 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     const bool with_frames = !options.no_frames;
     if (with_frames && schedule_.repeats_frames())
         report_warning("more frames than steps a second: some frames repeat the one before");
+    for (const std::filesystem::path* const file : {&options.contacts, &options.trajectory, &options.hashes})
+        if (!file->empty()) refuse_to_overwrite(*file, options.force);  // before anything is made
     prepare_run_folder(options.folder, with_frames, options.force);
     summary_.emplace(open_output(summary_file(options.folder), options.force));
     events_.emplace(events_file(options.folder), options.force, run_.built());

@@ -15,8 +15,8 @@
 #include "scene/place.hpp"
 #include "scene/pointer.hpp"
 #include "scene/repeat.hpp"
-#include "scene/suggest.hpp"
 #include "tumble/scene_world.hpp"
+#include "tumble/suggest.hpp"
 
 namespace tumble::scene {
 
@@ -89,7 +89,8 @@ private:
         std::vector<std::string_view> names;
         for (const SceneMaterial& material : scene_.materials) names.push_back(material.name);
         error(pointer + "/material", "there is no material " + quoted(shape.material),
-              suggestion(shape.material, names));
+              names.empty() ? "\"materials\": {" + quoted(shape.material) + ": {\"friction\": 0.9}} beside \"bodies\" declares it"
+                            : suggestion(shape.material, names));
     }
 
     void report_hull(const PolygonGeometry& polygon, const std::string& pointer) {

@@ -36,8 +36,9 @@ void check_expectation(const SceneExpectation& claim, const std::string& pointer
     refuse(claim.at && !at_one_time, "at", "belongs to what can be looked at once");
     const bool over_a_time = !claim.at && !claim.at_rest_by && claim.state_hash.empty() && !claim.event_count &&
                              !(of_state && claim.when == SceneMoment::end);
-    refuse(claim.from && !over_a_time, "from", "belongs to claims over a time");
-    refuse(claim.until && !over_a_time, "until", "belongs to claims over a time");
+    const std::string hint = of_state && !claim.at ? R"("when": "always" or "sometime" makes it one)" : "";
+    if (claim.from && !over_a_time) diagnostics.error(pointer + "/from", "belongs to claims over a time", hint);
+    if (claim.until && !over_a_time) diagnostics.error(pointer + "/until", "belongs to claims over a time", hint);
     if (claim.from && claim.until && *claim.until < *claim.from) diagnostics.error(pointer + "/until", "must not be before 'from'");
     for (const auto& [box, key] : {std::pair{&claim.inside, "inside"}, {&claim.outside, "outside"}, {&claim.region, "region"}}) {
         if (!*box) continue;

@@ -51,7 +51,8 @@ public:
             diagnostics_.error_at_offset(offset, "a number too large for a double, got " + last_token);
             return false;
         }
-        diagnostics_.error_at_offset(offset, reason(cause.what()), hint(offset));
+        const std::string why = reason(cause.what());
+        diagnostics_.error_at_offset(offset, why, hint(offset, why));
         return false;
     }
 
@@ -105,7 +106,11 @@ private:
         return text.substr(0, read) + (expected != std::string::npos && expected > read ? text.substr(expected) : "");
     }
 
-    std::string hint(std::size_t offset) const {
+    std::string hint(std::size_t offset, const std::string& why) const {
+        const bool wants_end = why.ends_with("expected '}'") || why.ends_with("expected ']'");
+        const bool begins_value = why.find("literal; expected") != std::string::npos || why.find("unexpected '{'") != std::string::npos ||
+                                  why.find("unexpected '['") != std::string::npos;
+        if (wants_end && begins_value) return "a comma is missing before it";
         const char c = offset < text_.size() ? text_[offset] : '\0';
         if (c == 'N' || c == 'I') return "JSON has no NaN and no Infinity";
         if (c == '\'') return "strings and keys take double quotes";

@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "scene/repeat.hpp"
-#include "scene/suggest.hpp"
+#include "tumble/suggest.hpp"
 
 namespace tumble::scene {
 

@@ -3,24 +3,39 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 
 #include "scene/input.hpp"
 #include "scene/pointer.hpp"
-#include "scene/suggest.hpp"
 #include "scene/writer.hpp"
+#include "tumble/suggest.hpp"
 
 namespace tumble::scene {
 
 namespace {
 
-// The element that a step of a pointer names, or null. "-" is the one after the last.
-Json* find_element(Json& array, const std::string& step) {
-    if (step == "-") return &array.emplace_back();
+// The index of the element that a step of a pointer means: its number, or its name, as bodies and joints have one. "-" is
+// the one after the last, which is made.
+std::optional<std::size_t> find_element(Json& array, const std::string& step) {
+    if (step == "-") {
+        array.emplace_back();
+        return array.size() - 1;
+    }
     std::size_t index = 0;
     const char* end = step.data() + step.size();
     const std::from_chars_result parsed = std::from_chars(step.data(), end, index);
-    if (parsed.ec != std::errc{} || parsed.ptr != end || index >= array.size()) return nullptr;
-    return &array[index];
+    if (parsed.ec == std::errc{} && parsed.ptr == end && index < array.size()) return index;
+    for (index = 0; index < array.size(); ++index)
+        if (array[index].is_object() && array[index].value("name", Json()) == step) return index;
+    return std::nullopt;
+}
+
+std::string names_hint(const std::string& step, const Json& array) {
+    std::vector<std::string_view> names;
+    for (const Json& element : array)
+        if (const auto name = element.find("name"); element.is_object() && name != element.end() && name->is_string())
+            names.push_back(name->get_ref<const std::string&>());
+    return suggestion(step, names);
 }
 
 std::string keys_hint(const std::string& step, const Json& object) {
@@ -31,8 +46,8 @@ std::string keys_hint(const std::string& step, const Json& object) {
 }
 
 // Walks to the value that the pointer names, creating the last key and what `defaults` knows. Null, with an error in
-// `diagnostics`, if the way ends.
-Json* find_or_create(Json& scene, const std::string& pointer, Diagnostics& diagnostics) {
+// `diagnostics`, if the way ends; else `resolved` is the pointer with indices in place of names.
+Json* find_or_create(Json& scene, const std::string& pointer, Diagnostics& diagnostics, std::string& resolved) {
     const Json all_defaults = write_scene(Scene{}, true);
     const Json* defaults = &all_defaults;
     Json* value = &scene;
@@ -43,12 +58,14 @@ Json* find_or_create(Json& scene, const std::string& pointer, Diagnostics& diagn
         defaults = known ? &defaults->at(step) : nullptr;
         const std::string here = std::to_string(i + 1) + ". step '" + step + "'";
         if (value->is_array()) {
-            const std::size_t size = value->size();
-            value = find_element(*value, step);
-            if (value == nullptr) {
-                diagnostics.error(pointer, "the " + here + " is no index of an array of " + std::to_string(size));
+            const std::optional<std::size_t> index = find_element(*value, step);
+            if (!index) {
+                diagnostics.error(pointer, "the " + here + " is no index and no name in an array of " + std::to_string(value->size()),
+                                  names_hint(step, *value));
                 return nullptr;
             }
+            value = &(*value)[*index];
+            resolved = append_key(resolved, std::to_string(*index));
         } else if (value->is_object()) {
             const bool last = i + 1 == steps.size();
             if (!value->contains(step) && !known && !last) {
@@ -57,6 +74,7 @@ Json* find_or_create(Json& scene, const std::string& pointer, Diagnostics& diagn
             }
             if (!value->contains(step)) (*value)[step] = known ? *defaults : Json();
             value = &(*value)[step];
+            resolved = append_key(resolved, step);
         } else {
             diagnostics.error(pointer, "the " + here + " lies below a value that is no object and no array");
             return nullptr;
@@ -80,8 +98,10 @@ void apply_override(const std::string& text, Json& scene, Diagnostics& diagnosti
         return;
     }
     const std::string pointer = text.substr(0, equals);
-    diagnostics.add_origin(pointer, "--set " + text);
-    if (Json* target = find_or_create(scene, pointer, diagnostics)) *target = parse_value(text.substr(equals + 1));
+    std::string resolved;
+    Json* const target = find_or_create(scene, pointer, diagnostics, resolved);
+    if (target) *target = parse_value(text.substr(equals + 1));
+    diagnostics.add_origin(target ? resolved : pointer, "--set " + text);
 }
 
 }  // namespace
@@ -90,7 +110,8 @@ void apply_overrides(const LoadOptions& options, Json& scene, Diagnostics& diagn
     for (const std::string& text : options.overrides) apply_override(text, scene, diagnostics);
     if (!options.seed) return;
     diagnostics.add_origin("/world/seed", "--seed " + std::to_string(*options.seed));
-    if (Json* seed = find_or_create(scene, "/world/seed", diagnostics)) *seed = *options.seed;
+    std::string resolved;
+    if (Json* seed = find_or_create(scene, "/world/seed", diagnostics, resolved)) *seed = *options.seed;
 }
 
 }  // namespace tumble::scene

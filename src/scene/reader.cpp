@@ -10,13 +10,40 @@
 #include "scene/fields.hpp"
 #include "scene/json_text.hpp"
 #include "scene/pointer.hpp"
-#include "scene/suggest.hpp"
+#include "tumble/suggest.hpp"
 
 namespace tumble::scene {
 
 namespace {
 
 constexpr std::size_t kLongestQuote = 40;
+
+// What other programs write, where this format has another word or form: the hint that says which. It is given where `beside`
+// is a key.
+struct Habit {
+    std::string_view key, beside, hint;
+};
+constexpr Habit kHabits[] = {
+    {"bodyA", "bodies", R"("bodies": ["a", "b"] names both)"},
+    {"bodyB", "bodies", R"("bodies": ["a", "b"] names both)"},
+    {"body_a", "bodies", R"("bodies": ["a", "b"] names both)"},
+    {"body_b", "bodies", R"("bodies": ["a", "b"] names both)"},
+    {"x", "position", R"("position": [x, y])"},
+    {"y", "position", R"("position": [x, y])"},
+    {"rotation", "position", R"("angle", in degrees, counter-clockwise)"},
+    {"type", "circle", R"(the kind of a shape is its key: {"circle": {"radius": 1}})"},
+    {"radius", "circle", R"({"circle": {"radius": 1}})"},
+    {"size", "box", R"({"box": {"size": [2, 1]}})"},
+    {"vertices", "polygon", R"({"polygon": {"vertices": [[0, 0], [1, 0], [0, 1]]}})"},
+    {"width", "size", R"("size": [width, height])"},
+    {"height", "size", R"("size": [width, height])"},
+};
+
+// What the kinds of joints are called elsewhere.
+constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
+    {"hinge", "revolute"}, {"pin", "revolute"},   {"slider", "prismatic"}, {"rope", "distance"},
+    {"rod", "distance"},   {"spring", "distance"}, {"fixed", "weld"},
+};
 
 // True for #rgb and #rrggbb.
 bool is_color(const std::string& text) {
@@ -33,8 +60,8 @@ public:
         diagnostics_.error(pointer_to(place), message, hint, at);
     }
 
-    void wrong(const Place& place, const std::string& wanted, const Json& got) {
-        error(place, "must be " + wanted + ", got " + describe(got));
+    void wrong(const Place& place, const std::string& wanted, const Json& got, const std::string& hint = "") {
+        error(place, "must be " + wanted + ", got " + describe(got), hint);
     }
 
     void read(const Json& value, const Place& place, const Field& field, double& out) {
@@ -60,7 +87,7 @@ public:
         out = value.get<std::string>();
         if (field.text == Text::name && (out.empty() || out.size() > kMaxNameBytes))
             wrong(place, "a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes", value);
-        if (field.text == Text::color && !is_color(out)) wrong(place, "a colour, \"#rgb\" or \"#rrggbb\"", value);
+        if (field.text == Text::color && !is_color(out)) wrong(place, "a colour, \"#rgb\" or \"#rrggbb\"", value, "for example \"#d33\"");
     }
 
     template <class Enum>
@@ -80,11 +107,17 @@ public:
     }
 
     void read(const Json& value, const Place& place, const Field& field, DVec2& out) {
-        read_two(value, place, field, out.x, out.y, "a vector [x, y]");
+        const bool is_object = value.is_object() && value.contains("x") && value.contains("y");
+        read_two(value, place, field, out.x, out.y, "a vector [x, y]",
+                 is_object           ? "[" + compact_text(value["x"]) + ", " + compact_text(value["y"]) + "]"
+                 : value.is_number() ? "a number for x and one for y: [0, " + compact_text(value) + "]"
+                                     : "");
     }
 
     void read(const Json& value, const Place& place, const Field& field, SceneInterval& out) {
-        read_two(value, place, field, out.lower, out.upper, "[lower, upper]");
+        const std::string number = value.is_number() ? compact_text(value) : "";
+        read_two(value, place, field, out.lower, out.upper, "[lower, upper]",
+                 number.empty() ? "" : "[" + number + ", " + number + "] for exactly " + number);
         if (out.lower > out.upper)
             error(place, "must be [lower, upper] with lower <= upper, got " + compact_text(value));
     }
@@ -119,14 +152,16 @@ public:
 
     template <class First, class Second>
     void read_two(const Json& value, const Place& place, const Field& field, First& first, Second& second,
-                  const std::string& wanted) {
-        if (!value.is_array() || value.size() != 2) return wrong(place, wanted, value);
+                  const std::string& wanted, const std::string& hint = "") {
+        if (!value.is_array() || value.size() != 2) return wrong(place, wanted, value, hint);
         read(value[0], child(place, 0), field, first);
         read(value[1], child(place, 1), field, second);
     }
 
     // Not known to the table: "did you mean" without the list, which the message has.
     static std::string did_you_mean(const std::string& text, const std::vector<std::string_view>& names) {
+        for (const auto& [other, name] : kOtherNames)
+            if (text == other && std::ranges::find(names, name) != names.end()) return "here it is called '" + std::string(name) + "'";
         return nearest_word(text, names).empty() ? "" : suggestion(text, names);
     }
 
@@ -273,6 +308,8 @@ private:
 
     // What was meant, or where the key belongs.
     std::string hint_for(const std::string& key) const {
+        for (const Habit& habit : kHabits)
+            if (habit.key == key && std::ranges::find(known_, habit.beside) != known_.end()) return std::string(habit.hint);
         if (!nearest_word(key, known_).empty()) return suggestion(key, known_);
         if (has_field<SceneMaterial>(key)) return quoted(key) + " belongs to a material, and the material to a shape";
         if (has_field<SceneBody>(key)) return quoted(key) + " belongs to a body";

@@ -60,10 +60,10 @@ Scene Reading::read(std::string_view text, const std::filesystem::path& file, co
 
 void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagnostics& diagnostics) {
     IncludedParts places;
-    if (diagnostics.has_errors_in("/include")) return;
     for (std::size_t i = 0; i < scene.include.size(); ++i) {
         const SceneInclude& include = scene.include[i];
         const std::string pointer = "/include/" + std::to_string(i);
+        if (diagnostics.has_errors_in(pointer)) continue;
         const Scene* part = find_part((file.parent_path() / include.file).lexically_normal(), pointer, diagnostics);
         if (part == nullptr) continue;
         const SceneSizes size = sizes_of(*part);

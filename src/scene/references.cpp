@@ -5,7 +5,7 @@
 
 #include "scene/joint_copies.hpp"
 #include "scene/json_text.hpp"
-#include "scene/suggest.hpp"
+#include "tumble/suggest.hpp"
 
 namespace tumble::scene {
 
@@ -40,8 +40,10 @@ const SceneJoint* References::joint(const std::string& name, const std::string& 
         return nullptr;
     }
     std::vector<std::string_view> known;
-    for (const SceneJoint& joint : scene_.joints) known.push_back(joint.name);
-    diagnostics_.error(pointer + '/' + key, "there is no joint " + quoted(name), suggestion(name, known));
+    for (const SceneJoint& joint : scene_.joints)
+        if (!joint.name.empty()) known.push_back(joint.name);
+    diagnostics_.error(pointer + '/' + key, "there is no joint " + quoted(name),
+                       known.empty() ? "no joint has a \"name\"" : suggestion(name, known));
     return nullptr;
 }
 

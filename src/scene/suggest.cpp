@@ -1,10 +1,11 @@
 // Optimal string alignment distance by three rows of the dynamic program (Damerau 1964, Wagner and Fischer 1974).
-#include "scene/suggest.hpp"
+
+#include "tumble/suggest.hpp"
 
 #include <algorithm>
 #include <vector>
 
-namespace tumble::scene {
+namespace tumble {
 
 namespace {
 
@@ -28,6 +29,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return above[b.size()];
 }
 
+bool is_same_but_for_case(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
 bool begins_like(std::string_view a, std::string_view b) {
     return std::min(a.size(), b.size()) >= 3 && (a.starts_with(b) || b.starts_with(a));
 }
@@ -36,8 +42,11 @@ bool begins_like(std::string_view a, std::string_view b) {
 
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
     if (word.size() > kLongestWord) return {};
+    for (const std::string_view candidate : candidates)
+        if (is_same_but_for_case(word, candidate)) return candidate;
     std::string_view nearest;
-    std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+    // One letter is like no other.
+    std::size_t least = word.size() < 2 ? 1 : std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string_view candidate : candidates) {
         if (candidate.size() > kLongestWord) continue;
         const std::size_t edits = edit_distance(word, candidate);
@@ -64,4 +73,4 @@ std::string join_words(std::span<const std::string_view> words) {
     return text;
 }
 
-}  // namespace tumble::scene
+}  // namespace tumble

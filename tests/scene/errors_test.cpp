@@ -73,6 +73,8 @@ TEST_CASE("syntax errors tell the place, and a hint where one is due") {
              Case{"{\"format\": 1} x", 1, 15, "invalid literal", ""},
              Case{"{\"format\": \"\xFF\"}", 1, 13, "ill-formed UTF-8", ""},
              Case{"{\"format\" 1}", 1, 11, "expected ':'", ""},
+             Case{"{\"format\": 1 \"bodies\": []}", 1, 21, "unexpected string literal", "a comma is missing"},
+             Case{"{\"format\": 1, \"bodies\": [{} {}]}", 1, 29, "unexpected '{'", "a comma is missing"},
          }) {
         CAPTURE(c.text);
         const Diagnostic error = error_of(c.text);
@@ -160,11 +162,30 @@ TEST_CASE("hints suggest what was meant") {
           "\"friction\" belongs to a material, and the material to a shape");
     CHECK(error_of(R"({"format": 1, "gravity": [0, 0]})").hint == "\"gravity\" belongs to the world");
     CHECK(error_of(test::with_joint(R"("type": "revolute", "bodies": ["a", "B"], "anchor": [0, 0])")).hint ==
-          "did you mean 'a'?");
+          "did you mean 'b'?");
     CHECK(
         error_of(
             R"({"format": 1, "bodies": [{"name": "crate", "repeat": {"ring": {"count": 3}}}], "camera": {"follow": "crate"}})")
             .hint == "the copies are called crate[0] to crate[2]");
+}
+
+TEST_CASE("hints translate the habits of other engines") {
+    const auto hint_of = [](const std::string& text) { return error_of(text).hint; };
+    const std::string before = R"({"format": 1, "bodies": [{)", after = "}]}";
+    CHECK(hint_of(before + R"("x": 3)" + after) == "\"position\": [x, y]");
+    CHECK(hint_of(before + R"("rotation": 3)" + after).starts_with("\"angle\""));
+    CHECK(hint_of(before + R"("position": {"x": 1, "y": 2.5})" + after) == "[1, 2.5]");
+    CHECK(hint_of(test::with_shape(R"({"type": "circle", "circle": {"radius": 1}})")).find(R"({"circle": {"radius": 1}})") != std::string::npos);
+    CHECK(hint_of(test::with_shape(R"({"box": {"width": 2, "size": [1, 1]}})")) == "\"size\": [width, height]");
+    CHECK(hint_of(test::with_shape(R"({"circle": {"radius": 1}, "material": "rubber"})")).starts_with(R"("materials": {"rubber": )"));
+    CHECK(hint_of(test::with_joint(R"("type": "revolute", "bodyA": "a", "bodies": ["a", "b"], "anchor": [0, 0])")).starts_with("\"bodies\""));
+    CHECK(hint_of(test::with_joint(R"("type": "hinge", "bodies": ["a", "b"], "anchor": [0, 0])")) == "here it is called 'revolute'");
+    CHECK(hint_of(R"({"format": 1, "world": {"gravity": -10}})") == "a number for x and one for y: [0, -10]");
+    CHECK(hint_of(R"({"format": 1, "materials": {"m": {"color": "red"}}})") == "for example \"#d33\"");
+    CHECK(hint_of(R"({"format": 1, "expect": [{"count": 3, "region": [[0, 0], [1, 1]]}]})") == "[3, 3] for exactly 3");
+    CHECK(hint_of(R"({"format": 1, "bodies": [{"name": "a"}], "expect": [{"body": "a", "height": [0, 1], "from": 1}]})") ==
+          R"("when": "always" or "sometime" makes it one)");
+    CHECK(hint_of(R"({"format": 1, "timeline": [{"at": 1, "joint": "j", "motor_speed": 3}]})") == "no joint has a \"name\"");
 }
 
 TEST_CASE("an unreadable file is a FileError with path and reason") {

@@ -288,6 +288,16 @@ TEST_CASE("errors of several parts are together at most 20") {
     CHECK(errors[19].hint.find("there are more errors") != std::string::npos);
 }
 
+TEST_CASE("a misspelt include hides the errors of no other") {
+    const std::vector<Diagnostic> errors = errors_of({{"bad.json", scene_text(R"("bodies": [{"angle": null}])")},
+                                                      {"main.json", includes(R"({"file": "no.json"}, {"path": "x"}, {"file": "bad.json"})")}});
+    REQUIRE(errors.size() == 4);
+    CHECK(errors[0].pointer == "/include/0/file");
+    CHECK(errors[1].pointer == "/include/1");
+    CHECK(errors[2].pointer == "/include/1/path");
+    CHECK(errors[3].file == "bad.json");
+}
+
 TEST_CASE("warnings of a part come once, however often it is included") {
     const std::string hull = scene_text(R"("bodies": [{"shapes": [{"polygon": {"vertices": [[0, 0], [2, 0], [2, 2], [1, 0.5], [0, 2]]}}]}])");
     const Files files = {{"main.json", includes(R"({"file": "hull.json"}, {"file": "hull.json", "position": [9, 9]})")}, {"hull.json", hull}};

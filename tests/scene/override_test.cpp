@@ -35,6 +35,13 @@ TEST_CASE("an override replaces a value anywhere in the scene") {
     CHECK(with({"/bodies/-={\"name\": \"extra\"}"}).bodies.size() == 5);
 }
 
+TEST_CASE("bodies and joints are found by their names too, and errors below them keep their place") {
+    CHECK(with({"/bodies/ball/position/0=7"}).bodies[2].position.x == 7.0);
+    CHECK(with({"/joints/hinge/anchor=[0, 3]"}).joints[0].anchor == DVec2(0, 3));
+    CHECK(to_string(error_of("/bodies/ball/gravity_scale=true")) ==
+          "--set /bodies/ball/gravity_scale=true: /bodies/2/gravity_scale: must be a number, got true");
+}
+
 TEST_CASE("what the file leaves out starts from its default") {
     const Scene scene = with({"/world/gravity/1=-1.6", "/camera/center=[1, 2]", "/name=moon"}, R"({"format": 1})");
     CHECK(scene.world.gravity == DVec2(0, -1.6));
@@ -56,8 +63,10 @@ TEST_CASE("an override that fits nothing is an error that names it") {
           "--set /world/substeps=0: /world/substeps: must be at least 1, got 0");
     CHECK(to_string(error_of("/world/substep=8")) ==
           "--set /world/substep=8: /world/substep: unknown key \"substep\"\n  hint: did you mean 'substeps'?");
-    CHECK(error_of("/bodies/9/name=x").message == "the 2. step '9' is no index of an array of 4");
-    CHECK(error_of("/bodies/ball/name=x").message == "the 2. step 'ball' is no index of an array of 4");
+    CHECK(error_of("/bodies/9/name=x").message == "the 2. step '9' is no index and no name in an array of 4");
+    const Diagnostic misspelt = error_of("/bodies/bal/position=[0, 0]");
+    CHECK(misspelt.message == "the 2. step 'bal' is no index and no name in an array of 4");
+    CHECK(misspelt.hint == "did you mean 'ball'?");
     CHECK(error_of("/wrold/seed=1").hint == "did you mean 'world'?");
     CHECK(error_of("/name/x=1").message == "the 2. step 'x' lies below a value that is no object and no array");
     CHECK(error_of("/world/gravity/1=down").message == "must be a number, got \"down\"");

@@ -1,13 +1,13 @@
 // Which word was meant.
+#include "tumble/suggest.hpp"
+
 #include <doctest/doctest.h>
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include "scene/suggest.hpp"
-
-using namespace tumble::scene;
+using namespace tumble;
 
 TEST_CASE("the nearest word by edits is suggested, if it is near") {
     constexpr std::array<std::string_view, 4> kWords = {"restitution", "radius", "rolling_resistance", "size"};
@@ -24,6 +24,13 @@ TEST_CASE("a swap of neighbours counts as one edit, not two") {
     constexpr std::array<std::string_view, 1> kWords = {"at"};
     CHECK(nearest_word("ta", kWords) == "at");  // a word of two letters may have one edit
     CHECK(nearest_word("tx", kWords).empty());  // two edits
+}
+
+TEST_CASE("a single letter resembles none but its other case, and an empty list suggests nothing") {
+    constexpr std::array<std::string_view, 2> kWords = {"a", "B"};
+    CHECK(nearest_word("c", kWords).empty());
+    CHECK(nearest_word("b", kWords) == "B");
+    CHECK(suggestion("c", {}).empty());
 }
 
 TEST_CASE("without a near word, a short list is shown and a long one is not") {

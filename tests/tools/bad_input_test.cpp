@@ -103,6 +103,10 @@ TEST_CASE("wrong usage ends with exit code 2") {
         {"run", scene, "--duration", "nan"},
         {"run", scene, "--fps", "0"},
         {"shot", scene},
+        {"shot", scene, "-o", (folder / "x.jpg").string()},
+        {"run", scene, "--seed", "-3"},
+        {"run", scene, "--seed", "1.5"},
+        {"run", scene, "--overlay", "contacts,nothing"},
         {"demo", "no_such_demo"},
         {"demo", "../no_such_demo"},
         {"distance", R"({"circle": {"radius": 1}})"},
@@ -114,6 +118,35 @@ TEST_CASE("wrong usage ends with exit code 2") {
         CHECK(answer.out.empty());
         CHECK(answer.err.find("error") != std::string::npos);
     }
+}
+
+TEST_CASE("a misspelt command or option is told with what it may have been meant to be") {
+    CHECK(run_tumble({"rum", "x.json"}).err.find("unknown command 'rum'\n  hint: did you mean 'run'?") != std::string::npos);
+    CHECK(run_tumble({"run", "x.json", "--fsp", "2"}).err.find("unknown option '--fsp' of run\n  hint: did you mean '--fps'?") != std::string::npos);
+    CHECK(run_tumble({"run", "x.json", "more"}).err.find("unknown argument 'more' of run") != std::string::npos);
+}
+
+TEST_CASE("what has no effect is said, and what cannot be written is found before anything is made") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", tumble::test::small_scene()), out = (folder / "out").string();
+    const std::string there = folder.write("there.csv", "");
+    CHECK(run_tumble({"run", scene, "--no-frames", "-o", out, "--trajectory", there}).code == 4);
+    CHECK_FALSE(std::filesystem::exists(out));
+    const Answer idle = run_tumble({"run", scene, "--no-frames", "-o", out, "--fps", "3", "--overlay", "contacts, all"});
+    CHECK(idle.code == 0);
+    CHECK(idle.err.find("--fps has no effect with --no-frames") != std::string::npos);
+    CHECK(idle.err.find("--overlay has no effect") != std::string::npos);
+    CHECK(idle.err.find("--size") == std::string::npos);
+}
+
+TEST_CASE("a scene without a name is called after its file, and one without bodies is no surprise") {
+    const Folder folder;
+    const std::string scene = folder.write("lonely.json", R"({"format": 1, "world": {"duration": 0.1}})");
+    const Answer answer = run_tumble({"run", scene, "--no-frames", "-o", (folder / "out").string()});
+    CHECK(answer.code == 0);
+    CHECK(answer.out.starts_with("lonely: 6 steps"));
+    CHECK(answer.err.find("has no bodies") != std::string::npos);
+    CHECK(tumble::test::read_text(folder / "out/summary.json").find("\"scene\": \"lonely\"") != std::string::npos);
 }
 
 TEST_CASE("with --json an error is one document on standard output") {

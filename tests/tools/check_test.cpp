@@ -116,7 +116,11 @@ TEST_CASE("fmt prints the canonical form, and says what it loses") {
     CHECK(answer.err.find("3 comments are not kept") != std::string::npos);
     CHECK(read_text(file).starts_with("// mine"));
     CHECK(json::parse(run_tumble({"fmt", file, "--json"}).out)["comments_lost"] == 3);
-    CHECK(run_tumble({"fmt", file, "--write"}).code == 0);
+    const Answer refused = run_tumble({"fmt", file, "--write"});
+    CHECK(refused.code == 4);
+    CHECK(refused.err.find("a.json: has 3 comments") != std::string::npos);
+    CHECK(read_text(file).starts_with("// mine"));
+    CHECK(run_tumble({"fmt", file, "--write", "--force"}).code == 0);
     CHECK(read_text(file) == answer.out);
     CHECK(json::parse(run_tumble({"fmt", file, "--json"}).out)["canonical"] == true);
 }
@@ -157,5 +161,10 @@ TEST_CASE("import reads SVG drawings by their extension") {
     const json written = json::parse(read_text(scene));
     REQUIRE(written["bodies"].size() == 1);
     CHECK(written["bodies"][0]["shapes"][0]["box"]["size"] == json::array({2, 1}));
+    const Answer marked = run_tumble({"import", folder.write("floor.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">
+        <rect width="20" height="10"/><rect class="static" y="90" width="100" height="10"/></svg>)"), "-o", (folder / "floor.json").string()});
+    CHECK(marked.out.find("2 bodies (1 dynamic, 1 static), 0 joints") != std::string::npos);
+    CHECK(marked.err.find("class=\"static\"") != std::string::npos);
+    CHECK(run_tumble({"import", "--help"}).out.find("class=\"static\"") != std::string::npos);
     CHECK(run_tumble({"import", drawing, "-o", (folder / "b.json").string(), "--scale", "nan"}).code == 2);
 }

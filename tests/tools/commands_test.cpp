@@ -60,6 +60,23 @@ TEST_CASE("validate judges each scene") {
     CHECK(run_tumble({"validate", bad, (folder / "missing.json").string()}).code == 4);
 }
 
+TEST_CASE("validate counts its warnings, and with --strict they are refused") {
+    const Folder folder;
+    const std::string tiny = folder.write("tiny.json", R"({"format": 1, "bodies": [{"name": "dot", "shapes": [{"circle": {"radius": 0.001}}]}]})");
+    const Answer warned = run_tumble({"validate", tiny});
+    CHECK(warned.code == 0);
+    CHECK(warned.out == tiny + ": valid, 1 body, 0 joints, 1 warning\n");
+    CHECK(run_tumble({"validate", tiny, "--strict"}).code == 3);
+    const Answer larger = run_tumble({"validate", tiny, "--strict", "--set", "/bodies/dot/shapes/0/circle/radius=0.5"});
+    CHECK(larger.code == 0);
+    CHECK(larger.out == tiny + ": valid, 1 body, 0 joints\n");
+}
+
+TEST_CASE("help is a command too, of all and of one") {
+    CHECK(run_tumble({"help"}).out == run_tumble({"--help"}).out);
+    CHECK(run_tumble({"help", "run"}).out == run_tumble({"run", "--help"}).out);
+}
+
 TEST_CASE("every shipped scene is valid and has a description") {
     const json demos = json::parse(run_tumble({"demo", "--list", "--json"}).out);
     CHECK(demos.size() >= 11);

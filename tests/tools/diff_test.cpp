@@ -50,6 +50,36 @@ TEST_CASE("the first step, body and component that differ are named, with ulps a
     CHECK(run_tumble({"diff", a, c, "--tolerance", "0.5"}).code == 7);
 }
 
+TEST_CASE("beyond the first difference, the largest of each kind is found, and angles go the shorter way") {
+    const Folder folder;
+    const std::string a = folder.write("a.csv", std::string(kHeader) + "0,0,ball,1,2,3.14,0,0,0\n1,0.5,ball,1,2,0,0,0,0\n2,1,ball,1,2,0,0,0,7\n");
+    const std::string b = folder.write("b.csv", std::string(kHeader) + "0,0,ball,1,2,-3.14,0,0,0\n1,0.5,ball,1.5,2,0,0,0,0\n2,1,ball,1,4,0,0,0,9\n");
+    const json found = compare(run_tumble({"diff", a, b, "--json"}));
+    CHECK(found["first"]["step"] == 0);
+    CHECK(found["first"]["apart"].get<double>() == doctest::Approx(2.0 * 3.14159265358979 - 6.28).epsilon(1e-9));
+    CHECK(found["largest"][0]["of"] == "position");
+    CHECK(found["largest"][0]["apart"] == 2.0);
+    CHECK(found["largest"][0]["step"] == 2);
+    CHECK(found["largest"][3]["apart"] == 2.0);
+    CHECK(run_tumble({"diff", a, b, "--tolerance", "0.4"}).out.find("at step 1 (0.5 s)") != std::string::npos);
+    CHECK(run_tumble({"diff", a, b, "--tolerance", "2"}).code == 0);
+}
+
+TEST_CASE("two lists of hashes are compared, and two values of one scene") {
+    const Folder folder;
+    const std::string a = folder.write("a.csv", "step,hash\n0,00000000000000aa\n1,00000000000000bb\n"), longer = folder.write("c.csv", "step,hash\n0,00000000000000aa\n1,00000000000000bb\n2,1\n");
+    const std::string b = folder.write("b.csv", "step,hash\n0,00000000000000aa\n1,00000000000000bc\n");
+    CHECK(run_tumble({"diff", a, a}).code == 0);
+    const Answer differs = run_tumble({"diff", a, b});
+    CHECK(differs.code == 7);
+    CHECK(differs.out == "the first difference is at step 1: the hashes are 00000000000000bb and 00000000000000bc\n");
+    CHECK(compare(run_tumble({"diff", a, longer, "--json"}))["first"]["hash_a"] == "none");
+    const std::string scene = folder.write("s.json", R"({"format": 1, "world": {"duration": 0.1}, "bodies": [{"name": "ball", "shapes": [{"circle": {"radius": 1}}]}]})");
+    CHECK(run_tumble({"diff", scene, scene}).code == 0);
+    CHECK(compare(run_tumble({"diff", scene, scene, "--set", "/world/gravity/1=-9", "--json"}))["first"]["component"] == "y");
+    CHECK(run_tumble({"diff", scene, a, "--set", "/world/gravity/1=-9"}).code == 2);
+}
+
 TEST_CASE("a run that ends early or has other bodies differs") {
     const Folder folder;
     const std::string line = "0,0,ball,1,2,0,0,0,0\n";

@@ -35,6 +35,16 @@ TEST_CASE("the distance of two circles is that of their centres less their radii
     CHECK(result.contains("iterations"));
 }
 
+TEST_CASE("a line takes its poses in the shapes as arguments do, or beside them, but not twice") {
+    const auto answer = [](const std::string& line) { return Process(tumble_command({"distance", "--stdin"}), ".", line).wait(); };
+    const std::string disc = R"({"circle": {"radius": 1}})", posed = R"({"circle": {"radius": 1}, "pose": {"position": [3, 0]}})";
+    CHECK(json::parse(answer(R"({"a": )" + disc + R"(, "b": )" + posed + "}").out)["distance"] == 1.0);
+    CHECK(answer(R"({"a": )" + disc + R"(, "b": )" + posed + "}").out == answer(R"({"a": )" + disc + R"(, "b": )" + disc + R"(, "b_pose": {"position": [3, 0]}})").out);
+    CHECK(answer(R"({"a": )" + disc + R"(, "b": )" + posed + R"(, "b_pose": {"position": [3, 0]}})").out.find("twice") != std::string::npos);
+    CHECK(run_tumble({"distance", R"({"circle": {"radius": 1}, "position": [3, 0]})", disc}).err.find("belongs to the pose") != std::string::npos);
+    CHECK(run_tumble({"distance", R"({"circle": {"radius": 1}, "x": })", disc}).err.find("json.exception") == std::string::npos);
+}
+
 TEST_CASE("poses are taken by angle or by rotation, and quarter turns are exact") {
     const std::string box = R"({"box": {"size": [2, 1]}})";
     const auto distance_to = [&](const std::string& pose) {
