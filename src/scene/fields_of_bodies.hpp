@@ -105,7 +105,8 @@ void visit_fields(V& v, Type<SceneBody>) {
 
 template <class V>
 void visit_fields(V& v, Type<SceneJointMotor>) {
-    v.field({"speed", "Speed that the motor tries to reach: degrees/s if it turns, m/s if it slides."},
+    v.field({"speed", "Speed that the motor tries to reach: degrees/s if it turns, m/s if it slides. Counter-clockwise is positive: a "
+                      "wheel that shall roll to the right turns at a negative speed."},
             &SceneJointMotor::speed);
     v.field({"max_torque", "Most that it may use where it turns.", "N m", kStrength}, &SceneJointMotor::max_torque);
     v.field({"max_force", "Most that it may use where it slides.", "N", kStrength}, &SceneJointMotor::max_force);
