@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "console.hpp"
+#include "fallen.hpp"
 #include "frame_output.hpp"
 #include "frame_schedule.hpp"
 #include "interrupt.hpp"
@@ -26,6 +28,7 @@ public:
     void run();
     void write_summary();
     const RunReport& report() const noexcept { return report_; }
+    const SceneWorld& built() const noexcept { return run_.built(); }
 
 private:
     void record_step();
@@ -138,6 +141,7 @@ RunReport simulate(const Scene& scene, const RunOptions& options) {
         throw;
     }
     simulation.write_summary();
+    if (const std::string fallen = fallen_text(simulation.built()); !fallen.empty()) report_warning(fallen);
     return simulation.report();
 }
 

@@ -152,7 +152,7 @@ public:
             if (!(a_.has(p) && b_.has(q)) && !(a_.has(q) && b_.has(p))) return;
             const auto pair = touching_.try_emplace(std::minmax(p, q), 0).first;
             pair->second += change;
-            if (pair->second == 0) touching_.erase(pair);
+            if (pair->second <= 0) touching_.erase(pair);
         };
         const StepEvents& events = world.events();
         for (const ContactBegin& event : events.contact_begins) add(event.shape_a, event.shape_b, 1);

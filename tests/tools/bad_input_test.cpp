@@ -139,6 +139,20 @@ TEST_CASE("what has no effect is said, and what cannot be written is found befor
     CHECK(idle.err.find("--size") == std::string::npos);
 }
 
+TEST_CASE("who has fallen out of the world is said at the end of a run") {
+    const Folder folder;
+    const std::string ground = R"({"format": 1, "world": {"duration": 4}, "bodies": [{"type": "static", "shapes": [{"box": {"size": [4, 1]}}]},
+        {"name": "ball", "position": [PLACE, 2], "shapes": [{"circle": {"radius": 0.5}}]}]})";
+    const auto run_at = [&](const std::string& place) {
+        std::string text = ground;
+        const std::string scene = folder.write("s.json", text.replace(text.find("PLACE"), 5, place));
+        return run_tumble({"run", scene, "--no-frames", "--force", "-o", (folder / "out").string()}).err;
+    };
+    CHECK(run_at("0").empty());
+    // Four seconds at -10 m/s^2 from 2 m: -78 m, and a little for the sub-steps.
+    CHECK(run_at("9").find("'ball' has fallen below all that could hold it: 'ball' is at y = -78.") != std::string::npos);
+}
+
 TEST_CASE("a scene without a name is called after its file, and one without bodies is no surprise") {
     const Folder folder;
     const std::string scene = folder.write("lonely.json", R"({"format": 1, "world": {"duration": 0.1}})");
