@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "claim_marks.hpp"
 #include "command.hpp"
 #include "console.hpp"
 #include "error_report.hpp"
@@ -89,7 +90,10 @@ void draw_failures(SceneCheck& check, const CheckArguments& options) {
         const std::filesystem::path file = options.shots / (check.name + "-expect-" + std::to_string(i) + ".png");
         try {
             refuse_to_overwrite(file, options.force);
-            draw_scene_at(load_scene(check.file, options.changes), result.step, {}, file);
+            const Scene scene = load_scene(check.file, options.changes);
+            draw_scene_at(scene, result.step, {}, file, {}, [&](const SceneWorld& built) {
+                return marks_of(scene.expect.at(i), result, built);
+            });
             check.shots[i] = file;
         } catch (...) {
             report_warning("not drawn: " + explain(std::current_exception()).message);

@@ -1,4 +1,5 @@
-// `tumble demo`: a shipped scene, run into a folder of the build, which the demo owns and replaces.
+// `tumble demo`: a shipped scene, run into a folder of the build, which the demo owns and replaces, or into the user's
+// own; or its file, to start from.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -10,6 +11,7 @@
 #include "run_report.hpp"
 #include "scene_options.hpp"
 #include "simulation.hpp"
+#include "tumble/file.hpp"
 
 namespace tumble::tools {
 
@@ -18,10 +20,14 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kDefaultDemo = "mixed_rain";
+constexpr std::size_t kLargestScene = 32u << 20;  // bytes
 
 struct DemoArguments {
     std::string name = kDefaultDemo;
+    fs::path folder;
     bool list = false;
+    bool print = false;
+    bool force = false;
 };
 
 ExitCode list_demos(const Command& command) {
@@ -46,13 +52,31 @@ fs::path find_demo(const std::string& name) {
     throw CLI::ValidationError("NAME", "there is no shipped scene '" + name + "'; demo --list shows which there are");
 }
 
+// As it is written, comments and all; in one piece if it includes others, which are not where it will be put.
+ExitCode print_demo(const Command& command, const DemoArguments& options) {
+    const fs::path file = find_demo(options.name);
+    LoadOptions as_written;
+    as_written.keep_includes = true;
+    const bool is_whole = load_scene(file, as_written).include.empty();
+    const std::string text = is_whole ? read_file(file, kLargestScene) : to_json(load_scene(file));
+    if (!command.json) {
+        write_output(text);
+        return ExitCode::ok;
+    }
+    JsonWriter json;
+    json.open_object().member("name", options.name).member("file", file.string()).member("text", text).close_object();
+    write_output(json.text() + "\n");
+    return ExitCode::ok;
+}
+
 ExitCode run_demo(const Command& command, const DemoArguments& options) {
     SceneOptions source;
     source.file = find_demo(options.name).string();
     const Scene scene = read_scene(source);
     RunOptions settings;
-    settings.folder = demo_folder() / file_name_of(scene, source.file);
-    settings.force = true;
+    const bool is_ours = options.folder.empty();
+    settings.folder = is_ours ? demo_folder() / file_name_of(scene, source.file) : options.folder;
+    settings.force = is_ours || options.force;
     narrate("Simulating and rendering " + options.name + ": " + scene.description + "\n");
     const RunReport report = simulate(scene, settings);
     if (command.json) {
@@ -73,9 +97,13 @@ void add_demo(CLI::App& app, Command& command) {
     CLI::App& demo = add_subcommand(app, command, "demo", "Run a shipped scene into the build folder");
     demo.add_option("NAME", options->name, "The scene")->capture_default_str();
     demo.add_flag("--list", options->list, "List the shipped scenes");
+    demo.add_flag("--print", options->print, "Print the scene's file in place of running it: one to start from");
+    demo.add_option("-o,--output", options->folder, "Folder for the frames; left out: one that the demo replaces")->type_name("DIR");
+    demo.add_flag("--force", options->force, "Replace what is in that folder");
     demo.callback([&command, options] {
         command.action = [&command, options] {
-            return options->list ? list_demos(command) : run_demo(command, *options);
+            if (options->list) return list_demos(command);
+            return options->print ? print_demo(command, *options) : run_demo(command, *options);
         };
     });
 }

@@ -32,7 +32,7 @@ void FrameOutput::draw_due(const SceneWorld& world) {
     const std::uint64_t step = world.world.step_count();
     const double time = static_cast<double>(step) / schedule_.steps_per_second;
     while (next_frame_ < schedule_.frame_count() && schedule_.step_of_frame(next_frame_) == step) {
-        camera_ = move_camera(camera_, world.world);
+        camera_ = move_camera(camera_, scene_, world);
         Image image = writer_.take_image();
         renderer_.draw(scene_, world, camera_, time, image, overlay_);
         writer_.submit(std::move(image), frame_file(folder_, next_frame_));

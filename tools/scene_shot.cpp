@@ -7,10 +7,10 @@
 namespace tumble::tools {
 
 SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
-                       const Overlay& overlay) {
+                       const Overlay& overlay, const Marker& mark) {
     SceneRun run(scene);
     const double aspect_ratio = static_cast<double>(size.width) / size.height;
-    const Camera camera = make_camera(scene, run.built(), aspect_ratio);
+    Camera camera = make_camera(scene, run.built(), aspect_ratio);
     Renderer renderer(size.width, size.height);
     Progress progress("step", step);
     while (run.world().step_count() < step) {
@@ -18,7 +18,9 @@ SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, c
         progress.show(run.world().step_count());
     }
     Image image;
-    renderer.draw(scene, run.built(), move_camera(camera, run.world()), run.time(), image, overlay);
+    const Marking marking = mark ? mark(run.built()) : Marking{};
+    camera = widen_camera(move_camera(camera, scene, run.built()), run.world(), marking, aspect_ratio);
+    renderer.draw(scene, run.built(), camera, run.time(), image, overlay, marking);
     create_folder_of(file);
     write_png(image, file);
     return run;

@@ -31,16 +31,31 @@ struct Image {
 struct Camera {
     DVec2 center;         // world point in the middle of the frame
     double height = 1.0;  // m of the world from the lower to the upper edge
-    BodyId follows{};     // the body it moves with; default: none
+    BodyId follows{};     // the body it moves with; default: none yet
     DVec2 offset{};       // then: the center seen from that body's position
 };
 
-// The scene's own camera; what it leaves open is chosen so that every moving body, the way down to the ground and, of
-// what never moves, at least the near part is in view. To be made from a world that was not stepped yet.
+// The scene's own camera. What it leaves open is chosen so that there is in view, with a margin: every body that moves
+// where it begins, also those that the timeline makes; their ways, but for bodies that go farther than a frame three
+// times as high; the ground below them; and of what never moves all, or as far as it is near. To know the ways the scene
+// is run ahead, for some 50 ms at most. A camera that follows a body is five times as high as the body's larger side. To
+// be made from a world that was not stepped yet.
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio);
 
-// The camera where the body it follows is now; unchanged if it follows none, or one that is gone.
-Camera move_camera(Camera camera, const World& world);
+// The camera where the body it follows is now: it begins to follow a body that the timeline makes in the first state
+// that has it, and stays where it is once that is gone.
+Camera move_camera(Camera camera, const Scene& scene, const SceneWorld& world);
+
+// What a frame points at, and says about it: the edges of regions and bodies are drawn strongly, and an arrow at the edge
+// of the frame points at what is out of view.
+struct Marking {
+    std::vector<std::array<DVec2, 4>> regions{};  // corners in order, world coordinates
+    std::vector<BodyId> bodies{};
+    std::vector<std::string> caption{};  // lines below the time
+};
+
+// The camera with what is marked in view too, as far as a frame three times as high can show it.
+Camera widen_camera(Camera camera, const World& world, const Marking& marking, double aspect_ratio);
 
 // What a frame shows beside the shapes, each with a line in the legend.
 struct Overlay {
@@ -74,7 +89,7 @@ public:
 
     // Draws the world as it is now, with the scene's name and `time` (s) as text, into `image`, resized as needed.
     void draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image,
-              const Overlay& overlay = {});
+              const Overlay& overlay = {}, const Marking& marking = {});
 
 private:
     struct Impl;

@@ -28,9 +28,9 @@ struct SceneSettings {
 };
 
 struct SceneCamera {
-    std::optional<DVec2> center;   // m; default: everything in view
+    std::optional<DVec2> center;   // m; default: everything in view; with `follow`: when the body is first seen
     std::optional<double> height;  // m of the world from the lower to the upper edge
-    std::string follow;            // name of a body, or empty
+    std::string follow;            // name of a body, also of one that the timeline makes, or empty
 };
 
 struct SceneMaterial {

@@ -7,6 +7,7 @@
 #include "render/joint_marks.hpp"
 #include "render/orientation_mark.hpp"
 #include "render/palette.hpp"
+#include "render/sensor_area.hpp"
 #include "render/shape_primitives.hpp"
 #include "render/style.hpp"
 
@@ -52,6 +53,10 @@ void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world
             add_chain_bands(list.ground.mesh, view, source_of(scene, body), pose, paints.front().outline);
         for (std::size_t k = 0; k < shapes.size(); ++k) {
             const Shape& shape = world.world.shape(shapes[k]);
+            if (world.world.is_sensor(shapes[k])) {
+                add_sensor_area(list.sensors, view, shape, pose, paints[k]);
+                continue;
+            }
             add_shape(is_static ? list.ground : list.bodies, view, shape, pose, paints[k], line_width);
             if (!is_static && has_mark(shape, shapes.size()))
                 add_orientation_mark(list.details, view, shape, pose, faded(paints[k].outline, kMarkOpacity));

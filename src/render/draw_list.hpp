@@ -8,8 +8,8 @@
 
 namespace tumble::render {
 
-// Replaces the list by the world as it is now: grid, static bodies, all others, orientation marks and joints, each in
-// the order of their ids. Bodies that were destroyed are left out.
+// Replaces the list by the world as it is now: grid, static bodies, sensors, all other bodies, orientation marks and
+// joints, each in the order of their ids. Bodies that were destroyed are left out.
 void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world, const View& view);
 
 }  // namespace tumble::render

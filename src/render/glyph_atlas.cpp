@@ -55,13 +55,15 @@ GlyphAtlas::~GlyphAtlas() = default;
 
 namespace {
 
-// Calls visit(glyph index, pen in pixels from the line's start) for each character, and returns the line's width.
+// Calls visit(glyph index, pen in pixels from the line's start) for each character that the font has, and returns the
+// line's width: emoji and what else it lacks would be boxes.
 template <class Visit>
 double walk_line(const stbtt_fontinfo& font, double scale, std::string_view utf8, Visit visit) {
     double pen = 0.0;
     int last = 0;
     while (!utf8.empty()) {
         const int index = stbtt_FindGlyphIndex(&font, static_cast<int>(take_code_point(utf8)));
+        if (index == 0) continue;
         int advance = 0, bearing = 0;
         stbtt_GetGlyphHMetrics(&font, index, &advance, &bearing);
         if (last != 0) pen += scale * stbtt_GetGlyphKernAdvance(&font, last, index);

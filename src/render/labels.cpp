@@ -83,16 +83,33 @@ std::string fitted(const Labels& labels, std::string_view title, double size, do
     return text;
 }
 
-void add_heading(Labels& labels, const View& view, std::string_view title, double time) {
-    const double margin = labels.pixels(style::kMargin);
+// Lines under each other in the upper left corner: the title larger than the rest.
+void add_heading(Labels& labels, const View& view, const LabelText& text) {
+    struct Line {
+        std::string text;
+        double size;
+        Color color;
+    };
+    const double margin = labels.pixels(style::kMargin), room = view.width - 2.0 * margin;
     const double title_size = labels.pixels(style::kTitleSize), text_size = labels.pixels(style::kTextSize);
-    const std::string name = fitted(labels, title, title_size, view.width - 2.0 * margin);
-    const std::string clock = seconds(time);
-    const double title_height = name.empty() ? 0.0 : kLine * title_size + labels.pixels(kLineGap);
-    labels.plate({margin, margin, std::max(labels.width(name, title_size), labels.width(clock, text_size)),
-                  title_height + kLine * text_size});
-    labels.text(name, title_size, margin, margin, style::kText);
-    labels.text(clock, text_size, margin, margin + title_height, style::kFaintText);
+    std::vector<Line> lines;
+    if (const std::string name = fitted(labels, text.title, title_size, room); !name.empty())
+        lines.push_back({name, title_size, style::kText});
+    lines.push_back({seconds(text.time), text_size, style::kFaintText});
+    for (const std::string& line : text.caption)
+        lines.push_back({fitted(labels, line, text_size, room), text_size, style::kText});
+
+    double width = 0.0, height = -labels.pixels(kLineGap);
+    for (const Line& line : lines) {
+        width = std::max(width, labels.width(line.text, line.size));
+        height += kLine * line.size + labels.pixels(kLineGap);
+    }
+    labels.plate({margin, margin, width, height});
+    double top = margin;
+    for (const Line& line : lines) {
+        labels.text(line.text, line.size, margin, top, line.color);
+        top += kLine * line.size + labels.pixels(kLineGap);
+    }
 }
 
 void add_scale_bar(Labels& labels, const View& view) {
@@ -134,13 +151,12 @@ void add_legend(Labels& labels, const View& view, std::span<const LegendLine> li
 
 }  // namespace
 
-void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, std::string_view title, double time,
-                std::span<const LegendLine> legend) {
+void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, const LabelText& text) {
     if (view.width < kSmallestWidth || view.height < kSmallestHeight) return;
     Labels labels(list, atlas, view);
-    add_heading(labels, view, title, time);
+    add_heading(labels, view, text);
     add_scale_bar(labels, view);
-    add_legend(labels, view, legend);
+    add_legend(labels, view, text.legend);
 }
 
 }  // namespace tumble::render

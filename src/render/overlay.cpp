@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "render/marks.hpp"
 #include "render/shape_primitives.hpp"
 #include "render/style.hpp"
 
@@ -20,47 +21,12 @@ constexpr Color kVelocity{190, 85, 0};
 constexpr Color kTie{165, 30, 115};
 
 // Lengths in pixels at 720 rows.
-constexpr double kDot = 3.2;
 constexpr double kNormalLength = 20.0;
 constexpr double kThin = 1.0;
-constexpr double kMarkWidth = 1.8;
-constexpr double kHead = 6.0;
 
 constexpr double kVelocityTime = 0.1;  // s: an arrow is as long as the way made in this time
 constexpr const char* kVelocityLegend = "velocity: the way of 0.1 s";
 constexpr double kAsleep = 0.65;       // share of the background in the colour of an island that sleeps
-
-class Marks {
-public:
-    Marks(Layer& layer, const View& view) : layer_(layer), view_(view) {}
-
-    double pixels(double at_720_rows) const { return at_720_rows * view_.detail(); }
-
-    void dot(DVec2 at, Color color) {
-        const double radius = pixels(kDot);
-        if (!view_.sees(at, radius)) return;
-        layer_.circles.push_back(
-            {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(radius), {color, style::kBackground}});
-    }
-
-    void line(DVec2 from, DVec2 to, double width, Color color) {
-        add_line(layer_, view_, from, to, pixels(width), color);
-    }
-
-    // The head is no longer than half the arrow; what is shorter than a line is wide is left out.
-    void arrow(DVec2 from, DVec2 to, Color color) {
-        const DVec2 way = to - from;
-        const double size = length(way);
-        if (size < pixels(kMarkWidth)) return;
-        line(from, to, kMarkWidth, color);
-        const DVec2 back = (std::min(pixels(kHead), 0.5 * size) / size) * way;
-        for (const double side : {-0.6, 0.6}) line(to, to - back + side * perp(back), kMarkWidth, color);
-    }
-
-private:
-    Layer& layer_;
-    const View& view_;
-};
 
 void add_boxes(Marks& marks, const View& view, const World& world) {
     for (const BodyId body : world.bodies())
@@ -81,7 +47,8 @@ void add_islands(Layer& layer, const View& view, const World& world) {
         const Color color = world.is_awake(body) ? awake : mix(awake, style::kBackground, kAsleep);
         const Paint paint{color, mix(awake, style::kInk, style::kOutlineShare)};
         for (const ShapeId shape : world.shapes(body))
-            add_shape(layer, view, world.shape(shape), world.state(body).pose, paint, style::kSegment * view.detail());
+            if (!world.is_sensor(shape))
+                add_shape(layer, view, world.shape(shape), world.state(body).pose, paint, style::kSegment * view.detail());
     }
 }
 
@@ -130,7 +97,18 @@ void add_overlay(DrawList& list, const View& view, const World& world, const Ove
     if (overlay.contacts || overlay.normals) add_contacts(marks, view, world, overlay);
 }
 
-std::vector<LegendLine> legend_of(const Overlay& overlay) {
+namespace {
+
+bool has_sensors(const World& world) {
+    for (const BodyId body : world.bodies())
+        for (const ShapeId shape : world.shapes(body))
+            if (world.is_sensor(shape)) return true;
+    return false;
+}
+
+}  // namespace
+
+std::vector<LegendLine> legend_of(const Overlay& overlay, const World& world) {
     using Mark = LegendLine::Mark;
     std::vector<LegendLine> lines;
     if (overlay.contacts) {
@@ -142,6 +120,8 @@ std::vector<LegendLine> legend_of(const Overlay& overlay) {
     if (overlay.islands) lines.push_back({Mark::area, style::kBodies[0], "island: a colour each, pale asleep"});
     if (overlay.velocity) lines.push_back({Mark::line, kVelocity, kVelocityLegend});
     if (overlay.joints) lines.push_back({Mark::line, kTie, "joint, to its bodies"});
+    if (!lines.empty() && has_sensors(world))
+        lines.push_back({Mark::area, faded(style::kStatic, style::kSensorOpacity), "sensor"});
     return lines;
 }
 

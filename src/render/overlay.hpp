@@ -20,6 +20,8 @@ struct LegendLine {
     Color color;
     std::string text;
 };
-std::vector<LegendLine> legend_of(const Overlay& overlay);
+
+// Of what the overlay shows, and of the sensors if the world has any. Empty for an empty overlay.
+std::vector<LegendLine> legend_of(const Overlay& overlay, const World& world);
 
 }  // namespace tumble::render

@@ -10,8 +10,9 @@
 namespace tumble::render {
 namespace {
 
-// "crate_12" and "crate[3]" are crates.
+// "crate_12" and "crate[3]" are crates, and so is "left/crate", a part of what was included as "left/".
 std::string_view stem(std::string_view name) {
+    name.remove_prefix(name.rfind('/') + 1);  // npos + 1 is 0
     const std::size_t end = name.find_last_not_of("0123456789[]_-. ");
     return name.substr(0, end == std::string_view::npos ? name.size() : end + 1);
 }

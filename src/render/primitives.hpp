@@ -77,15 +77,18 @@ struct DrawList {
     Color background;
     Layer grid;
     Layer ground;   // static bodies
+    Layer sensors;  // of any body
     Layer bodies;   // all others
+    Layer islands;  // their fills, over the bodies' own
     Layer details;  // orientation marks and joints
-    Layer islands;  // bodies once more, by their islands
-    Layer overlay;  // what else the stepper knows
+    Layer overlay;  // what the stepper knows, and what a marking points at
     Layer labels;
 
-    std::array<Layer*, 7> layers() { return {&grid, &ground, &bodies, &details, &islands, &overlay, &labels}; }
-    std::array<const Layer*, 7> layers() const {
-        return {&grid, &ground, &bodies, &details, &islands, &overlay, &labels};
+    std::array<Layer*, 8> layers() {
+        return {&grid, &ground, &sensors, &bodies, &islands, &details, &overlay, &labels};
+    }
+    std::array<const Layer*, 8> layers() const {
+        return {&grid, &ground, &sensors, &bodies, &islands, &details, &overlay, &labels};
     }
 };
 

@@ -7,6 +7,7 @@
 #include "render/draw_list.hpp"
 #include "render/glyph_atlas.hpp"
 #include "render/labels.hpp"
+#include "render/marking.hpp"
 #include "render/overlay.hpp"
 #include "tumble/render.hpp"
 
@@ -47,7 +48,7 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image,
-                    const Overlay& overlay) {
+                    const Overlay& overlay, const Marking& marking) {
     if (!is_finite(camera.center) || !(camera.height > 0.0) || !std::isfinite(camera.height))
         throw std::invalid_argument("a camera needs a finite center and a height above 0, got (" +
                                     std::to_string(camera.center.x) + ", " + std::to_string(camera.center.y) +
@@ -55,7 +56,9 @@ void Renderer::draw(const Scene& scene, const SceneWorld& world, const Camera& c
     const render::View view = render::make_view(camera, impl_->width, impl_->height);
     render::build_draw_list(impl_->list, scene, world, view);
     render::add_overlay(impl_->list, view, world.world, overlay);
-    render::add_labels(impl_->list, impl_->atlas, view, scene.name, time, render::legend_of(overlay));
+    render::add_marking(impl_->list.overlay, view, world.world, marking);
+    const render::LabelText text{scene.name, time, marking.caption, render::legend_of(overlay, world.world)};
+    render::add_labels(impl_->list, impl_->atlas, view, text);
     impl_->canvas.draw(impl_->list.background, std::as_const(impl_->list).layers(), impl_->atlas, image);
 }
 

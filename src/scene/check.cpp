@@ -45,7 +45,7 @@ public:
         check_beats();
         for (std::size_t i = 0; i < own_.expect; ++i)
             check_expectation(scene_.expect[i], at("/expect", i), references, diagnostics_);
-        if (!scene_.camera.follow.empty()) references.body(scene_.camera.follow, "/camera", "follow");
+        if (!scene_.camera.follow.empty()) references.any_body(scene_.camera.follow, "/camera", "follow");
     }
 
 private:

@@ -38,11 +38,19 @@ void visit_fields(V& v, Type<SceneSettings>) {
 
 template <class V>
 void visit_fields(V& v, Type<SceneCamera>) {
-    v.field({"center", "World point in the middle of the frame; left out: everything in view.", "m", kPosition},
+    v.field({"center",
+             "World point in the middle of the frame; left out: chosen so that all is in view that moves, its way as far as it "
+             "stays near, the ground below and what stands near. With follow: where the middle is when the body is first seen.",
+             "m", kPosition},
             &SceneCamera::center);
-    v.field({"height", "Height of the world in the frame; left out: everything in view.", "m", {0.0, kFarthest, true}},
+    v.field({"height",
+             "Height of the world in the frame; left out: as for center. With follow: five times the body's larger side.", "m",
+             {0.0, kFarthest, true}},
             &SceneCamera::height);
-    v.field({.name = "follow", .description = "Name of a body that stays in the middle.", .text = Text::name},
+    v.field({.name = "follow",
+             .description = "Name of a body that the frame moves with: it stays in the middle, or where center puts it. A body of the "
+                            "timeline is followed from when it is made.",
+             .text = Text::name},
             &SceneCamera::follow);
 }
 

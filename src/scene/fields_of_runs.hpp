@@ -52,7 +52,7 @@ void visit_fields(V& v, Type<SceneFrame>) {
 template <class V>
 void visit_fields(V& v, Type<SceneExpectation>) {
     v.field({"at_rest_by", "Time by which nothing moves any more.", "s", kTime}, &SceneExpectation::at_rest_by);
-    v.field({"max_penetration", "Depth that no overlap may pass.", "m", kRounding}, &SceneExpectation::max_penetration);
+    v.field({"max_penetration", "Depth that no overlap may pass: 0.01 for what lies, the way of a step for what lands.", "m", kRounding}, &SceneExpectation::max_penetration);
     v.field({"max_joint_error", "How far the anchors of a joint may part, of 'joint' or of every one.", "m", kRounding},
             &SceneExpectation::max_joint_error);
     v.field({"max_energy_gain", "How much kinetic and potential energy may grow above that at the start.", "J", kStrength},

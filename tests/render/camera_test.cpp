@@ -99,11 +99,11 @@ TEST_CASE("a camera that follows a body keeps its offset from it") {
     for (int i = 0; i < 10; ++i) s.built.world.step();
     const DVec2 now = s.built.world.state(ball).pose.position;
     CHECK(now.x > 20.5);
-    const Camera moved = move_camera(start, s.built.world);
+    const Camera moved = move_camera(start, s.scene, s.built);
     CHECK(length(moved.center - (now + DVec2{-2.0, 2.0})) < 1e-12);
     CHECK(moved.height == start.height);
     s.built.world.destroy_body(ball);
-    CHECK(move_camera(start, s.built.world).center == start.center);
+    CHECK(move_camera(start, s.scene, s.built).center == start.center);
 }
 
 TEST_CASE("worlds without anything that moves, or without anything, have a camera") {
@@ -118,4 +118,75 @@ TEST_CASE("worlds without anything that moves, or without anything, have a camer
     const Camera camera = make_camera(point.scene, point.built, kAspect);
     CHECK(camera.height > 0.0);
     CHECK(std::isfinite(camera.height));
+}
+
+TEST_CASE("what the timeline makes is in view where it begins, and what flies as far as it goes") {
+    HandMadeScene s;
+    s.scene.world.duration = 1.5;
+    s.add_static("ground", {0.0, -0.5}, make_box({400.0f, 1.0f}));
+    s.add_dynamic("crate", {0.0, 0.5}, make_box({1.0f, 1.0f}));
+    SceneEvent event;
+    event.at = 0.25;
+    event.spawn.emplace();
+    event.spawn->name = "stone";
+    event.spawn->position = {6.0, 3.0};
+    event.spawn->velocity = {-4.0, 5.0};
+    event.spawn->shapes.push_back({CircleGeometry{0.25, {}}, "", ""});
+    s.scene.timeline.push_back(event);
+    const Framing frame(make_camera(s.scene, s.built, kAspect), kAspect);
+    // It rises by v^2 / 2 g = 1.25 m, and comes down 1.3 s later, 5 m farther to the left.
+    CHECK(frame.holds({-0.5, 0.0}, {6.25, 4.4}));
+    CHECK(frame.top < 8.0);
+    CHECK(frame.right < 12.0);
+}
+
+TEST_CASE("what leaves for good does not take the camera with it") {
+    HandMadeScene s;
+    s.add_static("table", {0.0, -0.5}, make_box({6.0f, 1.0f}));
+    s.add_dynamic("stays", {-1.0, 0.5}, make_box({1.0f, 1.0f}));
+    s.add_dynamic("falls", {3.2, 0.5}, make_box({1.0f, 1.0f}));  // over the edge: 125 m down in 5 s
+    const Camera camera = make_camera(s.scene, s.built, kAspect);
+    CHECK(camera.height < 6.0);
+    CHECK(Framing(camera, kAspect).holds({-3.0, -0.3}, {3.7, 1.0}));
+}
+
+TEST_CASE("a sensor is no ground, and small things that stand beside are shown whole") {
+    HandMadeScene s;
+    s.add_static("ground", {0.0, -0.5}, make_box({200.0f, 1.0f}));
+    s.add_static("post", {3.6, 0.4}, make_box({0.4f, 0.8f}));
+    const BodyId gate = s.add_static("gate", {0.0, 3.0}, make_box({4.0f, 0.5f}));
+    s.built.world.remove_shape(s.built.world.shapes(gate)[0]);
+    s.built.world.add_shape(gate, {.shape = make_box({4.0f, 0.5f}), .sensor = true});
+    s.add_dynamic("crate", {0.0, 5.0}, make_box({3.0f, 3.0f}));
+    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({-2.0, 0.0}, {3.8, 6.5}));
+}
+
+TEST_CASE("a camera that follows a body shows five times its size, from when it is there") {
+    HandMadeScene s = pyramid({});
+    s.scene.camera.follow = "late";
+    const Camera before = make_camera(s.scene, s.built, kAspect);
+    CHECK(Framing(before, kAspect).holds({-5.0, 0.0}, {5.0, 10.0}));
+    CHECK(move_camera(before, s.scene, s.built).center == before.center);
+    s.add_dynamic("late", {30.0, 4.0}, make_box({2.0f, 1.0f}));
+    const Camera after = move_camera(before, s.scene, s.built);
+    CHECK(after.center == DVec2{30.0, 4.0});
+    CHECK(after.height == doctest::Approx(10.0));
+    s.scene.camera.height = 6.0;
+    CHECK(make_camera(s.scene, s.built, kAspect).height == 6.0);
+}
+
+TEST_CASE("a camera is widened to what is marked, unless that is too far away") {
+    HandMadeScene s;
+    const BodyId near = s.add_dynamic("near", {9.0, 0.0}, make_circle(0.5f));
+    const BodyId far = s.add_dynamic("far", {0.0, -500.0}, make_circle(0.5f));
+    const Camera camera{{0.0, 0.0}, 8.0};
+    const auto widened = [&](const Marking& marking) { return widen_camera(camera, s.built.world, marking, kAspect); };
+    CHECK(widened({}).height == 8.0);
+    const BodyId ground = s.add_static("ground", {0.0, -4.0}, make_box({40.0f, 1.0f}));  // some of it is in view
+    CHECK(widened({.bodies = {ground}}).height == 8.0);
+    CHECK(widened({.regions = {{DVec2{0.0, 0.0}, {2.0, 0.0}, {2.0, 3.0}, {0.0, 3.0}}}}).height == 8.0);
+    const Framing frame(widened({.bodies = {far, near}}), kAspect);
+    CHECK(frame.holds({-7.0, -4.0}, {9.5, 4.0}));
+    CHECK(frame.bottom > -20.0);
+    CHECK(Framing(widened({.regions = {{DVec2{0.0, 6.0}, {2.0, 6.0}, {2.0, 9.0}, {0.0, 9.0}}}}), kAspect).holds({0.0, 0.0}, {2.0, 9.0}));
 }

@@ -170,3 +170,10 @@ TEST_CASE("text is drawn in its colour, whole pixels apart from its atlas positi
     other.atlas().layout("Ig", 24.0, 10.0, 40, 160, 60, kWhite, layer.glyphs);
     CHECK(other.draw(layer).rgba == first.rgba);
 }
+
+TEST_CASE("a character that the font does not have takes no room") {
+    PixelCanvas canvas(64, 32);
+    const double plain = canvas.atlas().width("chain", 12.0);
+    CHECK(plain > 20.0);
+    CHECK(canvas.atlas().width("\U0001F9F2chain\U0001FAE0", 12.0) == plain);  // a magnet and a melting face
+}

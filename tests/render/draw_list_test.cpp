@@ -8,6 +8,7 @@
 
 #include "render/grid.hpp"
 #include "render/hand_made_scene.hpp"
+#include "render/marking.hpp"
 #include "render/style.hpp"
 #include "render/utf8.hpp"
 
@@ -217,4 +218,44 @@ TEST_CASE("text is read as UTF-8, with a replacement for what is not") {
     CHECK(read("\xc3") == U"\ufffd");
     CHECK(read("\xe4\xb8x") == U"\ufffd\ufffdx");
     CHECK(read("\x80 \xff") == U"\ufffd \ufffd");
+}
+
+TEST_CASE("a sensor is a faint area with a dashed edge, below what moves, without a mark") {
+    HandMadeScene s;
+    for (const BodyType type : {BodyType::static_body, BodyType::dynamic_body}) {
+        const BodyId body = s.add("gate", type, {100.0, 50.0}, {});
+        s.built.world.add_shape(body, {.shape = make_box({10.0f, 4.0f}), .sensor = true});
+    }
+    const DrawList list = build(s);
+    CHECK(list.ground.boxes.empty());
+    CHECK(list.bodies.boxes.empty());
+    CHECK(list.details.boxes.empty());
+    double dashes = 0.0, areas = 0.0;
+    for (const BoxInstance& box : list.sensors.boxes) {
+        const bool is_area = box.half_y > 10.0f;  // 100 x 40 pixels
+        if (is_area) CHECK(box.paint.fill.a < 128);
+        (is_area ? areas : dashes) += is_area ? 1.0 : 2.0 * double{box.half_x};
+    }
+    CHECK(areas == 2.0);
+    // Of two edges of 280 pixels each 6 of 11; the ends are cut at corners.
+    CHECK(dashes == doctest::Approx(2.0 * 280.0 * 6.0 / 11.0).epsilon(0.05));
+}
+
+TEST_CASE("a marking outlines what is in view and points at what is not") {
+    HandMadeScene s;
+    const BodyId seen = s.add_dynamic("seen", {100.0, 50.0}, make_box({2.0f, 2.0f}));
+    const BodyId below = s.add_dynamic("below", {100.0, -900.0}, make_box({2.0f, 2.0f}));
+    Layer layer;
+    add_marking(layer, kView, s.built.world, {.bodies = {seen}});
+    CHECK(layer.boxes.size() == 4);
+    layer.clear();
+    add_marking(layer, kView, s.built.world, {.regions = {{DVec2{90.0, 45.0}, {95.0, 45.0}, {95.0, 48.0}, {90.0, 48.0}}}});
+    REQUIRE(layer.boxes.size() == 4);
+    CHECK(layer.boxes[0].x == doctest::Approx(-75.0));  // the lower edge, from -10 m to -5 m of the middle
+    CHECK(layer.boxes[0].y == doctest::Approx(-50.0));
+    layer.clear();
+    add_marking(layer, kView, s.built.world, {.bodies = {below}});
+    REQUIRE(layer.boxes.size() == 3);
+    CHECK(layer.boxes[0].y < -140.0f);  // near the lower edge, 180 pixels below the middle
+    CHECK(layer.boxes[0].axis_y == doctest::Approx(-1.0));
 }

@@ -10,6 +10,17 @@
 
 namespace tumble {
 
+// The geometry that would make the shape.
+inline ShapeGeometry geometry_of(const Shape& shape) {
+    const double radius = double{shape.radius()};
+    std::vector<DVec2> vertices;
+    for (int i = 0; i < shape.vertex_count(); ++i) vertices.push_back(DVec2(shape.vertex(i)));
+    if (vertices.size() == 1) return CircleGeometry{radius, vertices[0]};
+    if (vertices.size() == 2 && radius > 0.0) return CapsuleGeometry{vertices[0], vertices[1], radius};
+    if (vertices.size() == 2) return SegmentGeometry{vertices[0], vertices[1]};
+    return PolygonGeometry{vertices, radius};
+}
+
 struct HandMadeScene {
     Scene scene;
     SceneWorld built;
@@ -18,7 +29,9 @@ struct HandMadeScene {
         SceneBody body;
         body.name = name;
         body.type = type;
-        body.shapes.resize(shapes.size());
+        body.position = position;
+        body.angle = degrees;
+        for (const Shape& shape : shapes) body.shapes.push_back({geometry_of(shape), "", ""});
         scene.bodies.push_back(body);
         BodyDef def;
         def.type = type;

@@ -112,3 +112,15 @@ TEST_CASE("each built shape finds the material of the scene's shape it came from
         CHECK(paints[i].outline == outline_of(expected[i]));
     }
 }
+
+TEST_CASE("the same body of several copies of a part looks the same") {
+    Scene scene;
+    scene.bodies = {body("left/arm", BodyType::dynamic_body, {circle()}),
+                    body("left/hand", BodyType::dynamic_body, {circle()}),
+                    body("right/arm", BodyType::dynamic_body, {circle()}),
+                    body("right/inner/hand_2", BodyType::dynamic_body, {circle()})};
+    const Palette palette(scene);
+    CHECK(fill_of(palette, 0) == fill_of(palette, 2));
+    CHECK(fill_of(palette, 1) == fill_of(palette, 3));
+    CHECK(fill_of(palette, 0) != fill_of(palette, 1));
+}

@@ -33,3 +33,14 @@ TEST_CASE("the example of format 1 is read in full") {
     CHECK(scene.expect[2].inside.value().second == DVec2(1, 2));
     CHECK(scene.custom == R"({"author": "anything a user wants to keep; also on bodies, shapes and joints"})");
 }
+
+TEST_CASE("a camera may follow a body that the timeline makes, or a copy of one that it makes again and again") {
+    const auto follows = [](const std::string& name) {
+        return parse_scene(R"({"format": 1, "camera": {"follow": ")" + name + R"("}, "timeline": [
+            {"at": 1, "spawn": {"name": "late", "shapes": [{"circle": {"radius": 1}}]}},
+            {"every": 1, "spawn": {"name": "drop", "shapes": [{"circle": {"radius": 1}}]}}]})", "follow.json");
+    };
+    CHECK(follows("late").camera.follow == "late");
+    CHECK(follows("drop[3]").camera.follow == "drop[3]");
+    CHECK_THROWS_AS(follows("nobody"), SceneError);
+}

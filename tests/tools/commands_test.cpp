@@ -87,6 +87,16 @@ TEST_CASE("every shipped scene is valid and has a description") {
     }
 }
 
+TEST_CASE("demo prints a scene to start from, in one piece, and runs one into a folder that it does not own") {
+    const Folder folder;
+    CHECK(run_tumble({"demo", "see_saw", "--print"}).out == tumble::test::read_text(TUMBLE_SOURCE_DIR "/scenes/see_saw.json"));
+    const std::string convoy = folder.write("convoy.json", run_tumble({"demo", "convoy", "--print"}).out);
+    CHECK(run_tumble({"validate", convoy}).code == 0);
+    CHECK(json::parse(run_tumble({"demo", "see_saw", "--print", "--json"}).out)["name"] == "see_saw");
+    CHECK(run_tumble({"demo", "no_such_scene", "--print"}).code == 2);
+    CHECK(run_tumble({"demo", "pendulum", "-o", folder.path().string()}).code == 4);  // not empty
+}
+
 TEST_CASE("schema prints the published schema") {
     const Answer answer = run_tumble({"schema"});
     CHECK(answer.code == 0);

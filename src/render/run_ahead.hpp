@@ -1,0 +1,22 @@
+// Where the bodies of a scene will go, found by running it: what a camera should have in view is not known before.
+#pragma once
+
+#include <vector>
+
+#include "render/box.hpp"
+#include "tumble/scene.hpp"
+
+namespace tumble::render {
+
+// The boxes that a body covers where it begins, and in all of the run that was looked at.
+struct BodyWay {
+    Box first;
+    Box all;
+};
+
+// The ways of all bodies that are not static, those that the timeline makes included. Runs to the scene's end, or for as
+// many steps as its bodies leave of a fixed number of steps of one body: some 50 ms at most, and the same for every
+// frame and machine. What cannot be run further is looked at until then.
+std::vector<BodyWay> run_ahead(const Scene& scene);
+
+}  // namespace tumble::render
