@@ -86,13 +86,37 @@ public:
         }
     }
 
-    // Loads go down from body to body, sinking adds up from the ground.
+    // The worst of all piles, and which other kinds of bodies top one that sags.
     void check_stacks() {
         if (!(length(up_) > 0.0)) return;
-        struct Support {
-            std::size_t body = 0;
-            double stiffness = 0.0;
-        };
+        const Sinking sinking = find_sinking();
+        const std::vector<int> pile = built_.world.islands();
+        std::map<int, std::size_t> worst;  // of each pile
+        for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
+            if (!is_dynamic(i) || !(sinking.sunk[i] > kVisibleSag * extent_of(i))) continue;
+            const auto [found, is_new] = worst.try_emplace(pile[i], i);
+            if (!is_new && sinking.sunk[i] > sinking.sunk[found->second]) found->second = i;
+        }
+        std::vector<std::size_t> tops;
+        for (const auto& [number, i] : worst) tops.push_back(i);
+        std::ranges::stable_sort(tops, std::ranges::greater{}, [&](std::size_t i) { return sinking.sunk[i]; });
+        if (!tops.empty()) warn_of_sinking(tops, sinking);
+    }
+
+private:
+    struct Support {
+        std::size_t body = 0;
+        double stiffness = 0.0;  // N/m
+    };
+
+    // [built bodies]
+    struct Sinking {
+        std::vector<double> sunk;          // m
+        std::vector<std::size_t> softest;  // what gives way most below a body
+    };
+
+    // Loads go down from body to body, sinking adds up from the ground.
+    Sinking find_sinking() const {
         std::vector<std::vector<Support>> below(built_.bodies.size());
         for (const Touch& touch : touches_) {
             const double rise = dot(touch.normal, up_) / length(up_);
@@ -102,34 +126,39 @@ public:
         std::vector<std::size_t> upwards(built_.bodies.size());
         std::iota(upwards.begin(), upwards.end(), std::size_t{0});
         std::ranges::stable_sort(upwards, {}, [this](std::size_t i) { return height(i); });
-        std::vector<double> load(built_.bodies.size()), sunk(built_.bodies.size());  // N; m
-        std::vector<std::size_t> softest(built_.bodies.size());                      // what gives way most below a body
+        std::vector<double> load(built_.bodies.size());  // N
+        Sinking result{std::vector<double>(load.size()), std::vector<std::size_t>(load.size())};
         for (std::size_t k = upwards.size(); k-- > 0;) {
             const std::size_t i = upwards[k];
             if (!is_dynamic(i)) continue;
             load[i] += mass(i) * length(up_);
             for (const Support& under : below[i]) load[under.body] += load[i] / static_cast<double>(below[i].size());
         }
-        std::size_t worst = upwards.size();
         for (const std::size_t i : upwards) {
             if (!is_dynamic(i)) continue;
             const double share = load[i] / static_cast<double>(below[i].size());
             for (const Support& under : below[i]) {
-                const double with_it = sunk[under.body] + double{limits_.sag_part} * share / under.stiffness;
-                if (with_it > sunk[i]) softest[i] = under.body;
-                sunk[i] = std::max(sunk[i], with_it);
+                const double with_it = result.sunk[under.body] + double{limits_.sag_part} * share / under.stiffness;
+                if (with_it > result.sunk[i]) result.softest[i] = under.body;
+                result.sunk[i] = std::max(result.sunk[i], with_it);
             }
-            const bool is_visible = sunk[i] > kVisibleSag * extent_of(i);
-            if (is_visible && (worst == upwards.size() || sunk[i] > sunk[worst])) worst = i;
         }
-        if (worst == upwards.size()) return;
-        const bool is_crushed = sunk[worst] > extent_of(worst);
-        warn(worst, "what " + name(worst) + " stands on (" + name(softest[worst]) + ") will sink by " +
-                        (is_crushed ? "more than its size" : "about " + brief(sunk[worst]) + " m") + " under its weight",
-             "contacts give a little each: fewer or lighter bodies on top of each other, or lower gravity");
+        return result;
     }
 
-private:
+    // Of the worst in each pile, the worst of them first.
+    void warn_of_sinking(const std::vector<std::size_t>& tops, const Sinking& sinking) {
+        const auto depth = [&](std::size_t i) {
+            return sinking.sunk[i] > extent_of(i) ? "more than its size" : "about " + brief(sinking.sunk[i]) + " m";
+        };
+        const std::size_t worst = tops.front();
+        std::string text = "what " + name(worst) + " stands on (" + name(sinking.softest[worst]) + ") will sink by " + depth(worst) + " under its weight";
+        std::set<std::size_t> said{source(worst)};
+        for (const std::size_t i : tops)
+            if (said.insert(source(i)).second) text += ", what " + name(i) + " stands on by " + depth(i);
+        warn(worst, text, "contacts give a little each: fewer or lighter bodies on top of each other, or lower gravity");
+    }
+
     void warn(std::size_t body, const std::string& message, const std::string& hint) {
         diagnostics_.warning("/bodies/" + std::to_string(source(body)), message, hint);
     }

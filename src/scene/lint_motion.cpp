@@ -16,7 +16,7 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kRadians = kPi / 180.0;
+constexpr double kDegree = kPi / 180.0;
 constexpr double kMostTurn = 0.25 * kPi;  // in a step, of bodies that may not turn faster
 
 double thickness_of(const SceneBody& body) {
@@ -109,7 +109,7 @@ private:
         const auto driven = std::ranges::find(built_.bodies, id, &SceneInstance::id);
         const SceneBody& body = scene_.bodies[driven->source];
         const double rate = scene_.world.steps_per_second, thickness = thickness_of(body);
-        const double turn = std::min(std::abs(speed) * kRadians / rate, body.allow_fast_rotation ? HUGE_VAL : kMostTurn);
+        const double turn = std::min(std::abs(speed) * kDegree / rate, body.allow_fast_rotation ? HUGE_VAL : kMostTurn);
         const double way = turns ? turn * reach_of(body, anchor) : std::abs(speed) / rate;
         if (!(way > thickness) || !may_pass(body, 1)) return;
         const std::string name = display_name(built_, id);

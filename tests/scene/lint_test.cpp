@@ -179,6 +179,11 @@ TEST_CASE("a stack is said to sink by half of what the contact springs would giv
         warning_of(kGround + R"({"name": "box", "position": [0, 0.5], "repeat": {"grid": {"rows": 20}}, "shapes": [{"box": {"size": [1, 1]}}]})");
     CHECK(stack.pointer == "/bodies/1");
     CHECK(says(stack, "'box[19]' stands on ('box[18]') will sink by about 0.0677 m"));
+    // Other piles are named too, of those that are alike one.
+    const auto pile = [](const std::string& name, const std::string& at) {
+        return R"(, {"name": ")" + name + R"(", "position": [)" + at + R"(, 0.5], "repeat": {"grid": {"columns": 2, "rows": 20, "spacing": [3, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]})";
+    };
+    CHECK(says(warning_of(kGround.substr(0, kGround.rfind(',')) + pile("a", "0") + pile("b", "9")), "by about 0.0677 m under its weight, what 'b[38]' stands on by about 0.0677 m"));
     // 1 kg on a feather of 2.5 g: 400 times its load.
     const std::string feather = R"({"name": "feather", "position": [0, 0.25], "shapes": [{"box": {"size": [0.5, 0.5]}, "material": "f"}]}, )";
     const std::vector<Diagnostic> crushed = warnings_of(kGround + feather + R"({"name": "anvil", "position": [0, 1], "shapes": [{"box": {"size": [1, 1]}, "material": "a"}]})",
