@@ -98,7 +98,8 @@ void add_demo(CLI::App& app, Command& command) {
     demo.add_option("NAME", options->name, "The scene")->capture_default_str();
     demo.add_flag("--list", options->list, "List the shipped scenes");
     demo.add_flag("--print", options->print, "Print the scene's file in place of running it: one to start from");
-    demo.add_option("-o,--output", options->folder, "Folder for the frames; left out: one that the demo replaces")->type_name("DIR");
+    demo.add_option("-o,--output", options->folder, "Folder for the frames; left out: one that the demo replaces")
+        ->type_name("DIR");
     demo.add_flag("--force", options->force, "Replace what is in that folder");
     demo.callback([&command, options] {
         command.action = [&command, options] {

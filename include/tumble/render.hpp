@@ -38,8 +38,8 @@ struct Camera {
 // The scene's own camera. What it leaves open is chosen so that there is in view, with a margin: every body that moves
 // where it begins, also those that the timeline makes; their ways, but for bodies that go farther than a frame three
 // times as high; the ground below them; and of what never moves all, or as far as it is near. To know the ways the scene
-// is run ahead, for some 50 ms at most. A camera that follows a body is five times as high as the body's larger side. To
-// be made from a world that was not stepped yet.
+// is run ahead, for some 0.1 s at most, unless it has thousands of bodies. A camera that follows a body is five times as
+// high as the body's larger side. To be made from a world that was not stepped yet.
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio);
 
 // The camera where the body it follows is now: it begins to follow a body that the timeline makes in the first state

@@ -45,8 +45,9 @@ Camera camera_following(const Scene& scene, const World& world, BodyId body) {
 
 // What is left open is fitted to the world, and to where its bodies go.
 Camera camera_at_rest(const Scene& scene, const SceneWorld& world, double aspect_ratio) {
-    const bool is_open = !scene.camera.center || !scene.camera.height;
-    const render::Box box = is_open ? render::interesting_box(world.world, render::run_ahead(scene), aspect_ratio) : render::Box{};
+    render::Box box;
+    if (!scene.camera.center || !scene.camera.height)
+        box = render::interesting_box(world.world, render::run_ahead(scene), aspect_ratio);
     Camera camera;
     camera.center = scene.camera.center.value_or(box.is_empty() ? DVec2{} : box.center());
     camera.height = height_or(scene, box.is_empty() ? 0.0 : kMargin * height_about(camera.center, box, aspect_ratio));

@@ -119,7 +119,8 @@ Box interesting_box(const World& world, const std::vector<BodyWay>& ways, double
     const Box start = shown_box(moving, fixtures, falls, aspect_ratio);
     if (start.is_empty() || ways.empty()) return start;
     const double reach = 0.5 * kRoomForWays * height_for(start.size(), aspect_ratio);
-    const Box farthest{start.center() - DVec2{aspect_ratio * reach, reach}, start.center() + DVec2{aspect_ratio * reach, reach}};
+    const DVec2 half{aspect_ratio * reach, reach};
+    const Box farthest{start.center() - half, start.center() + half};
     for (const BodyWay& way : ways)
         if (farthest.holds(way.all)) moving.add(way.all);
     return shown_box(moving, fixtures, falls, aspect_ratio);

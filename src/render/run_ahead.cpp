@@ -8,8 +8,9 @@
 namespace tumble::render {
 namespace {
 
-constexpr std::size_t kMostBodySteps = 100000;
-constexpr std::uint64_t kStride = 4;  // steps from one look to the next
+constexpr std::size_t kMostBodySteps = 50000;  // 0.06 s
+constexpr std::size_t kMostBodies = 2500;      // of more, too few steps would be seen to be worth making their world
+constexpr std::uint64_t kStride = 4;           // steps from one look to the next
 
 // Adds what the bodies cover now. Bodies are looked at by their place in SceneWorld::bodies, which stays.
 void look(const SceneWorld& built, std::vector<BodyWay>& ways) {
@@ -40,6 +41,7 @@ void run(const Scene& scene, std::vector<BodyWay>& ways) {
 
 std::vector<BodyWay> run_ahead(const Scene& scene) {
     std::vector<BodyWay> ways;
+    if (count_bodies(scene) > kMostBodies) return ways;
     try {
         run(scene, ways);
     } catch (const SceneError&) {          // of a body that the world refuses when it is made,

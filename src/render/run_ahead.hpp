@@ -15,8 +15,8 @@ struct BodyWay {
 };
 
 // The ways of all bodies that are not static, those that the timeline makes included. Runs to the scene's end, or for as
-// many steps as its bodies leave of a fixed number of steps of one body: some 50 ms at most, and the same for every
-// frame and machine. What cannot be run further is looked at until then.
+// many steps as its bodies leave of a fixed number of steps of one body: the same for every frame and machine. What cannot
+// be run further is looked at until then; a scene of thousands of bodies is not run, and has no ways.
 std::vector<BodyWay> run_ahead(const Scene& scene);
 
 }  // namespace tumble::render
