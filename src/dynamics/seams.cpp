@@ -61,11 +61,11 @@ void drop(Contact& contact) {
 }
 
 bool is_ground(const Simulation& simulation, std::uint32_t body, std::uint32_t shape) {
-    return simulation.bodies.frames[body].type == BodyType::static_body && !simulation.shapes[shape].link;
+    return !simulation.bodies.is_dynamic(body) && !simulation.shapes[shape].link;
 }
 
 void find_footings(Simulation& simulation) {
-    std::vector<StaticContact>& found = simulation.footings;
+    std::vector<GroundContact>& found = simulation.footings;
     found.clear();
     const std::vector<Contact>& contacts = simulation.contacts.all();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -94,7 +94,7 @@ void drop_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint
 
 void smooth_seams(Simulation& simulation) {
     find_footings(simulation);
-    const std::vector<StaticContact>& found = simulation.footings;
+    const std::vector<GroundContact>& found = simulation.footings;
     for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
         while (last < found.size() && found[last].moving_shape == found[first].moving_shape) ++last;
         for (std::size_t i = first; i < last; ++i)

@@ -53,12 +53,12 @@ struct CollisionCounts {
     std::int64_t iterations = 0;
 };
 
-// A contact of a moving shape with a static one that is no part of a chain.
-struct StaticContact {
+// A contact of a dynamic shape with one that is not and is no part of a chain.
+struct GroundContact {
     std::uint32_t moving_shape = 0;
     std::uint32_t contact = 0;  // index
 
-    friend constexpr auto operator<=>(StaticContact, StaticContact) = default;
+    friend constexpr auto operator<=>(GroundContact, GroundContact) = default;
 };
 
 // A body that moves fast enough in this step to be swept.
@@ -98,12 +98,13 @@ struct Simulation {
     std::vector<std::uint32_t> island_of_root;  // by solver body
     std::vector<JointId> sleeping_joints;
 
-    std::vector<StaticContact> footings;  // of the stage that smooths seams, likewise
+    std::vector<GroundContact> footings;  // of the stage that smooths seams, likewise
 
     // Of continuous collision, likewise.
     std::vector<Mover> movers;
     std::vector<std::uint32_t> near_shapes;
     std::vector<ProxyPair> impacts;  // of this step: pairs whose shapes have met on the way, sorted
+    std::vector<ProxyPair> sensor_passes;  // of this step: sensors near the way of a mover; in the end those that it met
 
     // False once one of the shapes is gone, for good or because its body is disabled.
     bool is_live(ProxyPair pair) const { return shapes[pair.a].is_placed && shapes[pair.b].is_placed; }
