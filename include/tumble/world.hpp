@@ -108,6 +108,10 @@ public:
     // Of the centre of mass. What is locked stays 0. Static and disabled bodies have none to set: they are refused.
     void set_velocity(BodyId id, Vec2 velocity, float angular_velocity);
 
+    // Gives a body the velocity with which it is at a pose after the next step, if nothing is in its way: for platforms and
+    // hands that follow a path. The shorter turn; stop it by set_velocity() once it is there.
+    void move_towards(BodyId id, const Pose& pose);
+
     // Another type: a body that becomes static stops, and what leant on it wakes. Forces of the next step are gone.
     void set_type(BodyId id, BodyType type);
 
@@ -137,8 +141,10 @@ public:
     // A force (N, world axes) at a world point and a torque (N m), during the next step only; an impulse (N s) and an
     // angular impulse (N m s) at once. They act on dynamic bodies, with the mass of the moment, and do nothing to others.
     void apply_force(BodyId id, Vec2 force, DVec2 point);
+    void apply_force(BodyId id, Vec2 force);  // at the centre of mass
     void apply_torque(BodyId id, float torque);
     void apply_impulse(BodyId id, Vec2 impulse, DVec2 point);
+    void apply_impulse(BodyId id, Vec2 impulse);  // at the centre of mass
     void apply_angular_impulse(BodyId id, float impulse);
 
     // False for a dynamic body that sleeps; others are never asleep. Putting one to sleep stops its whole island, also
@@ -155,6 +161,7 @@ public:
     // are joined, awake or asleep. -1 for bodies that have none. Computed on the call: O(bodies + contacts).
     std::vector<int> islands() const;
     std::span<const JointId> joints() const noexcept;
+    std::span<const JointId> joints(BodyId id) const;  // in the order they were created
     std::span<const ShapeId> shapes(BodyId id) const;
     const Shape& shape(ShapeId id) const;
     const SurfaceMaterial& material(ShapeId id) const;
@@ -202,6 +209,7 @@ public:
     // Contact points of the last step, in order of shape ids: gaps and normals as the step found them, points
     // carried along with A, impulses summed over the step. Computed on the call: O(contacts).
     std::vector<ContactPoint> contacts() const;
+    std::vector<ContactPoint> contacts(BodyId id) const;  // those of one body
 
     // The pairs that the last step asked the narrow phase about, in order of shape ids: not those of sleeping bodies.
     // Computed on the call: O(pairs).

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dynamics/integrate.hpp"
+
 namespace tumble {
 
 namespace {
@@ -22,12 +24,15 @@ ContactPoint report_point(const Simulation& simulation, const Contact& contact, 
     return point;
 }
 
-// All contacts of live shapes, awake or asleep.
-std::vector<const Contact*> sorted_contacts(const Simulation& simulation) {
+// All contacts of live shapes, awake or asleep, that have points: of one body, or with kNoBody of all.
+std::vector<const Contact*> sorted_contacts(const Simulation& simulation, std::uint32_t body) {
     std::vector<const Contact*> found;
     const auto add = [&](const std::vector<Contact>& contacts) {
-        for (const Contact& contact : contacts)
-            if (simulation.is_live(contact.shapes)) found.push_back(&contact);
+        for (const Contact& contact : contacts) {
+            const bool is_asked = body == kNoBody || contact.body_a == body || contact.body_b == body;
+            if (is_asked && contact.manifold.point_count > 0 && simulation.is_live(contact.shapes))
+                found.push_back(&contact);
+        }
     };
     add(simulation.contacts.all());
     add(simulation.contacts.woken());
@@ -38,9 +43,9 @@ std::vector<const Contact*> sorted_contacts(const Simulation& simulation) {
 
 }  // namespace
 
-std::vector<ContactPoint> report_contacts(const Simulation& simulation) {
+std::vector<ContactPoint> report_contacts(const Simulation& simulation, std::uint32_t body) {
     std::vector<ContactPoint> points;
-    for (const Contact* contact : sorted_contacts(simulation))
+    for (const Contact* contact : sorted_contacts(simulation, body))
         for (int i = 0; i < contact->manifold.point_count; ++i) points.push_back(report_point(simulation, *contact, i));
     return points;
 }

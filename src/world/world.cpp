@@ -271,6 +271,11 @@ std::span<const JointId> World::joints() const noexcept {
     return impl_->simulation.joints.ids.live();
 }
 
+std::span<const JointId> World::joints(BodyId id) const {
+    impl_->require(id);
+    return impl_->simulation.bodies.records[id.index].joints;
+}
+
 std::span<const ShapeId> World::shapes(BodyId id) const {
     impl_->require(id);
     return impl_->simulation.bodies.records[id.index].shapes;
@@ -333,7 +338,12 @@ const StepEvents& World::events() const noexcept {
 }
 
 std::vector<ContactPoint> World::contacts() const {
-    return report_contacts(impl_->simulation);
+    return report_contacts(impl_->simulation, kNoBody);
+}
+
+std::vector<ContactPoint> World::contacts(BodyId id) const {
+    impl_->require(id);
+    return report_contacts(impl_->simulation, id.index);
 }
 
 std::vector<ShapePair> World::candidate_pairs() const {

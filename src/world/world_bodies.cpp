@@ -181,6 +181,27 @@ void World::set_velocity(BodyId id, Vec2 velocity, float angular_velocity) {
     impl_->touch_shapes(id);
 }
 
+void World::move_towards(BodyId id, const Pose& pose) {
+    impl_->require(id);
+    check_pose(pose, "body");
+    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
+    const DVec2 way = transform_point(pose, impl_->simulation.bodies.records[id.index].mass.center) - frame.center;
+    const Rotation from = frame.pose.rotation, to = pose.rotation;
+    const double turn = arc_tangent(cross(Vec2{from.c, from.s}, Vec2{to.c, to.s}), dot(Vec2{from.c, from.s}, Vec2{to.c, to.s}));
+    const double rate = double{impl_->def.steps_per_second};
+    set_velocity(id, to_float(rate * way), static_cast<float>(rate * turn));
+}
+
+void World::apply_force(BodyId id, Vec2 force) {
+    impl_->require(id);
+    apply_force(id, force, impl_->simulation.bodies.frames[id.index].center);
+}
+
+void World::apply_impulse(BodyId id, Vec2 impulse) {
+    impl_->require(id);
+    apply_impulse(id, impulse, impl_->simulation.bodies.frames[id.index].center);
+}
+
 void World::apply_force(BodyId id, Vec2 force, DVec2 point) {
     impl_->require(id);
     check_action(force, "force");

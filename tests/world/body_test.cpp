@@ -371,3 +371,54 @@ TEST_CASE("what cannot be is refused and changes nothing") {
     CHECK_THROWS_AS(world.remove_shape(ShapeId{99, 0}), std::invalid_argument);
     CHECK(world.save() == before);
 }
+
+TEST_CASE("a push at the centre of mass turns nothing") {
+    World world = weightless();
+    BodyDef def;
+    def.pose = {{3.0, 4.0}, make_rotation(0.5)};
+    const BodyId body = world.create_body(def);
+    world.add_shape(body, {.shape = make_box({1.0f, 1.0f}, 0.0f, {2.0f, 1.0f})});
+    world.apply_impulse(body, {2.0f, -1.0f});
+    world.apply_force(body, {60.0f, 0.0f});
+    world.step();
+    CHECK(world.state(body).angular_velocity == 0.0f);
+    CHECK(std::abs(world.state(body).velocity.x - 3.0f) < 1e-5f);  // 1 kg: 2 m/s and 60 N for 1/60 s
+    CHECK(world.state(body).velocity.y == -1.0f);
+}
+
+TEST_CASE("a body that is moved towards a pose is there after a step, by the shorter turn") {
+    for (const BodyType type : {BodyType::kinematic_body, BodyType::dynamic_body}) {
+        World world = weightless();
+        const BodyId body = add_body(world, type, {1.0, 2.0}, make_box({1.0f, 1.0f}, 0.0f, {0.5f, 0.0f}), {}, 3.0);
+        const Pose target{{1.1, 1.8}, make_rotation(-3.0)};  // 0.283 rad farther, through half a turn
+        world.move_towards(body, target);
+        CHECK(std::abs(world.state(body).angular_velocity - 60.0 * (2.0 * kPi - 6.0)) < 1e-3);
+        world.step();
+        const Pose now = world.state(body).pose;
+        CHECK(length(now.position - target.position) < 1e-5);
+        CHECK(std::abs(angle(now.rotation) + 3.0) < 1e-4);  // a small turn of the sub-steps has an error of the third order
+    }
+    World world;
+    CHECK_THROWS_AS(world.move_towards(add_floor(world), Pose{}), std::invalid_argument);
+}
+
+TEST_CASE("a body knows its joints and its contacts") {
+    World world;
+    const BodyId floor = add_floor(world);
+    const BodyId lower = add_dynamic(world, {0.0, 0.5}, kBox), upper = add_dynamic(world, {0.0, 1.5}, kBox);
+    const BodyId apart = add_dynamic(world, {5.0, 0.5}, kBox);
+    const JointId first = world.create_joint(MouseJointDef{.body_a = floor, .body_b = lower});
+    const JointId second = world.create_joint(MouseJointDef{.body_a = lower, .body_b = apart});
+    CHECK(std::vector<JointId>(world.joints(lower).begin(), world.joints(lower).end()) == std::vector{first, second});
+    CHECK(world.joints(upper).empty());
+    world.step();
+    CHECK(world.contacts().size() == 6);
+    CHECK(world.contacts(floor).size() == 4);
+    CHECK(world.contacts(lower).size() == 4);
+    REQUIRE(world.contacts(upper).size() == 2);
+    for (const ContactPoint& point : world.contacts(upper)) CHECK(point.body_a == lower);
+    world.destroy_body(upper);
+    CHECK(world.contacts(lower).size() == 2);
+    CHECK_THROWS_AS(world.contacts(upper), std::invalid_argument);
+    CHECK_THROWS_AS(world.joints(upper), std::invalid_argument);
+}
