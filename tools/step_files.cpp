@@ -104,14 +104,16 @@ void EventsFile::record(const SceneWorld& built) {
     append_number(step_, static_cast<double>(world.step_count()) / world.def().steps_per_second);
     step_ += ',';
     lines_.clear();
-    for (const ContactBegin& begin : events.contact_begins) {
-        lines_ += step_ + "contact_begin," + names_[begin.shape_a] + "," + names_[begin.shape_b];
-        for (const double number : {begin.point.x, begin.point.y}) append_cell(lines_, number);
-        for (const float number : {begin.normal.x, begin.normal.y, begin.approach_speed}) append_cell(lines_, number);
+    const auto add_meeting = [this](const char* event, const auto& meeting) {
+        lines_ += step_ + event + "," + names_[meeting.shape_a] + "," + names_[meeting.shape_b];
+        for (const double number : {meeting.point.x, meeting.point.y}) append_cell(lines_, number);
+        for (const float number : {meeting.normal.x, meeting.normal.y, meeting.approach_speed}) append_cell(lines_, number);
         lines_ += '\n';
-    }
+    };
+    for (const ContactBegin& begin : events.contact_begins) add_meeting("contact_begin", begin);
     for (const ContactEnd& end : events.contact_ends)
         add("contact_end", names_[end.shape_a], names_[end.shape_b]);
+    for (const ContactHit& hit : events.contact_hits) add_meeting("contact_hit", hit);
     for (const SensorEvent& event : events.sensor_begins)
         add("sensor_begin", names_[event.sensor], names_[event.visitor]);
     for (const SensorEvent& event : events.sensor_ends)

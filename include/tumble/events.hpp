@@ -8,8 +8,7 @@
 
 namespace tumble {
 
-// Two shapes began to touch: their surfaces met, or an impulse was needed to keep them apart. A hit is one with a high
-// approach speed.
+// Two shapes began to touch: their surfaces met, or an impulse was needed to keep them apart.
 struct ContactBegin {
     ShapeId shape_a;
     ShapeId shape_b;
@@ -17,6 +16,17 @@ struct ContactBegin {
     Vec2 normal;  // from A to B
     float approach_speed =
         0.0f;  // at the point, before anything stopped it, m/s; negative if they were parting already
+};
+
+// A point was struck, to be heard or to do damage: it bears a load that it did not bear before, and was approached at 1 m/s
+// or more (times the root of WorldDef::scale). As two shapes begin to touch, or later: a plank that falls over its one
+// end hits with the other. A contact has one at most in a step, and none in the step after.
+struct ContactHit {
+    ShapeId shape_a;
+    ShapeId shape_b;
+    DVec2 point;  // as of ContactBegin
+    Vec2 normal;
+    float approach_speed = 0.0f;
 };
 
 // They touch no more, or one of them was destroyed: its id is stale then.
@@ -27,7 +37,8 @@ struct ContactEnd {
     friend constexpr auto operator<=>(const ContactEnd&, const ContactEnd&) = default;
 };
 
-// A shape entered or left a sensor. Either may have been destroyed if it left.
+// A shape entered or left a sensor. Either may have been destroyed if it left. A dynamic body that continuous collision
+// sweeps, as it moves by more than half its size in a step, may pass a sensor within one: it enters and leaves in that step.
 struct SensorEvent {
     ShapeId sensor;
     ShapeId visitor;
@@ -38,6 +49,7 @@ struct SensorEvent {
 struct StepEvents {
     std::vector<ContactBegin> contact_begins;
     std::vector<ContactEnd> contact_ends;
+    std::vector<ContactHit> contact_hits;
     std::vector<SensorEvent> sensor_begins;
     std::vector<SensorEvent> sensor_ends;
     std::vector<JointId> broken_joints;  // their ids are stale now

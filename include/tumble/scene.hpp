@@ -228,7 +228,7 @@ struct SceneEvent {
 // When a claim of a state must hold: in the last state, in all of them, or in one.
 enum class SceneMoment { end, always, sometime };
 
-enum class SceneEventKind { contact_begin, contact_end, sensor_begin, sensor_end, joint_broke, fell_asleep };
+enum class SceneEventKind { contact_begin, contact_end, contact_hit, sensor_begin, sensor_end, joint_broke, fell_asleep };
 
 using SceneBox = std::pair<DVec2, DVec2>;  // lower left and upper right corner, m
 

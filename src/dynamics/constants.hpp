@@ -53,6 +53,9 @@ inline constexpr float kSpringHertzPerSubstep = 0.15f;
 // gravity is read as an approach. Higher: slow bounces stick.
 inline constexpr float kRestitutionThreshold = 1.0f;
 
+// Approach speed from which a meeting is a hit, m/s. Lower: what rests and rocks is heard. Higher: what falls by 5 cm is not.
+inline constexpr float kHitSpeed = 1.0f;
+
 // Contacts begin at this gap (m; part of the smaller extent): bodies are stopped before they touch, not pushed out
 // afterwards. Larger: ghost contacts at corners that would be missed. Smaller: impacts sink in first.
 inline constexpr float kSpeculativeDistance = 0.02f;
@@ -107,6 +110,7 @@ struct Tuning {
     float max_aabb_margin = kAabbMargin;
     float push_out_speed = kPushOutSpeed;
     float restitution_threshold = kRestitutionThreshold;
+    float hit_speed = kHitSpeed;
     float sleep_speed = kSleepSpeed;
     float max_speed = kMaxSpeed;
     float contact_hertz = kContactHertz;
@@ -125,6 +129,7 @@ inline Tuning make_tuning(float scale) {
             .max_aabb_margin = scale * kAabbMargin,
             .push_out_speed = root * kPushOutSpeed,
             .restitution_threshold = root * kRestitutionThreshold,
+            .hit_speed = root * kHitSpeed,
             .sleep_speed = root * kSleepSpeed,
             .max_speed = root * kMaxSpeed,
             .contact_hertz = inverse * kContactHertz,

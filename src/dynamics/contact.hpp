@@ -21,7 +21,7 @@ struct PointImpulse {
 // What a pair of shapes is to the world: solid, or one of them a sensor that only notices the other.
 enum class ContactKind : std::uint8_t { solid, sensor_a, sensor_b };
 
-// How two shapes meet that did not touch before.
+// How two shapes meet at a point where they did not before.
 struct Approach {
     DVec2 point;         // world, at the start of the step
     float speed = 0.0f;  // m/s, positive if they near each other
@@ -40,7 +40,9 @@ struct Contact {
     bool is_new = true;           // not collided since it was found or woke
     bool is_touching = false;     // in this step: surfaces met, or an impulse kept them apart
     bool was_touching = false;    // when events were last reported
-    Approach approach;            // while it was not touching
+    std::int8_t watched = -1;     // the point that may be struck: the deepest, or of who touched one that bore nothing
+    bool was_hit = false;         // a hit was reported in the last step
+    Approach approach;            // of the watched point
     ManifoldReference reference;  // the last full collision
     SimplexCache cache;
     // Of the pair, mixed once when it is found.
@@ -55,9 +57,9 @@ struct Contact {
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
         visit(self.shapes, self.body_a, self.body_b, self.manifold, self.impulses, self.applied, self.rolling_impulse,
-              self.kind, self.came_from, self.is_new, self.is_touching, self.was_touching, self.approach,
-              self.reference, self.cache, self.speculative_distance, self.radius_a, self.radius_b, self.friction,
-              self.restitution, self.rolling_resistance, self.tangent_speed);
+              self.kind, self.came_from, self.is_new, self.is_touching, self.was_touching, self.watched, self.was_hit,
+              self.approach, self.reference, self.cache, self.speculative_distance, self.radius_a, self.radius_b,
+              self.friction, self.restitution, self.rolling_resistance, self.tangent_speed);
     }
 };
 

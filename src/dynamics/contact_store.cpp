@@ -43,6 +43,12 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tun
     return contact;
 }
 
+Contact* ContactStore::find(ProxyPair pair) {
+    const auto found = std::lower_bound(contacts_.begin(), contacts_.end(), pair,
+                                        [](const Contact& contact, ProxyPair key) { return contact.shapes < key; });
+    return found != contacts_.end() && found->shapes == pair ? &*found : nullptr;
+}
+
 void ContactStore::merge_woken() {
     if (woken_.empty()) return;
     std::sort(woken_.begin(), woken_.end(), [](const Contact& a, const Contact& b) { return a.shapes < b.shapes; });
@@ -62,18 +68,29 @@ void carry_impulses_over(Contact& contact, const Manifold& manifold) {
     if (manifold.point_count == 0) contact.rolling_impulse = 0.0f;
 }
 
-const ManifoldPoint& deepest_point(const Manifold& manifold) {
-    const bool second = manifold.point_count > 1 && manifold.points[1].separation < manifold.points[0].separation;
-    return manifold.points[second ? 1 : 0];
+int deepest_point(const Manifold& manifold) {
+    return manifold.point_count > 1 && manifold.points[1].separation < manifold.points[0].separation ? 1 : 0;
+}
+
+// The deepest point of those that bear nothing yet, or -1.
+int idle_point(const Contact& contact) {
+    const int deepest = deepest_point(contact.manifold);
+    if (contact.impulses[deepest].normal == 0.0f) return deepest;
+    const int other = 1 - deepest;
+    return other < contact.manifold.point_count && contact.impulses[other].normal == 0.0f ? other : -1;
 }
 
 // With the velocities of now: before the step changes any, or for an impact those that it leaves.
 void look_at_touch(Contact& contact, const BodyStore& bodies) {
     contact.is_touching = false;
+    contact.watched = -1;
     if (contact.manifold.point_count == 0) return;
-    const ManifoldPoint& point = deepest_point(contact.manifold);
-    contact.is_touching = point.separation <= 0.0f;
-    if (contact.was_touching) return;
+    const int deepest = deepest_point(contact.manifold);
+    contact.is_touching = contact.manifold.points[deepest].separation <= 0.0f;
+    const int watched = contact.was_touching ? idle_point(contact) : deepest;
+    if (watched < 0) return;
+    contact.watched = static_cast<std::int8_t>(watched);
+    const ManifoldPoint& point = contact.manifold.points[watched];
     const BodyFrame& a = bodies.frames[contact.body_a];
     const BodyFrame& b = bodies.frames[contact.body_b];
     const Vec2 velocity_a = velocity_at(bodies.solver_bodies[a.solver_body], point.anchor_a - a.center_offset);

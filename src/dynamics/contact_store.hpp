@@ -33,6 +33,9 @@ public:
     const std::vector<Contact>& woken() const { return woken_; }
     void merge_woken();
 
+    // The contact of a pair among all(), or nullptr.
+    Contact* find(ProxyPair pair);
+
     std::vector<Contact>& woken() { return woken_; }
     std::vector<Contact>& all() { return contacts_; }
     const std::vector<Contact>& all() const { return contacts_; }
@@ -86,7 +89,7 @@ void ContactStore::insert(std::size_t count, PairOf&& pair_of, Make&& make) {
 template <class Keep>
 void ContactStore::keep_if(Keep&& keep) {
     std::size_t kept = 0;
-    for (const Contact& contact : contacts_)
+    for (Contact& contact : contacts_)
         if (keep(contact)) contacts_[kept++] = contact;
     contacts_.resize(kept);
 }

@@ -5,18 +5,11 @@
 #include <cmath>
 
 #include "dynamics/constants.hpp"
-#include "tumble/cast.hpp"
+#include "dynamics/sweeps.hpp"
 
 namespace tumble {
 
 namespace {
-
-Sweep sweep_of(const BodyStore& bodies, std::uint32_t body) {
-    const BodyFrame& frame = bodies.frames[body];
-    const SolverBody& moved = bodies.solver_bodies[frame.solver_body];
-    return {bodies.records[body].mass.center, frame.center, frame.center + DVec2(moved.delta_position),
-            angle(frame.pose.rotation), angle(moved.delta_rotation)};
-}
 
 // The part of a sweep from one fraction to another; equal ones give a body at rest.
 Sweep part_of(const Sweep& sweep, double from, double to) {
@@ -113,8 +106,13 @@ private:
             const Aabb box = box_on_way(simulation_.shapes[own.index].shape, mover.sweep);
             near_.clear();
             simulation_.broad.query(box, [&](std::uint32_t other) { near_.push_back(other); });
-            for (const std::uint32_t other : near_)
-                if (may_touch(simulation_, make_pair_of(own.index, other))) visit(own.index, other);
+            for (const std::uint32_t other : near_) {
+                const ProxyPair pair = make_pair_of(own.index, other);
+                if (may_touch(simulation_, pair))
+                    visit(own.index, other);
+                else if (simulation_.shapes[own.index].is_sensor != simulation_.shapes[other].is_sensor)
+                    simulation_.sensor_passes.push_back(pair);
+            }
         }
     }
 
@@ -225,6 +223,7 @@ private:
 
 void stop_at_impacts(Simulation& simulation) {
     simulation.impacts.clear();
+    simulation.sensor_passes.clear();
     if (simulation.settings.continuous) ImpactFinder(simulation).run();
 }
 

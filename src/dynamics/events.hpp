@@ -12,6 +12,6 @@ void report_events(Simulation& simulation);
 void clear(StepEvents& events);
 
 // A contact is about to be dropped: it ends if it touched, and begins before if it came and went within the step.
-void report_parting(Simulation& simulation, const Contact& contact);
+void report_parting(Simulation& simulation, Contact& contact);
 
 }  // namespace tumble

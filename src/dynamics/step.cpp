@@ -5,6 +5,7 @@
 #include "dynamics/events.hpp"
 #include "dynamics/integrate.hpp"
 #include "dynamics/seams.hpp"
+#include "dynamics/sensor_passes.hpp"
 #include "dynamics/simulation.hpp"
 #include "dynamics/sleep.hpp"
 
@@ -89,6 +90,7 @@ void step(Simulation& simulation) {
     forget_throws(simulation);
     clock.stop(ms.solve);
     stop_at_impacts(simulation);
+    find_sensor_passes(simulation);
     finalize_poses(simulation.bodies, speed_limits(simulation));
     clock.stop(ms.continuous);
     if (find_diverged(simulation.bodies) == kNoBody) {
@@ -139,7 +141,7 @@ void find_pairs(Simulation& simulation) {
     const std::vector<ProxyPair>& new_pairs =
         simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); });
     if (!moved && !simulation.shapes.has_destroyed() && !simulation.filters_changed) return;
-    simulation.contacts.update(new_pairs, simulation.shapes, simulation.settings.tuning, [&](const Contact& contact) {
+    simulation.contacts.update(new_pairs, simulation.shapes, simulation.settings.tuning, [&](Contact& contact) {
         const bool keep = simulation.is_live(contact.shapes) && simulation.broad.overlap(contact.shapes) &&
                           !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
         if (!keep) {

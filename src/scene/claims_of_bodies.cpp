@@ -145,6 +145,7 @@ public:
         b_.update(built);
         const World& world = built.world;
         std::erase_if(touching_, [&](const auto& pair) { return !world.is_valid(pair.first.first) || !world.is_valid(pair.first.second); });
+        met_ = false;
         if (world.step_count() == 0) return;
         const auto add = [&](ShapeId one, ShapeId other, int change) {
             if (!world.is_valid(one) || !world.is_valid(other)) return;
@@ -152,6 +153,7 @@ public:
             if (!(a_.has(p) && b_.has(q)) && !(a_.has(q) && b_.has(p))) return;
             const auto pair = touching_.try_emplace(std::minmax(p, q), 0).first;
             pair->second += change;
+            if (change > 0) met_ = true, who_met_ = pair->first;
             if (pair->second <= 0) touching_.erase(pair);
         };
         const StepEvents& events = world.events();
@@ -164,13 +166,13 @@ public:
     // Of a touch that is missed, the nearest approach decides.
     double excess(const SceneWorld& built) override {
         gap_ = kGone;
-        if (!touching_.empty() == wanted_) return 0.0;
+        if (is_touching() == wanted_) return 0.0;
         if (!wanted_) return 1.0;
         if (a_.members().size() * b_.members().size() <= kMostPairs) measure_gap(built.world);
         return std::max(gap_, std::numeric_limits<double>::min());
     }
     std::string finding(const SceneWorld& built) const override {
-        if (!touching_.empty()) return touching_text(built);
+        if (is_touching()) return touching_text(built);
         if (a_.members().empty() || b_.members().empty()) return "'" + (a_.members().empty() ? a_ : b_).name() + "'" + " is not there";
         return gap_ == kGone ? "they do not touch" : "they are " + brief(gap_) + " m apart";
     }
@@ -184,9 +186,12 @@ private:
                 if (a.id != b.id) gap_ = std::min(gap_, gap_between(world, a.id, b.id));
     }
 
+    // Who meets and parts within a step has touched in it.
+    bool is_touching() const { return met_ || !touching_.empty(); }
+
     // Copies are told apart.
     std::string touching_text(const SceneWorld& built) const {
-        const auto& [first, second] = touching_.begin()->first;
+        const auto& [first, second] = touching_.empty() ? who_met_ : touching_.begin()->first;
         const bool are_single = a_.members().size() == 1 && b_.members().size() == 1;
         return are_single ? "they touch" : display_name(built, first) + " and " + display_name(built, second) + " touch";
     }
@@ -194,6 +199,8 @@ private:
     BodyGroup a_, b_;
     bool wanted_;
     std::map<std::pair<BodyId, BodyId>, int> touching_;  // how many pairs of their shapes do
+    bool met_ = false;                                   // two of them did in the last step...
+    std::pair<BodyId, BodyId> who_met_;                  // ...and who
     double gap_ = kGone;                                 // m
 };
 
@@ -240,6 +247,7 @@ private:
         switch (kind_) {
             case SceneEventKind::contact_begin: return count(events.contact_begins, built, &ContactBegin::shape_a, &ContactBegin::shape_b);
             case SceneEventKind::contact_end: return count(events.contact_ends, built, &ContactEnd::shape_a, &ContactEnd::shape_b);
+            case SceneEventKind::contact_hit: return count(events.contact_hits, built, &ContactHit::shape_a, &ContactHit::shape_b);
             case SceneEventKind::sensor_begin: return count(events.sensor_begins, built, &SensorEvent::sensor, &SensorEvent::visitor);
             case SceneEventKind::sensor_end: return count(events.sensor_ends, built, &SensorEvent::sensor, &SensorEvent::visitor);
             case SceneEventKind::joint_broke: return events.broken_joints.size();

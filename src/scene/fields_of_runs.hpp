@@ -9,9 +9,10 @@ template <>
 inline constexpr std::array<std::pair<SceneMoment, std::string_view>, 3> kEnumNames<SceneMoment>{
     {{SceneMoment::end, "end"}, {SceneMoment::always, "always"}, {SceneMoment::sometime, "sometime"}}};
 template <>
-inline constexpr std::array<std::pair<SceneEventKind, std::string_view>, 6> kEnumNames<SceneEventKind>{
+inline constexpr std::array<std::pair<SceneEventKind, std::string_view>, 7> kEnumNames<SceneEventKind>{
     {{SceneEventKind::contact_begin, "contact_begin"},
      {SceneEventKind::contact_end, "contact_end"},
+     {SceneEventKind::contact_hit, "contact_hit"},
      {SceneEventKind::sensor_begin, "sensor_begin"},
      {SceneEventKind::sensor_end, "sensor_end"},
      {SceneEventKind::joint_broke, "joint_broke"},

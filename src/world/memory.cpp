@@ -70,7 +70,8 @@ WorldMemory count_memory(const Simulation& simulation) {
     memory.solver = simulation.graph.bytes() + capacity_bytes(simulation.blocks);
     memory.other = bytes_of(simulation.events) + simulation.islands.bytes() +
                    capacity_bytes(simulation.sleepers, simulation.island_of_root, simulation.sleeping_joints,
-                                  simulation.footings, simulation.movers, simulation.near_shapes, simulation.impacts);
+                                  simulation.footings, simulation.movers, simulation.near_shapes, simulation.impacts,
+                                  simulation.sensor_passes);
     return memory;
 }
 

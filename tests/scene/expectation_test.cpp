@@ -142,6 +142,21 @@ TEST_CASE("touching is known by contacts and sensors, and by who") {
     CHECK(missed.step == 24);
 }
 
+TEST_CASE("who flies through a thin sensor within a step touches it in that step") {
+    // From 3.33 m to 5 m in the third step; the gate is from 4.15 m to 4.2 m.
+    const auto shot = [](const std::string& claim) {
+        return judge(parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
+            {"name": "ball", "velocity": [100, 0], "shapes": [{"circle": {"radius": 0.1}}]},
+            {"name": "gate", "type": "static", "position": [4.175, 0], "shapes": [{"box": {"size": [0.05, 4]}, "sensor": true}]}],
+            "expect": [)" + claim + "]}", ""), 60);
+    };
+    CHECK(shot(R"({"body": "ball", "touches": "gate"})").passed);
+    const ExpectationResult passed = shot(R"({"body": "ball", "never_touches": "gate"})");
+    CHECK_FALSE(passed.passed);
+    CHECK(passed.step == 3);
+    CHECK(passed.finding == "they touch");
+}
+
 TEST_CASE("a touch of a sensor that is missed says by how much, and one of a body that never comes that it is not there") {
     const std::string scene = R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
         {"name": "ball", "velocity": [4, 0], "shapes": [{"circle": {"radius": 0.5}}]},
