@@ -62,10 +62,13 @@ void report_end(Simulation& simulation, const Contact& contact) {
         simulation.events.sensor_ends.push_back(sensor_event(simulation, contact));
 }
 
-// A sensor whose bodies are all at rest overlaps what it did.
+// A sensor whose bodies are all at rest overlaps what it did. Of bodies that are not dynamic nobody notices if they are moved
+// by hand; pairs of them are few.
 void update_sensor(const Simulation& simulation, Contact& contact) {
     const BodyStore& bodies = simulation.bodies;
-    const bool may_change = contact.is_new || bodies.is_active(contact.body_a) || bodies.is_active(contact.body_b);
+    const bool may_sleep = bodies.is_dynamic(contact.body_a) || bodies.is_dynamic(contact.body_b);
+    const bool may_change =
+        !may_sleep || contact.is_new || bodies.is_active(contact.body_a) || bodies.is_active(contact.body_b);
     if (may_change) sense_contact(contact, bodies, simulation.shapes);
 }
 

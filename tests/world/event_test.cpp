@@ -349,3 +349,18 @@ TEST_CASE("the other end of a plank that falls over hits, though they touch alre
     run(world, 60);
     CHECK(world.events().contact_hits.empty());
 }
+
+TEST_CASE("a sensor that is moved by hand onto a static shape that was near notices it") {
+    World world;
+    add_static(world, {0.0, 0.0}, kBox);
+    // The boxes overlap by their margins, the shapes do not; and on.
+    const BodyId sensor = add_sensor(world, {1.02, 0.0}, kBox, BodyType::kinematic_body);
+    world.step();
+    CHECK(world.events().sensor_begins.empty());
+    world.set_transform(sensor, {{0.9, 0.0}, {}});
+    world.step();
+    CHECK(world.events().sensor_begins.size() == 1);
+    world.set_transform(sensor, {{1.02, 0.0}, {}});
+    world.step();
+    CHECK(world.events().sensor_ends.size() == 1);
+}
