@@ -21,6 +21,21 @@ TEST_CASE("what is slower than the speed of rest falls asleep, in worlds of all 
     }
 }
 
+TEST_CASE("what is thrown goes at the greatest speed, in worlds of all scales") {
+    for (const float scale : {0.02f, 1.0f, 50.0f}) {
+        CAPTURE(scale);
+        const WorldDef def{.gravity = {}, .scale = scale};
+        const float limit = world_limits(def).max_speed;
+        World world(def);
+        const BodyId slow = world.create_body({.velocity = {0.99f * limit, 0.0f}});
+        const BodyId fast = world.create_body({.pose = {{0.0, 100.0 * double{scale}}, {}}, .velocity = {0.0f, 3.0f * limit}});
+        for (const BodyId id : {slow, fast}) world.add_shape(id, {.shape = make_circle(0.5f * scale)});
+        world.step();
+        CHECK(world.state(slow).velocity.x == 0.99f * limit);
+        CHECK(world.state(fast).velocity.y == doctest::Approx(double{limit}).epsilon(1e-6));
+    }
+}
+
 TEST_CASE("springs of joints are no stiffer than the stiffest") {
     for (const int substeps : {2, 4}) {
         CAPTURE(substeps);
