@@ -52,7 +52,7 @@ struct StepEvents {
     std::vector<ContactHit> contact_hits;
     std::vector<SensorEvent> sensor_begins;
     std::vector<SensorEvent> sensor_ends;
-    std::vector<JointId> broken_joints;  // their ids are stale now
+    std::vector<JointId> broken_joints;  // their ids are stale now; gears that went with them are not among them
     std::vector<BodyId> fell_asleep;
 };
 

@@ -152,7 +152,7 @@ struct SceneBody {
     std::string custom;
 };
 
-enum class SceneJointType { revolute, distance, prismatic, weld, wheel, motor, mouse, filter };
+enum class SceneJointType { revolute, distance, prismatic, weld, wheel, motor, mouse, filter, pulley, gear };
 
 // [lower, upper] in files, both included.
 struct SceneInterval {
@@ -171,7 +171,8 @@ struct SceneJointSpring {
 
 // Makes a joint for each of so many copies of its bodies, row by row: the next column ties the next copies, the next row those
 // `row_step` places on. A body that is not a copy stays. Anchor and axis in the world are those of the first joint, and keep
-// their place in the first of its bodies that is a copy. Copies are named name[0], name[1], ...
+// their place in the first of its bodies that is a copy. Copies are named name[0], name[1], ... A gear goes through the copies
+// of its joints likewise.
 struct JointRepeat {
     int columns = 1;
     int rows = 1;
@@ -181,12 +182,15 @@ struct JointRepeat {
 struct SceneJoint {
     SceneJointType type = SceneJointType::revolute;
     std::string name;
-    std::string body_a, body_b;                      // names
+    std::string body_a, body_b;                      // names; empty for gears, which have those of their joints
+    std::string joint_a, joint_b;                    // names, gears
     std::optional<DVec2> anchor;                     // world coordinates at load, for both bodies, or:
     std::optional<std::pair<DVec2, DVec2>> anchors;  // body coordinates of each
+    std::optional<std::pair<DVec2, DVec2>> ground_anchors;  // of a pulley, world coordinates at load
     std::optional<DVec2> axis;                       // world direction at load, or A's with `anchors`; prismatic, wheel
     std::optional<double> reference_angle;           // degrees; default: the angle at load
-    std::optional<double> length;                    // m, distance joints; default: the distance at load
+    std::optional<double> length;                    // m, distance joints and pulleys; default: that at load
+    std::optional<double> ratio;                     // pulleys and gears, of motions in m and radians; default: 1
     std::optional<SceneInterval> limits;  // degrees (revolute) or m (distance, prismatic, wheel)
     std::optional<SceneJointMotor> motor;
     std::optional<SceneJointSpring> spring;          // of a weld: of its point

@@ -76,14 +76,14 @@ public:
     World& operator=(World&&) noexcept;
 
     BodyId create_body(const BodyDef& def);
-    void destroy_body(BodyId id);  // with its shapes and joints
+    void destroy_body(BodyId id);  // with its shapes, its joints and their gears
     ShapeId add_shape(BodyId body, const ShapeDef& def);
     void remove_shape(ShapeId id);
     JointId create_joint(const JointDef& def);
-    void destroy_joint(JointId id);
+    void destroy_joint(JointId id);  // with the gears on it
 
-    // Gives a joint other limits, motors, springs or anchors, between steps: another kind or other bodies are refused.
-    // What carries load goes on carrying it.
+    // Gives a joint other limits, motors, springs or anchors, between steps: another kind, other bodies or other joints of
+    // a gear are refused. What carries load goes on carrying it.
     void set_joint(JointId id, const JointDef& def);
 
     // Advances by one step. Throws SimulationDiverged, naming the first body, once a state is no longer finite.
@@ -176,12 +176,14 @@ public:
     // The force with which the joint held its bodies in the last step that it was awake.
     JointReaction reaction(JointId id) const;
 
-    // The points that a joint acts on, one of each body, as they are now; none for a filter.
+    // The points that a joint acts on, one of each body, as they are now; of a gear those of its two joints on their second
+    // bodies; none for a filter.
     std::optional<JointAnchors> joint_anchors(JointId id) const;
 
     // Where the free motion of a joint was at the start of the last step: the angle of B against A in rad (revolute,
     // weld, motor; of a revolute joint only if it has limits or a spring), the way along the axis in m (prismatic,
-    // wheel), or the distance of the anchors in m (distance, mouse).
+    // wheel), the distance of the anchors in m (distance, mouse), or that of A's from its wheel (pulley). Of a gear how far
+    // it gives: what it keeps less what it should be, in rad or m as its first joint has it.
     float joint_position(JointId id) const;
 
     // The first shape that a ray from `origin` to `origin + translation` enters, or all of them, the nearest first. A

@@ -96,6 +96,11 @@ public:
     }
     // True if it is among the solver bodies and can push others: dynamic and awake, or kinematic and moving.
     bool is_active(std::uint32_t body) const;
+    // Of the one that has fewer: the ground may have thousands.
+    const std::vector<JointId>& fewer_joints(std::uint32_t body_a, std::uint32_t body_b) const {
+        const std::vector<JointId>&a = records[body_a].joints, &b = records[body_b].joints;
+        return a.size() < b.size() ? a : b;
+    }
     int awake_dynamic_count() const { return awake_dynamic_count_; }
 
     IdPool<BodyId> ids;

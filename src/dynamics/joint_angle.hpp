@@ -9,6 +9,12 @@
 
 namespace tumble {
 
+// From one rotation to another, in (-pi, pi].
+inline double relative_angle(Rotation a, Rotation b) {
+    const double ac = a.c, as = a.s, bc = b.c, bs = b.s;
+    return arc_tangent(ac * bs - as * bc, ac * bc + as * bs);
+}
+
 class JointAngle {
 public:
     // The angle at the start of the step: of the turns that fit, the one nearest to the angle before.
@@ -31,12 +37,6 @@ public:
     }
 
 private:
-    // In (-pi, pi].
-    static double relative_angle(Rotation a, Rotation b) {
-        const double ac = a.c, as = a.s, bc = b.c, bs = b.s;
-        return arc_tangent(ac * bs - as * bc, ac * bc + as * bs);
-    }
-
     float angle_ = 0.0f;  // rad
 };
 

@@ -59,7 +59,8 @@ struct JointBodies {
     Vec2 current_arm_a(std::span<const SolverBody> all) const { return rotate(all[a].delta_rotation, arm_a); }
     Vec2 current_arm_b(std::span<const SolverBody> all) const { return rotate(all[b].delta_rotation, arm_b); }
 
-    // From A's anchor to B's, now.
+    // From A's anchor to B's: at the start of the step, and now.
+    Vec2 separation_at_start() const { return center_difference + arm_b - arm_a; }
     Vec2 current_separation(std::span<const SolverBody> all) const {
         return center_difference + (all[b].delta_position - all[a].delta_position) +
                (current_arm_b(all) - current_arm_a(all));

@@ -59,25 +59,35 @@ inline float row_response(const JointBodies& joint, const JointRow& row, const J
            joint.inv_inertia_a * row.turn_a * other.turn_a + joint.inv_inertia_b * row.turn_b * other.turn_b;
 }
 
-// Effective mass; 0 if neither body can give way. Near a dead point, where a row gives way by a small part of what its
-// bodies would without their locks, the inverse is damped: r / (r^2 + e^2) [Wampler 1986].
+// Near a dead point a row gives way by a small part of what its bodies would without their locks: the response that is
+// small, and the inverse of a response damped by it, r / (r^2 + e^2) [Wampler 1986].
+inline float dead_response(const JointBodies& joint, const JointRow& row) {
+    return kDeadPoint * joint.locked_mass * length_sq(row.axis);
+}
+inline float damped_inverse(float response, float damping) {
+    return response / (response * response + damping * damping);
+}
+
+// Effective mass; 0 if neither body can give way.
 inline float row_mass(const JointBodies& joint, const JointRow& row) {
     const float response = row_response(joint, row, row);
     if (!(response > 0.0f)) return 0.0f;
     if (joint.locked_mass == 0.0f) return 1.0f / response;
-    const float damping = kDeadPoint * joint.locked_mass * length_sq(row.axis);
-    return response / (response * response + damping * damping);
+    return damped_inverse(response, dead_response(joint, row));
 }
 
+// What follows is for rows of any kind: of two bodies, or coupled ones (coupled_row.hpp).
+
 // The change of the accumulated impulse that takes `speed` away, softened; not yet applied.
-inline float row_change(const JointBodies& joint, const JointRow& row, const Softness& softness, float speed,
-                        float impulse) {
+template <class Bodies, class Row>
+float row_change(const Bodies& joint, const Row& row, const Softness& softness, float speed, float impulse) {
     return -softness.mass_scale * row_mass(joint, row) * speed - softness.impulse_scale * impulse;
 }
 
 // Drives `error` to zero, rigidly or softly. `impulse` accumulates.
-inline void solve_equality(const JointBodies& joint, const JointRow& row, const Softness& softness, float error,
-                           float& impulse, std::span<SolverBody> all) {
+template <class Bodies, class Row>
+void solve_equality(const Bodies& joint, const Row& row, const Softness& softness, float error, float& impulse,
+                    std::span<SolverBody> all) {
     const float speed = row_velocity(joint, row, all) + softness.bias_rate * error;
     const float change = row_change(joint, row, softness, speed, impulse);
     impulse += change;

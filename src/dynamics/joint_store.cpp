@@ -31,6 +31,9 @@ MouseJoint make_joint(const MouseJointDef& def) {
 FilterJoint make_joint(const FilterJointDef& def) {
     return FilterJoint(def);
 }
+PulleyJoint make_joint(const PulleyJointDef& def) {
+    return PulleyJoint(def);
+}
 
 // A filter bears nothing and has no choice; every other kind says what it bears, and whether its bodies collide.
 struct Strength {
@@ -53,11 +56,34 @@ JointStrength joint_strength(const JointDef& def) {
     return std::visit(Strength{}, def);
 }
 
+template <class Def>
+auto JointStore::make(const Def& kind) const {
+    if constexpr (std::is_same_v<Def, GearJointDef>)
+        return GearJoint(kind, def(kind.joint_a), def(kind.joint_b));
+    else
+        return make_joint(kind);
+}
+
 // Calls visit(list, def) with the list that holds a joint and its definition, both of the joint's kind.
 template <class Self, class Visitor>
 void JointStore::visit_list_of(Self& self, JointId id, Visitor&& visit) {
-    std::visit([&](const auto& kind) { visit(std::get<JointList<decltype(make_joint(kind))>>(self.lists_), kind); },
+    std::visit([&](const auto& kind) { visit(std::get<JointList<decltype(self.make(kind))>>(self.lists_), kind); },
                self.records_[id.index].def);
+}
+
+TiedBodies JointStore::bodies(JointId id) const {
+    TiedBodies tied;
+    const auto add = [&](const JointDef& joint) {
+        tied.add(joint_body_a(joint));
+        tied.add(joint_body_b(joint));
+    };
+    if (const auto* gear = std::get_if<GearJointDef>(&def(id))) {
+        add(def(gear->joint_a));
+        add(def(gear->joint_b));
+    } else {
+        add(def(id));
+    }
+    return tied;
 }
 
 JointId JointStore::create(const JointDef& def) {
@@ -71,11 +97,11 @@ JointId JointStore::create(const JointDef& def) {
     visit_list_of(*this, id, [&](auto& list, const auto& kind) {
         if (list.free.empty()) {
             list.free.push_back(static_cast<std::uint32_t>(list.joints.size()));
-            list.joints.push_back(make_joint(kind));
+            list.joints.emplace_back();
         }
         const std::uint32_t slot = list.free.back();
         list.free.pop_back();
-        list.joints[slot] = make_joint(kind);
+        list.joints[slot] = make(kind);
         records_[id.index].slot = slot;
     });
     wake(id);
@@ -101,7 +127,7 @@ void JointStore::redefine(JointId id, const JointDef& def) {
     loads_[id.index].strength = joint_strength(def);
     visit_list_of(*this, id, [&](auto& list, const auto& kind) {
         auto& joint = list.joints[records_[id.index].slot];
-        auto changed = make_joint(kind);
+        auto changed = make(kind);
         changed.take_over(joint);
         joint = changed;
     });

@@ -5,16 +5,20 @@
 // its bodies and costs nothing then.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <span>
 #include <tuple>
 #include <vector>
 
 #include "dynamics/distance_joint.hpp"
 #include "dynamics/filter_joint.hpp"
+#include "dynamics/gear_joint.hpp"
 #include "dynamics/id_pool.hpp"
 #include "dynamics/motor_joint.hpp"
 #include "dynamics/mouse_joint.hpp"
 #include "dynamics/prismatic_joint.hpp"
+#include "dynamics/pulley_joint.hpp"
 #include "dynamics/revolute_joint.hpp"
 #include "dynamics/weld_joint.hpp"
 #include "dynamics/wheel_joint.hpp"
@@ -31,6 +35,32 @@ inline BodyId joint_body_b(const JointDef& def) {
 }
 bool collides_connected(const JointDef& def);
 
+// Whether it has one free motion, which a gear may be on.
+inline bool can_be_geared(const JointDef& def) {
+    return std::holds_alternative<RevoluteJointDef>(def) || std::holds_alternative<PrismaticJointDef>(def);
+}
+
+// The bodies that a joint acts on, each once.
+class TiedBodies {
+public:
+    void add(BodyId body) {
+        if (std::find(begin(), end(), body) == end()) bodies_[count_++] = body;
+    }
+    const BodyId* begin() const { return bodies_.data(); }
+    const BodyId* end() const { return bodies_.data() + count_; }
+
+    // Calls visit(body, other), by index, for every two of them.
+    template <class Visitor>
+    void for_each_pair(Visitor&& visit) const {
+        for (const BodyId* body = begin(); body != end(); ++body)
+            for (const BodyId* other = body + 1; other != end(); ++other) visit(body->index, other->index);
+    }
+
+private:
+    std::array<BodyId, 4> bodies_;
+    std::size_t count_ = 0;
+};
+
 // What a joint bears.
 struct JointStrength {
     float force = kUnbreakable;   // N
@@ -43,6 +73,7 @@ public:
     JointId create(const JointDef& def);
     void destroy(JointId id);
     const JointDef& def(JointId id) const { return records_[id.index].def; }
+    TiedBodies bodies(JointId id) const;  // two; of a gear those of its joints
     JointReaction reaction(JointId id) const { return loads_[id.index].reaction; }
     float position(JointId id) const;  // angle, way or length, as the kind has it
 
@@ -64,14 +95,11 @@ public:
     // Those that broke in the last store(), in order of their ids.
     const std::vector<JointId>& broken() const { return broken_; }
 
-    // Calls visit(body_a, body_b), by index, for each joint that is awake.
+    // Calls visit(body, other), by index, for every two bodies of each joint that is awake.
     template <class Visitor>
     void for_each_awake_pair(Visitor&& visit) const {
         for_each_list(*this, [&](const auto& list) {
-            for (const AwakeJoint& awake : list.awake) {
-                const JointDef& joint = records_[awake.joint].def;
-                visit(joint_body_a(joint).index, joint_body_b(joint).index);
-            }
+            for (const AwakeJoint& awake : list.awake) bodies(ids.at(awake.joint)).for_each_pair(visit);
         });
     }
 
@@ -109,8 +137,8 @@ private:
     template <class... Joints>
     using Lists = std::tuple<JointList<Joints>...>;
     // In order of solving.
-    using KindList =
-        Lists<MouseJoint, MotorJoint, DistanceJoint, WheelJoint, PrismaticJoint, RevoluteJoint, WeldJoint, FilterJoint>;
+    using KindList = Lists<MouseJoint, MotorJoint, DistanceJoint, PulleyJoint, GearJoint, WheelJoint, PrismaticJoint,
+                           RevoluteJoint, WeldJoint, FilterJoint>;
 
     template <class Self, class Visitor>
     static void for_each_list(Self& self, Visitor&& visit) {
@@ -122,6 +150,9 @@ private:
             for (const AwakeJoint& awake : list.awake) visit(list.joints[awake.slot]);
         });
     }
+    // The joint that a definition makes, as its list holds it.
+    template <class Def>
+    auto make(const Def& def) const;
     template <class Self, class Visitor>
     static void visit_list_of(Self& self, JointId id, Visitor&& visit);
 

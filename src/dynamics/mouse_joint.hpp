@@ -16,7 +16,7 @@ public:
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, 0.0f}; }
-    float position() const { return length(bodies_.center_difference + bodies_.arm_b - bodies_.arm_a); }
+    float position() const { return length(bodies_.separation_at_start()); }
     void take_over(const MouseJoint& old) { impulse_ = old.impulse_; }
     void forget_impulses() { impulse_ = {}; }
 

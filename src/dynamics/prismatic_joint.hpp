@@ -19,7 +19,7 @@ public:
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
     JointReaction reaction(float inv_h) const;
-    float position() const { return dot(axis_, bodies_.center_difference + bodies_.arm_b - bodies_.arm_a); }
+    float position() const { return dot(axis_, bodies_.separation_at_start()); }
     void take_over(const PrismaticJoint& old);
     void forget_impulses() { impulse_ = {}, drive_.forget_impulses(); }
 

@@ -123,8 +123,7 @@ void put_island_to_sleep(Simulation& simulation, std::uint32_t body) {
 }
 
 void wake_joint(Simulation& simulation, JointId id) {
-    const JointDef& joint = simulation.joints.def(id);
-    for (const BodyId body : {joint_body_a(joint), joint_body_b(joint)})
+    for (const BodyId body : simulation.joints.bodies(id))
         if (!simulation.bodies.records[body.index].is_enabled || simulation.bodies.is_asleep(body.index)) return;
     simulation.joints.wake(id);
 }
@@ -164,10 +163,8 @@ void wake_with_neighbors(Simulation& simulation, std::uint32_t body) {
     BodyStore& bodies = simulation.bodies;
     if (bodies.is_dynamic(body)) return wake(simulation, body);
     if (!bodies.records[body].is_enabled) return;
-    for (const JointId id : bodies.records[body].joints) {
-        const JointDef& joint = simulation.joints.def(id);
-        for (const BodyId tied : {joint_body_a(joint), joint_body_b(joint)}) wake(simulation, tied.index);
-    }
+    for (const JointId id : bodies.records[body].joints)
+        for (const BodyId tied : simulation.joints.bodies(id)) wake(simulation, tied.index);
     std::vector<std::uint32_t> near;
     for (const ShapeId shape : bodies.records[body].shapes)
         simulation.broad.query(simulation.broad.box(shape.index),

@@ -49,15 +49,11 @@ JointContext joint_context(const Simulation& simulation) {
 }
 
 bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {
-    // The ground may have thousands of joints.
-    const std::vector<JointId>& joints_a = simulation.bodies.records[body_a].joints;
-    const std::vector<JointId>& joints_b = simulation.bodies.records[body_b].joints;
-    const bool fewer_on_a = joints_a.size() < joints_b.size();
-    const std::uint32_t other = fewer_on_a ? body_b : body_a;
-    for (const JointId id : fewer_on_a ? joints_a : joints_b) {
+    for (const JointId id : simulation.bodies.fewer_joints(body_a, body_b)) {
         const JointDef& def = simulation.joints.def(id);
-        const bool is_other = joint_body_a(def).index == other || joint_body_b(def).index == other;
-        if (is_other && !collides_connected(def)) return true;
+        const std::uint32_t a = joint_body_a(def).index, b = joint_body_b(def).index;
+        const bool are_its_ends = (a == body_a && b == body_b) || (a == body_b && b == body_a);
+        if (are_its_ends && !collides_connected(def)) return true;
     }
     return false;
 }

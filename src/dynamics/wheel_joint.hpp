@@ -21,7 +21,7 @@ public:
     JointReaction reaction(float inv_h) const {
         return {inv_h * (suspension_.impulse() * axis_ + across_impulse_ * perp(axis_)), inv_h * axle_.impulse()};
     }
-    float position() const { return dot(axis_, bodies_.center_difference + bodies_.arm_b - bodies_.arm_a); }
+    float position() const { return dot(axis_, bodies_.separation_at_start()); }
     void take_over(const WheelJoint& old);
     void forget_impulses() { across_impulse_ = 0.0f, suspension_.forget_impulses(), axle_.forget_impulses(); }
 

@@ -64,19 +64,29 @@ b2Body* add_body(b2World& world, const Json& json) {
     return body;
 }
 
-// Where a joint holds its two bodies, by Box2D's joints; nothing for joints without two points of their own.
-std::optional<JointAnchors> anchors_of(const Json& json, b2Body& a, b2Body& b, b2World& world) {
-    const std::string type = json.value("type", "");
-    b2RevoluteJointDef def;  // every kind keeps its local anchors as this one does
+// A joint with the anchors of Box2D's, whose other kinds keep them as its revolute joint does; none for joints without two
+// points of their own.
+b2Joint* add_joint(const Json& json, b2Body& a, b2Body& b, b2World& world) {
+    constexpr std::array<std::string_view, 8> kKinds = {"revolute", "distance", "prismatic", "wheel",
+                                                        "weld",     "rope",     "friction",  "pulley"};
+    if (std::ranges::find(kKinds, json.value("type", "")) == kKinds.end()) return nullptr;
+    b2RevoluteJointDef def;
     def.bodyA = &a;
     def.bodyB = &b;
     def.localAnchorA = vector(json, "anchorA");
     def.localAnchorB = vector(json, "anchorB");
-    constexpr std::array<std::string_view, 7> kKinds = {"revolute", "distance", "prismatic", "wheel", "weld", "rope", "friction"};
-    if (std::ranges::find(kKinds, type) == kKinds.end()) return std::nullopt;
-    const b2Joint* joint = world.CreateJoint(&def);
-    const b2Vec2 at_a = joint->GetAnchorA(), at_b = joint->GetAnchorB();
-    return JointAnchors{{double{at_a.x}, double{at_a.y}}, {double{at_b.x}, double{at_b.y}}};
+    return world.CreateJoint(&def);
+}
+
+// Box2D has no gear between a body and itself.
+b2Joint* add_gear(b2Joint* first, b2Joint* second, b2World& world) {
+    if (first->GetBodyB() == second->GetBodyB()) return nullptr;
+    b2GearJointDef def;
+    def.bodyA = first->GetBodyB();
+    def.bodyB = second->GetBodyB();
+    def.joint1 = first;
+    def.joint2 = second;
+    return world.CreateJoint(&def);
 }
 
 double relative(double ours, double theirs) {
@@ -95,10 +105,32 @@ void compare_bodies(const b2Body& theirs, const BodyMass& ours, ImportDifference
     ++worst.bodies;
 }
 
+void compare_joint(b2Joint& theirs, const World& world, JointId ours, ImportDifferences& worst) {
+    const std::optional<JointAnchors> anchors = world.joint_anchors(ours);
+    if (!anchors) return;
+    const auto apart = [](DVec2 at, b2Vec2 other) { return length(at - DVec2{double{other.x}, double{other.y}}); };
+    worst.anchor = std::max({worst.anchor, apart(anchors->a, theirs.GetAnchorA()), apart(anchors->b, theirs.GetAnchorB())});
+    ++worst.joints;
+}
+
+bool is_gear(const Json& joint) { return joint.value("type", "") == "gear"; }
+
 bool is_carried_over(const Json& joint) {
-    constexpr std::array<std::string_view, 9> kKinds = {"revolute", "distance", "prismatic", "wheel", "weld",
-                                                        "motor",    "rope",     "friction",  "mouse"};
-    return std::ranges::find(kKinds, joint.value("type", "")) != kKinds.end() && joint.value("bodyA", 0) != joint.value("bodyB", 0);
+    constexpr std::array<std::string_view, 10> kKinds = {"revolute", "distance", "prismatic", "wheel", "weld",
+                                                         "motor",    "rope",     "friction",  "mouse", "pulley"};
+    const std::string type = joint.value("type", "");
+    if (type == "pulley" && !(number(joint, "ratio") > 0.0f)) return false;
+    return std::ranges::find(kKinds, type) != kKinds.end() && joint.value("bodyA", 0) != joint.value("bodyB", 0);
+}
+
+bool is_carried_over(const Json& gear, const Json& joints) {
+    const auto can_be_geared = [&](const char* key) {
+        const Json& joint = joints.at(gear.value(key, std::size_t{0}));
+        const std::string type = joint.value("type", "");
+        return (type == "revolute" || type == "prismatic") && is_carried_over(joint);
+    };
+    return can_be_geared("joint1") && can_be_geared("joint2") && gear.value("joint1", 0) != gear.value("joint2", 0) &&
+           number(gear, "ratio") != 0.0f;
 }
 
 }  // namespace
@@ -117,19 +149,22 @@ ImportDifferences compare_with_box2d(const std::filesystem::path& rube_file, con
             compare_bodies(*bodies[i], built.world.mass(id), worst);
     }
     std::size_t next = 0;
-    for (const Json& joint : document.value("joint", Json::array())) {
+    const auto compare_next = [&](b2Joint* theirs) {
+        if (theirs && next < built.joints.size()) compare_joint(*theirs, built.world, built.joints[next].id, worst);
+        ++next;
+    };
+    const Json joints = document.value("joint", Json::array());
+    std::vector<b2Joint*> their_joints;
+    for (const Json& joint : joints) {
+        their_joints.push_back(nullptr);
         if (!is_carried_over(joint)) continue;
-        if (next >= built.joints.size()) {
-            ++next;
-            continue;
-        }
-        const std::optional<JointAnchors> theirs =
-            anchors_of(joint, *bodies.at(joint.value("bodyA", std::size_t{0})), *bodies.at(joint.value("bodyB", std::size_t{0})), world);
-        const std::optional<JointAnchors> ours = built.world.joint_anchors(built.joints[next++].id);
-        if (!theirs || !ours) continue;
-        worst.anchor = std::max({worst.anchor, length(ours->a - theirs->a), length(ours->b - theirs->b)});
-        ++worst.joints;
+        their_joints.back() =
+            add_joint(joint, *bodies.at(joint.value("bodyA", std::size_t{0})), *bodies.at(joint.value("bodyB", std::size_t{0})), world);
+        compare_next(their_joints.back());
     }
+    for (const Json& joint : joints)
+        if (is_gear(joint) && is_carried_over(joint, joints))
+            compare_next(add_gear(their_joints[joint.value("joint1", std::size_t{0})], their_joints[joint.value("joint2", std::size_t{0})], world));
     worst.same_count = worst.same_count && next == built.joints.size();
     return worst;
 }

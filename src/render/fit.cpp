@@ -35,8 +35,12 @@ Box moving_box(const World& world) {
         box.add(box_of(world, body));
         if (world.state(body).angular_velocity != 0.0f) box.add(swept_box(world, body, world.mass(body).center));
     }
-    // Rotors, swings and planks turn about their hinges.
+    // Rotors, swings and planks turn about their hinges; ropes go up to their wheels.
     for (const JointId id : world.joints()) {
+        if (const auto* pulley = std::get_if<PulleyJointDef>(&world.joint(id))) {
+            box.add({pulley->ground_anchor_a, pulley->ground_anchor_a});
+            box.add({pulley->ground_anchor_b, pulley->ground_anchor_b});
+        }
         const auto* hinge = std::get_if<RevoluteJointDef>(&world.joint(id));
         if (!hinge) continue;
         if (world.type(hinge->body_a) != BodyType::static_body)

@@ -9,7 +9,8 @@
 
 namespace tumble::render {
 
-// Appends the joints that still exist: a dot at each anchor, a line between the two where they are apart.
+// Appends the joints that still exist: a dot at each anchor, a line between the two where they are apart, by way of the
+// wheels that a rope runs over.
 void add_joints(Layer& layer, const View& view, const World& world, std::span<const SceneJointInstance> joints);
 
 }  // namespace tumble::render

@@ -1,4 +1,5 @@
-// Definitions out of a scene's plain data, in the order of the file: the order of creation is part of the simulation.
+// Definitions out of a scene's plain data, in the order of the file: the order of creation is part of the simulation. Only
+// gears come last, as they are made of other joints.
 #include <stdexcept>
 
 #include "scene/body_plan.hpp"
@@ -49,20 +50,25 @@ public:
         }
     }
 
-    void add_joints(std::size_t source, const BodyNames& names) {
-        const SceneJoint& joint = scene_.joints[source];
-        std::size_t copy = 0;
-        for (const JointDef& def : make_joints(joint, names, placed_))
-            result_.joints.push_back({result_.world.create_joint(def), source, copy_name(joint, copy++)});
-    }
+    void add_joints(std::size_t source, const BodyNames& names) { add(source, make_joints(scene_.joints[source], names, placed_)); }
+    void add_gears(std::size_t source, const JointNames& names) { add(source, make_gears(scene_.joints[source], names, joints_)); }
 
     SceneWorld take() { return std::move(result_); }
 
 private:
+    void add(std::size_t source, const std::vector<JointDef>& copies) {
+        for (const JointDef& def : copies) {
+            const JointId id = result_.world.create_joint(def);
+            result_.joints.push_back({id, source, copy_name(scene_.joints[source], joints_[source].size())});
+            joints_[source].push_back(id);
+        }
+    }
+
     const Scene& scene_;
     const Start start_;
     SceneWorld result_;
     std::vector<PlacedBody> placed_;
+    std::vector<std::vector<JointId>> joints_{scene_.joints.size()};  // the copies of each
 };
 
 // Runs `action`; what the world refuses becomes an error at the pointer.
@@ -89,8 +95,14 @@ SceneWorld build_world(const Scene& scene, Start start) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         report_refusal(diagnostics, "/bodies/" + std::to_string(i), [&] { builder->add_bodies(i); });
     const BodyNames names(scene);
-    for (std::size_t i = 0; i < scene.joints.size(); ++i)
-        report_refusal(diagnostics, "/joints/" + std::to_string(i), [&] { builder->add_joints(i, names); });
+    const JointNames joint_names(scene);
+    const auto for_each_joint = [&](bool is_gear, const auto& add) {
+        for (std::size_t i = 0; i < scene.joints.size(); ++i)
+            if ((scene.joints[i].type == SceneJointType::gear) == is_gear)
+                report_refusal(diagnostics, "/joints/" + std::to_string(i), [&] { add(i); });
+    };
+    for_each_joint(false, [&](std::size_t i) { builder->add_joints(i, names); });
+    for_each_joint(true, [&](std::size_t i) { builder->add_gears(i, joint_names); });
     return builder->take();
 }
 

@@ -154,6 +154,8 @@ private:
     void check_joint(const SceneJoint& joint, const std::string& pointer, const BodyNames& names, const References& references) {
         if (diagnostics_.has_errors_in(pointer)) return;
         check_joint_keys(joint, pointer);
+        if (joint.type == SceneJointType::gear) return check_gear(joint, pointer, references);
+        if (joint.body_a.empty() && joint.body_b.empty() && diagnostics_.has_errors_in(pointer)) return;  // it has other keys
         const auto a = references.body(joint.body_a, pointer, "bodies/0"), b = references.body(joint.body_b, pointer, "bodies/1");
         if (!a || !b) return;
         if (*a == *b)
@@ -167,11 +169,43 @@ private:
         }
     }
 
+    void check_gear(const SceneJoint& gear, const std::string& pointer, const References& references) {
+        const SceneJoint* const a = check_geared(gear.joint_a, pointer, "joints/0", references);
+        const SceneJoint* const b = check_geared(gear.joint_b, pointer, "joints/1", references);
+        if (!a || !b || diagnostics_.has_errors_in(pointer)) return;
+        const JointPlace first = *references.joint_names().find(gear.joint_a), second = *references.joint_names().find(gear.joint_b);
+        if (first == second) error(pointer + "/joints", "a gear needs two joints, got " + quoted(gear.joint_a) + " twice");
+        if (gear.repeat) check_gear_repeat(gear, pointer + "/repeat", {first, second});
+    }
+
+    const SceneJoint* check_geared(const std::string& name, const std::string& pointer, const std::string& key, const References& references) {
+        const SceneJoint* const joint = references.joint(name, pointer, key);
+        if (joint && joint->type != SceneJointType::revolute && joint->type != SceneJointType::prismatic)
+            error(pointer + '/' + key, "a gear is on revolute and prismatic joints, and " + quoted(name) + " is none");
+        return joint;
+    }
+
+    void check_gear_repeat(const SceneJoint& gear, const std::string& pointer, std::initializer_list<JointPlace> joints) {
+        if (std::ranges::none_of(joints, &JointPlace::is_copy))
+            return error(pointer, "belongs to gears on repeated joints", "name the first copy: \"hinge[0]\"");
+        if (!check_rows(*gear.repeat, pointer)) return;
+        for (const JointPlace& joint : joints)
+            if (joint.is_copy && joint.copy + last_step(gear) >= joint.count)
+                error(pointer, "needs " + std::to_string(last_step(gear)) + " copies after " +
+                                   quoted(copy_name(scene_.joints[joint.source], joint.copy)) + ", there are " +
+                                   std::to_string(joint.count - 1 - joint.copy));
+    }
+
+    bool check_rows(const JointRepeat& repeat, const std::string& pointer) {
+        if (repeat.rows == 1 || repeat.row_step >= repeat.columns) return true;
+        error(pointer, "has rows that tie the same copies again", "\"row_step\" is at least the number of columns");
+        return false;
+    }
+
     void check_joint_repeat(const SceneJoint& joint, const std::string& pointer, const BodyNames& names) {
         if (!names.is_copy(joint.body_a) && !names.is_copy(joint.body_b))
             return error(pointer, "belongs to joints of repeated bodies", "name the first copy: \"plank[0]\"");
-        if (joint.repeat->rows > 1 && joint.repeat->row_step < joint.repeat->columns)
-            return error(pointer, "has rows that tie the same copies again", "\"row_step\" is at least the number of columns");
+        if (!check_rows(*joint.repeat, pointer)) return;
         for (const std::string* body : {&joint.body_a, &joint.body_b}) {
             const std::size_t needed = last_step(joint), there = names.copies_after(*body).value_or(needed);
             if (needed > there)
@@ -180,7 +214,7 @@ private:
     }
 
     void check_joint_keys(const SceneJoint& joint, const std::string& pointer) {
-        const bool is_distance = joint.type == SceneJointType::distance;
+        const bool is_distance = joint.type == SceneJointType::distance, is_pulley = joint.type == SceneJointType::pulley;
         const auto refuse = [&](bool present, const std::string& key, const std::string& reason) {
             if (present) error(pointer + '/' + key, reason);
         };
@@ -188,7 +222,12 @@ private:
         for (const JointKey& key : joint_keys(joint))
             refuse(key.is_there && !key.belongs_to(joint.type), std::string(key.name), key.owners());
         refuse(is_distance && joint.limits && joint.limits->lower < 0.0, "limits", "a distance is at least 0");
-        if (joint.type == SceneJointType::filter) return;
+        refuse(is_pulley && joint.ratio && !(*joint.ratio > 0.0), "ratio", "must be greater than 0");
+        refuse(!is_pulley && joint.ratio && *joint.ratio == 0.0, "ratio", "must not be 0");
+        if (is_pulley && !joint.ground_anchors)
+            error(pointer, "the key 'ground_anchors' is missing: the wheels that the rope runs over");
+        if (is_pulley && !joint.anchors) error(pointer, "the key 'anchors' is missing: the ends of the rope, one in each body");
+        if (joint.type == SceneJointType::filter || joint.type == SceneJointType::gear || is_pulley) return;
         if (joint.anchor.has_value() == joint.anchors.has_value())
             error(pointer, "needs one of the keys anchor, anchors");
         const bool has_axis = joint.type == SceneJointType::prismatic || joint.type == SceneJointType::wheel;

@@ -9,7 +9,7 @@ template <>
 inline constexpr std::array<std::pair<BodyType, std::string_view>, 3> kEnumNames<BodyType>{
     {{BodyType::static_body, "static"}, {BodyType::kinematic_body, "kinematic"}, {BodyType::dynamic_body, "dynamic"}}};
 template <>
-inline constexpr std::array<std::pair<SceneJointType, std::string_view>, 8> kEnumNames<SceneJointType>{
+inline constexpr std::array<std::pair<SceneJointType, std::string_view>, 10> kEnumNames<SceneJointType>{
     {{SceneJointType::revolute, "revolute"},
      {SceneJointType::distance, "distance"},
      {SceneJointType::prismatic, "prismatic"},
@@ -17,7 +17,9 @@ inline constexpr std::array<std::pair<SceneJointType, std::string_view>, 8> kEnu
      {SceneJointType::wheel, "wheel"},
      {SceneJointType::motor, "motor"},
      {SceneJointType::mouse, "mouse"},
-     {SceneJointType::filter, "filter"}}};
+     {SceneJointType::filter, "filter"},
+     {SceneJointType::pulley, "pulley"},
+     {SceneJointType::gear, "gear"}}};
 
 inline constexpr Field kPatternAngle{"angle", "Turn of the whole pattern about the position; the copies keep their own angle.", "degrees"};
 
@@ -133,17 +135,25 @@ void visit_fields(V& v, Type<SceneJoint>) {
     v.field({.name = "type",
              .description = "revolute: a hinge; distance: a rod, spring or rope; prismatic: a slider; weld: glue; wheel: a "
                             "hinge on a suspension; motor: drives or brakes, as seen from above; mouse: a spring that "
-                            "pulls; filter: keeps the bodies from touching.",
+                            "pulls; filter: keeps the bodies from touching; pulley: a rope over two fixed wheels; gear: "
+                            "ties the motions of two joints together.",
              .required = true},
             &SceneJoint::type);
     v.field({.name = "name", .description = "Unique.", .text = Text::name}, &SceneJoint::name);
-    v.pair({.name = "bodies", .description = "Names of the two bodies.", .required = true, .text = Text::name},
+    v.pair({.name = "bodies", .description = "Names of the two bodies; a gear has those of its joints.", .text = Text::name},
            &SceneJoint::body_a, &SceneJoint::body_b);
+    v.pair({.name = "joints",
+            .description = "Names of the two joints that a gear is on, each revolute or prismatic.",
+            .text = Text::name},
+           &SceneJoint::joint_a, &SceneJoint::joint_b);
+    v.exactly_one({"bodies", "joints"});
     v.field({"anchor", "World point, at load, that the joint acts on in both bodies.", "m", kPosition},
             &SceneJoint::anchor);
     v.field({"anchors", "The points that it acts on, each in the coordinates of its body.", "m", kCoordinate},
             &SceneJoint::anchors);
     v.at_most_one("anchor", "anchors");
+    v.field({"ground_anchors", "World points, at load, of the wheels that the rope of a pulley runs over.", "m", kPosition},
+            &SceneJoint::ground_anchors);
     v.field({"axis",
              "Direction of the free motion: of the world at load, or of the first body if its anchors are its own. "
              "Prismatic and wheel joints.",
@@ -154,8 +164,17 @@ void visit_fields(V& v, Type<SceneJoint>) {
              "are at load. Revolute, prismatic, weld and motor joints.",
              "degrees"},
             &SceneJoint::reference_angle);
-    v.field({"length", "Of the rod; left out: the distance at load. Distance joints only.", "m", kLength},
+    v.field({"length",
+             "Of the rod of a distance joint; of the rope of a pulley: from the first body to its wheel, and 'ratio' times "
+             "from the second body to its own. Left out: as at load.",
+             "m", kLength},
             &SceneJoint::length);
+    v.field({"ratio",
+             "Of a pulley: the second body moves by so much less than the first, and is pulled by so much more. Of a gear: "
+             "the motion of the first joint (radians or m) and 'ratio' times that of the second make a sum that stays; "
+             "meshing wheels have the second radius over the first, a pinion and its rack 1 over the radius, or -1. Left "
+             "out: 1."},
+            &SceneJoint::ratio);
     v.field({"limits", "Least and greatest joint angle (degrees, revolute), distance or way along the axis (m)."},
             &SceneJoint::limits);
     v.field({"motor", "Drives the second body against the first: turns it (revolute, wheel) or slides it (prismatic, "
@@ -175,7 +194,7 @@ void visit_fields(V& v, Type<SceneJoint>) {
     v.field({"break_torque", "Torque at which the joint is destroyed.", "N m", {0.0, 1e12, true}},
             &SceneJoint::break_torque);
     v.field({"collide_connected", "Whether the two bodies touch each other."}, &SceneJoint::collide_connected);
-    v.field({"repeat", "Makes a joint for each of many copies of its bodies."}, &SceneJoint::repeat);
+    v.field({"repeat", "Makes a joint for each of many copies of its bodies, or of the joints of a gear."}, &SceneJoint::repeat);
     v.json({"custom", "Anything a user wants to keep."}, &SceneJoint::custom);
 }
 

@@ -30,20 +30,29 @@ std::string JointKey::owners() const {
 
 std::vector<JointKey> joint_keys(const SceneJoint& joint) {
     using enum SceneJointType;
-    const std::vector<SceneJointType> solved = {revolute, distance, prismatic, weld, wheel, SceneJointType::motor,
+    const auto and_of = [](std::vector<SceneJointType> types, SceneJointType type) {
+        types.push_back(type);
+        return types;
+    };
+    const std::vector<SceneJointType> sprung = {revolute, distance, prismatic, weld, wheel, SceneJointType::motor,
                                                 mouse};
+    const std::vector<SceneJointType> anchored = and_of(sprung, pulley), solved = and_of(anchored, gear);
     const auto key = [](std::string_view name, const auto& value, std::vector<SceneJointType> types) {
         return JointKey{name, value.has_value(), std::move(types)};
     };
     return {
-        key("anchor", joint.anchor, solved),
-        key("anchors", joint.anchors, solved),
+        {"bodies", !joint.body_a.empty() || !joint.body_b.empty(), and_of(anchored, filter)},
+        {"joints", !joint.joint_a.empty() || !joint.joint_b.empty(), {gear}},
+        key("anchor", joint.anchor, sprung),
+        key("anchors", joint.anchors, anchored),
+        key("ground_anchors", joint.ground_anchors, {pulley}),
         key("axis", joint.axis, {prismatic, wheel}),
         key("reference_angle", joint.reference_angle, {revolute, prismatic, weld, SceneJointType::motor}),
-        key("length", joint.length, {distance}),
+        key("length", joint.length, {distance, pulley}),
+        key("ratio", joint.ratio, {pulley, gear}),
         key("limits", joint.limits, {revolute, distance, prismatic, wheel}),
         key("motor", joint.motor, {revolute, distance, prismatic, wheel}),
-        key("spring", joint.spring, solved),
+        key("spring", joint.spring, sprung),
         key("angular_spring", joint.angular_spring, {weld}),
         key("velocity", joint.velocity, {SceneJointType::motor}),
         key("angular_velocity", joint.angular_velocity, {SceneJointType::motor}),

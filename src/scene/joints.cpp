@@ -117,6 +117,17 @@ public:
         return def;
     }
 
+    PulleyJointDef pulley() const {
+        auto def = common<PulleyJointDef>();
+        std::tie(def.ground_anchor_a, def.ground_anchor_b) = joint_.ground_anchors.value_or(std::pair<DVec2, DVec2>{});
+        def.ratio = static_cast<float>(joint_.ratio.value_or(1.0));
+        const double a = length(transform_point(a_.pose, def.anchor_a) - def.ground_anchor_a);
+        const double b = length(transform_point(b_.pose, def.anchor_b) - def.ground_anchor_b);
+        def.length = static_cast<float>(joint_.length.value_or(a + double{def.ratio} * b));
+        if (!(def.length > 0.0f)) throw std::invalid_argument("a pulley needs anchors that are apart from its wheels");
+        return def;
+    }
+
 private:
     template <class Def>
     Def common() const {
@@ -160,10 +171,25 @@ JointDef make_joint(const SceneJoint& joint, const PlacedBody& a, const PlacedBo
             return maker.motor();
         case SceneJointType::mouse:
             return maker.mouse();
+        case SceneJointType::pulley:
+            return maker.pulley();
         case SceneJointType::filter:
+            return FilterJointDef{a.id, b.id};
+        case SceneJointType::gear:
             break;
     }
-    return FilterJointDef{a.id, b.id};
+    throw std::invalid_argument("a gear is made of joints");
+}
+
+GearJointDef make_gear(const SceneJoint& joint, JointId a, JointId b) {
+    GearJointDef def;
+    def.joint_a = a;
+    def.joint_b = b;
+    def.ratio = static_cast<float>(joint.ratio.value_or(1.0));
+    def.break_force = make_strength(joint.break_force);
+    def.break_torque = make_strength(joint.break_torque);
+    def.collide_connected = joint.collide_connected;
+    return def;
 }
 
 }  // namespace tumble::scene

@@ -14,7 +14,9 @@ struct PlacedBody {
     double angle = 0.0;
 };
 
-// Throws std::invalid_argument for a distance joint without length.
+// Any joint but a gear. Throws std::invalid_argument for a distance joint or a pulley without length.
 JointDef make_joint(const SceneJoint& joint, const PlacedBody& a, const PlacedBody& b);
+
+GearJointDef make_gear(const SceneJoint& joint, JointId a, JointId b);
 
 }  // namespace tumble::scene

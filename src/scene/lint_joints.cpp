@@ -24,7 +24,8 @@ public:
         : scene_(scene), world_(built.world), built_(built), diagnostics_(diagnostics) {}
 
     void check(const SceneJointInstance& joint) {
-        if (scene_.joints[joint.source].type == SceneJointType::filter) return;
+        const SceneJointType type = scene_.joints[joint.source].type;
+        if (type == SceneJointType::filter || type == SceneJointType::gear) return;  // a gear's joints are looked at themselves
         const auto [a, b] = std::visit([](const auto& def) { return std::pair(def.body_a, def.body_b); }, world_.joint(joint.id));
         if (said_.contains(joint.source)) return;
         check_masses(joint, a, b);

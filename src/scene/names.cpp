@@ -3,6 +3,7 @@
 
 #include <charconv>
 
+#include "scene/joint_copies.hpp"
 #include "scene/repeat.hpp"
 #include "tumble/suggest.hpp"
 
@@ -77,6 +78,31 @@ const SceneBody* find_definition(const Scene& scene, const BodyNames& names, std
     for (const SceneEvent& event : scene.timeline)
         if (event.spawn && (event.spawn->name == name || event.spawn->name == base_name(name))) return &*event.spawn;
     return nullptr;
+}
+
+JointNames::JointNames(const Scene& scene) {
+    for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+        const SceneJoint& joint = scene.joints[i];
+        const auto count = static_cast<std::size_t>(copy_count(joint));
+        if (!joint.name.empty()) sources_.emplace(joint.name, JointPlace{i, 0, count, joint.repeat.has_value()});
+    }
+}
+
+std::optional<JointPlace> JointNames::find(std::string_view name) const {
+    const auto exact = sources_.find(name);
+    if (exact != sources_.end() && !exact->second.is_copy) return exact->second;
+    const std::optional<std::size_t> copy = copy_number(name);
+    const auto repeated = sources_.find(base_name(name));
+    if (!copy || repeated == sources_.end() || !repeated->second.is_copy || *copy >= repeated->second.count) return std::nullopt;
+    JointPlace place = repeated->second;
+    place.copy = *copy;
+    return place;
+}
+
+std::optional<std::size_t> JointNames::find_source(std::string_view name) const {
+    const auto found = sources_.find(name);
+    if (found == sources_.end()) return std::nullopt;
+    return found->second.source;
 }
 
 std::string copy_name(const SceneBody& body, std::size_t copy) {

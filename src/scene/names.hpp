@@ -55,6 +55,31 @@ private:
 // The body that has a name in the end: an entry of Scene::bodies, repeated or not, or what an event spawns. Null if none.
 const SceneBody* find_definition(const Scene& scene, const BodyNames& names, std::string_view name);
 
+// What the name of a joint means: an entry of Scene::joints, and which of its copies.
+struct JointPlace {
+    std::size_t source = 0;
+    std::size_t copy = 0;
+    std::size_t count = 1;  // of all copies
+    bool is_copy = false;
+
+    friend bool operator==(const JointPlace&, const JointPlace&) = default;
+};
+
+class JointNames {
+public:
+    // Of two joints with one name, the first counts.
+    explicit JointNames(const Scene& scene);
+
+    // "hinge", or "hinge[3]" of a repeated one.
+    std::optional<JointPlace> find(std::string_view name) const;
+
+    // The entry of Scene::joints that has this name, repeated or not.
+    std::optional<std::size_t> find_source(std::string_view name) const;
+
+private:
+    std::map<std::string, JointPlace, std::less<>> sources_;  // the first copy of each
+};
+
 // "crate[3]"; empty for an empty name.
 std::string copy_name(const SceneBody& body, std::size_t copy);
 std::string copy_name(const SceneJoint& joint, std::size_t copy);

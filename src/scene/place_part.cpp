@@ -29,8 +29,9 @@ public:
     }
 
     void place(SceneJoint& joint) const {
-        for (std::string* name : {&joint.name, &joint.body_a, &joint.body_b}) rename(*name);
+        for (std::string* name : {&joint.name, &joint.body_a, &joint.body_b, &joint.joint_a, &joint.joint_b}) rename(*name);
         if (joint.anchor) move(*joint.anchor);
+        if (joint.ground_anchors) move(joint.ground_anchors->first), move(joint.ground_anchors->second);
         if (joint.axis && !joint.anchors) turn(*joint.axis);
         if (joint.velocity) turn(*joint.velocity);
     }

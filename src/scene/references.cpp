@@ -3,7 +3,6 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/joint_copies.hpp"
 #include "scene/json_text.hpp"
 #include "tumble/suggest.hpp"
 
@@ -28,12 +27,8 @@ void References::body_or_copies(const std::string& name, const std::string& poin
 }
 
 const SceneJoint* References::joint(const std::string& name, const std::string& pointer, const std::string& key, bool or_all) const {
-    const std::string_view base = base_name(name);
-    const std::optional<std::size_t> copy = copy_number(name);
-    for (const SceneJoint& joint : scene_.joints) {
-        if (!name.empty() && (or_all || !joint.repeat) && joint.name == name) return &joint;
-        if (joint.repeat && joint.name == base && copy && *copy < static_cast<std::size_t>(copy_count(joint))) return &joint;
-    }
+    if (const std::optional<JointPlace> place = joint_names_.find(name)) return &scene_.joints[place->source];
+    if (const std::optional<std::size_t> all = joint_names_.find_source(name); or_all && all) return &scene_.joints[*all];
     if (diagnostics_.has_errors_in("/joints")) return nullptr;
     if (name.empty()) {
         diagnostics_.error(pointer, "the key " + quoted(key) + " is missing: the name of a joint");

@@ -15,7 +15,7 @@ class References {
 public:
     // With `bodies_unread` some names are not known, and none is called missing.
     References(const Scene& scene, const BodyNames& names, bool bodies_unread, Diagnostics& diagnostics)
-        : scene_(scene), names_(names), bodies_unread_(bodies_unread), diagnostics_(diagnostics) {}
+        : scene_(scene), names_(names), joint_names_(scene), bodies_unread_(bodies_unread), diagnostics_(diagnostics) {}
 
     // The built body that is there from the start.
     std::optional<std::size_t> body(const std::string& name, const std::string& pointer, const std::string& key) const;
@@ -29,9 +29,12 @@ public:
     // Of repeated joints a copy; where all are meant, `or_all`, their common name too. Null if there is none.
     const SceneJoint* joint(const std::string& name, const std::string& pointer, const std::string& key, bool or_all = false) const;
 
+    const JointNames& joint_names() const { return joint_names_; }
+
 private:
     const Scene& scene_;
     const BodyNames& names_;
+    const JointNames joint_names_;
     bool bodies_unread_;
     Diagnostics& diagnostics_;
 };

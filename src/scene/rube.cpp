@@ -51,8 +51,7 @@ public:
         read_world(world);
         std::vector<RubeObject> bodies = world.list("body");
         for (RubeObject& body : bodies) read_body(body);
-        for (RubeObject& joint : world.list("joint")) read_joint(joint, bodies.size());
-        name_joints();
+        read_joints(world.list("joint"), bodies.size());
         world.note_unread("world", notes_);
         return {std::move(scene_), notes_.take()};
     }
@@ -170,39 +169,55 @@ private:
         return material.name;
     }
 
-    void read_joint(RubeObject& joint, std::size_t body_count) {
+    // Gears last: they may stand before the joints that they are on.
+    void read_joints(std::vector<RubeObject> joints, std::size_t body_count) {
         const auto body_at = [this](std::size_t index) {
             const SceneBody& body = scene_.bodies[index];
             return RubeBody{name_body(index), {body.position, make_rotation_degrees(body.angle)}};
         };
-        std::optional<SceneJoint> result = read_rube_joint(joint, body_count, body_at, notes_);
-        if (result) scene_.joints.push_back(std::move(*result));
+        std::vector<std::optional<std::size_t>> places(joints.size());  // in the scene
+        std::vector<std::size_t> gears;
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            const std::string type = joints[i].text("type");
+            if (type == "gear")
+                gears.push_back(i);
+            else
+                places[i] = add_joint(read_rube_joint(joints[i], type, body_count, body_at, notes_));
+        }
+        const auto joint_at = [&](std::size_t index) { return places[index] ? name_joint(*places[index]) : nullptr; };
+        for (const std::size_t i : gears) add_joint(read_rube_gear(joints[i], joints.size(), joint_at, notes_));
     }
 
-    // Joints go by name: a body without one gets one.
-    std::string name_body(std::size_t index) {
-        std::string& name = scene_.bodies[index].name;
-        for (int number = 0; name.empty(); ++number) {
-            std::string candidate = "body_" + std::to_string(index) + (number > 0 ? "_" + std::to_string(number) : "");
-            if (names_.insert(candidate).second) name = candidate;
-        }
-        return name;
+    // The first joint keeps a name that several have.
+    std::optional<std::size_t> add_joint(std::optional<SceneJoint> joint) {
+        if (!joint) return std::nullopt;
+        const std::string name = joint->name;
+        for (int number = 2; !joint->name.empty() && !joint_names_.insert(joint->name).second; ++number)
+            joint->name = name + "_" + std::to_string(number);
+        if (joint->name != name) notes_.add("joint names that occurred before, numbered");
+        scene_.joints.push_back(std::move(*joint));
+        return scene_.joints.size() - 1;
     }
 
-    void name_joints() {
-        std::set<std::string> names;
-        for (SceneJoint& joint : scene_.joints) {
-            const std::string name = joint.name;
-            for (int number = 2; !joint.name.empty() && !names.insert(joint.name).second; ++number)
-                joint.name = name + "_" + std::to_string(number);
-            if (joint.name != name) notes_.add("joint names that occurred before, numbered");
+    // Joints go by name: a body without one gets one. Gears likewise, by those of joints.
+    std::string name_body(std::size_t index) { return name(scene_.bodies[index].name, "body_", index, names_); }
+    SceneJoint* name_joint(std::size_t index) {
+        name(scene_.joints[index].name, "joint_", index, joint_names_);
+        return &scene_.joints[index];
+    }
+
+    static std::string name(std::string& own, const std::string& kind, std::size_t index, std::set<std::string>& names) {
+        for (int number = 0; own.empty(); ++number) {
+            std::string candidate = kind + std::to_string(index) + (number > 0 ? "_" + std::to_string(number) : "");
+            if (names.insert(candidate).second) own = candidate;
         }
+        return own;
     }
 
     Diagnostics& diagnostics_;
     RubeNotes notes_;
     Scene scene_;
-    std::set<std::string> names_;
+    std::set<std::string> names_, joint_names_;
     std::map<std::string, RubeSurface> surfaces_;  // by the name of their material
 };
 

@@ -11,8 +11,8 @@ namespace tumble::scene {
 namespace {
 
 constexpr double kLeastLength = 0.005;  // m; Box2D lengthens shorter distance joints to this
-constexpr std::array<std::string_view, 9> kTypes = {"revolute", "distance", "prismatic", "wheel", "weld",
-                                                    "motor",    "rope",     "friction",  "mouse"};
+constexpr std::array<std::string_view, 10> kTypes = {"revolute", "distance", "prismatic", "wheel", "weld",
+                                                     "motor",    "rope",     "friction",  "mouse", "pulley"};
 
 void read_revolute(RubeObject& joint, SceneJoint& result) {
     result.type = SceneJointType::revolute;
@@ -101,17 +101,26 @@ void read_mouse(RubeObject& joint, SceneJoint& result, const Pose& world_from_a)
     if (spring.hertz > 0.0) result.spring = spring;
 }
 
+void read_pulley(RubeObject& joint, SceneJoint& result) {
+    result.type = SceneJointType::pulley;
+    result.ground_anchors = {joint.vector("groundAnchorA"), joint.vector("groundAnchorB")};
+    result.ratio = joint.number("ratio");
+    result.length = std::max(joint.number("lengthA") + *result.ratio * joint.number("lengthB"), kLeastLength);
+}
+
+void read_common(RubeObject& joint, SceneJoint& result) {
+    result.name = joint.text("name");
+    result.collide_connected = joint.flag("collideConnected");
+    const std::string properties = joint.raw("customProperties");
+    if (!properties.empty()) result.custom = "{\"customProperties\": " + properties + "}";
+}
+
 }  // namespace
 
-std::optional<SceneJoint> read_rube_joint(RubeObject joint, std::size_t body_count,
+std::optional<SceneJoint> read_rube_joint(RubeObject joint, const std::string& type, std::size_t body_count,
                                           const std::function<RubeBody(std::size_t)>& body_at, RubeNotes& notes) {
-    const std::string type = joint.text("type");
     const int a = joint.index("bodyA", body_count), b = joint.index("bodyB", body_count);
     if (a < 0 || b < 0) return std::nullopt;
-    if (type == "gear" || type == "pulley") {
-        notes.add(type + " joints, left out");
-        return std::nullopt;
-    }
     if (std::ranges::find(kTypes, type) == kTypes.end()) {
         notes.add("joints of the unknown type " + quoted(type) + ", left out");
         return std::nullopt;
@@ -120,13 +129,16 @@ std::optional<SceneJoint> read_rube_joint(RubeObject joint, std::size_t body_cou
         notes.add("joints of a body with itself, left out");
         return std::nullopt;
     }
+    if (type == "pulley" && !(joint.number("ratio") > 0.0)) {
+        notes.add("pulley joints whose ratio is not positive, left out");
+        return std::nullopt;
+    }
     SceneJoint result;
-    result.name = joint.text("name");
+    read_common(joint, result);
     const RubeBody body_a = body_at(static_cast<std::size_t>(a));
     result.body_a = body_a.name;
     result.body_b = body_at(static_cast<std::size_t>(b)).name;
     result.anchors = {joint.vector("anchorA"), joint.vector("anchorB")};
-    result.collide_connected = joint.flag("collideConnected");
     if (type == "revolute") read_revolute(joint, result);
     if (type == "distance") read_distance(joint, result);
     if (type == "rope") read_rope(joint, result);
@@ -136,9 +148,35 @@ std::optional<SceneJoint> read_rube_joint(RubeObject joint, std::size_t body_cou
     if (type == "friction") read_friction(joint, result);
     if (type == "motor") read_motor(joint, result);
     if (type == "mouse") read_mouse(joint, result, body_a.pose);
-    const std::string properties = joint.raw("customProperties");
-    if (!properties.empty()) result.custom = "{\"customProperties\": " + properties + "}";
+    if (type == "pulley") read_pulley(joint, result);
     joint.note_unread(type + " joint", notes);
+    return result;
+}
+
+std::optional<SceneJoint> read_rube_gear(RubeObject joint, std::size_t joint_count,
+                                         const std::function<SceneJoint*(std::size_t)>& joint_at, RubeNotes& notes) {
+    const int a = joint.index("joint1", joint_count), b = joint.index("joint2", joint_count);
+    if (a < 0 || b < 0) return std::nullopt;
+    const auto can_be_geared = [](const SceneJoint* geared) {
+        return geared && (geared->type == SceneJointType::revolute || geared->type == SceneJointType::prismatic);
+    };
+    SceneJoint result;
+    result.type = SceneJointType::gear;
+    read_common(joint, result);
+    result.ratio = joint.number("ratio");
+    const SceneJoint *first = joint_at(static_cast<std::size_t>(a)), *second = joint_at(static_cast<std::size_t>(b));
+    if (a == b || !can_be_geared(first) || !can_be_geared(second)) {
+        notes.add("gear joints that are not on two revolute or prismatic joints, left out");
+        return std::nullopt;
+    }
+    if (*result.ratio == 0.0) {
+        notes.add("gear joints of ratio 0, left out");
+        return std::nullopt;
+    }
+    result.joint_a = first->name;
+    result.joint_b = second->name;
+    joint.skip({"type", "bodyA", "bodyB", "anchorA", "anchorB"});  // those of its joints
+    joint.note_unread("gear joint", notes);
     return result;
 }
 

@@ -71,6 +71,7 @@ public:
     }
 
     void pair(const Field& field, std::string T::*first, std::string T::*second) {
+        if ((value_.*first).empty() && (value_.*second).empty()) return;
         object[std::string(field.name)] = Json::array({value_.*first, value_.*second});
     }
 

@@ -13,10 +13,8 @@ public:
         for (const Contact& contact : simulation.contacts.woken()) tie(contact);
         for (const SleepingIsland& island : simulation.sleeping.all())
             for (const Contact& contact : island.contacts) tie(contact);
-        for (const JointId id : simulation.joints.ids.live()) {
-            const JointDef& joint = simulation.joints.def(id);
-            tie(joint_body_a(joint).index, joint_body_b(joint).index);
-        }
+        for (const JointId id : simulation.joints.ids.live())
+            simulation.joints.bodies(id).for_each_pair([this](std::uint32_t a, std::uint32_t b) { tie(a, b); });
     }
 
     std::vector<int> number() {

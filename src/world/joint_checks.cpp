@@ -45,10 +45,14 @@ void check_strength(float value, const char* what) {
     require(value > 0.0f, what, "greater than 0", value);
 }
 
+void check_anchors(Vec2 a, Vec2 b) {
+    require(is_finite(a), "joint anchor_a", "finite", a);
+    require(is_finite(b), "joint anchor_b", "finite", b);
+}
+
 template <class Def>
 void check_common(const Def& def) {
-    require(is_finite(def.anchor_a), "joint anchor_a", "finite", def.anchor_a);
-    require(is_finite(def.anchor_b), "joint anchor_b", "finite", def.anchor_b);
+    if constexpr (requires { def.anchor_a; }) check_anchors(def.anchor_a, def.anchor_b);
     check_strength(def.break_force, "joint break_force");
     check_strength(def.break_torque, "joint break_torque");
     if constexpr (requires { def.reference_angle; }) require_finite(def.reference_angle, "joint reference_angle");
@@ -85,6 +89,17 @@ struct Checker {
     void operator()(const MouseJointDef& def) const {
         check_common(def);
         require_not_negative(def.max_force, "joint max_force");
+    }
+    void operator()(const PulleyJointDef& def) const {
+        check_common(def);
+        check_point(def.ground_anchor_a);
+        check_point(def.ground_anchor_b);
+        require_positive(def.length, "joint length");
+        require_positive(def.ratio, "joint ratio");
+    }
+    void operator()(const GearJointDef& def) const {
+        check_common(def);
+        require(std::isfinite(def.ratio) && def.ratio != 0.0f, "joint ratio", "finite and not 0", def.ratio);
     }
 };
 

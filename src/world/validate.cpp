@@ -49,10 +49,23 @@ void validate_shapes(const Simulation& simulation) {
     require(owned == simulation.shapes.ids.live().size(), "shapes without a body", owned);
 }
 
+void validate_gear(const JointStore& joints, JointId id, const GearJointDef& gear) {
+    require(gear.joint_a != gear.joint_b, "a gear is on one joint twice", id.index);
+    for (const JointId joint : {gear.joint_a, gear.joint_b}) {
+        require(joints.ids.is_live(joint), "a gear is on a joint that is gone", id.index);
+        require(can_be_geared(joints.def(joint)), "a gear is on a joint of another kind", id.index);
+    }
+    require(gear.body_a == joint_body_b(joints.def(gear.joint_a)) && gear.body_b == joint_body_b(joints.def(gear.joint_b)),
+            "a gear names other bodies than its joints", id.index);
+}
+
 void validate_joints(const Simulation& simulation) {
+    std::size_t tied = 0;
     for (const JointId id : simulation.joints.ids.live()) {
-        const JointDef& def = simulation.joints.def(id);
-        for (const BodyId body : {joint_body_a(def), joint_body_b(def)}) {
+        if (const auto* gear = std::get_if<GearJointDef>(&simulation.joints.def(id)))
+            validate_gear(simulation.joints, id, *gear);
+        for (const BodyId body : simulation.joints.bodies(id)) {
+            ++tied;
             require(simulation.bodies.ids.is_live(body), "a joint holds a body that is gone", id.index);
             const std::vector<JointId>& joints = simulation.bodies.records[body.index].joints;
             require(std::count(joints.begin(), joints.end(), id) == 1, "a body does not know its joint", id.index);
@@ -61,7 +74,7 @@ void validate_joints(const Simulation& simulation) {
     std::size_t listed = 0;
     for (const BodyId body : simulation.bodies.ids.live())
         listed += simulation.bodies.records[body.index].joints.size();
-    require(listed == 2 * simulation.joints.ids.live().size(), "bodies list joints that are gone", listed);
+    require(listed == tied, "bodies list joints that are gone", listed);
 }
 
 void validate_islands(const Simulation& simulation) {
@@ -85,9 +98,8 @@ void validate_islands(const Simulation& simulation) {
     for (const BodyId id : bodies.ids.live()) sleepers += bodies.is_asleep(id.index);
     require(listed == sleepers, "sleepers without an island", sleepers);
     for (const JointId id : simulation.joints.ids.live()) {
-        const JointDef& def = simulation.joints.def(id);
         bool rests = false;
-        for (const BodyId body : {joint_body_a(def), joint_body_b(def)})
+        for (const BodyId body : simulation.joints.bodies(id))
             rests |= bodies.is_asleep(body.index) || !bodies.records[body.index].is_enabled;
         require(rests != simulation.joints.is_awake(id), "a joint is awake alone", id.index);
     }

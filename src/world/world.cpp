@@ -21,15 +21,6 @@ void World::Impl::touch_shapes(BodyId id) {
     for (const ShapeId shape : simulation.bodies.records[id.index].shapes) simulation.broad.touch(shape.index);
 }
 
-void World::Impl::remove_joint(JointId id) {
-    const JointDef& joint = simulation.joints.def(id);
-    for (const BodyId body : {joint_body_a(joint), joint_body_b(joint)}) {
-        std::erase(simulation.bodies.records[body.index].joints, id);
-        touch_shapes(body);  // pairs that the joint forbade may come back
-    }
-    simulation.joints.destroy(id);
-}
-
 void World::Impl::place_shapes(BodyId id) {
     if (!simulation.bodies.records[id.index].is_enabled) return;
     for (const ShapeId shape : simulation.bodies.records[id.index].shapes)
@@ -52,21 +43,6 @@ void World::Impl::update_mass(BodyId id) {
     if (bodies.is_dynamic(id.index)) mass = record.own_mass ? *record.own_mass : body_mass(shapes, simulation.shapes);
     bodies.set_mass(id, mass, body_reach(mass.center, shapes, simulation.shapes),
                     smallest_extent(shapes, simulation.shapes));
-}
-
-// What a new joint does to sleepers: a joint among them sleeps with them, any other wakes them.
-void World::Impl::tie(JointId id, std::uint32_t body_a, std::uint32_t body_b) {
-    const BodyStore& bodies = simulation.bodies;
-    const bool sleeps_a = bodies.is_asleep(body_a), sleeps_b = bodies.is_asleep(body_b);
-    if (!bodies.records[body_a].is_enabled || !bodies.records[body_b].is_enabled) {
-        simulation.joints.put_to_sleep({&id, 1});
-    } else if (bodies.is_active(body_a) || bodies.is_active(body_b)) {
-        wake(simulation, body_a);
-        wake(simulation, body_b);
-    } else if (sleeps_a || sleeps_b) {
-        if (sleeps_a && sleeps_b) merge_sleeping_islands(simulation, body_a, body_b);
-        simulation.joints.put_to_sleep({&id, 1});
-    }
 }
 
 StepCounters World::Impl::count() const {
@@ -182,51 +158,12 @@ void World::set_gravity(Vec2 gravity) {
     for (const BodyId id : impl_->simulation.bodies.ids.live()) wake(impl_->simulation, id.index);
 }
 
-JointId World::create_joint(const JointDef& def) {
-    const BodyId a = joint_body_a(def), b = joint_body_b(def);
-    impl_->require(a);
-    impl_->require(b);
-    if (a == b) throw std::invalid_argument("joint needs two bodies, got body " + std::to_string(a.index) + " twice");
-    check(def);
-    Simulation& simulation = impl_->simulation;
-    const JointId id = simulation.joints.create(def);
-    simulation.bodies.records[a.index].joints.push_back(id);
-    simulation.bodies.records[b.index].joints.push_back(id);
-    simulation.filters_changed |= !collides_connected(def);
-    // What sleeps on what it may no longer touch has lost its hold.
-    if (!collides_connected(def) && touch_in_sleep(simulation, a.index, b.index))
-        for (const BodyId body : {a, b}) wake(simulation, body.index);
-    impl_->tie(id, a.index, b.index);
-    return id;
-}
-
-void World::set_joint(JointId id, const JointDef& def) {
-    impl_->require(id);
-    Simulation& simulation = impl_->simulation;
-    const JointDef& old = simulation.joints.def(id);
-    if (def.index() != old.index() || joint_body_a(def) != joint_body_a(old) || joint_body_b(def) != joint_body_b(old))
-        throw std::invalid_argument("joint " + std::to_string(id.index) + " must keep its kind and its bodies");
-    check(def);
-    for (const BodyId body : {joint_body_a(def), joint_body_b(def)}) {
-        wake(simulation, body.index);
-        impl_->touch_shapes(body);
-    }
-    simulation.filters_changed |= !collides_connected(def);
-    simulation.joints.redefine(id, def);
-}
-
-void World::destroy_joint(JointId id) {
-    impl_->require(id);
-    const JointDef& joint = impl_->simulation.joints.def(id);
-    for (const BodyId body : {joint_body_a(joint), joint_body_b(joint)}) wake(impl_->simulation, body.index);
-    impl_->remove_joint(id);
-}
-
 void World::step() {
     Simulation& simulation = impl_->simulation;
     if (impl_->diverged_body == kNoBody) {
         tumble::step(simulation);
-        for (const JointId id : simulation.events.broken_joints) destroy_joint(id);
+        for (const JointId id : simulation.events.broken_joints)
+            if (is_valid(id)) destroy_joint(id);  // a gear may have gone with its joint
         ++impl_->step_count;
         impl_->counters = impl_->count();
         impl_->diverged_body = find_diverged(simulation.bodies);
@@ -304,33 +241,6 @@ bool World::is_sensor(ShapeId id) const {
 BodyId World::body(ShapeId id) const {
     impl_->require(id);
     return impl_->simulation.bodies.ids.at(impl_->simulation.shapes[id.index].body);
-}
-
-const JointDef& World::joint(JointId id) const {
-    impl_->require(id);
-    return impl_->simulation.joints.def(id);
-}
-
-JointReaction World::reaction(JointId id) const {
-    impl_->require(id);
-    return impl_->simulation.joints.reaction(id);
-}
-
-std::optional<JointAnchors> World::joint_anchors(JointId id) const {
-    impl_->require(id);
-    const auto find = [this](const auto& def) -> std::optional<JointAnchors> {
-        if constexpr (requires { def.anchor_a; })
-            return JointAnchors{transform_point(state(def.body_a).pose, def.anchor_a),
-                                transform_point(state(def.body_b).pose, def.anchor_b)};
-        else
-            return std::nullopt;
-    };
-    return std::visit(find, impl_->simulation.joints.def(id));
-}
-
-float World::joint_position(JointId id) const {
-    impl_->require(id);
-    return impl_->simulation.joints.position(id);
 }
 
 const StepEvents& World::events() const noexcept {

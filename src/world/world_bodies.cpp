@@ -15,12 +15,6 @@ MovingBody* World::Impl::wake_to_push(BodyId id) {
     return &simulation.bodies.moving[simulation.bodies.frames[id.index].solver_body];
 }
 
-void World::Impl::wake_tied(JointId id) {
-    const JointDef& joint = simulation.joints.def(id);
-    for (const BodyId body : {joint_body_a(joint), joint_body_b(joint)}) wake(simulation, body.index);
-    wake_joint(simulation, id);
-}
-
 template <class Change>
 void World::Impl::change_motion(BodyId id, Change&& change) {
     require(id);

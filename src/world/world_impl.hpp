@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "dynamics/integrate.hpp"
 #include "dynamics/simulation.hpp"
@@ -22,12 +23,14 @@ struct World::Impl {
     void require(ShapeId id) const { require_live(simulation.shapes.ids, id, "shape"); }
     void require(JointId id) const { require_live(simulation.joints.ids, id, "joint"); }
 
-    void remove_joint(JointId id);
+    JointDef complete(const JointDef& joint) const;     // a gear with its bodies; throws if it has no two joints
+    std::vector<JointId> gears_on(JointId id) const;  // in order of creation
+    void remove_joint(JointId id);                    // with its gears
     void touch_shapes(BodyId id);
     void place_shapes(BodyId id);     // proxies where the body is, of its type; none if it is disabled
     void displace_shapes(BodyId id);
     void update_mass(BodyId id);
-    void tie(JointId id, std::uint32_t body_a, std::uint32_t body_b);
+    void tie(JointId id);
     MovingBody* wake_to_push(BodyId id);  // the body awake, or nullptr if it is not dynamic
     void wake_tied(JointId id);
     template <class Change>

@@ -160,6 +160,32 @@ TEST_CASE("a joint has a dot where it holds, and a line between anchors that are
     CHECK(rod.details.boxes[0].half_x == doctest::Approx(20.0));
 }
 
+TEST_CASE("a rope is drawn over its wheels, a gear from its axle to where it meets the rail") {
+    HandMadeScene s;
+    World& world = s.built.world;
+    const BodyId a = s.add_dynamic("a", {98.0, 50.0}, make_circle(0.2f));
+    const BodyId b = s.add_dynamic("b", {102.0, 50.0}, make_circle(0.2f));
+    const JointId rope = world.create_joint(PulleyJointDef{
+        .body_a = a, .body_b = b, .ground_anchor_a = {98.0, 54.0}, .ground_anchor_b = {102.0, 54.0}, .length = 8.0f});
+    s.built.joints = {{rope, 0, ""}};
+    const DrawList pulley = build(s);
+    CHECK(pulley.details.circles.size() == 4);
+    REQUIRE(pulley.details.boxes.size() == 3);
+    for (const BoxInstance& line : pulley.details.boxes) CHECK(std::max(line.half_x, line.half_y) == doctest::Approx(20.0));
+    CHECK(pulley.details.circles[1].y == doctest::Approx(40.0));
+
+    const BodyId wall = s.add_dynamic("wall", {100.0, 42.0}, make_circle(0.2f));
+    const JointId hinge = world.create_joint(RevoluteJointDef{.body_a = wall, .body_b = a, .anchor_a = {-2.0f, 8.0f}});
+    const JointId rail = world.create_joint(PrismaticJointDef{
+        .body_a = wall, .body_b = b, .anchor_a = {2.0f, 8.0f}, .anchor_b = {0.0f, 3.0f}, .axis_a = {0.0f, 2.0f}});
+    s.built.joints = {{world.create_joint(GearJointDef{.joint_a = hinge, .joint_b = rail}), 0, ""}};
+    const DrawList gear = build(s);
+    REQUIRE(gear.details.circles.size() == 2);
+    CHECK(gear.details.circles[0].x == doctest::Approx(-20.0));
+    CHECK(gear.details.circles[1].x == doctest::Approx(20.0));
+    CHECK(gear.details.circles[1].y == doctest::Approx(0.0));  // not at the anchor, 3 m up the rail
+}
+
 TEST_CASE("a chain's solid side, on the left of its direction, has a band that fades away") {
     const std::vector<Vec2> points{{10.0f, 0.0f}, {0.0f, 0.0f}, {-10.0f, 0.0f}};  // leftwards: solid below
     for (const bool two_sided : {false, true}) {

@@ -33,6 +33,13 @@ inline std::string with_joint(const std::string& keys) {
     return R"({"format": 1, "bodies": [{"name": "a"}, {"name": "b", "position": [2, 0]}], "joints": [{)" + keys + "}]}";
 }
 
+// Two bodies, a weld, a revolute and a prismatic joint of theirs, and a gear.
+inline std::string with_gear(const std::string& keys) {
+    const std::string bodies = R"("bodies": ["a", "b"], "anchor": [0, 0]}, {)";
+    return with_joint(R"("type": "weld", "name": "glue", )" + bodies + R"("type": "revolute", "name": "hinge", )" + bodies +
+                      R"("type": "gear", )" + keys + R"(}, {"type": "prismatic", "name": "rail", "axis": [1, 0], "bodies": ["a", "b"], "anchor": [0, 0])");
+}
+
 inline const std::string kShape = "/bodies/0/shapes/0";
 
 inline const std::vector<BadScene> kBadScenes = {
@@ -89,7 +96,24 @@ inline const std::vector<BadScene> kBadScenes = {
     {with_shape(R"({"circle": {"radius": 1}, "material": "ice"})"), kShape + "/material", "there is no material \"ice\"", kNames},
     // joints
     {with_joint(R"("bodies": ["a", "b"], "anchor": [0, 0])"), "/joints/0", "the key \"type\" is missing"},
-    {with_joint(R"("type": "gear", "bodies": ["a", "b"], "anchor": [0, 0])"), "/joints/0/type", "must be one of revolute, distance"},
+    {with_joint(R"("type": "cog", "bodies": ["a", "b"], "anchor": [0, 0])"), "/joints/0/type", "must be one of revolute, distance"},
+    {with_joint(R"("type": "revolute", "anchor": [0, 0])"), "/joints/0", "needs one of the keys bodies, joints"},
+    {with_joint(R"("type": "revolute", "joints": ["c", "d"], "anchor": [0, 0])"), "/joints/0/joints", "belongs to gear joints", kKinds},
+    {with_joint(R"("type": "gear", "bodies": ["a", "b"])"), "/joints/0/bodies", "belongs to revolute", kKinds},
+    {with_joint(R"("type": "gear", "bodies": ["a", "b"], "joints": ["c", "d"])"), "/joints/0/joints", "only one of them is allowed"},
+    {with_gear(R"("joints": ["c"])"), "/joints/2/joints", "must be an array of 2 names"},
+    {with_gear(R"("joints": ["hinge", "hinges"])"), "/joints/2/joints/1", "there is no joint \"hinges\"", kNames},
+    {with_gear(R"("joints": ["glue", "hinge"])"), "/joints/2/joints/0", "a gear is on revolute and prismatic joints, and \"glue\" is none", kNames},
+    {with_gear(R"("name": "self", "joints": ["self", "hinge"])"), "/joints/2/joints/0", "and \"self\" is none", kNames},
+    {with_gear(R"("joints": ["hinge", "hinge"])"), "/joints/2/joints", "a gear needs two joints", kNames},
+    {with_gear(R"("joints": ["hinge", "rail"], "ratio": 0)"), "/joints/2/ratio", "must not be 0", kNumbers},
+    {with_gear(R"("joints": ["hinge", "rail"], "anchor": [0, 0])"), "/joints/2/anchor", "belongs to revolute", kKinds},
+    {with_gear(R"("joints": ["hinge", "rail"], "repeat": {"columns": 2})"), "/joints/2/repeat", "belongs to gears on repeated joints", kNames},
+    {with_joint(R"("type": "pulley", "bodies": ["a", "b"], "anchors": [[0, 0], [0, 0]])"), "/joints/0", "'ground_anchors' is missing", kNeeds},
+    {with_joint(R"("type": "pulley", "bodies": ["a", "b"], "ground_anchors": [[0, 9], [2, 9]])"), "/joints/0", "'anchors' is missing", kNeeds},
+    {with_joint(R"("type": "pulley", "bodies": ["a", "b"], "anchors": [[0, 0], [0, 0]], "ground_anchors": [[0, 9], [2, 9]], "ratio": -1)"), "/joints/0/ratio", "must be greater than 0", kNumbers},
+    {with_joint(R"("type": "pulley", "bodies": ["a", "b"], "anchors": [[0, 0], [0, 0]], "ground_anchors": [[0, 0], [2, 0]])"), "/joints/0", "apart from its wheels", kGeometry},
+    {with_joint(R"("type": "weld", "bodies": ["a", "b"], "anchor": [0, 0], "ratio": 2)"), "/joints/0/ratio", "belongs to pulley and gear joints", kKinds},
     {with_joint(R"("type": "revolute", "bodies": ["a"], "anchor": [0, 0])"), "/joints/0/bodies", "must be an array of 2 names"},
     {with_joint(R"("type": "revolute", "bodies": ["a", "c"], "anchor": [0, 0])"), "/joints/0/bodies/1", "there is no body \"c\"", kNames},
     {with_joint(R"("type": "revolute", "bodies": ["a", "a"], "anchor": [0, 0])"), "/joints/0/bodies", "a joint needs two bodies", kNames},
@@ -100,7 +124,7 @@ inline const std::vector<BadScene> kBadScenes = {
     {with_joint(R"("type": "distance", "bodies": ["a", "b"], "anchors": [[2, 0], [0, 0]])"), "/joints/0", "needs anchors that are apart", kGeometry},
     {with_joint(R"("type": "distance", "bodies": ["a", "b"], "anchors": [[0, 0], [0, 0]], "length": 0)"), "/joints/0/length", "must be greater than 0, got 0"},
     {with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "limits": [20, -20])"), "/joints/0/limits", "lower <= upper", kNumbers},
-    {with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "length": 2)"), "/joints/0/length", "belongs to distance joints", kKinds},
+    {with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "length": 2)"), "/joints/0/length", "belongs to distance and pulley joints", kKinds},
     {with_joint(R"("type": "weld", "bodies": ["a", "b"], "anchor": [0, 0], "axis": [1, 0])"), "/joints/0/axis", "belongs to prismatic and wheel joints", kKinds},
     {with_joint(R"("type": "wheel", "bodies": ["a", "b"], "anchor": [0, 0])"), "/joints/0", "'axis' is missing", kNeeds},
     {with_joint(R"("type": "wheel", "bodies": ["a", "b"], "anchor": [0, 0], "axis": [0, 0])"), "/joints/0", "the axis of a joint", kGeometry},
@@ -149,7 +173,6 @@ inline const std::vector<BadScene> kBadScenes = {
     {with_shape(R"({"circle": {"radius": 1}, "filter": {"category": -1}})"), kShape + "/filter/category", "must be at least 0, got -1"},
     {with_shape(R"({"circle": {"radius": 1}, "filter": {"mask": 4294967296}})"), kShape + "/filter/mask", "must be at most 4294967295"},
     {with_joint(R"("type": "revolute", "bodies": "ab", "anchor": [0, 0])"), "/joints/0/bodies", "must be an array of 2 names, got \"ab\""},
-    {with_joint(R"("type": "revolute", "anchor": [0, 0])"), "/joints/0", "the key \"bodies\" is missing"},
     {with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "spring": {"hertz": 0})"), "/joints/0/spring/hertz", "must be greater than 0, got 0"},
     {with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "limits": 20)"), "/joints/0/limits", "must be [lower, upper], got 20"},
     {with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "break_force": 0)"), "/joints/0/break_force", "must be greater than 0, got 0"},

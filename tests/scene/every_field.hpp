@@ -46,6 +46,9 @@ inline std::vector<std::string> scenes_with_every_field() {
         joint + R"("type": "distance", "anchors": [[0, 0], [0, 0]], "length": 5, "limits": [1, 9], "motor": {"speed": 5, "max_force": 2}}])",
         joint + R"("type": "prismatic", "anchor": [0, 5], "axis": [1, 0]}])",
         joint + R"("type": "weld", "anchor": [0, 5], "angular_spring": {"hertz": 2, "damping_ratio": 0.5}}])",
+        joint + R"("type": "pulley", "anchors": [[0, 2], [0, 0]], "ground_anchors": [[0, 9], [1, 9]], "length": 12, "ratio": 2}])",
+        joint + R"("type": "revolute", "name": "hinge", "anchor": [0, 5]}, {"bodies": ["ground", "a"], "type": "prismatic", "name": "rail", "anchor": [0, 5], "axis": [0, 1]},
+                   {"type": "gear", "joints": ["hinge", "rail"], "ratio": -0.5, "break_torque": 3, "collide_connected": true}])",
         joint + R"("type": "motor", "anchor": [0, 5], "velocity": [1, 0], "angular_velocity": 3, "max_force": 10, "max_torque": 10}])",
         bodies + R"("timeline": [{"every": 0.5, "from": 1, "until": 2, "spawn": {"name": "drop", "position": [9, 9]}}, {"at": 1, "gravity": [0, 1]}])",
     };

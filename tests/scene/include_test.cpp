@@ -59,7 +59,9 @@ const std::string kPart = scene_text(R"(
         {"type": "revolute", "name": "hinge", "bodies": ["hub", "arm"], "anchor": [2, 2]},
         {"type": "prismatic", "name": "rail", "bodies": ["row[0]", "arm"], "anchor": [2, 2], "axis": [1, 0]},
         {"type": "prismatic", "name": "own_rail", "bodies": ["row[1]", "slider"], "anchors": [[0, 0], [0, 0]], "axis": [1, 0]},
-        {"type": "mouse", "name": "pull", "bodies": ["row[0]", "hub"], "anchor": [1, 2], "max_force": 100}
+        {"type": "mouse", "name": "pull", "bodies": ["row[0]", "hub"], "anchor": [1, 2], "max_force": 100},
+        {"type": "pulley", "name": "rope", "bodies": ["hub", "slider"], "anchors": [[0, 0], [0, 0]], "ground_anchors": [[1, 9], [2, 8]]},
+        {"type": "gear", "joints": ["hinge", "own_rail"], "ratio": 2}
     ],
     "timeline": [
         {"at": 0.1, "body": "arm", "impulse": [2, 0]},
@@ -108,6 +110,10 @@ TEST_CASE("a part turned by a quarter lies where hand arithmetic puts it, exactl
     CHECK(*scene.joints[0].anchor == DVec2(8, -2));
     CHECK(*scene.joints[1].axis == DVec2(0, 1));
     CHECK(*scene.joints[2].axis == DVec2(1, 0));  // coordinates of its first body, as its anchors
+    CHECK(scene.joints[4].ground_anchors->first == DVec2(1, -3));
+    CHECK(scene.joints[4].ground_anchors->second == DVec2(2, -2));
+    CHECK(scene.joints[5].joint_a == "left/hinge");
+    CHECK(scene.joints[5].joint_b == "left/own_rail");
     CHECK(*scene.timeline[0].impulse == DVec2(0, 2));
     CHECK(*scene.timeline[1].target == DVec2(4, 1));
     CHECK(scene.timeline[2].spawn->name == "left/drop");
@@ -212,9 +218,9 @@ TEST_CASE("one file can be included twice, and the scene's own joints reach both
             "joints": [{"type": "weld", "bodies": ["a/arm", "b/row[3]"], "anchor": [0, 0]}])")}});
     CHECK(scene.bodies.size() == 9);
     CHECK(scene.bodies[0].name == "hub");  // its own come first
-    CHECK(scene.joints.size() == 9);
+    CHECK(scene.joints.size() == 13);
     CHECK(body_of(scene, "b/hub").position == DVec2(21, 2));
-    CHECK(build_world(scene).joints.size() == 9);
+    CHECK(build_world(scene).joints.size() == 13);
 }
 
 TEST_CASE("includes nest: places and prefixes add up") {

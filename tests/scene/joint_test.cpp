@@ -96,6 +96,71 @@ TEST_CASE("welds, motors, mice and filters") {
     CHECK(std::holds_alternative<FilterJointDef>(filtered.world.joint(filtered.joints[0].id)));
 }
 
+TEST_CASE("a pulley has its wheels in the world, and the rope that it has at load") {
+    // a is at the origin, turned by 90 degrees; b at (4, 0).
+    const auto pulley = built_def<PulleyJointDef>(
+        R"("type": "pulley", "anchors": [[1, 0], [0, 1]], "ground_anchors": [[0, 4], [4, 6]], "ratio": 2, "break_force": 70)");
+    CHECK(pulley.anchor_a == Vec2{1.0f, 0.0f});
+    CHECK(pulley.anchor_b == Vec2{0.0f, 1.0f});
+    CHECK(pulley.ground_anchor_a == DVec2{0.0, 4.0});
+    CHECK(pulley.ground_anchor_b == DVec2{4.0, 6.0});
+    CHECK(pulley.ratio == 2.0f);
+    CHECK(pulley.break_force == 70.0f);
+    CHECK(pulley.length == 3.0f + 2.0f * 5.0f);  // from (0, 1) and (4, 1)
+    CHECK(built_def<PulleyJointDef>(
+              R"("type": "pulley", "anchors": [[0, 0], [0, 0]], "ground_anchors": [[0, 4], [4, 6]], "length": 8)")
+              .length == 8.0f);
+}
+
+TEST_CASE("a gear may stand before its joints, and has their second bodies") {
+    const SceneWorld built = build_world(parse_scene(R"({"format": 1, "bodies": [
+        {"name": "wall", "type": "static"}, {"name": "a", "position": [1, 0]}, {"name": "b", "position": [5, 0]}],
+        "joints": [
+        {"type": "gear", "name": "teeth", "joints": ["hinge", "rail"], "ratio": -0.25, "break_torque": 7},
+        {"type": "prismatic", "name": "rail", "bodies": ["wall", "b"], "anchor": [5, 0], "axis": [0, 1]},
+        {"type": "revolute", "name": "hinge", "bodies": ["wall", "a"], "anchor": [1, 0]}]})",
+                                                    "gear.json"));
+    REQUIRE(built.joints.size() == 3);
+    CHECK(built.joints[2].name == "teeth");
+    CHECK(built.joints[2].source == 0);
+    const auto& gear = std::get<GearJointDef>(built.world.joint(built.joints[2].id));
+    CHECK(gear.joint_a == built.joints[1].id);
+    CHECK(gear.joint_b == built.joints[0].id);
+    CHECK(gear.body_a == built.bodies[1].id);
+    CHECK(gear.body_b == built.bodies[2].id);
+    CHECK(gear.ratio == -0.25f);
+    CHECK(gear.break_torque == 7.0f);
+}
+
+TEST_CASE("a repeated gear goes through copy after copy of its joints, a repeated pulley takes its wheels along") {
+    const auto text = [](const std::string& columns) {
+        return R"({"format": 1, "bodies": [
+        {"name": "wall", "type": "static"},
+        {"name": "wheel", "position": [0, 0], "repeat": {"grid": {"columns": 4, "spacing": [3, 0]}}},
+        {"name": "weight", "position": [0, -5], "repeat": {"grid": {"columns": 4, "spacing": [3, 0]}}}],
+        "joints": [
+        {"type": "revolute", "name": "axle", "bodies": ["wall", "wheel[0]"], "anchor": [0, 0], "repeat": {"columns": 4}},
+        {"type": "gear", "name": "train", "joints": ["axle[0]", "axle[1]"], "repeat": {"columns": )" + columns + R"(}},
+        {"type": "pulley", "bodies": ["weight[0]", "weight[1]"], "anchors": [[0, 0], [0, 0]],
+         "ground_anchors": [[0, -1], [3, -1]], "repeat": {"columns": 3}}]})";
+    };
+    const SceneWorld built = build_world(parse_scene(text("3"), "train.json"));
+    REQUIRE(built.joints.size() == 10);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& pulley = std::get<PulleyJointDef>(built.world.joint(built.joints[4 + i].id));
+        const double shift = 3.0 * static_cast<double>(i);
+        CHECK(pulley.ground_anchor_a == DVec2{shift, -1.0});
+        CHECK(pulley.ground_anchor_b == DVec2{shift + 3.0, -1.0});
+        CHECK(pulley.length == 8.0f);
+        const auto& gear = std::get<GearJointDef>(built.world.joint(built.joints[7 + i].id));
+        CHECK(built.joints[7 + i].name == "train[" + std::to_string(i) + "]");
+        CHECK(gear.joint_a == built.joints[i].id);
+        CHECK(gear.joint_b == built.joints[i + 1].id);
+    }
+    CHECK_THROWS_WITH_AS(parse_scene(text("4"), "train.json"),
+                         doctest::Contains(R"(needs 3 copies after "axle[1]", there are 2)"), SceneError);
+}
+
 TEST_CASE("a repeated joint ties copy after copy, its anchor at the same place in each") {
     // Four planks on a ring, each turned by its angle: the hinge at the end of the first is at the end of each.
     const SceneWorld built = build_world(parse_scene(R"({"format": 1, "bodies": [

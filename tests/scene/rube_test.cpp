@@ -100,7 +100,7 @@ TEST_CASE("missing friction and restitution are 0, not the engine's defaults") {
 
 TEST_CASE("joints arrive with local anchors and degrees") {
     const ImportedScene imported = import_rube(kData / "rube_small.json");
-    REQUIRE(imported.scene.joints.size() == 9);
+    REQUIRE(imported.scene.joints.size() == 12);
     const SceneJoint& hinge = imported.scene.joints[0];
     CHECK(hinge.type == SceneJointType::revolute);
     CHECK(hinge.body_a == "ground");
@@ -134,6 +134,22 @@ TEST_CASE("joints arrive with local anchors and degrees") {
     // The target (2, 5) of the world in the coordinates of the body at (0, 5).
     CHECK(imported.scene.joints[7].anchors.value().first == DVec2{2.0, 0.0});
     CHECK(imported.scene.joints[8].body_a == "off");
+    const SceneJoint& pulley = imported.scene.joints[10];
+    CHECK(pulley.type == SceneJointType::pulley);
+    CHECK(pulley.name == "rope");
+    CHECK(pulley.anchors.value().second == DVec2{0.0, 0.25});
+    CHECK(pulley.ground_anchors.value() == std::pair(DVec2{1.0, 9.0}, DVec2{3.0, 8.0}));
+    CHECK(pulley.ratio == 2.0);
+    CHECK(pulley.length == 6.5 + 2.0 * 5.75);
+    // The joints of a gear have names, and may come after it: the export's 16 and 5 are the scene's 9 and 3.
+    const SceneJoint& gear = imported.scene.joints[11];
+    CHECK(gear.type == SceneJointType::gear);
+    CHECK(gear.name == "teeth");
+    CHECK(gear.joint_a == "joint_9");
+    CHECK(gear.joint_b == "joint_3");
+    CHECK(imported.scene.joints[9].name == "joint_9");
+    CHECK(imported.scene.joints[3].name == "joint_3");
+    CHECK(gear.ratio == 2.0);
 }
 
 TEST_CASE("what is not carried over is said once, with a count") {
@@ -143,7 +159,9 @@ TEST_CASE("what is not carried over is said once, with a count") {
         {"body names that occurred before, numbered", 1},
         {"fixtures without a shape or with a degenerate one, left out", 2},
         {"joint names that occurred before, numbered", 1},
-        {"pulley joints, left out", 2},
+        {"pulley joints whose ratio is not positive, left out", 2},
+        {"gear joints that are not on two revolute or prismatic joints, left out", 2},
+        {"gear joints of ratio 0, left out", 1},
         {"joints of the unknown type \"spaghetti\", left out", 1},
         {"images", 2},
     };

@@ -1,0 +1,153 @@
+// Joints: what they may be, what they do to sleepers, and what goes with them.
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "dynamics/sleep.hpp"
+#include "tumble/world.hpp"
+#include "world/input_checks.hpp"
+#include "world/world_impl.hpp"
+
+namespace tumble {
+
+namespace {
+
+bool is_on_same_joints(const JointDef& a, const JointDef& b) {
+    const auto *gear = std::get_if<GearJointDef>(&a), *other = std::get_if<GearJointDef>(&b);
+    return !gear || !other || (gear->joint_a == other->joint_a && gear->joint_b == other->joint_b);
+}
+
+}  // namespace
+
+JointDef World::Impl::complete(const JointDef& joint) const {
+    if (!std::holds_alternative<GearJointDef>(joint)) return joint;
+    GearJointDef gear = std::get<GearJointDef>(joint);
+    for (const JointId geared : {gear.joint_a, gear.joint_b}) {
+        require(geared);
+        if (!can_be_geared(simulation.joints.def(geared)))
+            throw std::invalid_argument("gear needs revolute or prismatic joints: joint " + std::to_string(geared.index) +
+                                        " is neither");
+    }
+    if (gear.joint_a == gear.joint_b)
+        throw std::invalid_argument("gear needs two joints, got joint " + std::to_string(gear.joint_a.index) + " twice");
+    gear.body_a = joint_body_b(simulation.joints.def(gear.joint_a));
+    gear.body_b = joint_body_b(simulation.joints.def(gear.joint_b));
+    return gear;
+}
+
+std::vector<JointId> World::Impl::gears_on(JointId id) const {
+    const JointDef& joint = simulation.joints.def(id);
+    std::vector<JointId> gears;
+    for (const JointId other : simulation.bodies.fewer_joints(joint_body_a(joint).index, joint_body_b(joint).index)) {
+        const auto* gear = std::get_if<GearJointDef>(&simulation.joints.def(other));
+        if (gear && (gear->joint_a == id || gear->joint_b == id)) gears.push_back(other);
+    }
+    return gears;
+}
+
+void World::Impl::remove_joint(JointId id) {
+    for (const JointId gear : gears_on(id)) remove_joint(gear);
+    for (const BodyId body : simulation.joints.bodies(id)) {
+        std::erase(simulation.bodies.records[body.index].joints, id);
+        touch_shapes(body);  // pairs that the joint forbade may come back
+    }
+    simulation.joints.destroy(id);
+}
+
+// What a new joint does to sleepers: a joint among them sleeps with them, any other wakes them.
+void World::Impl::tie(JointId id) {
+    const BodyStore& bodies = simulation.bodies;
+    bool all_enabled = true, any_active = false;
+    std::optional<std::uint32_t> sleeper;
+    for (const BodyId body : simulation.joints.bodies(id)) {
+        all_enabled &= bodies.records[body.index].is_enabled;
+        any_active |= bodies.is_active(body.index);
+        if (!sleeper && bodies.is_asleep(body.index)) sleeper = body.index;
+    }
+    if (all_enabled && any_active) {
+        for (const BodyId body : simulation.joints.bodies(id)) wake(simulation, body.index);
+    } else if (all_enabled && sleeper) {
+        for (const BodyId body : simulation.joints.bodies(id))
+            if (bodies.is_asleep(body.index)) merge_sleeping_islands(simulation, *sleeper, body.index);
+    }
+    if (!all_enabled || (!any_active && sleeper)) simulation.joints.put_to_sleep({&id, 1});
+}
+
+void World::Impl::wake_tied(JointId id) {
+    for (const BodyId body : simulation.joints.bodies(id)) wake(simulation, body.index);
+    wake_joint(simulation, id);
+}
+
+JointId World::create_joint(const JointDef& def) {
+    const JointDef joint = impl_->complete(def);
+    const BodyId a = joint_body_a(joint), b = joint_body_b(joint);
+    impl_->require(a);
+    impl_->require(b);
+    if (a == b && !std::holds_alternative<GearJointDef>(joint))
+        throw std::invalid_argument("joint needs two bodies, got body " + std::to_string(a.index) + " twice");
+    check(joint);
+    Simulation& simulation = impl_->simulation;
+    const JointId id = simulation.joints.create(joint);
+    for (const BodyId body : simulation.joints.bodies(id)) simulation.bodies.records[body.index].joints.push_back(id);
+    simulation.filters_changed |= !collides_connected(joint);
+    // What sleeps on what it may no longer touch has lost its hold.
+    if (!collides_connected(joint) && touch_in_sleep(simulation, a.index, b.index))
+        for (const BodyId body : {a, b}) wake(simulation, body.index);
+    impl_->tie(id);
+    return id;
+}
+
+void World::set_joint(JointId id, const JointDef& def) {
+    impl_->require(id);
+    Simulation& simulation = impl_->simulation;
+    const JointDef& old = simulation.joints.def(id);
+    const JointDef joint = impl_->complete(def);
+    if (joint.index() != old.index() || joint_body_a(joint) != joint_body_a(old) ||
+        joint_body_b(joint) != joint_body_b(old) || !is_on_same_joints(joint, old))
+        throw std::invalid_argument("joint " + std::to_string(id.index) + " must keep its kind, its bodies and its joints");
+    check(joint);
+    for (const BodyId body : simulation.joints.bodies(id)) {
+        wake(simulation, body.index);
+        impl_->touch_shapes(body);
+    }
+    simulation.filters_changed |= !collides_connected(joint);
+    simulation.joints.redefine(id, joint);
+    for (const JointId gear : impl_->gears_on(id)) simulation.joints.redefine(gear, JointDef(simulation.joints.def(gear)));
+}
+
+void World::destroy_joint(JointId id) {
+    impl_->require(id);
+    for (const BodyId body : impl_->simulation.joints.bodies(id)) wake(impl_->simulation, body.index);
+    impl_->remove_joint(id);
+}
+
+const JointDef& World::joint(JointId id) const {
+    impl_->require(id);
+    return impl_->simulation.joints.def(id);
+}
+
+JointReaction World::reaction(JointId id) const {
+    impl_->require(id);
+    return impl_->simulation.joints.reaction(id);
+}
+
+std::optional<JointAnchors> World::joint_anchors(JointId id) const {
+    impl_->require(id);
+    const auto find = [this](const auto& def) -> std::optional<JointAnchors> {
+        if constexpr (requires { def.anchor_a; })
+            return JointAnchors{transform_point(state(def.body_a).pose, def.anchor_a),
+                                transform_point(state(def.body_b).pose, def.anchor_b)};
+        else if constexpr (requires { def.joint_a; })
+            return JointAnchors{joint_anchors(def.joint_a)->b, joint_anchors(def.joint_b)->b};
+        else
+            return std::nullopt;
+    };
+    return std::visit(find, impl_->simulation.joints.def(id));
+}
+
+float World::joint_position(JointId id) const {
+    impl_->require(id);
+    return impl_->simulation.joints.position(id);
+}
+
+}  // namespace tumble
