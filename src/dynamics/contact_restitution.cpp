@@ -45,7 +45,7 @@ TUMBLE_LANE_FUNCTION Lanes affordable_part(const ContactBlock& block, const Lane
     const Lanes linear = x1 * normal_velocity(first, state) + x2 * normal_velocity(second, state);
     const Lanes square = x1 * x1 * first.inverse_mass + 2.0f * x1 * x2 * block.coupling + x2 * x2 * second.inverse_mass;
     const Lanes root = (linear * linear + 2.0f * square * energy.max(zero)).sqrt();
-    return select_less(zero, square, (root - linear) / square, one).min(one);
+    return select_less(zero, square, (root - linear).max(zero) / square, one).min(one);
 }
 
 // Both points at once: one after the other they would make a box that falls flat spin. What Newton's law asks for may be
