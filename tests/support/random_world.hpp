@@ -226,6 +226,7 @@ private:
         if constexpr (requires { def.reference_angle; })
             def.reference_angle = static_cast<float>(angle(world.state(b).pose.rotation) - angle(world.state(a).pose.rotation));
         if constexpr (requires { def.length; }) def.length = between(0.1f, 0.4f);
+        if constexpr (requires { def.ratio; }) draw_rope(def);
         if constexpr (requires { def.limits; }) def.limits = draw_limits();
         if constexpr (requires { def.spring.has_value(); }) def.spring = draw_spring();
         if constexpr (requires { def.linear_spring; }) def.linear_spring = draw_spring();
@@ -241,6 +242,38 @@ private:
         return def;
     }
 
+    // The wheels are above the anchors, and the rope nearly fits.
+    void draw_rope(PulleyJointDef& def) {
+        const DVec2 a = transform_point(world.state(def.body_a).pose, def.anchor_a);
+        const DVec2 b = transform_point(world.state(def.body_b).pose, def.anchor_b);
+        const float side_a = between(0.3f, 3.0f);
+        const float side_b = between(0.3f, 3.0f);
+        def.ground_anchor_a = a + DVec2{0.0, side_a};
+        def.ground_anchor_b = b + DVec2{0.0, side_b};
+        def.ratio = between(0.5f, 2.0f);
+        def.length = side_a + def.ratio * side_b + between(-0.2f, 0.2f);
+    }
+
+    GearJointDef draw_gear(JointId a, JointId b) {
+        GearJointDef def;
+        def.joint_a = a;
+        def.joint_b = b;
+        const float size = between(0.3f, 3.0f);
+        def.ratio = coin() ? size : -size;
+        if (integer(0, 3) == 0) def.break_torque = between(1.0f, 50.0f);
+        def.collide_connected = coin();
+        return def;
+    }
+
+    // On two of the joints that turn or slide, if there are two.
+    void add_gear() {
+        std::vector<JointId> motions;
+        for (const JointId id : world.joints())
+            if (world.joint(id).index() == 0 || world.joint(id).index() == 2) motions.push_back(id);
+        const auto a = pick(std::span<const JointId>(motions)), b = pick(std::span<const JointId>(motions));
+        if (a && *a != *b) world.create_joint(draw_gear(*a, *b));
+    }
+
     JointDef draw_joint(int kind, BodyId a, BodyId b) {
         switch (kind) {
             case 0: return draw_joint(RevoluteJointDef{}, a, b);
@@ -250,6 +283,7 @@ private:
             case 4: return draw_joint(WheelJointDef{}, a, b);
             case 5: return draw_joint(MotorJointDef{}, a, b);
             case 6: return draw_joint(MouseJointDef{}, a, b);
+            case 8: return draw_joint(PulleyJointDef{}, a, b);
             default: return draw_joint(FilterJointDef{}, a, b);
         }
     }
@@ -261,18 +295,21 @@ private:
     }
 
     void add_joint() {
+        const int kind = integer(0, 10);
+        if (kind > 8) return add_gear();
         const auto a = pick(world.bodies()), b = pick(world.bodies().subspan(1));
         if (!a || !b || *a == *b) return;
         // What is not tied yet comes along; who is far away otherwise would hang on a long lever.
         if (!is_jointed(*b)) world.set_transform(*b, draw_move(*a));
         const DVec2 apart = world.state(*b).pose.position - world.state(*a).pose.position;
-        if (*a == world.bodies().front() || length(apart) < 2.0) world.create_joint(draw_joint(integer(0, 7), *a, *b));
+        if (*a == world.bodies().front() || length(apart) < 2.0) world.create_joint(draw_joint(kind, *a, *b));
     }
 
     void redefine_joint() {
         const auto id = pick(world.joints());
         if (!id) return;
         const JointDef old = world.joint(*id);
+        if (const auto* gear = std::get_if<GearJointDef>(&old)) return world.set_joint(*id, draw_gear(gear->joint_a, gear->joint_b));
         const auto bodies = std::visit([](const auto& def) { return std::pair(def.body_a, def.body_b); }, old);
         world.set_joint(*id, draw_joint(static_cast<int>(old.index()), bodies.first, bodies.second));
     }
