@@ -34,6 +34,12 @@ inline BodyId add_floor(World& world, const SurfaceMaterial& material = {}) {
     return add_static(world, {0.0, -1.0}, make_box({200.0f, 2.0f}), material);
 }
 
+inline bool touches(const World& world, BodyId a, BodyId b) {
+    for (const ContactPoint& point : world.contacts())
+        if ((point.body_a == a && point.body_b == b) || (point.body_a == b && point.body_b == a)) return true;
+    return false;
+}
+
 inline void run(World& world, int steps) {
     for (int i = 0; i < steps; ++i) world.step();
 }

@@ -1,4 +1,4 @@
-// What can be done to bodies and shapes between steps.
+// What can be done to bodies between steps.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,109 +15,7 @@ const Shape kBox = make_box({1.0f, 1.0f});
 // Rounding of a step's sums, relative to the values: 60 steps of 4 sub-steps, half an ulp each.
 constexpr double kRounding = 240.0 * 0x1p-24;
 
-BodyId add_locked(World& world, DVec2 position, BodyLocks locks, const Shape& shape = kBox) {
-    BodyDef def;
-    def.pose.position = position;
-    def.locks = locks;
-    const BodyId id = world.create_body(def);
-    world.add_shape(id, {shape});
-    return id;
-}
-
-bool touches(const World& world, BodyId a, BodyId b) {
-    for (const ContactPoint& point : world.contacts())
-        if ((point.body_a == a && point.body_b == b) || (point.body_a == b && point.body_b == a)) return true;
-    return false;
-}
-
 }  // namespace
-
-TEST_CASE("a locked axis keeps its coordinate whatever pushes, and the other one is free") {
-    World world;
-    add_floor(world);
-    const BodyId falls = add_locked(world, {0.25, 3.0}, {.x = true});
-    const BodyId hangs = add_locked(world, {5.25, 3.0}, {.y = true});
-    world.apply_impulse(falls, {50.0f, 0.0f}, {0.25, 3.2});
-    world.apply_impulse(hangs, {2.0f, 30.0f}, {5.25, 3.0});
-    run(world, 30);
-    CHECK(world.state(falls).pose.position.x == 0.25);
-    CHECK(world.state(falls).velocity.y == doctest::Approx(-5.0).epsilon(kRounding));
-    CHECK(world.state(hangs).pose.position.y == 3.0);
-    CHECK(world.state(hangs).velocity == Vec2{2.0f, 0.0f});
-}
-
-TEST_CASE("a body of fixed rotation stays upright where another would tip") {
-    World world;
-    add_floor(world);
-    const BodyId fixed = add_locked(world, {0.0, 1.0}, {.rotation = true}, make_box({0.4f, 2.0f}));
-    const BodyId free = add_dynamic(world, {5.0, 1.0}, make_box({0.4f, 2.0f}));
-    for (const BodyId body : {fixed, free}) {
-        const DVec2 top = world.state(body).pose.position + DVec2{0.0, 0.9};
-        world.apply_impulse(body, {2.0f, 0.0f}, top);
-    }
-    run(world, 120);
-    CHECK(world.state(fixed).pose.rotation == Rotation{});
-    CHECK(world.state(fixed).pose.position.y == doctest::Approx(1.0).epsilon(0.01));
-    CHECK(std::abs(angle(world.state(free).pose.rotation)) > 1.0);
-}
-
-TEST_CASE("locks are for dynamic bodies: a kinematic one takes the velocity that it is given") {
-    World world;
-    BodyDef def{.type = BodyType::kinematic_body, .velocity = {1.0f, 0.0f}};
-    def.locks = {.x = true, .rotation = true};
-    const BodyId body = world.create_body(def);
-    CHECK(world.state(body).velocity == Vec2{1.0f, 0.0f});
-    world.set_velocity(body, {2.0f, 3.0f}, 0.5f);
-    CHECK(world.state(body).velocity == Vec2{2.0f, 3.0f});
-    CHECK(world.state(body).angular_velocity == 0.5f);
-    world.set_type(body, BodyType::dynamic_body);  // they hold again
-    CHECK(world.state(body).velocity == Vec2{0.0f, 3.0f});
-    CHECK(world.state(body).angular_velocity == 0.0f);
-}
-
-// The platform cannot sink under ten times its weight: the ball rests on it as on the ground, and sags by half of g / w^2,
-// w = 2 pi 30: 0.14 mm.
-TEST_CASE("a ball rests on a platform that is locked against falling") {
-    World world;
-    const BodyId platform = add_locked(world, {0.0, 0.0}, {.y = true, .rotation = true}, make_box({4.0f, 1.0f}));
-    const BodyId ball = add_dynamic(world, {0.0, 1.5}, make_circle(0.5f), {.density = 20.0f});
-    run(world, 120);
-    CHECK(world.state(platform).pose.position.y == 0.0);
-    CHECK(world.state(ball).pose.position.y == doctest::Approx(1.0).epsilon(0.002));
-    CHECK(std::abs(world.state(ball).velocity.y) < 1e-3);
-    CHECK(world.contacts().size() == 1);
-}
-
-// A slider by two locks and a hinge: the weight hangs from a body that only moves along x, and swings it.
-TEST_CASE("joints hold bodies that are locked along one axis") {
-    World world;
-    const BodyId trolley = add_locked(world, {0.0, 4.0}, {.y = true, .rotation = true});
-    const BodyId weight = add_dynamic(world, {1.2, 2.4}, make_circle(0.2f), {.density = 8.0f});
-    world.create_joint(RevoluteJointDef{.body_a = trolley, .body_b = weight, .anchor_b = {-1.2f, 1.6f}});
-    double farthest = 0.0;
-    for (int step = 0; step < 240; ++step) {
-        world.step();
-        const DVec2 apart = world.state(weight).pose.position - world.state(trolley).pose.position;
-        farthest = std::max(farthest, std::abs(length(apart) - 2.0));
-        CHECK(world.state(trolley).pose.position.y == 4.0);
-    }
-    CHECK(farthest < 0.01);
-    CHECK(std::abs(world.state(trolley).pose.position.x) > 0.01);  // it was pulled along
-}
-
-TEST_CASE("locks come and go: what is locked stops, what is free falls on") {
-    World world;
-    const BodyId body = add_dynamic(world, {0.0, 10.0}, kBox);
-    run(world, 30);
-    world.set_locks(body, {.x = true, .y = true, .rotation = true});
-    CHECK(world.state(body).velocity == Vec2{});
-    const DVec2 held = world.state(body).pose.position;
-    run(world, 30);
-    CHECK(world.state(body).pose.position == held);
-    world.set_locks(body, {});
-    run(world, 6);
-    CHECK(world.state(body).velocity.y == doctest::Approx(-1.0).epsilon(kRounding));
-}
 
 TEST_CASE("a body that is moved loses its contacts, wakes what it carried and finds new ones") {
     World world;
@@ -248,59 +146,6 @@ TEST_CASE("gravity, its scale and damping change between steps") {
     CHECK(world.def().gravity == Vec2{0.0f, 5.0f});
     run(world, 60);
     CHECK(world.state(light).velocity.y == doctest::Approx(-2.5).epsilon(2 * kRounding));
-}
-
-TEST_CASE("a surface that changes under a body acts at once: ice lets it slide, rubber holds it") {
-    World world;
-    const BodyId ramp = add_static(world, {0.0, 0.0}, make_box({40.0f, 1.0f}), {.friction = 1.0f}, 0.3);
-    const Rotation tilt = make_rotation(0.3);
-    const DVec2 on_top = rotate(tilt, DVec2{0.0, 1.0});
-    const BodyId box = add_dynamic(world, on_top, kBox, {.friction = 1.0f}, 0.3);
-    run(world, 90);
-    const DVec2 place = world.state(box).pose.position;
-    REQUIRE(length(place - on_top) < 0.01);
-    world.set_material(world.shapes(ramp)[0], {.friction = 0.0f});
-    CHECK(world.is_awake(box));
-    run(world, 60);
-    // g sin(0.3) for a second.
-    CHECK(length(world.state(box).velocity) == doctest::Approx(10.0 * std::sin(0.3)).epsilon(0.01));
-    world.set_material(world.shapes(box)[0], {.density = 4.0f});
-    CHECK(world.mass(box).mass == 4.0f);
-}
-
-TEST_CASE("filters that change end contacts, and begin them") {
-    World world;
-    const BodyId floor = add_floor(world);
-    const BodyId box = add_dynamic(world, {0.0, 0.5}, kBox);
-    run(world, 90);
-    REQUIRE_FALSE(world.is_awake(box));
-    world.set_filter(world.shapes(box)[0], {.mask = 0});
-    world.step();
-    CHECK(world.events().contact_ends.size() == 1);
-    CHECK_FALSE(touches(world, floor, box));
-    run(world, 10);
-    CHECK(world.state(box).pose.position.y < 0.4);
-    world.set_filter(world.shapes(box)[0], {});
-    world.step();
-    CHECK(world.events().contact_begins.size() == 1);
-    run(world, 200);
-    CHECK(world.state(box).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
-}
-
-TEST_CASE("a shape that is taken off no longer weighs nor touches, and the rest moves on as it did") {
-    World world = weightless();
-    const BodyId body = add_dynamic(world, {0.0, 0.0}, kBox);
-    const ShapeId arm = world.add_shape(body, {make_box({1.0f, 1.0f}, 0.0f, {2.0f, 0.0f})});
-    world.set_velocity(body, {1.0f, 0.0f}, 2.0f);
-    CHECK(world.mass(body).center.x == 1.0f);
-    world.remove_shape(arm);
-    CHECK_FALSE(world.is_valid(arm));
-    CHECK(world.shapes(body).size() == 1);
-    CHECK(world.mass(body).mass == 1.0f);
-    // The new centre is 1 m to the left of the old one: v = v0 + w x (-1, 0).
-    CHECK(world.state(body).velocity == Vec2{1.0f, -2.0f});
-    world.step();
-    world.validate();
 }
 
 TEST_CASE("a body's definition makes the same body again") {
