@@ -62,7 +62,7 @@ struct ShapePair {
 // it has been slower than 0.05 m/s for half a second. Asleep it costs nothing. It wakes when something awake touches
 // it, when one of its bodies is given a velocity, a force, a shape or a joint, and when what it leans on moves or goes.
 //
-// Nothing moves faster than 400 m/s, or turns by more than an eighth of a turn in a step (half a turn in a sub-step, if it
+// No dynamic body moves faster than 400 m/s (times the root of WorldDef::scale), or turns by more than an eighth of a turn in a step (half a turn in a sub-step, if it
 // is allowed to turn fast): joints and forces that ask for more are not followed further.
 //
 // Calls with an id that names nothing here (of something destroyed, or of another world: an id does not know its world

@@ -1,6 +1,18 @@
 #include "dynamics/body_store.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace tumble {
+
+namespace {
+
+// 1 / x, and 0 of 0. What is too light for a finite inverse acts as the lightest that has one.
+float inverse_of(float x) {
+    return x > 0.0f ? 1.0f / std::max(x, std::numeric_limits<float>::min()) : 0.0f;
+}
+
+}  // namespace
 
 BodyId BodyStore::create(const BodyDef& def) {
     const BodyId id = ids.acquire();
@@ -135,9 +147,9 @@ void BodyStore::set_mass(BodyId id, const BodyMass& mass, float reach, float sma
     records[id.index].motion.smallest_extent = smallest_extent;
     const Vec2 old_offset = frame.center_offset;
     set_pose(id.index, frame.pose);
-    frame.inv_mass = mass.mass > 0.0f ? 1.0f / mass.mass : 0.0f;
+    frame.inv_mass = inverse_of(mass.mass);
     const bool turns = mass.inertia > 0.0f && !(records[id.index].flags & kLockRotation);
-    frame.inv_inertia = turns ? 1.0f / mass.inertia : 0.0f;
+    frame.inv_inertia = turns ? inverse_of(mass.inertia) : 0.0f;
     if (frame.solver_body == kStaticSolverBody) return;
     moving[frame.solver_body].motion = records[id.index].motion;
     SolverBody& body = solver_bodies[frame.solver_body];

@@ -57,7 +57,7 @@ struct ContactBlock {
     bool has_rolling_resistance;
     Lanes radius_a, radius_b;  // of the shapes' rounding, m
     Lanes restitution;
-    Lanes approach_speed[2];  // of each point: normal velocity at the impact, negative if approaching
+    Lanes approach_speed[2];  // of each point: normal velocity at the impact, negative if approaching; with restitution only
     Lanes absorbed;           // work that the normal impulses of this step have taken, J; with restitution only
     Lanes acceleration;       // along the normal, of B's centre against A's if nothing were in their way; with restitution only
     Lanes tangent_speed;
@@ -70,7 +70,7 @@ struct ContactBlock {
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
                       const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks);
 
-// Takes the impulses back, so that they warm the next step.
+// Takes the impulses back: those of the last sub-step, which warm the next step, and of the whole step, which are told.
 void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts);
 
 // Applies the impulses of the last sub-step again.

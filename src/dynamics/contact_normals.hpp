@@ -29,18 +29,20 @@ TUMBLE_LANE_FUNCTION void solve_both(const NormalProblem& p, Lanes& x1, Lanes& x
     x2 = select_less(least, zero, lone2, both2);
 }
 
+// What impulses at both points and the velocities there make: x . v.
+TUMBLE_LANE_FUNCTION Lanes power(const ContactBlock& block, const Lanes& impulse1, const Lanes& impulse2,
+                                 const BlockState& state) {
+    return impulse1 * normal_velocity(block.points[0], state) + impulse2 * normal_velocity(block.points[1], state);
+}
+
 // Pushes at both points. What may bounce remembers the work that it takes: each impulse does as much as if its point moved
 // at the mean of the velocities before and after.
 TUMBLE_LANE_FUNCTION void push_normals(ContactBlock& block, const Lanes& impulse1, const Lanes& impulse2,
                                        BlockState& state) {
-    const ContactBlockPoint& first = block.points[0];
-    const ContactBlockPoint& second = block.points[1];
-    if (block.has_restitution)
-        block.absorbed -= 0.5f * (impulse1 * normal_velocity(first, state) + impulse2 * normal_velocity(second, state));
-    apply_normal(block, first, impulse1, state);
-    apply_normal(block, second, impulse2, state);
-    if (block.has_restitution)
-        block.absorbed -= 0.5f * (impulse1 * normal_velocity(first, state) + impulse2 * normal_velocity(second, state));
+    if (block.has_restitution) block.absorbed -= 0.5f * power(block, impulse1, impulse2, state);
+    apply_normal(block, block.points[0], impulse1, state);
+    apply_normal(block, block.points[1], impulse2, state);
+    if (block.has_restitution) block.absorbed -= 0.5f * power(block, impulse1, impulse2, state);
 }
 
 // One point's share of the problem: its diagonal, softened, and its residual without the other's impulse.

@@ -40,10 +40,9 @@ TUMBLE_LANE_FUNCTION NormalRow make_bounce_row(const ContactBlockPoint& point, c
 TUMBLE_LANE_FUNCTION Lanes affordable_part(const ContactBlock& block, const Lanes& x1, const Lanes& x2,
                                            const Lanes& energy, const BlockState& state) {
     const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
-    const ContactBlockPoint& first = block.points[0];
-    const ContactBlockPoint& second = block.points[1];
-    const Lanes linear = x1 * normal_velocity(first, state) + x2 * normal_velocity(second, state);
-    const Lanes square = x1 * x1 * first.inverse_mass + 2.0f * x1 * x2 * block.coupling + x2 * x2 * second.inverse_mass;
+    const Lanes linear = power(block, x1, x2, state);
+    const Lanes square = x1 * x1 * block.points[0].inverse_mass + 2.0f * x1 * x2 * block.coupling +
+                         x2 * x2 * block.points[1].inverse_mass;
     const Lanes root = (linear * linear + 2.0f * square * energy.max(zero)).sqrt();
     return select_less(zero, square, (root - linear).max(zero) / square, one).min(one);
 }

@@ -150,7 +150,7 @@ void collide_anew(Contact& contact, const PlacedShape& a, const PlacedShape& b, 
     contact.reference = {manifold, a.pose.rotation, b.pose.rotation, b.pose.position - a.pose.position, true};
 }
 
-// How far B's centre goes in a step against A's, m.
+// How far B's centre goes in a step against A's, m: what chains ask for.
 Vec2 way_in_step(const Contact& contact, const BodyStore& bodies, float duration) {
     const SolverBody& a = bodies.solver_bodies[bodies.frames[contact.body_a].solver_body];
     const SolverBody& b = bodies.solver_bodies[bodies.frames[contact.body_b].solver_body];
@@ -167,16 +167,26 @@ bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
     const float tolerance = kRecyclingPart * contact.speculative_distance;
     const bool is_recycled =
         recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold);
-    if (!is_recycled) collide_anew(contact, {a, pose_a}, {b, pose_b}, way_in_step(contact, bodies, duration));
+    if (!is_recycled) {
+        const bool is_with_chain = a.link || b.link;
+        collide_anew(contact, {a, pose_a}, {b, pose_b}, is_with_chain ? way_in_step(contact, bodies, duration) : Vec2{});
+    }
     look_at_touch(contact, bodies);
     contact.is_new = false;
     return !is_recycled;
 }
 
 void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
+    const Pose& a = bodies.frames[contact.body_a].pose;
+    const Pose& b = bodies.frames[contact.body_b].pose;
+    ManifoldReference& reference = contact.reference;
+    const DVec2 offset = b.position - a.position;
+    if (!contact.is_new && a.rotation == reference.rotation_a && b.rotation == reference.rotation_b &&
+        offset == reference.offset)
+        return;
     const Manifold overlap =
-        collide(shapes[contact.shapes.a].shape, bodies.frames[contact.body_a].pose, shapes[contact.shapes.b].shape,
-                bodies.frames[contact.body_b].pose, 0.0, contact.cache);
+        collide(shapes[contact.shapes.a].shape, a, shapes[contact.shapes.b].shape, b, 0.0, contact.cache);
+    reference = {{}, a.rotation, b.rotation, offset, false};
     contact.is_touching = overlap.point_count > 0;
     contact.is_new = false;
 }

@@ -1,15 +1,11 @@
 #include "dynamics/distance_joint.hpp"
 
-#include "dynamics/joint_line.hpp"
-
 namespace tumble {
 
 void DistanceJoint::prepare(const BodyStore& bodies) {
     bodies_ = JointBodies::make(bodies.frames[def_.body_a.index], def_.anchor_a, bodies.frames[def_.body_b.index],
                                 def_.anchor_b);
-    const JointLine line = JointLine::along(bodies_.separation_at_start());
-    axis_ = line.axis;
-    length_ = line.length;
+    line_ = JointLine::along(bodies_.separation_at_start());
 }
 
 void DistanceJoint::warm_start(std::span<SolverBody> bodies) const {

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "dynamics/joint_drive.hpp"
+#include "dynamics/joint_line.hpp"
 
 namespace tumble {
 
@@ -16,14 +17,14 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
-    JointReaction reaction(float inv_h) const { return {inv_h * impulse() * axis_, 0.0f}; }
-    float position() const { return length_; }
+    JointReaction reaction(float inv_h) const { return {inv_h * impulse() * line_.axis, 0.0f}; }
+    float position() const { return line_.length; }
     void take_over(const DistanceJoint& old);
     void forget_impulses() { rod_impulse_ = 0.0f, drive_.forget_impulses(); }
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.drive_, self.axis_, self.length_, self.rod_impulse_);
+        visit(self.def_, self.bodies_, self.drive_, self.line_.axis, self.line_.length, self.rod_impulse_);
     }
 
 private:
@@ -34,8 +35,7 @@ private:
     DistanceJointDef def_;
     JointBodies bodies_;
     JointDrive drive_;
-    Vec2 axis_;                 // from A's anchor to B's at the start of the step; zero if they coincide
-    float length_ = 0.0f;       // at the start of the step, m
+    JointLine line_;            // at the start of the step
     float rod_impulse_ = 0.0f;  // along the axis on B, positive pushes, N s
 };
 

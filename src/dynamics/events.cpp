@@ -62,8 +62,8 @@ void report_end(Simulation& simulation, const Contact& contact) {
         simulation.events.sensor_ends.push_back(sensor_event(simulation, contact));
 }
 
-// A sensor whose bodies are all at rest overlaps what it did. Of bodies that are not dynamic nobody notices if they are moved
-// by hand; pairs of them are few.
+// A sensor whose bodies are all at rest overlaps what it did. Of bodies that are not dynamic nobody notices if they are
+// moved by hand: their places are compared.
 void update_sensor(const Simulation& simulation, Contact& contact) {
     const BodyStore& bodies = simulation.bodies;
     const bool may_sleep = bodies.is_dynamic(contact.body_a) || bodies.is_dynamic(contact.body_b);

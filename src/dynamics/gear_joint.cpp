@@ -3,9 +3,8 @@
 namespace tumble {
 
 void GearJoint::prepare(const BodyStore& bodies) {
-    bodies_.ratio = ratio_;
     const double a = side_a_.advance(bodies, bodies_.first), b = side_b_.advance(bodies, bodies_.second);
-    slip_ += a + static_cast<double>(ratio_) * b;
+    slip_ += a + static_cast<double>(bodies_.ratio) * b;
 }
 
 CoupledRow GearJoint::row(std::span<const SolverBody> bodies) const {
@@ -17,14 +16,14 @@ void GearJoint::warm_start(std::span<SolverBody> bodies) const {
 }
 
 void GearJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
-    const float moved = side_a_.follow(bodies_.first, bodies) + ratio_ * side_b_.follow(bodies_.second, bodies);
+    const float moved = side_a_.follow(bodies_.first, bodies) + bodies_.ratio * side_b_.follow(bodies_.second, bodies);
     solve_equality(bodies_, row(bodies), context.equality_softness(use_bias), static_cast<float>(slip_) + moved, impulse_,
                    bodies);
 }
 
 // The slip so far stays. What was measured last is no start for another measure, or another ratio of the two.
 void GearJoint::take_over(const GearJoint& old) {
-    if (ratio_ == old.ratio_ && side_a_.measures_as(old.side_a_) && side_b_.measures_as(old.side_b_)) {
+    if (bodies_.ratio == old.bodies_.ratio && side_a_.measures_as(old.side_a_) && side_b_.measures_as(old.side_b_)) {
         side_a_ = old.side_a_;
         side_b_ = old.side_b_;
     }

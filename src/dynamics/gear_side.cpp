@@ -12,8 +12,8 @@ double nearest_turn(double angle, double other) { return other + std::remainder(
 }  // namespace
 
 GearSide::GearSide(const JointDef& joint) {
-    body_a_ = std::visit([](const auto& def) { return def.body_a.index; }, joint);
-    body_b_ = std::visit([](const auto& def) { return def.body_b.index; }, joint);
+    body_a_ = joint_body_a(joint).index;
+    body_b_ = joint_body_b(joint).index;
     const auto* slider = std::get_if<PrismaticJointDef>(&joint);
     slides_ = slider != nullptr;
     if (!slides_) return;
@@ -39,13 +39,13 @@ double GearSide::advance(const BodyStore& bodies, JointBodies& joint) {
 
 JointRow GearSide::row(const JointBodies& joint, std::span<const SolverBody> all) const {
     if (!slides_) return kTurningRow;
-    const Vec2 axis = rotate(all[joint.a].delta_rotation, axis_);
-    return sliding_row(axis, joint.current_arm_a(all), joint.current_separation(all), joint.current_arm_b(all));
+    return sliding_row(axis_now(joint, all), joint.current_arm_a(all), joint.current_separation(all),
+                       joint.current_arm_b(all));
 }
 
 float GearSide::follow(const JointBodies& joint, std::span<const SolverBody> all) {
     if (slides_)
-        moved_ = static_cast<double>(dot(row(joint, all).axis, joint.current_separation(all))) - motion_;
+        moved_ = static_cast<double>(dot(axis_now(joint, all), joint.current_separation(all))) - motion_;
     else
         moved_ = nearest_turn(relative_angle(all[joint.a].delta_rotation, all[joint.b].delta_rotation), moved_);
     return static_cast<float>(moved_);

@@ -37,6 +37,10 @@ public:
     }
 
 private:
+    Vec2 axis_now(const JointBodies& joint, std::span<const SolverBody> all) const {
+        return rotate(all[joint.a].delta_rotation, axis_);
+    }
+
     std::uint32_t body_a_ = 0, body_b_ = 0;
     bool slides_ = false;
     Vec2 anchor_a_, anchor_b_, axis_a_;  // of what slides

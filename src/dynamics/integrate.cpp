@@ -26,14 +26,18 @@ void limit_speed(SolverBody& body, const SpeedLimits& limits) {
     body.angular_velocity = std::clamp(body.angular_velocity, -spin, spin);
 }
 
-// Nothing moves the static solver body but an impulse that is not finite, and then all who rest on it are lost: the first
-// of the bodies that it stands for.
+// Nothing moves the static solver body but an impulse that is not finite, and then all who rest on it are lost: of the
+// bodies that it stands for, the first that a joint holds.
 std::uint32_t find_moved_static(const BodyStore& bodies) {
     const SolverBody& body = bodies.solver_bodies[kStaticSolverBody];
     if (body.velocity == Vec2{} && body.angular_velocity == 0.0f) return kNoBody;
-    for (const BodyId id : bodies.ids.live())
-        if (bodies.frames[id.index].solver_body == kStaticSolverBody) return id.index;
-    return kNoBody;
+    std::uint32_t first = kNoBody;
+    for (const BodyId id : bodies.ids.live()) {
+        if (bodies.frames[id.index].solver_body != kStaticSolverBody || bodies.is_asleep(id.index)) continue;
+        if (!bodies.records[id.index].joints.empty()) return id.index;
+        first = std::min(first, id.index);
+    }
+    return first;
 }
 
 }  // namespace
@@ -74,10 +78,10 @@ void finalize_poses(BodyStore& bodies, const SpeedLimits& limits) {
             frame.center_offset = rotate(frame.pose.rotation, bodies.records[index].mass.center);
         }
         frame.pose.position = frame.center - DVec2(frame.center_offset);
+        body.flags &= ~std::uint32_t{kThrownBody};
         if (body.flags & kDynamicBody) limit_speed(body, limits);
         body.delta_position = {};
         body.delta_rotation = {};
-        body.flags &= ~std::uint32_t{kThrownBody};
         bodies.moving[i].acceleration = {};
         bodies.moving[i].angular_acceleration = 0.0f;
     }

@@ -12,7 +12,7 @@ struct SpeedLimits {
     float fast_spin = 0.0f;  // of bodies that may turn fast, and what nothing passes unless it is thrown
 };
 
-// v += h (g + F / m), damping v / (1 + h c), speed limits. Bodies that are not dynamic keep their velocities.
+// v += h (g + F / m), damping v / (1 + h c), speed limits: constraints are to pass on no more than a body may have. Bodies that are not dynamic keep their velocities.
 void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits);
 
 // Deltas of position and rotation by the new velocities, within the speed limits: what contradictory joints ask for in

@@ -26,19 +26,7 @@
 
 namespace tumble {
 
-// The bodies of a joint, whatever its kind.
-inline BodyId joint_body_a(const JointDef& def) {
-    return std::visit([](const auto& d) { return d.body_a; }, def);
-}
-inline BodyId joint_body_b(const JointDef& def) {
-    return std::visit([](const auto& d) { return d.body_b; }, def);
-}
 bool collides_connected(const JointDef& def);
-
-// Whether it has one free motion, which a gear may be on.
-inline bool can_be_geared(const JointDef& def) {
-    return std::holds_alternative<RevoluteJointDef>(def) || std::holds_alternative<PrismaticJointDef>(def);
-}
 
 // The bodies that a joint acts on, each once.
 class TiedBodies {

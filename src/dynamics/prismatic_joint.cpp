@@ -16,7 +16,7 @@ PrismaticJoint::Rail PrismaticJoint::rail(std::span<const SolverBody> bodies) co
     const Vec2 arm_a = bodies_.current_arm_a(bodies), arm_b = bodies_.current_arm_b(bodies);
     const JointRow along = sliding_row(axis, arm_a, separation, arm_b);
     const RowBlock held{sliding_row(perp(axis), arm_a, separation, arm_b), kTurningRow};
-    const Vec2 answer = block_answer(bodies_, held, along);
+    const Vec2 answer = drive_.is_idle() ? Vec2{} : block_answer(bodies_, held, along);
     return {axis, separation, held, answer, along + answer.x * held.first + answer.y * held.second};
 }
 

@@ -56,6 +56,8 @@ bool rises_above(const Footing& ground, const Footing& plane, double tolerance) 
 void drop(Contact& contact) {
     contact.manifold.point_count = 0;
     contact.impulses[0] = contact.impulses[1] = {};
+    contact.applied[0] = contact.applied[1] = {};
+    contact.watched = -1;
     contact.rolling_impulse = 0.0f;
     contact.is_touching = false;
 }

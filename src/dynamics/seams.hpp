@@ -12,8 +12,7 @@
 namespace tumble {
 
 // A stage of the step, between collision and the preparation of constraints. Tiles are shapes of at most eight vertices
-// on bodies that are not dynamic;
-// for each moving shape all pairs of those that it touches are looked at.
+// on bodies that are not dynamic; for each moving shape all pairs of those that it touches are looked at.
 void smooth_seams(Simulation& simulation);
 
 }  // namespace tumble

@@ -58,6 +58,10 @@ bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, 
     return false;
 }
 
+bool have_parted(const Simulation& simulation, ProxyPair shapes) {
+    return !simulation.is_live(shapes) || !simulation.broad.overlap(shapes);
+}
+
 void collide_and_count(Simulation& simulation, Contact& contact) {
     ++simulation.collided.asked;
     if (!collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration)) return;
@@ -109,8 +113,9 @@ bool may_touch(const Simulation& simulation, ProxyPair shapes) {
            !joined_without_contact(simulation, a.body, b.body);
 }
 
+// Type and rest do not count: what falls asleep, or stops, still touches what it leans on.
 bool is_over(const Simulation& simulation, const Contact& contact) {
-    return !simulation.is_live(contact.shapes) || !simulation.broad.overlap(contact.shapes) ||
+    return have_parted(simulation, contact.shapes) ||
            (simulation.filters_changed && !may_touch(simulation, contact.shapes));
 }
 
@@ -138,7 +143,7 @@ void find_pairs(Simulation& simulation) {
         simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); });
     if (!moved && !simulation.shapes.has_destroyed() && !simulation.filters_changed) return;
     simulation.contacts.update(new_pairs, simulation.shapes, simulation.settings.tuning, [&](Contact& contact) {
-        const bool keep = simulation.is_live(contact.shapes) && simulation.broad.overlap(contact.shapes) &&
+        const bool keep = !have_parted(simulation, contact.shapes) &&
                           !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
         if (!keep) {
             report_parting(simulation, contact);

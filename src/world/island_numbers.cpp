@@ -31,7 +31,7 @@ public:
 
 private:
     void tie(const Contact& contact) {
-        if (contact.manifold.point_count > 0 && simulation_.is_live(contact.shapes)) tie(contact.body_a, contact.body_b);
+        if (contact.manifold.point_count > 0 && !is_over(simulation_, contact)) tie(contact.body_a, contact.body_b);
     }
     void tie(std::uint32_t a, std::uint32_t b) {
         if (simulation_.bodies.is_dynamic(a) && simulation_.bodies.is_dynamic(b)) sets_.join(a, b);

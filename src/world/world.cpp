@@ -1,7 +1,6 @@
 // The facade: what comes and goes, the step, and what a user may read.
 #include "tumble/world.hpp"
 
-#include <algorithm>
 #include <string>
 
 #include "dynamics/sleep.hpp"

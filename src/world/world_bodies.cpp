@@ -1,6 +1,7 @@
 // Bodies between steps: what they are made to do, and what they are made into.
 #include <string>
 
+#include "dynamics/joint_angle.hpp"
 #include "dynamics/sleep.hpp"
 #include "tumble/world.hpp"
 #include "world/input_checks.hpp"
@@ -180,8 +181,7 @@ void World::move_towards(BodyId id, const Pose& pose) {
     check_pose(pose, "body");
     const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
     const DVec2 way = transform_point(pose, impl_->simulation.bodies.records[id.index].mass.center) - frame.center;
-    const Rotation from = frame.pose.rotation, to = pose.rotation;
-    const double turn = arc_tangent(cross(Vec2{from.c, from.s}, Vec2{to.c, to.s}), dot(Vec2{from.c, from.s}, Vec2{to.c, to.s}));
+    const double turn = relative_angle(frame.pose.rotation, pose.rotation);
     const double rate = double{impl_->def.steps_per_second};
     set_velocity(id, to_float(rate * way), static_cast<float>(rate * turn));
 }

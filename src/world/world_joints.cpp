@@ -1,5 +1,4 @@
 // Joints: what they may be, what they do to sleepers, and what goes with them.
-#include <algorithm>
 #include <optional>
 #include <string>
 

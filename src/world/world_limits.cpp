@@ -7,7 +7,7 @@ namespace tumble {
 
 WorldLimits world_limits(const WorldDef& def) {
     const Tuning tuning = make_tuning(def.scale);
-    const float h = 1.0f / (def.steps_per_second * static_cast<float>(def.substeps));
+    const float h = 1.0f / def.steps_per_second / static_cast<float>(def.substeps);
     return {.rest_speed = tuning.sleep_speed,
             .max_speed = tuning.max_speed,
             .push_out_speed = tuning.push_out_speed,

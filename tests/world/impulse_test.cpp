@@ -1,6 +1,7 @@
 // The impulses that contacts report: those of the whole step, so that they balance what moved.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

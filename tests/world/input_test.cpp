@@ -87,14 +87,25 @@ TEST_CASE("a world that diverges says which body, and can still be read") {
 }
 
 TEST_CASE("a body of whatever shapes has a mass that gives way") {
-    for (const float radius : {1e-30f, 1e-19f, 1e-3f, 1e19f, 3e38f})
+    for (const float radius : {1e-30f, 1e-19f, 1e-10f, 1e-3f, 1e19f, 3e38f})
         for (const float density : {0.0f, 1e-38f, 1.0f, 3e38f}) {
             World world = weightless();
             const BodyId body = add_dynamic(world, {}, make_circle(radius), {.density = density});
             CHECK(world.mass(body).mass > 0.0f);
             CHECK(std::isfinite(world.mass(body).mass));
+            world.set_velocity(body, {1.0f, 0.0f}, 1.0f);
+            CHECK_NOTHROW(run(world, 2));
             world.validate();
         }
+}
+
+TEST_CASE("the lightest masses that can be set move as they are pushed") {
+    World world = weightless();
+    const BodyId body = add_dynamic(world, {}, make_circle(0.5f));
+    add_dynamic(world, {0.9, 0.0}, make_circle(0.5f));
+    world.set_mass(body, BodyMass{1e-40f, {}, 1e-42f});
+    CHECK_NOTHROW(run(world, 60));
+    world.validate();
 }
 
 TEST_CASE("an impulse that is not finite stops the world even if only static bodies feel it") {

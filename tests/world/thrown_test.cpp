@@ -1,6 +1,8 @@
 // Joints that ask for what cannot be: the world stays finite, and whoever is freed behaves again.
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <variant>
 #include <vector>
 
 #include "support/worlds.hpp"
