@@ -31,8 +31,8 @@ void FrameOutput::draw_due(const SceneWorld& world) {
     const Stopwatch watch;
     const std::uint64_t step = world.world.step_count();
     const double time = static_cast<double>(step) / schedule_.steps_per_second;
+    camera_ = move_camera(camera_, scene_, world);
     while (next_frame_ < schedule_.frame_count() && schedule_.step_of_frame(next_frame_) == step) {
-        camera_ = move_camera(camera_, scene_, world);
         Image image = writer_.take_image();
         renderer_.draw(scene_, world, camera_, time, image, overlay_);
         writer_.submit(std::move(image), frame_file(folder_, next_frame_));

@@ -15,11 +15,12 @@ SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, c
     Progress progress("step", step);
     while (run.world().step_count() < step) {
         run.step();
+        camera = move_camera(camera, scene, run.built());
         progress.show(run.world().step_count());
     }
     Image image;
     const Marking marking = mark ? mark(run.built()) : Marking{};
-    camera = widen_camera(move_camera(camera, scene, run.built()), run.world(), marking, aspect_ratio);
+    camera = widen_camera(camera, run.world(), marking, aspect_ratio);
     renderer.draw(scene, run.built(), camera, run.time(), image, overlay, marking);
     create_folder_of(file);
     write_png(image, file);

@@ -36,8 +36,8 @@ Camera camera_following(const Scene& scene, const World& world, BodyId body) {
     const DVec2 position = world.state(body).pose.position;
     Camera camera;
     camera.follows = body;
-    camera.center = scene.camera.center.value_or(position);
-    camera.offset = camera.center - position;
+    camera.offset = scene.camera.center.value_or(position) - position;
+    camera.center = position + camera.offset;  // as move_camera() has it, to the bit
     const render::Box box = render::box_of(world, body);
     camera.height = height_or(scene, box.is_empty() ? 0.0 : kSurroundings * box.larger_side());
     return camera;

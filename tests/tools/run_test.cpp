@@ -242,6 +242,26 @@ TEST_CASE("a shot is the frame of a run at that time") {
     CHECK(run_tumble({"shot", scene, "-o", file, "--force"}).code == 0);
 }
 
+TEST_CASE("a camera that follows shows the same in a shot and in the frames of a run, few or many") {
+    const Folder folder;
+    // The ball turns, comes between two frames of the slower run and goes between two others.
+    const std::string scene = folder.write("late.json", R"({"format": 1, "name": "late", "world": {"duration": 0.5},
+        "camera": {"center": [1, 2], "follow": "ball"},
+        "bodies": [{"name": "floor", "type": "static", "shapes": [{"box": {"size": [9, 1]}}]}],
+        "timeline": [{"at": 0.06, "spawn": {"name": "ball", "position": [0, 3], "velocity": [2, 0], "angular_velocity": 300,
+                                            "shapes": [{"box": {"size": [1, 0.3]}}]}},
+                     {"at": 0.36, "despawn": "ball"}]})");
+    REQUIRE(run_tumble({"run", scene, "--size", "160x90", "-o", (folder / "60").string()}).code == 0);
+    REQUIRE(run_tumble({"run", scene, "--size", "160x90", "--fps", "10", "-o", (folder / "10").string()}).code == 0);
+    for (const std::size_t tenth : {std::size_t{0}, std::size_t{2}, std::size_t{3}, std::size_t{5}}) {
+        const std::string shot = (folder / (std::to_string(tenth) + ".png")).string();
+        REQUIRE(run_tumble({"shot", scene, "--at", "0." + std::to_string(tenth), "--size", "160x90", "-o", shot}).code == 0);
+        const std::string frame = std::to_string(6 * tenth);
+        CHECK(read_text(shot) == read_text(folder / ("60/frames/frame_" + std::string(6 - frame.size(), '0') + frame + ".png")));
+        CHECK(read_text(shot) == read_text(folder / ("10/frames/frame_00000" + std::to_string(tenth) + ".png")));
+    }
+}
+
 TEST_CASE("--set and --seed change the scene that is read") {
     const Folder folder;
     const Answer answer =
