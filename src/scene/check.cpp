@@ -173,7 +173,7 @@ private:
         const SceneJoint* const a = check_geared(gear.joint_a, pointer, "joints/0", references);
         const SceneJoint* const b = check_geared(gear.joint_b, pointer, "joints/1", references);
         if (!a || !b || diagnostics_.has_errors_in(pointer)) return;
-        const JointPlace first = *references.joint_names().find(gear.joint_a), second = *references.joint_names().find(gear.joint_b);
+        const NamedPlace first = *references.joint_names().find(gear.joint_a), second = *references.joint_names().find(gear.joint_b);
         if (first == second) error(pointer + "/joints", "a gear needs two joints, got " + quoted(gear.joint_a) + " twice");
         if (gear.repeat) check_gear_repeat(gear, pointer + "/repeat", {first, second});
     }
@@ -185,11 +185,11 @@ private:
         return joint;
     }
 
-    void check_gear_repeat(const SceneJoint& gear, const std::string& pointer, std::initializer_list<JointPlace> joints) {
-        if (std::ranges::none_of(joints, &JointPlace::is_copy))
+    void check_gear_repeat(const SceneJoint& gear, const std::string& pointer, std::initializer_list<NamedPlace> joints) {
+        if (std::ranges::none_of(joints, &NamedPlace::is_copy))
             return error(pointer, "belongs to gears on repeated joints", "name the first copy: \"hinge[0]\"");
         if (!check_rows(*gear.repeat, pointer)) return;
-        for (const JointPlace& joint : joints)
+        for (const NamedPlace& joint : joints)
             if (joint.is_copy && joint.copy + last_step(gear) >= joint.count)
                 error(pointer, "needs " + std::to_string(last_step(gear)) + " copies after " +
                                    quoted(copy_name(scene_.joints[joint.source], joint.copy)) + ", there are " +

@@ -48,8 +48,8 @@ std::vector<JointDef> make_joints(const SceneJoint& joint, const BodyNames& name
 }
 
 std::vector<JointDef> make_gears(const SceneJoint& gear, const JointNames& names, const std::vector<std::vector<JointId>>& built) {
-    const JointPlace a = names.find(gear.joint_a).value(), b = names.find(gear.joint_b).value();
-    const auto joint_at = [&](const JointPlace& place, std::size_t step) { return built[place.source].at(place.is_copy ? place.copy + step : 0); };
+    const NamedPlace a = names.find(gear.joint_a).value(), b = names.find(gear.joint_b).value();
+    const auto joint_at = [&](const NamedPlace& place, std::size_t step) { return built[place.source].at(place.is_copy ? place.copy + step : 0); };
     std::vector<JointDef> gears;
     for (const std::size_t step : steps_of(gear)) gears.push_back(make_gear(gear, joint_at(a, step), joint_at(b, step)));
     return gears;

@@ -1,6 +1,7 @@
 // Names of copies are not stored: a name is taken apart, which stays cheap for a million copies.
 #include "scene/names.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 #include "scene/joint_copies.hpp"
@@ -9,13 +10,69 @@
 
 namespace tumble::scene {
 
+namespace {
+
+// What was meant by a name that names nothing. `copies_of` gives the names of the copies that share one of the known names.
+template <class CopiesOf>
+std::string hint_for(std::string_view name, const std::vector<std::string_view>& known, const CopiesOf& copies_of) {
+    const std::string_view base = name.substr(0, name.rfind('['));
+    const bool is_known = std::ranges::find(known, base) != known.end();
+    const std::string_view meant = is_known ? base : nearest_word(base, known);
+    const std::string copies = copies_of(meant);
+    if (copies.empty()) return suggestion(name, known);
+    return (is_known ? "" : "did you mean '" + std::string(meant) + "'? ") + "the copies are called " + copies;
+}
+
+}  // namespace
+
+void EntryNames::add(const std::string& name, const NamedPlace& first) {
+    if (!name.empty()) first_.emplace(name, first);
+}
+
+std::optional<NamedPlace> EntryNames::find(std::string_view name) const {
+    const auto exact = first_.find(name);
+    if (exact != first_.end() && !exact->second.is_copy) return exact->second;
+    return find_copy(name);
+}
+
+std::optional<NamedPlace> EntryNames::find_copy(std::string_view name) const {
+    const std::optional<std::size_t> copy = copy_number(name);
+    const auto repeated = first_.find(base_name(name));
+    if (!copy || repeated == first_.end() || !repeated->second.is_copy || *copy >= repeated->second.count) return std::nullopt;
+    NamedPlace place = repeated->second;
+    place.copy = *copy;
+    return place;
+}
+
+std::optional<std::size_t> EntryNames::find_source(std::string_view name) const {
+    const auto found = first_.find(name);
+    if (found == first_.end()) return std::nullopt;
+    return found->second.source;
+}
+
+bool EntryNames::is_shared(std::string_view name) const {
+    const auto found = first_.find(name);
+    return found != first_.end() && found->second.is_copy;
+}
+
+std::string EntryNames::copies_text(std::string_view name) const {
+    if (!is_shared(name)) return "";
+    const auto& [base, first] = *first_.find(name);
+    return copy_name(base, 0) + " to " + copy_name(base, first.count - 1);
+}
+
+void EntryNames::append_to(std::vector<std::string_view>& names) const {
+    for (const auto& [name, first] : first_) names.push_back(name);
+}
+
 BodyNames::BodyNames(const Scene& scene) {
-    std::size_t first = 0;
+    std::size_t built = 0;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const SceneBody& body = scene.bodies[i];
-        const std::size_t count = static_cast<std::size_t>(copy_count(body));
-        if (!body.name.empty()) sources_.emplace(body.name, Source{i, first, count, body.repeat.has_value()});
-        first += count;
+        const auto count = static_cast<std::size_t>(copy_count(body));
+        entries_.add(body.name, {i, 0, count, body.repeat.has_value()});
+        first_built_.push_back(built);
+        built += count;
     }
     for (const SceneEvent& event : scene.timeline)
         if (event.spawn && !event.spawn->name.empty()) spawned_.emplace(event.spawn->name, event.every || event.spawn->repeat);
@@ -28,47 +85,32 @@ bool BodyNames::is_spawned(std::string_view name) const {
 }
 
 bool BodyNames::is_shared(std::string_view name) const {
-    const auto source = sources_.find(name);
     const auto spawned = spawned_.find(name);
-    return (source != sources_.end() && source->second.repeated) || (spawned != spawned_.end() && spawned->second);
+    return entries_.is_shared(name) || (spawned != spawned_.end() && spawned->second);
 }
 
 std::optional<std::size_t> BodyNames::find(std::string_view name) const {
-    const auto exact = sources_.find(name);
-    if (exact != sources_.end() && !exact->second.repeated) return exact->second.first;
-    return find_copy(name);
-}
-
-std::optional<std::size_t> BodyNames::find_copy(std::string_view name) const {
-    const std::optional<std::size_t> copy = copy_number(name);
-    const auto repeated = sources_.find(base_name(name));
-    if (!copy || repeated == sources_.end() || !repeated->second.repeated || *copy >= repeated->second.count) return std::nullopt;
-    return repeated->second.first + *copy;
+    const std::optional<NamedPlace> place = entries_.find(name);
+    if (!place) return std::nullopt;
+    return first_built_[place->source] + place->copy;
 }
 
 std::optional<std::size_t> BodyNames::copies_after(std::string_view name) const {
-    const std::optional<std::size_t> copy = find_copy(name);
-    if (!copy) return std::nullopt;
-    const Source& source = sources_.find(base_name(name))->second;
-    return source.first + source.count - 1 - *copy;
-}
-
-std::optional<std::size_t> BodyNames::find_source(std::string_view name) const {
-    const auto found = sources_.find(name);
-    if (found == sources_.end()) return std::nullopt;
-    return found->second.index;
+    const std::optional<NamedPlace> place = entries_.find_copy(name);
+    if (!place) return std::nullopt;
+    return place->count - 1 - place->copy;
 }
 
 std::string BodyNames::hint(std::string_view name) const {
-    const auto found = sources_.find(name.substr(0, name.rfind('[')));
-    if (found != sources_.end() && found->second.repeated) {
-        const std::string& base = found->first;
-        return "the copies are called " + base + "[0] to " + base + "[" + std::to_string(found->second.count - 1) + "]";
-    }
-    std::vector<std::string_view> names;
-    for (const auto& [known, source] : sources_) names.push_back(known);
-    for (const auto& [known, again] : spawned_) names.push_back(known);
-    return suggestion(name, names);
+    if (is_spawned(name)) return "the timeline makes it: it is not there from the start";
+    std::vector<std::string_view> known;
+    entries_.append_to(known);
+    for (const auto& [spawned, again] : spawned_) known.push_back(spawned);
+    return hint_for(name, known, [this](std::string_view meant) {
+        const auto spawned = spawned_.find(meant);
+        const bool again = spawned != spawned_.end() && spawned->second;
+        return again ? copy_name(spawned->first, 0) + ", " + copy_name(spawned->first, 1) + " and so on" : entries_.copies_text(meant);
+    });
 }
 
 const SceneBody* find_definition(const Scene& scene, const BodyNames& names, std::string_view name) {
@@ -83,26 +125,15 @@ const SceneBody* find_definition(const Scene& scene, const BodyNames& names, std
 JointNames::JointNames(const Scene& scene) {
     for (std::size_t i = 0; i < scene.joints.size(); ++i) {
         const SceneJoint& joint = scene.joints[i];
-        const auto count = static_cast<std::size_t>(copy_count(joint));
-        if (!joint.name.empty()) sources_.emplace(joint.name, JointPlace{i, 0, count, joint.repeat.has_value()});
+        entries_.add(joint.name, {i, 0, static_cast<std::size_t>(copy_count(joint)), joint.repeat.has_value()});
     }
 }
 
-std::optional<JointPlace> JointNames::find(std::string_view name) const {
-    const auto exact = sources_.find(name);
-    if (exact != sources_.end() && !exact->second.is_copy) return exact->second;
-    const std::optional<std::size_t> copy = copy_number(name);
-    const auto repeated = sources_.find(base_name(name));
-    if (!copy || repeated == sources_.end() || !repeated->second.is_copy || *copy >= repeated->second.count) return std::nullopt;
-    JointPlace place = repeated->second;
-    place.copy = *copy;
-    return place;
-}
-
-std::optional<std::size_t> JointNames::find_source(std::string_view name) const {
-    const auto found = sources_.find(name);
-    if (found == sources_.end()) return std::nullopt;
-    return found->second.source;
+std::string JointNames::hint(std::string_view name) const {
+    std::vector<std::string_view> known;
+    entries_.append_to(known);
+    if (known.empty()) return "no joint has a \"name\"";
+    return hint_for(name, known, [this](std::string_view meant) { return entries_.copies_text(meant); });
 }
 
 std::string copy_name(const SceneBody& body, std::size_t copy) {

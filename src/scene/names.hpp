@@ -1,4 +1,4 @@
-// Which built body a name means: "crate", or "crate[3]" for a copy.
+// Which built body or joint a name means: "crate", or "crate[3]" for a copy.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,51 @@
 
 namespace tumble::scene {
 
+// What a name means: an entry of a list of the scene, and which of its copies.
+struct NamedPlace {
+    std::size_t source = 0;
+    std::size_t copy = 0;
+    std::size_t count = 1;  // of all copies
+    bool is_copy = false;
+
+    friend bool operator==(const NamedPlace&, const NamedPlace&) = default;
+};
+
+// The names of a list's entries: of a repeated one "crate[3]" names something, and "crate" all its copies.
+class EntryNames {
+public:
+    // Of two entries with one name, the first counts; an empty name is none.
+    void add(const std::string& name, const NamedPlace& first);
+
+    std::optional<NamedPlace> find(std::string_view name) const;
+
+    // Of a repeated entry alone.
+    std::optional<NamedPlace> find_copy(std::string_view name) const;
+
+    // The entry that has this name, repeated or not.
+    std::optional<std::size_t> find_source(std::string_view name) const;
+
+    bool is_shared(std::string_view name) const;
+
+    // "crate[0] to crate[9]"; empty if no copies share the name.
+    std::string copies_text(std::string_view name) const;
+
+    void append_to(std::vector<std::string_view>& names) const;
+
+private:
+    std::map<std::string, NamedPlace, std::less<>> first_;  // the first copy of each
+};
+
 class BodyNames {
 public:
-    // Counts the copies of every body; of two bodies with one name, the first counts.
+    // Counts the copies of every body.
     explicit BodyNames(const Scene& scene);
 
     // The index of a built body, counting copies, in the order in which they are built.
     std::optional<std::size_t> find(std::string_view name) const;
 
     // The entry of Scene::bodies that has this name, repeated or not.
-    std::optional<std::size_t> find_source(std::string_view name) const;
+    std::optional<std::size_t> find_source(std::string_view name) const { return entries_.find_source(name); }
 
     // Whether the timeline makes a body of this name.
     bool is_spawned(std::string_view name) const;
@@ -30,54 +65,38 @@ public:
     bool is_shared(std::string_view name) const;
 
     // Whether a copy of a repeated body has this name.
-    bool is_copy(std::string_view name) const { return find_copy(name).has_value(); }
+    bool is_copy(std::string_view name) const { return entries_.find_copy(name).has_value(); }
 
     // How many copies of the same body come after this one; nothing if the name is not a copy's.
     std::optional<std::size_t> copies_after(std::string_view name) const;
 
-    // Why `name` names nothing, for a hint; may be empty.
+    // Why `name` names nothing that is there from the start, for a hint; may be empty.
     std::string hint(std::string_view name) const;
 
 private:
-    struct Source {
-        std::size_t index = 0;
-        std::size_t first = 0;  // built body
-        std::size_t count = 0;
-        bool repeated = false;
-    };
-
-    std::optional<std::size_t> find_copy(std::string_view name) const;
-
-    std::map<std::string, Source, std::less<>> sources_;
+    EntryNames entries_;
+    std::vector<std::size_t> first_built_;              // [Scene::bodies]: the built body that is its first copy
     std::map<std::string, bool, std::less<>> spawned_;  // by the name of the body: whether more than once
 };
 
 // The body that has a name in the end: an entry of Scene::bodies, repeated or not, or what an event spawns. Null if none.
 const SceneBody* find_definition(const Scene& scene, const BodyNames& names, std::string_view name);
 
-// What the name of a joint means: an entry of Scene::joints, and which of its copies.
-struct JointPlace {
-    std::size_t source = 0;
-    std::size_t copy = 0;
-    std::size_t count = 1;  // of all copies
-    bool is_copy = false;
-
-    friend bool operator==(const JointPlace&, const JointPlace&) = default;
-};
-
 class JointNames {
 public:
-    // Of two joints with one name, the first counts.
     explicit JointNames(const Scene& scene);
 
-    // "hinge", or "hinge[3]" of a repeated one.
-    std::optional<JointPlace> find(std::string_view name) const;
+    // "hinge", or "hinge[3]" of a repeated one: an entry of Scene::joints.
+    std::optional<NamedPlace> find(std::string_view name) const { return entries_.find(name); }
 
     // The entry of Scene::joints that has this name, repeated or not.
-    std::optional<std::size_t> find_source(std::string_view name) const;
+    std::optional<std::size_t> find_source(std::string_view name) const { return entries_.find_source(name); }
+
+    // Why `name` names nothing, for a hint; may be empty.
+    std::string hint(std::string_view name) const;
 
 private:
-    std::map<std::string, JointPlace, std::less<>> sources_;  // the first copy of each
+    EntryNames entries_;
 };
 
 // "crate[3]"; empty for an empty name.

@@ -1,10 +1,6 @@
 #include "scene/references.hpp"
 
-#include <string_view>
-#include <vector>
-
 #include "scene/json_text.hpp"
-#include "tumble/suggest.hpp"
 
 namespace tumble::scene {
 
@@ -27,18 +23,14 @@ void References::body_or_copies(const std::string& name, const std::string& poin
 }
 
 const SceneJoint* References::joint(const std::string& name, const std::string& pointer, const std::string& key, bool or_all) const {
-    if (const std::optional<JointPlace> place = joint_names_.find(name)) return &scene_.joints[place->source];
+    if (const std::optional<NamedPlace> place = joint_names_.find(name)) return &scene_.joints[place->source];
     if (const std::optional<std::size_t> all = joint_names_.find_source(name); or_all && all) return &scene_.joints[*all];
     if (diagnostics_.has_errors_in("/joints")) return nullptr;
     if (name.empty()) {
         diagnostics_.error(pointer, "the key " + quoted(key) + " is missing: the name of a joint");
         return nullptr;
     }
-    std::vector<std::string_view> known;
-    for (const SceneJoint& joint : scene_.joints)
-        if (!joint.name.empty()) known.push_back(joint.name);
-    diagnostics_.error(pointer + '/' + key, "there is no joint " + quoted(name),
-                       known.empty() ? "no joint has a \"name\"" : suggestion(name, known));
+    diagnostics_.error(pointer + '/' + key, "there is no joint " + quoted(name), joint_names_.hint(name));
     return nullptr;
 }
 

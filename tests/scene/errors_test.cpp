@@ -169,6 +169,24 @@ TEST_CASE("hints suggest what was meant") {
             .hint == "the copies are called crate[0] to crate[2]");
 }
 
+TEST_CASE("of what is repeated or comes later the hints know the names") {
+    const auto hint_of = [](const std::string& more) {
+        return error_of(R"({"format": 1, "bodies": [{"name": "plank", "repeat": {"grid": {"columns": 4, "spacing": [2, 1]}}}], "joints": [{"type": "revolute",
+            "name": "hinge", "bodies": ["plank[0]", "plank[1]"], "anchor": [1, 0], "repeat": {"columns": 3}})" + more + "]}").hint;
+    };
+    const auto hint_of_release = [&](const std::string& name) { return hint_of(R"(], "timeline": [{"at": 1, "release": ")" + name + "\"}"); };
+    CHECK(hint_of_release("hinge") == "the copies are called hinge[0] to hinge[2]");
+    CHECK(hint_of_release("hinge[3]") == "the copies are called hinge[0] to hinge[2]");
+    CHECK(hint_of_release("hing") == "did you mean 'hinge'? the copies are called hinge[0] to hinge[2]");
+    const auto hint_of_despawn = [&](const std::string& name) {
+        return hint_of(R"(], "timeline": [{"every": 1, "spawn": {"name": "drop"}}, {"at": 1, "despawn": ")" + name + "\"}");
+    };
+    CHECK(hint_of_despawn("plonk[1]") == "did you mean 'plank'? the copies are called plank[0] to plank[3]");
+    CHECK(hint_of_despawn("drop") == "the copies are called drop[0], drop[1] and so on");
+    CHECK(hint_of(R"(, {"type": "weld", "bodies": ["plank[0]", "late"], "anchor": [0, 0]}], "timeline": [{"at": 1, "spawn": {"name": "late"}})") ==
+          "the timeline makes it: it is not there from the start");
+}
+
 TEST_CASE("hints translate the habits of other engines") {
     const auto hint_of = [](const std::string& text) { return error_of(text).hint; };
     const std::string before = R"({"format": 1, "bodies": [{)", after = "}]}";
