@@ -72,6 +72,9 @@ private:
 
     void check_body(const SceneBody& body, const std::string& pointer) {
         for (std::size_t i = 0; i < body.shapes.size(); ++i) check_shape(body.shapes[i], at(pointer + "/shapes", i));
+        const bool moves = body.velocity != DVec2{} || body.angular_velocity != 0.0;
+        if (moves && !body.awake && body.type == BodyType::dynamic_body)
+            error(pointer + "/awake", "a body asleep is at rest, and this one has a velocity", R"(leave out "awake": false, or the velocity)");
     }
 
     void check_shape(const SceneShape& shape, const std::string& pointer) {

@@ -16,7 +16,7 @@ struct BadScene {
 // What a schema cannot say.
 inline const std::string kText = "the text itself: keys that occur twice, numbers that no double holds";
 inline const std::string kNames = "names: that they are unique, and that what is named is there";
-inline const std::string kNumbers = "numbers beside each other: which is larger, and how many copies they make";
+inline const std::string kNumbers = "numbers beside each other: which is larger, how many copies they make, and what must be 0";
 inline const std::string kGeometry = "geometry: what has no extent, or crosses itself";
 inline const std::string kKinds = "keys that belong to some types of joints, events or claims only";
 inline const std::string kNeeds = "keys that some types need";
@@ -77,6 +77,8 @@ inline const std::vector<BadScene> kBadScenes = {
     {R"({"format": 1, "bodies": [{"repeat": {"pyramid": {"base": 0}}}]})", "/bodies/0/repeat/pyramid/base", "must be at least 1, got 0"},
     {R"({"format": 1, "bodies": [{"repeat": {"grid": {"columns": 1000000, "rows": 1000000}}}]})", "/bodies/0", "makes 1000000000000 bodies", kNumbers},
     {R"({"format": 1, "bodies": [{"repeat": {"scatter": {"count": 50, "size": [1, 1], "separation": 1}}}]})", "/bodies/0/repeat", "found room for", kNumbers},
+    {R"({"format": 1, "bodies": [{"awake": false, "velocity": [0, 1]}]})", "/bodies/0/awake", "a body asleep is at rest", kNumbers},
+    {R"({"format": 1, "timeline": [{"at": 1, "spawn": {"awake": false, "angular_velocity": 1}}]})", "/timeline/0/spawn/awake", "a body asleep is at rest", kNumbers},
     // shapes
     {with_shape("{}"), kShape, "needs one of the keys circle, capsule, box, polygon, segment, chain, outline"},
     {with_shape(R"({"circle": {"radius": 1}, "box": {"size": [1, 1]}})"), kShape + "/box", "only one of them is allowed"},
