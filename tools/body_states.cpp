@@ -1,7 +1,6 @@
 #include "body_states.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -112,7 +111,7 @@ class RunningStates final : public StateSource {
 public:
     RunningStates(const std::filesystem::path& file, const LoadOptions& changes)
         : scene_(load_scene(file, changes)), run_(scene_),
-          last_step_(static_cast<std::uint64_t>(std::llround(scene_.world.duration * scene_.world.steps_per_second))) {}
+          last_step_(count_steps(scene_)) {}
 
     bool next(StepStates& states) override {
         if (started_ && run_.world().step_count() >= last_step_) return false;

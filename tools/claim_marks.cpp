@@ -21,7 +21,7 @@ std::array<DVec2, 4> corners_of(const SceneExpectation& expected, DVec2 lower, D
     const SceneFrame frame = expected.frame.value_or(SceneFrame{});
     const Pose pose{frame.position, make_rotation_degrees(frame.angle)};
     std::array<DVec2, 4> corners{lower, {upper.x, lower.y}, upper, {lower.x, upper.y}};
-    for (DVec2& corner : corners) corner = pose.position + rotate(pose.rotation, corner);
+    for (DVec2& corner : corners) corner = transform_point(pose, corner);
     return corners;
 }
 

@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "tumble/scene_run.hpp"
+
 namespace tumble::tools {
 
 std::uint64_t FrameSchedule::step_count() const noexcept {
-    return static_cast<std::uint64_t>(std::llround(duration * steps_per_second));
+    return nearest_step(duration, steps_per_second);
 }
 
 std::uint64_t FrameSchedule::frame_count() const noexcept {

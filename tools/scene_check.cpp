@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <thread>
@@ -23,7 +22,7 @@ void run_to_the_end(const Scene& scene, SceneCheck& check) {
     SceneRun run(scene);
     ExpectationWatch watch(scene, run.built());
     watch.observe(run.built());
-    const auto step_count = static_cast<std::uint64_t>(std::llround(scene.world.duration * scene.world.steps_per_second));
+    const std::uint64_t step_count = count_steps(scene);
     while (check.steps < step_count && !is_interrupted()) {
         run.step();
         watch.observe(run.built());

@@ -1,5 +1,5 @@
 // `tumble shot`: one frame of a scene.
-#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -42,7 +42,7 @@ ExitCode shoot(const Command& command, const ShotArguments& options) {
     const Scene scene = read_scene(options.scene);
     if (options.time > scene.world.duration) report_warning("--at is after the duration of the scene, which runs on until then");
     refuse_to_overwrite(options.file, options.force);
-    const auto step = static_cast<std::uint64_t>(std::llround(options.time * scene.world.steps_per_second));
+    const std::uint64_t step = nearest_step(options.time, scene.world.steps_per_second);
     report_shot(command, options, draw_scene_at(scene, step, options.size, options.file, options.overlay));
     return ExitCode::ok;
 }

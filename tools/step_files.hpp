@@ -85,9 +85,9 @@ private:
     std::string lines_;
 };
 
-// What begins and ends: step,time,event,a,b,x,y,nx,ny,speed. The events are contact_begin (with the place, the normal from
-// a to b and the approach speed), contact_end, sensor_begin and sensor_end (a is the sensor), joint_broke (a is the joint's
-// name or joint[i]) and fell_asleep.
+// What begins and ends: step,time,event,a,b,x,y,nx,ny,speed. The events are contact_begin and contact_hit (with the
+// place, the normal from a to b and the approach speed), contact_end, sensor_begin and sensor_end (a is the sensor),
+// joint_broke (a is the joint's name or joint[i]) and fell_asleep.
 class EventsFile {
 public:
     EventsFile(const std::filesystem::path& file, bool force, const SceneWorld& world);

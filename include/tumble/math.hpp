@@ -121,8 +121,11 @@ struct Pose {
 };
 
 // The world point of a local point, computed in double.
+constexpr DVec2 transform_point(const Pose& world_from_local, DVec2 local) {
+    return world_from_local.position + rotate(world_from_local.rotation, local);
+}
 constexpr DVec2 transform_point(const Pose& world_from_local, Vec2 local) {
-    return world_from_local.position + rotate(world_from_local.rotation, DVec2(local));
+    return transform_point(world_from_local, DVec2(local));
 }
 
 // The local point of a world point (for a rotation of unit length), computed in double.

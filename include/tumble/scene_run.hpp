@@ -12,6 +12,12 @@
 
 namespace tumble {
 
+// The step whose state is nearest to a time (s).
+std::uint64_t nearest_step(double time, double steps_per_second);
+
+// The steps from the start of a scene's run to its end.
+std::uint64_t count_steps(const Scene& scene);
+
 // Steps a scene's world. An event of time t happens before the first step that begins at t or later; step k (from 0)
 // begins at k / steps_per_second. Events of one time happen in the order of the file.
 class SceneRun {

@@ -9,6 +9,7 @@ namespace tumble {
 struct WorldLimits {
     float rest_speed = 0.0f;          // m/s: what is slower for long enough falls asleep
     float max_speed = 0.0f;           // m/s: no dynamic body moves faster
+    float most_turn = 0.0f;           // rad in a step: no dynamic body turns farther, unless it may turn fast
     float push_out_speed = 0.0f;      // m/s: the fastest that overlap is pushed out
     float contact_hertz = 0.0f;       // of the spring of a contact point, on the mass that it moves
     float static_stiffening = 0.0f;   // times that frequency, against what is not dynamic

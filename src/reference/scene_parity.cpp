@@ -1,7 +1,6 @@
 // Parity over a running scene: the pairs that its stepper really asks about.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "reference/parallel_blocks.hpp"
 #include "reference/parity_block.hpp"
@@ -42,7 +41,7 @@ void name_cases(ParityRow& row) {
 
 ParityResult run_scene_parity(const Scene& scene, const ParityOptions& options, std::uint64_t steps) {
     const auto start = std::chrono::steady_clock::now();
-    if (steps == 0) steps = static_cast<std::uint64_t>(std::llround(scene.world.duration * scene.world.steps_per_second));
+    if (steps == 0) steps = count_steps(scene);
     SceneRun run(scene);
     ParityResult result;
     result.seed = options.seed;

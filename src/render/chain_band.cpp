@@ -11,7 +11,7 @@ void add_chain_band(std::vector<MeshVertex>& mesh, const View& view, std::span<c
                     const Pose& pose, Color color) {
     std::vector<DVec2> line;
     line.reserve(points.size());
-    for (const DVec2 point : points) line.push_back(view.to_pixels(pose.position + rotate(pose.rotation, point)));
+    for (const DVec2 point : points) line.push_back(view.to_pixels(transform_point(pose, point)));
     const std::vector<DVec2> mitre = mitres(line, is_loop);
     const double width = std::min(style::kBand * view.detail(), style::kBandMetres * view.scale);
     const Color solid = faded(color, style::kBandOpacity), clear = faded(color, 0.0);

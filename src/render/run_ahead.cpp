@@ -1,7 +1,5 @@
 #include "render/run_ahead.hpp"
 
-#include <cmath>
-
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
 
@@ -27,7 +25,7 @@ void look(const SceneWorld& built, std::vector<BodyWay>& ways) {
 void run(const Scene& scene, std::vector<BodyWay>& ways) {
     SceneRun run(scene);
     look(run.built(), ways);
-    const auto steps = static_cast<std::uint64_t>(std::llround(scene.world.duration * scene.world.steps_per_second));
+    const std::uint64_t steps = count_steps(scene);
     std::size_t left = kMostBodySteps;
     for (std::uint64_t step = 1; step <= steps && run.built().bodies.size() <= left; ++step) {
         left -= run.built().bodies.size();

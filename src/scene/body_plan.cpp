@@ -1,5 +1,6 @@
 #include "scene/body_plan.hpp"
 
+#include "scene/degrees.hpp"
 #include "scene/geometry.hpp"
 #include "tumble/chain.hpp"
 #include "tumble/scene_world.hpp"
@@ -12,7 +13,7 @@ BodyDef make_body_def(const SceneBody& body) {
     BodyDef def;
     def.type = body.type;
     def.velocity = to_float(body.velocity + DVec2{});  // + 0 turns -0, which no file can hold, into 0
-    def.angular_velocity = static_cast<float>(body.angular_velocity * (kPi / 180.0) + 0.0);
+    def.angular_velocity = static_cast<float>(body.angular_velocity * kRadians + 0.0);
     def.linear_damping = static_cast<float>(body.linear_damping);
     def.angular_damping = static_cast<float>(body.angular_damping);
     def.gravity_scale = static_cast<float>(body.gravity_scale);

@@ -8,6 +8,7 @@
 
 #include "scene/body_lookup.hpp"
 #include "scene/claims.hpp"
+#include "scene/degrees.hpp"
 #include "scene/display.hpp"
 #include "scene/names.hpp"
 #include "tumble/distance.hpp"
@@ -277,7 +278,7 @@ private:
 
 double height_of(const BodyState& state) { return state.pose.position.y; }
 double speed_of(const BodyState& state) { return double{length(state.velocity)}; }
-double degrees_of(const BodyState& state) { return angle(state.pose.rotation) * (180.0 / kPi); }
+double degrees_of(const BodyState& state) { return angle(state.pose.rotation) * kDegrees; }
 
 }  // namespace
 

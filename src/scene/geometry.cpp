@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "scene/degrees.hpp"
 #include "scene/json_text.hpp"
 #include "tumble/outline.hpp"
 
@@ -53,7 +54,7 @@ struct ShapeMaker {
         if (box.radius > half_side)
             refuse("the radius " + number_text(box.radius) + " is more than half the smaller side of " +
                    text(box.size));
-        return {make_box(to_float(box.size), radius_of(box.radius), to_float(box.center), box.angle * (kPi / 180.0))};
+        return {make_box(to_float(box.size), radius_of(box.radius), to_float(box.center), box.angle * kRadians)};
     }
 
     std::vector<Shape> operator()(const PolygonGeometry& polygon) const { return {make_hull(polygon, nullptr)}; }

@@ -7,7 +7,7 @@ namespace {
 // The joint as it is for other bodies: what it says of the world keeps its place in the body.
 SceneJoint moved(const SceneJoint& joint, const PlacedBody& from, const PlacedBody& to) {
     SceneJoint copy = joint;
-    const auto move = [&](DVec2& point) { point = to.pose.position + rotate(to.pose.rotation, inverse_transform_point(from.pose, point)); };
+    const auto move = [&](DVec2& point) { point = transform_point(to.pose, inverse_transform_point(from.pose, point)); };
     if (joint.anchor) move(*copy.anchor);
     if (joint.ground_anchors) move(copy.ground_anchors->first), move(copy.ground_anchors->second);
     if (joint.axis && !joint.anchors) copy.axis = rotate(to.pose.rotation, inverse_rotate(from.pose.rotation, *joint.axis));

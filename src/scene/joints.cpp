@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "scene/degrees.hpp"
+
 namespace tumble::scene {
 
 namespace {
@@ -15,9 +17,6 @@ std::pair<Vec2, Vec2> local_anchors(const SceneJoint& joint, const Pose& a, cons
     const DVec2 world = joint.anchor.value_or(DVec2{});
     return {to_float(inverse_transform_point(a, world)), to_float(inverse_transform_point(b, world))};
 }
-
-// The unit of a joint's limits and motor speed in files.
-constexpr double kRadians = kPi / 180.0;
 
 std::optional<JointSpring> make_spring(const std::optional<SceneJointSpring>& spring) {
     if (!spring) return std::nullopt;

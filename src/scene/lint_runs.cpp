@@ -1,6 +1,5 @@
 // Events and claims that the run never comes to, and events that nothing obeys.
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "scene/lint.hpp"
 #include "scene/names.hpp"
 #include "scene/step_time.hpp"
+#include "tumble/scene_run.hpp"
 
 namespace tumble::scene {
 
@@ -19,7 +19,7 @@ class RunLinter {
 public:
     RunLinter(const Scene& scene, Diagnostics& diagnostics)
         : scene_(scene), diagnostics_(diagnostics), names_(scene),
-          steps_(static_cast<std::uint64_t>(std::llround(scene.world.duration * scene.world.steps_per_second))) {}
+          steps_(count_steps(scene)) {}
 
     void check_event(const SceneEvent& event, const std::string& pointer) {
         // An event of the last state comes too late too: no step begins there.
@@ -27,8 +27,8 @@ public:
         if (event.from) check_time(*event.from, 1, pointer + "/from", "it never happens");
         check_obeyed(event, pointer);
         const double time = event.at.value_or(event.from.value_or(0.0));
-        check_gone(event.body, time, end_of(event.body, &SceneEvent::despawn), pointer + "/body");
-        check_gone(event.joint, time, end_of(event.joint, &SceneEvent::release), pointer + "/joint");
+        if (!names_.is_spawned(event.body)) check_gone(event.body, time, &SceneEvent::despawn, pointer + "/body");
+        check_gone(event.joint, time, &SceneEvent::release, pointer + "/joint");
     }
 
     void check_claim(const SceneExpectation& claim, const std::string& pointer) {
@@ -55,18 +55,14 @@ private:
                              is_static ? R"("type": "dynamic" is pushed about)" : R"(set its "velocity", or make it "dynamic")");
     }
 
-    // When the body or joint of that name goes for good.
-    std::optional<double> end_of(const std::string& name, std::string SceneEvent::*goes) const {
-        const bool comes_back = names_.is_spawned(name);
-        for (const SceneEvent& event : scene_.timeline)
-            if (!name.empty() && !comes_back && event.*goes == name && event.at) return event.at;
-        return std::nullopt;
-    }
-
-    void check_gone(const std::string& name, double time, std::optional<double> end, const std::string& pointer) {
-        if (!end || time <= *end) return;
-        diagnostics_.warning(pointer, quoted(name) + " goes at " + number_text(*end) + " s: nothing happens to it after that",
-                             "an earlier time, or let it go later");
+    // Of the body or joint of that name, which something that `goes` takes away for good.
+    void check_gone(const std::string& name, double time, std::string SceneEvent::*goes, const std::string& pointer) {
+        for (const SceneEvent& end : scene_.timeline) {
+            if (name.empty() || end.*goes != name || time <= end.at.value()) continue;
+            diagnostics_.warning(pointer, quoted(name) + " goes at " + number_text(*end.at) + " s: nothing happens to it after that",
+                                 "an earlier time, or let it go later");
+            return;
+        }
     }
 
     const Scene& scene_;

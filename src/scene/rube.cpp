@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "scene/degrees.hpp"
 #include "scene/diagnostics.hpp"
 #include "scene/input.hpp"
 #include "scene/json_text.hpp"

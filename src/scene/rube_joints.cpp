@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/degrees.hpp"
 #include "scene/json_text.hpp"
 
 namespace tumble::scene {

@@ -13,8 +13,6 @@
 
 namespace tumble::scene {
 
-inline constexpr double kDegrees = 180.0 / kPi;  // a radian: R.U.B.E. writes radians, scenes degrees
-
 // What could not be carried over, counted by feature, in the order of the first occurrence.
 class RubeNotes {
 public:

@@ -8,6 +8,7 @@
 
 #include "scene/body_lookup.hpp"
 #include "scene/body_plan.hpp"
+#include "scene/degrees.hpp"
 #include "scene/diagnostics.hpp"
 #include "scene/names.hpp"
 #include "scene/place.hpp"
@@ -16,8 +17,6 @@
 namespace tumble {
 
 namespace {
-
-constexpr double kRadians = kPi / 180.0;
 
 // One entry of the timeline with what it needs at hand.
 struct Happening {
@@ -39,7 +38,7 @@ void set_motor_speed(JointDef& joint, double speed) {
             if constexpr (requires { def.motor; }) {
                 if (!def.motor) return;
                 const bool turns = std::is_same_v<std::decay_t<decltype(*def.motor)>, AngularMotor>;
-                def.motor->speed = static_cast<float>(turns ? speed * kRadians : speed);
+                def.motor->speed = static_cast<float>(turns ? speed * scene::kRadians : speed);
             }
         },
         joint);
@@ -97,7 +96,7 @@ struct SceneRun::Impl {
         if (event.torque) world.apply_torque(body, static_cast<float>(*event.torque));
         if (event.velocity) world.set_velocity(body, to_float(*event.velocity), state.angular_velocity);
         if (event.angular_velocity)
-            world.set_velocity(body, state.velocity, static_cast<float>(*event.angular_velocity * kRadians));
+            world.set_velocity(body, state.velocity, static_cast<float>(*event.angular_velocity * scene::kRadians));
         if (!event.despawn.empty()) world.destroy_body(body);
     }
 
@@ -137,6 +136,12 @@ struct SceneRun::Impl {
     std::uint64_t seed = 0;
     std::size_t bodies_of_file = 0;  // how many entries Scene::bodies has
 };
+
+std::uint64_t nearest_step(double time, double steps_per_second) {
+    return static_cast<std::uint64_t>(std::llround(time * steps_per_second));
+}
+
+std::uint64_t count_steps(const Scene& scene) { return nearest_step(scene.world.duration, scene.world.steps_per_second); }
 
 SceneRun::SceneRun(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
 SceneRun::~SceneRun() = default;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "scene/degrees.hpp"
 #include "scene/svg_path.hpp"
 #include "scene/svg_text.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 // [-90, 90) degrees: a box looks the same after half a turn.
 double box_angle(DVec2 direction) {
-    const double degrees = arc_tangent(direction.y, direction.x) * (180.0 / kPi);
+    const double degrees = arc_tangent(direction.y, direction.x) * kDegrees;
     if (degrees >= 90.0) return degrees - 180.0;
     return degrees < -90.0 ? degrees + 180.0 : degrees + 0.0;
 }

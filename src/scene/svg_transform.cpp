@@ -65,14 +65,6 @@ bool is_similarity(const Affine& map) {
     return std::abs(xx - yy) <= kAgreement * xx && std::abs(xy) <= kAgreement * xx;
 }
 
-SinCos sin_cos_degrees(double degrees) {
-    const double turned = std::fmod(degrees, 360.0);
-    const double quarters = turned / 90.0;
-    if (quarters != std::nearbyint(quarters)) return sin_cos(turned * (kPi / 180.0));
-    constexpr std::array<SinCos, 4> kQuarterTurns{{{0.0, 1.0}, {1.0, 0.0}, {0.0, -1.0}, {-1.0, 0.0}}};
-    return kQuarterTurns[static_cast<std::size_t>(quarters + 4.0) % 4];
-}
-
 Affine parse_transform(std::string_view text) {
     Affine result;
     SvgScanner scanner(text);

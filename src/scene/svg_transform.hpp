@@ -25,9 +25,6 @@ inline Affine compose(const Affine& outer, const Affine& inner) {
 // True if the map keeps angles up to sign: circles stay circles, boxes boxes. Within the rounding of a few maps.
 bool is_similarity(const Affine& map);
 
-// Multiples of 90 degrees are exact; any finite number may come.
-SinCos sin_cos_degrees(double degrees);
-
 // The value of a transform attribute, its functions applied from right to left. Throws SvgError.
 Affine parse_transform(std::string_view text);
 

@@ -44,7 +44,7 @@ TEST_CASE("an off-centre shape gets the velocity of its centre of mass and turns
                            R"(, "world": {"gravity": [0, 0]})"));
     CHECK(world.velocity(0).x == doctest::Approx(1.0));
     run(world, 60);
-    const DVec2 center = transform_point(world.pose(0), {2.0f, 0.0f});
+    const DVec2 center = transform_point(world.pose(0), Vec2{2.0f, 0.0f});
     CHECK(center.x == doctest::Approx(3.0).epsilon(1e-4));
     CHECK(std::abs(center.y) < 1e-4);
 }
@@ -79,7 +79,7 @@ TEST_CASE("joints hold") {
     run(world, 45);
     CHECK(length(world.pose(1).position - DVec2{0.0, 4.0}) == doctest::Approx(2.0).epsilon(0.01));
     CHECK(world.pose(1).position.y < 3.0);
-    CHECK(length(transform_point(world.pose(2), {-1.0f, 0.0f}) - DVec2{0.0, 9.0}) < 0.02);
+    CHECK(length(transform_point(world.pose(2), Vec2{-1.0f, 0.0f}) - DVec2{0.0, 9.0}) < 0.02);
 }
 
 TEST_CASE("what Box2D does not have is said") {

@@ -36,6 +36,21 @@ TEST_CASE("what is thrown goes at the greatest speed, in worlds of all scales") 
     }
 }
 
+TEST_CASE("what is spun turns no farther in a step than the limit, unless it may") {
+    const WorldDef def{.gravity = {}};
+    const float limit = world_limits(def).most_turn * def.steps_per_second;
+    const auto spin_after_step = [&](float spin, bool may) {
+        World world(def);
+        const BodyId body = world.create_body({.angular_velocity = spin, .allow_fast_rotation = may});
+        world.add_shape(body, {.shape = make_circle(0.5f)});
+        world.step();
+        return double{world.state(body).angular_velocity};
+    };
+    CHECK(spin_after_step(0.99f * limit, false) == double{0.99f * limit});
+    CHECK(spin_after_step(3.0f * limit, false) == doctest::Approx(double{limit}).epsilon(1e-6));
+    CHECK(spin_after_step(3.0f * limit, true) == double{3.0f * limit});
+}
+
 TEST_CASE("springs of joints are no stiffer than the stiffest") {
     for (const int substeps : {2, 4, 9}) {
         CAPTURE(substeps);
