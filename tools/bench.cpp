@@ -11,8 +11,9 @@
 #include "machine.hpp"
 #include "places.hpp"
 #include "query_bench.hpp"
+#include "scene_options.hpp"
 #include "step_bench.hpp"
-#include "tumble/scene_file.hpp"
+#include "validators.hpp"
 
 namespace tumble::tools {
 
@@ -75,7 +76,7 @@ ExitCode bench(const Command& command, const BenchArguments& options) {
     if (!command.json)
         write_output("scene                 bodies  contacts  tumble ms   box2d ms   ratio   (CPU time a step)\n");
     for (const std::string& name : options.scenes) {
-        const Scene scene = tumble::load_scene(find_scene(name));
+        const Scene scene = load_named_scene(find_scene(name).string());
         narrate("measuring " + name + "\n");
         const StepBenchResult row = bench_steps(scene, options.steps);
         write_row(json, row);
@@ -96,13 +97,13 @@ void add_bench(CLI::App& app, Command& command) {
     app_bench.add_option("--scenes", options->scenes, "Shipped scenes, or files")->delimiter(',')->capture_default_str();
     app_bench.add_option("--pairs", options->queries.pairs, "Pairs of shapes a query case; 0: no queries")
         ->capture_default_str()
-        ->check(CLI::Range(0, 10000000));
+        ->check(whole_number_from_to(0, 10000000));
     app_bench.add_option("--steps", options->steps.steps, "Steps a run")
         ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
+        ->check(whole_number_from_to(1, 100000));
     app_bench.add_option("--runs", options->steps.runs, "Runs, of which the median counts")
         ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
+        ->check(whole_number_from_to(1, 1000));
     app_bench.callback([&command, options] { command.action = [&command, options] { return bench(command, *options); }; });
 }
 

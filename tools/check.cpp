@@ -19,6 +19,7 @@
 #include "scene_options.hpp"
 #include "scene_shot.hpp"
 #include "tumble/scene_file.hpp"
+#include "validators.hpp"
 
 namespace tumble::tools {
 
@@ -90,7 +91,7 @@ void draw_failures(SceneCheck& check, const CheckArguments& options) {
         const std::filesystem::path file = options.shots / (check.name + "-expect-" + std::to_string(i) + ".png");
         try {
             refuse_to_overwrite(file, options.force);
-            const Scene scene = load_scene(check.file, options.changes);
+            const Scene scene = load_named_scene(check.file, options.changes);
             draw_scene_at(scene, result.step, {}, file, {}, [&](const SceneWorld& built) {
                 return marks_of(scene.expect.at(i), result, built);
             });
@@ -135,7 +136,7 @@ void add_check(CLI::App& app, Command& command) {
     add_change_options(check, options->changes);
     check.add_option("--junit", options->junit, "Write the results as JUnit XML")->type_name("F.xml");
     check.add_option("--shots", options->shots, "Draw the moment of each failure into this folder")->type_name("DIR");
-    check.add_option("-j,--jobs", options->jobs, "Scenes at a time")->capture_default_str()->check(CLI::Range(1, 256));
+    check.add_option("-j,--jobs", options->jobs, "Scenes at a time")->capture_default_str()->check(whole_number_from_to(1, 256));
     check.add_flag("--force", options->force, "Replace files that exist");
     check.callback([&command, options] { command.action = [&command, options] { return check_all(command, *options); }; });
 }

@@ -75,7 +75,7 @@ ExitCode run_demo(const Command& command, const DemoArguments& options) {
     const Scene scene = read_scene(source);
     RunOptions settings;
     const bool is_ours = options.folder.empty();
-    settings.folder = is_ours ? demo_folder() / file_name_of(scene, source.file) : options.folder;
+    settings.folder = is_ours ? demo_folder() / file_name_of(scene.name) : options.folder;
     settings.force = is_ours || options.force;
     narrate("Simulating and rendering " + options.name + ": " + scene.description + "\n");
     const RunReport report = simulate(scene, settings);

@@ -14,6 +14,8 @@
 #include "console.hpp"
 #include "csv_file.hpp"
 #include "json_writer.hpp"
+#include "scene_options.hpp"
+#include "validators.hpp"
 
 namespace tumble::tools {
 
@@ -69,6 +71,7 @@ std::uint64_t ulps_between(Number a, Number b) {
                  : static_cast<std::uint64_t>(y) - static_cast<std::uint64_t>(x);
 }
 
+constexpr double kMostTolerance = 1e9;  // m: the farthest place of a scene
 constexpr std::uint64_t kCountableUlps = 1000000;  // more tell nobody anything
 
 std::uint64_t ulps(const Difference& difference) {
@@ -276,9 +279,13 @@ std::string as_json(const Comparison& comparison) {
 }
 
 ExitCode run_diff(const Command& command, const DiffArguments& options) {
-    if (!options.changes.overrides.empty() && !is_scene_file(options.b))
-        throw CLI::ValidationError("--set", "changes a scene, and B is none: " + options.b);
-    if (is_hash_file(options.a) && is_hash_file(options.b)) return compare_hashes(command, options);
+    const bool is_changed = !options.changes.overrides.empty() || options.changes.seed;
+    if (is_changed && !is_scene_file(options.b))
+        throw CLI::ValidationError("--set and --seed", "change a scene, and B is none: " + options.b);
+    if (is_hash_file(options.a) && is_hash_file(options.b)) {
+        if (options.tolerance > 0.0) report_warning("--tolerance has no effect on hashes");
+        return compare_hashes(command, options);
+    }
     const Comparison comparison = compare(options);
     write_output(command.json ? as_json(comparison) : as_text(comparison, options.tolerance));
     return comparison.first ? ExitCode::failed : ExitCode::ok;
@@ -291,12 +298,10 @@ void add_diff(CLI::App& app, Command& command) {
     CLI::App& diff = add_subcommand(app, command, "diff", "Say where two runs first differ; exit code 7 if they do");
     diff.add_option("A", options->a, "A trajectory (.csv), the folder of a run that holds one, a scene to run, or a list of hashes (.csv)")->required();
     diff.add_option("B", options->b, "Another")->required();
-    diff.add_option("--set", options->changes.overrides, "Change a value of B, if it is a scene; may be given again")
-        ->type_name("/json/pointer=value")
-        ->allow_extra_args(false);
+    add_change_options(diff, options->changes, "B, if it is a scene");
     diff.add_option("--tolerance", options->tolerance, "Differences up to this (m, rad, m/s, rad/s) do not count")
         ->capture_default_str()
-        ->check(CLI::NonNegativeNumber);
+        ->check(number_from_to(0.0, kMostTolerance));
     diff.callback([&command, options] { command.action = [&command, options] { return run_diff(command, *options); }; });
 }
 

@@ -11,10 +11,10 @@
 #include "json_writer.hpp"
 #include "output_path.hpp"
 #include "reference/b2_rube.hpp"
-#include "run_options.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_import.hpp"
+#include "validators.hpp"
 
 namespace tumble::tools {
 

@@ -1,4 +1,5 @@
 // `tumble parity`: distances, rays, casts and times of impact beside Box2D's, with exact arithmetic as the judge.
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -14,11 +15,14 @@
 #include "reference/cast_families.hpp"
 #include "reference/pair_families.hpp"
 #include "reference/parity.hpp"
-#include "tumble/scene_file.hpp"
+#include "scene_options.hpp"
+#include "validators.hpp"
 
 namespace tumble::tools {
 
 namespace {
+
+constexpr std::uint64_t kMostPairs = 1000000000;  // an hour or two, and 200 MB for the list of their blocks
 
 struct ParityArguments {
     reference::ParityOptions parity;
@@ -28,14 +32,20 @@ struct ParityArguments {
     bool list = false;
 };
 
-void list_families() {
-    const auto list = [](const auto& family) {
+ExitCode list_families(const Command& command) {
+    JsonWriter json;
+    json.open_array();
+    const auto list = [&](const auto& family) {
+        json.open_object().member("name", family.name).member("description", family.description).close_object();
         std::string line(family.name);
         line.resize(24, ' ');
-        write_output(line + std::string(family.description) + "\n");
+        if (!command.json) write_output(line + std::string(family.description) + "\n");
     };
     for (const reference::PairFamily& family : reference::pair_families()) list(family);
     for (const reference::CastFamily& family : reference::cast_families()) list(family);
+    json.close_array();
+    if (command.json) write_output(json.text() + "\n");
+    return ExitCode::ok;
 }
 
 // The rows of all scenes as one result.
@@ -44,7 +54,7 @@ reference::ParityResult compare_scenes(const ParityArguments& options) {
     all.seed = options.parity.seed;
     for (const std::string& name : options.scenes) {
         narrate("comparing every pair of every step of " + name + "\n");
-        const reference::ParityResult one = reference::run_scene_parity(tumble::load_scene(find_scene(name)), options.parity);
+        const reference::ParityResult one = reference::run_scene_parity(load_named_scene(find_scene(name).string()), options.parity);
         all.pairs += one.pairs;
         all.seconds += one.seconds;
         all.families.insert(all.families.end(), one.families.begin(), one.families.end());
@@ -63,10 +73,7 @@ reference::ParityResult compare_random_pairs(const ParityArguments& options) {
 }
 
 ExitCode compare(const Command& command, const ParityArguments& options) {
-    if (options.list) {
-        list_families();
-        return ExitCode::ok;
-    }
+    if (options.list) return list_families(command);
     if (!options.report.empty()) refuse_to_overwrite(options.report, options.force);
     const bool in_scenes = !options.scenes.empty();
     const reference::ParityResult result = in_scenes ? compare_scenes(options) : compare_random_pairs(options);
@@ -91,13 +98,15 @@ ExitCode compare(const Command& command, const ParityArguments& options) {
 void add_parity(CLI::App& app, Command& command) {
     const auto options = std::make_shared<ParityArguments>();
     CLI::App& parity = add_subcommand(app, command, "parity", "Compare distances with b2Distance and exact arithmetic");
-    parity.add_option("--pairs", options->parity.pairs, "Random pairs")->capture_default_str()->check(CLI::PositiveNumber);
-    parity.add_option("--seed", options->parity.seed, "Seed of the pairs")->capture_default_str();
+    parity.add_option("--pairs", options->parity.pairs, "Random pairs")->capture_default_str()->check(whole_number_from_to(1, kMostPairs));
+    parity.add_option("--seed", options->parity.seed, "Seed of the pairs")
+        ->capture_default_str()
+        ->check(any_seed());
     parity.add_option("--family", options->parity.families, "Only this family of pairs; may be repeated");
     parity.add_option("--scene", options->scenes, "Instead, every pair of every step of this scene; may be repeated");
     parity.add_option("--threads", options->parity.threads, "0: as many as the machine has")
         ->capture_default_str()
-        ->check(CLI::Range(0, 256));
+        ->check(whole_number_from_to(0, 256));
     parity.add_option("--report", options->report, "Write a page with plots and the worst cases to this file");
     parity.add_flag("--force", options->force, "Replace an existing report");
     parity.add_flag("--list", options->list, "List the families");

@@ -25,7 +25,7 @@ ExitCode run(const Command& command, const RunArguments& options) {
     if (!has_bodies) report_warning("the scene has no bodies: there is nothing to see");
     RunOptions settings = options.run;
     if (settings.folder.empty())
-        settings.folder = std::filesystem::path("out") / file_name_of(scene, options.scene.file);
+        settings.folder = std::filesystem::path("out") / file_name_of(scene.name);
     const RunReport report = simulate(scene, settings);
     write_output(command.json ? to_json(report) : to_text(report));
     return report.complete ? ExitCode::ok : ExitCode::interrupted;

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "console.hpp"
-#include "json_writer.hpp"
+#include "validators.hpp"
 
 namespace tumble::tools {
 
@@ -16,12 +16,6 @@ namespace {
 constexpr int kMinSize = 16;  // pixels, the renderer's bounds
 constexpr int kMaxSize = 8192;
 constexpr double kMaxRate = 1e5;      // frames/s
-
-std::string format_number(double number) {
-    std::string text;
-    append_number(text, number);
-    return text;
-}
 
 bool parse_side(std::string_view text, int& pixels) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), pixels);
@@ -45,17 +39,6 @@ std::string overlay_names() {
 }
 
 }  // namespace
-
-CLI::Validator number_from_to(double lowest, double highest) {
-    const std::string range = "from " + format_number(lowest) + " to " + format_number(highest);
-    const auto check = [=](const std::string& text) {
-        double number = 0.0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-        const bool whole = error == std::errc{} && end == text.data() + text.size();
-        return whole && number >= lowest && number <= highest ? "" : "expected a number " + range + ", got " + text;
-    };
-    return {check, ""};
-}
 
 void add_size_option(CLI::App& subcommand, FrameSize& size) {
     subcommand

@@ -31,9 +31,6 @@ struct RunOptions {
     Overlay overlay;                      // what the frames show beside the shapes
 };
 
-// Accepts numbers in [lowest, highest] only: unlike CLI::Range, not NaN.
-CLI::Validator number_from_to(double lowest, double highest);
-
 // --size WxH
 void add_size_option(CLI::App& subcommand, FrameSize& size);
 

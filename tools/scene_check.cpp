@@ -18,7 +18,7 @@ namespace tumble::tools {
 namespace {
 
 void run_to_the_end(const Scene& scene, SceneCheck& check) {
-    check.name = file_name_of(scene, check.file);
+    check.name = file_name_of(scene.name);
     SceneRun run(scene);
     ExpectationWatch watch(scene, run.built());
     watch.observe(run.built());
@@ -82,10 +82,10 @@ std::string junit_suite(const SceneCheck& check) {
 SceneCheck check_scene_file(const std::string& file, const LoadOptions& changes) {
     SceneCheck check;
     check.file = file;
-    check.name = file_name_of({}, file);
+    check.name = file_name_of(std::filesystem::path(file).stem().string());
     const Stopwatch watch;
     try {
-        run_to_the_end(load_scene(file, changes), check);
+        run_to_the_end(load_named_scene(file, changes), check);
     } catch (...) {
         const Problem problem = explain(std::current_exception());
         check.code = problem.code;

@@ -2,30 +2,17 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <limits>
 
 #include "console.hpp"
+#include "validators.hpp"
 
 namespace tumble::tools {
 
-namespace {
-
-// Unlike a conversion by the library, not -1, which would wrap around.
-std::string check_seed(const std::string& text) {
-    std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    if (error == std::errc{} && end == text.data() + text.size()) return "";
-    return "expected a whole number from 0 to " + std::to_string(std::numeric_limits<std::uint64_t>::max()) + ", got " + text;
-}
-
-}  // namespace
-
-void add_change_options(CLI::App& subcommand, LoadOptions& changes) {
-    subcommand.add_option("--set", changes.overrides, "Change a value of the scene, /bodies/ball/position=[0, 3]; may be given again")
+void add_change_options(CLI::App& subcommand, LoadOptions& changes, const std::string& scene) {
+    subcommand.add_option("--set", changes.overrides, "Change a value of " + scene + ", /bodies/ball/position=[0, 3]; may be given again")
         ->type_name("/json/pointer=value")
         ->allow_extra_args(false);
-    subcommand.add_option("--seed", changes.seed, "Seed in place of the scene's")->type_name("N")->check(CLI::Validator(check_seed, ""));
+    subcommand.add_option("--seed", changes.seed, "Seed of " + scene + ", in place of its own")->type_name("N")->check(any_seed());
 }
 
 void add_scene_options(CLI::App& subcommand, SceneOptions& options) {
@@ -33,11 +20,16 @@ void add_scene_options(CLI::App& subcommand, SceneOptions& options) {
     add_change_options(subcommand, options.changes);
 }
 
+Scene load_named_scene(const std::string& file, const LoadOptions& changes, std::vector<Diagnostic>* warnings) {
+    Scene scene = load_scene(file, changes, warnings);
+    if (scene.name.empty()) scene.name = std::filesystem::path(file).stem().string();
+    return scene;
+}
+
 Scene read_scene(const SceneOptions& options) {
     std::vector<Diagnostic> warnings;
-    Scene scene = load_scene(options.file, options.changes, &warnings);
+    const Scene scene = load_named_scene(options.file, options.changes, &warnings);
     for (const Diagnostic& warning : warnings) narrate(to_string(warning) + "\n");
-    if (scene.name.empty()) scene.name = std::filesystem::path(options.file).stem().string();
     return scene;
 }
 
@@ -54,8 +46,7 @@ std::vector<std::string> without_schemas(const std::vector<std::string>& files) 
     return scenes;
 }
 
-std::string file_name_of(const Scene& scene, const std::filesystem::path& scene_file) {
-    std::string name = scene.name.empty() ? scene_file.stem().string() : scene.name;
+std::string file_name_of(std::string name) {
     for (char& character : name) {
         const bool plain = std::isalnum(static_cast<unsigned char>(character)) != 0 || character == '_' ||
                            character == '-' || character == '.';

@@ -11,6 +11,7 @@
 #include "run_options.hpp"
 #include "scene_options.hpp"
 #include "scene_shot.hpp"
+#include "validators.hpp"
 
 namespace tumble::tools {
 

@@ -107,6 +107,20 @@ TEST_CASE("pictures of scenes of one name stand beside each other, and those the
     CHECK(again.err.find("not drawn: ") != std::string::npos);
 }
 
+TEST_CASE("the picture of a failure has the title of the scene, which is that of its file if it has none") {
+    const Folder folder;
+    std::string text = crate_scene("2");
+    const std::string file = folder.write("crate & floor.json", text), shots = (folder / "shots").string();
+    REQUIRE(run_tumble({"check", file, "--shots", shots}).code == 7);
+    const std::string named = read_text(folder / "shots/crate___floor-expect-1.png");
+    const std::string name = R"("name": "crate & floor", )";
+    folder.write("crate & floor.json", text.erase(text.find(name), name.size()));
+    REQUIRE(run_tumble({"check", file, "--shots", shots, "--force"}).code == 7);
+    CHECK(read_text(folder / "shots/crate___floor-expect-1.png") == named);
+    CHECK(run_tumble({"check", file, "--shots", shots, "--force", "--set", "/name=other"}).code == 7);
+    CHECK(read_text(folder / "shots/other-expect-1.png") != named);
+}
+
 TEST_CASE("fmt prints the canonical form, and says what it loses") {
     const Folder folder;
     const std::string file = folder.write("a.json", "// mine: \"\n{\"bodies\": [], /* // */ \"name\": \"//\\\"/*\", \"world\": {\"substeps\": 4}, \"format\": 1} // end");

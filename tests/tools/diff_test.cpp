@@ -78,6 +78,11 @@ TEST_CASE("two lists of hashes are compared, and two values of one scene") {
     CHECK(run_tumble({"diff", scene, scene}).code == 0);
     CHECK(compare(run_tumble({"diff", scene, scene, "--set", "/world/gravity/1=-9", "--json"}))["first"]["component"] == "y");
     CHECK(run_tumble({"diff", scene, a, "--set", "/world/gravity/1=-9"}).code == 2);
+    const std::string scattered = folder.write("t.json", R"({"format": 1, "world": {"duration": 0.1}, "bodies": [{"name": "ball", "repeat": {"scatter": {"count": 3, "size": [4, 4]}}}]})");
+    CHECK(run_tumble({"diff", scattered, scattered, "--seed", "1"}).code == 0);  // the default
+    CHECK(run_tumble({"diff", scattered, scattered, "--seed", "2"}).code == 7);
+    CHECK(run_tumble({"diff", scattered, a, "--seed", "2"}).code == 2);
+    CHECK(run_tumble({"diff", a, a, "--tolerance", "1"}).err.find("--tolerance has no effect") != std::string::npos);
 }
 
 TEST_CASE("a run that ends early or has other bodies differs") {

@@ -44,6 +44,15 @@ TEST_CASE("parity of a scene compares its pairs step by step") {
     CHECK(result["families"][0]["name"] == "small");
     CHECK(result["ours_wrong"] == 0);
     CHECK(result["pairs"].get<int>() > 300);  // two bodies on the ground for most of 300 steps
+    const std::string nameless = folder.write("nameless.json", R"({"format": 1, "world": {"duration": 0.1}})");
+    CHECK(json::parse(run_tumble({"parity", "--scene", nameless, "--json"}).out)["families"][0]["name"] == "nameless");
+}
+
+TEST_CASE("parity lists its families, to scripts too") {
+    const json families = json::parse(run_tumble({"parity", "--list", "--json"}).out);
+    REQUIRE(families.size() > 20);
+    const std::string text = run_tumble({"parity", "--list"}).out;
+    for (const json& family : families) CHECK(text.find(family["name"].get<std::string>() + " ") != std::string::npos);
 }
 
 TEST_CASE("the parity report is one page that needs nothing else, and is not overwritten") {
