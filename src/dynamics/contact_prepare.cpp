@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dynamics/contact_block.hpp"
+#include "dynamics/integrate.hpp"
 
 namespace tumble {
 
@@ -129,14 +130,7 @@ Vec2 free_acceleration(const BodyStore& bodies, std::uint32_t body, Vec2 gravity
     return flags & kDynamicBody ? allowed(flags, bodies.moving[body].free_acceleration(gravity)) : Vec2{};
 }
 
-// The velocity at a gap of 0, either way, of what has this velocity at this gap under this acceleration.
-float velocity_at_impact(float velocity, float gap, float acceleration) {
-    const float square = velocity * velocity - 2.0f * acceleration * gap;
-    return std::copysign(std::sqrt(std::max(square, 0.0f)), velocity);
-}
-
-// The velocities at which points meet, from those before the step and the free motion over the gap. What the scheme keeps
-// under an acceleration a is (v + a h / 2)^2 - 2 a x: velocities are those of the middle of a sub-step.
+// The velocities at which points meet, either way, from those before the step and the free motion over the gap.
 void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, float h) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
         const std::uint32_t body_a = block.body_a[lane], body_b = block.body_b[lane];
@@ -152,7 +146,8 @@ void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, 
             const ContactBlockPoint& point = block.points[i];
             const float now =
                 linear + b.angular_velocity * point.across_b[lane] - a.angular_velocity * point.across_a[lane];
-            block.approach_speed[i][lane] = velocity_at_impact(now + 0.5f * h * along, point.separation[lane], along);
+            const float middle = now + 0.5f * h * along;
+            block.approach_speed[i][lane] = std::copysign(speed_after(middle, -point.separation[lane], along), middle);
         }
     }
 }

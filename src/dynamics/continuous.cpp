@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dynamics/constants.hpp"
+#include "dynamics/integrate.hpp"
 #include "dynamics/sweeps.hpp"
 
 namespace tumble {
@@ -80,6 +81,18 @@ double impact(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& 
 Aabb box_on_way(const Shape& shape, const Sweep& sweep) {
     const Shape disc = make_circle(farthest_distance(shape, sweep.local_center));
     return merge(bounds(disc, {sweep.start, {}}), bounds(disc, {sweep.end, {}}));
+}
+
+// The velocity of a body that is taken back by `way`, which it took the time `lost` for, under an acceleration that acted
+// all the while. The speed along it is what is due at that height, whatever the body has bounced off in the step: taking
+// off what the acceleration has given in that time gains energy if it has.
+Vec2 velocity_before(Vec2 velocity, Vec2 way, float lost, Vec2 acceleration, float h) {
+    const float size = length(acceleration);
+    if (size == 0.0f) return velocity;
+    const Vec2 down = (1.0f / size) * acceleration;
+    const float middle = dot(velocity, down) + 0.5f * h * size;
+    const float before = std::copysign(speed_after(middle, -dot(way, down), size), middle - lost * size);
+    return velocity + (before - middle) * down;
 }
 
 class ImpactFinder {
@@ -229,11 +242,16 @@ private:
         simulation_.impacts.push_back(mover.meeting);
         const std::uint32_t index = simulation_.bodies.frames[mover.body].solver_body;
         SolverBody& body = simulation_.bodies.solver_bodies[index];
-        body.delta_position = to_float(mover.fraction * (mover.sweep.end - mover.sweep.start));
-        body.delta_rotation = make_rotation(mover.fraction * mover.sweep.turn);
-        const float lost = static_cast<float>(1.0 - mover.fraction) * simulation_.settings.duration;
         const MovingBody& moving = simulation_.bodies.moving[index];
-        body.velocity -= allowed(body.flags, lost * moving.free_acceleration(simulation_.settings.gravity));
+        const DVec2 way = mover.sweep.end - mover.sweep.start;
+        const double rest = 1.0 - mover.fraction;
+        const float lost = static_cast<float>(rest) * simulation_.settings.duration;
+        const Vec2 acceleration = allowed(body.flags, moving.free_acceleration(simulation_.settings.gravity));
+        body.velocity = velocity_before(body.velocity, to_float(rest * way), lost, acceleration,
+                                        simulation_.settings.substep_duration());
+        body.angular_velocity -= allowed(body.flags, lost * moving.angular_acceleration);
+        body.delta_position = to_float(mover.fraction * way);
+        body.delta_rotation = make_rotation(mover.fraction * mover.sweep.turn);
     }
 
     static constexpr std::size_t kNobody = Mover::kNobody;

@@ -1,6 +1,9 @@
 // Motion of the bodies: semi-implicit Euler within the sub-steps, and the new poses at the end of the step.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "dynamics/body_store.hpp"
 #include "tumble/math.hpp"
 
@@ -11,6 +14,12 @@ struct SpeedLimits {
     float spin = 0.0f;       // rad/s
     float fast_spin = 0.0f;  // of bodies that may turn fast, and what nothing passes unless it is thrown
 };
+
+// The speed after a way along a constant acceleration, 0 if that is out of reach. The scheme keeps v^2 - 2 a x exactly
+// for the velocities of the middle of a sub-step, v + a h / 2.
+inline float speed_after(float velocity, float way, float acceleration) {
+    return std::sqrt(std::max(velocity * velocity + 2.0f * acceleration * way, 0.0f));
+}
 
 // v += h (g + F / m), damping v / (1 + h c), speed limits: constraints are to pass on no more than a body may have. Bodies that are not dynamic keep their velocities.
 void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits);

@@ -29,6 +29,8 @@ struct StepSettings {
     bool sleeping = true;
     bool continuous = true;
     Tuning tuning;
+
+    float substep_duration() const { return duration / static_cast<float>(substeps); }
 };
 
 // A body that falls asleep, and the root of its island: its solver body when islands were found.

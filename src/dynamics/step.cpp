@@ -34,17 +34,13 @@ private:
     Clock::time_point last_ = start_;
 };
 
-float substep_duration(const Simulation& simulation) {
-    return simulation.settings.duration / static_cast<float>(simulation.settings.substeps);
-}
-
 SpeedLimits speed_limits(const Simulation& simulation) {
     return {simulation.settings.tuning.max_speed, kMaxRotation / simulation.settings.duration,
-            kMaxFastRotation / substep_duration(simulation)};
+            kMaxFastRotation / simulation.settings.substep_duration()};
 }
 
 JointContext joint_context(const Simulation& simulation) {
-    const float h = substep_duration(simulation);
+    const float h = simulation.settings.substep_duration();
     return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h)};
 }
 
@@ -172,7 +168,7 @@ void collide_woken(Simulation& simulation) {
 void prepare_constraints(Simulation& simulation) {
     simulation.graph.build(simulation.contacts.all(), simulation.bodies);
     prepare_contacts(simulation.contacts.all(), simulation.bodies, simulation.graph, simulation.settings.tuning,
-                     simulation.settings.gravity, substep_duration(simulation), simulation.blocks);
+                     simulation.settings.gravity, simulation.settings.substep_duration(), simulation.blocks);
     simulation.joints.prepare(simulation.bodies);
 }
 
@@ -191,7 +187,7 @@ void run_substep(Simulation& simulation) {
 
 void bounce(Simulation& simulation) {
     apply_restitution(simulation.blocks, simulation.bodies.solver_bodies,
-                      simulation.settings.tuning.restitution_threshold, substep_duration(simulation));
+                      simulation.settings.tuning.restitution_threshold, simulation.settings.substep_duration());
 }
 
 void store_results(Simulation& simulation) {
