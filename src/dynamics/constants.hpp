@@ -84,8 +84,7 @@ inline constexpr float kContinuousPart = 0.5f;
 
 // The part of a shape that must not pass: the rest may sink in and is pushed out. Larger: sliding over seams stops.
 // Smaller: deeper overlap. The inner parts are for shapes that have sunk in deeper already: they go no further.
-inline constexpr float kContinuousCore = 0.75f;
-inline constexpr float kContinuousInnerCores[] = {0.5f, 0.25f, 0.0f};
+inline constexpr float kContinuousCores[] = {0.75f, 0.5f, 0.25f, 0.0f};
 
 // Rotation limit a step, rad: an eighth of a turn. More breaks the linearisation of contacts within the step, and
 // continuous collision. A body may be allowed more (wheels, projectiles: round things), up to half a turn a sub-step:

@@ -59,6 +59,7 @@ struct ContactBlock {
     Lanes restitution;
     Lanes approach_speed[2];  // of each point: normal velocity at the impact, negative if approaching; with restitution only
     Lanes absorbed;           // work that the normal impulses of this step have taken, J; with restitution only
+    Lanes friction_work;      // work that friction has done in this step against its surfaces, J; with restitution only
     Lanes acceleration;       // along the normal, of B's centre against A's if nothing were in their way; with restitution only
     Lanes tangent_speed;
     Lanes rolling_resistance;  // m

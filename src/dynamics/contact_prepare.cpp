@@ -19,7 +19,7 @@ ContactBlock make_neutral_block() {
          {&block.normal_x, &block.normal_y, &block.inv_mass_ax, &block.inv_mass_ay, &block.inv_mass_bx,
           &block.inv_mass_by, &block.linear_normal, &block.linear_tangent, &block.least_response, &block.inv_inertia_a,
           &block.inv_inertia_b, &block.coupling, &block.friction, &block.radius_a, &block.radius_b, &block.restitution,
-          &block.approach_speed[0], &block.approach_speed[1], &block.acceleration, &block.absorbed,
+          &block.approach_speed[0], &block.approach_speed[1], &block.acceleration, &block.absorbed, &block.friction_work,
           &block.tangent_speed, &block.rolling_resistance, &block.rolling_mass, &block.rolling_impulse})
         *lanes = zero;
     for (ContactBlockPoint& point : block.points)
@@ -147,7 +147,8 @@ void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, 
             const float now =
                 linear + b.angular_velocity * point.across_b[lane] - a.angular_velocity * point.across_a[lane];
             const float middle = now + 0.5f * h * along;
-            block.approach_speed[i][lane] = std::copysign(speed_after(middle, -point.separation[lane], along), middle);
+            const float speed_sq = speed_sq_after(middle, -point.separation[lane], along);
+            block.approach_speed[i][lane] = std::copysign(std::sqrt(std::max(speed_sq, 0.0f)), middle);
         }
     }
 }

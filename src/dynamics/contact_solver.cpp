@@ -38,16 +38,28 @@ TUMBLE_LANE_FUNCTION NormalRow make_rigid_row(const ContactBlock& block, const C
             normal_velocity(point, state) + gap * inv_h - point.inverse_mass * point.normal_impulse};
 }
 
-// Coulomb friction against the normal impulse; a belt's surface moves by itself.
-TUMBLE_LANE_FUNCTION void solve_friction(const ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
-    Lanes slip = tangent_velocity(point, state);
-    if (block.has_tangent_speed) slip += block.tangent_speed;
+// How fast B's surface moves along A's; a belt's moves by itself.
+TUMBLE_LANE_FUNCTION Lanes slip_speed(const ContactBlock& block, const ContactBlockPoint& point,
+                                      const BlockState& state) {
+    const Lanes velocity = tangent_velocity(point, state);
+    return block.has_tangent_speed ? velocity + block.tangent_speed : velocity;
+}
+
+// Remembers the work that it does where it may be followed by a bounce, as push_normals() does.
+TUMBLE_LANE_FUNCTION void push_tangent(ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
+                                       BlockState& state) {
+    if (block.has_restitution) block.friction_work += 0.5f * impulse * slip_speed(block, point, state);
+    apply_tangent(block, point, impulse, state);
+    if (block.has_restitution) block.friction_work += 0.5f * impulse * slip_speed(block, point, state);
+}
+
+// Coulomb friction against the normal impulse.
+TUMBLE_LANE_FUNCTION void solve_friction(ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
     const Lanes old_impulse = point.tangent_impulse;
-    const Lanes wanted = old_impulse - point.tangent_mass * slip;
+    const Lanes wanted = old_impulse - point.tangent_mass * slip_speed(block, point, state);
     point.tangent_impulse = clamp_magnitude(wanted, block.friction * point.normal_impulse);
-    const Lanes change = point.tangent_impulse - old_impulse;
     point.applied_tangent += point.tangent_impulse;
-    apply_tangent(block, point, change, state);
+    push_tangent(block, point, point.tangent_impulse - old_impulse, state);
 }
 
 // A torque against rolling, at most resistance times the normal impulse.
@@ -67,7 +79,7 @@ void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> b
     for (ContactBlock& block : blocks) {
         BlockState state = load(block, bodies);
         push_normals(block, block.points[0].normal_impulse, block.points[1].normal_impulse, state);
-        for (const ContactBlockPoint& point : block.points) apply_tangent(block, point, point.tangent_impulse, state);
+        for (const ContactBlockPoint& point : block.points) push_tangent(block, point, point.tangent_impulse, state);
         if (block.has_rolling_resistance) apply_rolling(block, block.rolling_impulse, state);
         finish(block, state, bodies);
     }

@@ -1,10 +1,10 @@
 #include "dynamics/continuous.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "dynamics/constants.hpp"
+#include "dynamics/impact.hpp"
 #include "dynamics/integrate.hpp"
 #include "dynamics/sweeps.hpp"
 
@@ -19,80 +19,10 @@ Sweep part_of(const Sweep& sweep, double from, double to) {
             (to - from) * sweep.turn};
 }
 
-// Along the longest edge, unit.
-Vec2 long_axis(const Shape& shape) {
-    Vec2 longest{1.0f, 0.0f};
-    float size = 0.0f;
-    for (int i = 0; i < shape.vertex_count(); ++i) {
-        const Vec2 edge = shape.vertex((i + 1) % shape.vertex_count()) - shape.vertex(i);
-        if (length(edge) > size) size = length(edge), longest = (1.0f / size) * edge;
-    }
-    return longest;
-}
-
-// A shape shrunk about its middle to a part of its thickness, and by as much of its length: the tip of a bar is no more to
-// pass than its side. 0 leaves the middle point.
-Shape core_of(const ShapeRecord& record, float part) {
-    const Shape& shape = record.shape;
-    const Vec2 middle = mass_properties(shape).center;
-    if (part == 0.0f || shape.vertex_count() > Shape::kInlineVertices)
-        return make_circle(0.5f * part * record.smaller_extent, middle);
-    const Vec2 along = long_axis(shape), across = perp(along);
-    Vec2 reach;
-    for (int i = 0; i < shape.vertex_count(); ++i) {
-        const Vec2 arm = shape.vertex(i) - middle;
-        reach = {std::max(reach.x, std::abs(dot(along, arm))), std::max(reach.y, std::abs(dot(across, arm)))};
-    }
-    const float inset = (1.0f - part) * (0.5f * record.smaller_extent - shape.radius());
-    const auto scale = [&](float way) { return way > 0.0f ? std::max(part, 1.0f - inset / way) : part; };
-    const float scale_along = scale(reach.x), scale_across = scale(reach.y);
-    std::array<Vec2, Shape::kInlineVertices> vertices;
-    for (int i = 0; i < shape.vertex_count(); ++i) {
-        const Vec2 arm = shape.vertex(i) - middle;
-        vertices[static_cast<std::size_t>(i)] =
-            middle + (scale_along * dot(along, arm)) * along + (scale_across * dot(across, arm)) * across;
-    }
-    return Shape::from_raw({vertices.data(), static_cast<std::size_t>(shape.vertex_count())}, part * shape.radius());
-}
-
-// True if a shape that has sunk in deeper than it may would sink in further, up to its middle.
-bool sinks_deeper(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other, const Sweep& other_sweep) {
-    for (const float part : kContinuousInnerCores) {
-        const CastResult core = time_of_impact(other.shape, other_sweep, core_of(moving, part), sweep);
-        if (core.status != CastStatus::overlapping) return core.status == CastStatus::hit;
-    }
-    return false;
-}
-
-// When a shape must stop for another: 1 if it may go all the way.
-double impact(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other, const Sweep& other_sweep) {
-    if (other.link && is_behind(other.shape, *other.link, pose_at(other_sweep, 0.0), moving.shape, pose_at(sweep, 0.0)))
-        return 1.0;
-    const CastResult core = time_of_impact(other.shape, other_sweep, core_of(moving, kContinuousCore), sweep);
-    if (core.status == CastStatus::overlapping) return sinks_deeper(moving, sweep, other, other_sweep) ? 0.0 : 1.0;
-    if (core.status != CastStatus::hit) return 1.0;
-    const CastResult surface = time_of_impact(other.shape, other_sweep, moving.shape, sweep);
-    // Who touched already at the start may sink in as far as its core.
-    const bool touched = surface.status != CastStatus::hit || surface.fraction <= 0.0;
-    return touched ? core.fraction : surface.fraction;
-}
-
 // The box of all that a shape may cover on its way, whatever it turns.
 Aabb box_on_way(const Shape& shape, const Sweep& sweep) {
     const Shape disc = make_circle(farthest_distance(shape, sweep.local_center));
     return merge(bounds(disc, {sweep.start, {}}), bounds(disc, {sweep.end, {}}));
-}
-
-// The velocity of a body that is taken back by `way`, which it took the time `lost` for, under an acceleration that acted
-// all the while. The speed along it is what is due at that height, whatever the body has bounced off in the step: taking
-// off what the acceleration has given in that time gains energy if it has.
-Vec2 velocity_before(Vec2 velocity, Vec2 way, float lost, Vec2 acceleration, float h) {
-    const float size = length(acceleration);
-    if (size == 0.0f) return velocity;
-    const Vec2 down = (1.0f / size) * acceleration;
-    const float middle = dot(velocity, down) + 0.5f * h * size;
-    const float before = std::copysign(speed_after(middle, -dot(way, down), size), middle - lost * size);
-    return velocity + (before - middle) * down;
 }
 
 class ImpactFinder {
@@ -108,7 +38,7 @@ public:
         while (stop_first_bullet()) {
         }
         for (const Mover& mover : movers_)
-            if (mover.fraction < 1.0) shorten(mover);
+            if (mover.fraction < 1.0) stop(mover);
         std::vector<ProxyPair>& impacts = simulation_.impacts;
         std::sort(impacts.begin(), impacts.end());
         impacts.erase(std::unique(impacts.begin(), impacts.end()), impacts.end());
@@ -158,7 +88,7 @@ private:
             const std::uint32_t body = simulation_.shapes[other].body;
             if (simulation_.bodies.is_dynamic(body)) return;
             const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
-                                           sweep_of(simulation_.bodies, body));
+                                           sweep_of(simulation_.bodies, body), is_held(own, other));
             if (fraction >= mover.fraction) return;
             mover.fraction = fraction;
             mover.meeting = make_pair_of(own, other);
@@ -191,12 +121,13 @@ private:
         const ShapeRecord& shape = simulation_.shapes[own];
         const ShapeRecord& other_shape = simulation_.shapes[other];
         const double both = std::min(mover.next, other_fraction);
+        const bool held = is_held(own, other);
         const double together =
-            impact(shape, part_of(mover.sweep, 0.0, both), other_shape, part_of(other_sweep, 0.0, both));
+            impact(shape, part_of(mover.sweep, 0.0, both), other_shape, part_of(other_sweep, 0.0, both), held);
         double fraction = together * both;
         if (together >= 1.0 && both < mover.next) {
-            const double alone =
-                impact(shape, part_of(mover.sweep, both, mover.next), other_shape, part_of(other_sweep, both, both));
+            const double alone = impact(shape, part_of(mover.sweep, both, mover.next), other_shape,
+                                        part_of(other_sweep, both, both), held);
             fraction = both + alone * (mover.next - both);
         }
         if (fraction >= mover.next) return;
@@ -230,6 +161,11 @@ private:
         return true;
     }
 
+    bool is_held(std::uint32_t own, std::uint32_t other) const {
+        const Contact* const contact = simulation_.contacts.find(make_pair_of(own, other));
+        return contact && (contact->applied[0].normal > 0.0f || contact->applied[1].normal > 0.0f);
+    }
+
     std::size_t find_mover(std::uint32_t body) const {
         const auto found = std::lower_bound(movers_.begin(), movers_.end(), body,
                                             [](const Mover& mover, std::uint32_t key) { return mover.body < key; });
@@ -237,21 +173,10 @@ private:
                                                              : kNobody;
     }
 
-    // The motion ends at the fraction, and gravity and forces did not act for the rest of the step.
-    void shorten(const Mover& mover) {
+    void stop(const Mover& mover) {
         simulation_.impacts.push_back(mover.meeting);
-        const std::uint32_t index = simulation_.bodies.frames[mover.body].solver_body;
-        SolverBody& body = simulation_.bodies.solver_bodies[index];
-        const MovingBody& moving = simulation_.bodies.moving[index];
-        const DVec2 way = mover.sweep.end - mover.sweep.start;
-        const double rest = 1.0 - mover.fraction;
-        const float lost = static_cast<float>(rest) * simulation_.settings.duration;
-        const Vec2 acceleration = allowed(body.flags, moving.free_acceleration(simulation_.settings.gravity));
-        body.velocity = velocity_before(body.velocity, to_float(rest * way), lost, acceleration,
-                                        simulation_.settings.substep_duration());
-        body.angular_velocity -= allowed(body.flags, lost * moving.angular_acceleration);
-        body.delta_position = to_float(mover.fraction * way);
-        body.delta_rotation = make_rotation(mover.fraction * mover.sweep.turn);
+        shorten_motion(simulation_.bodies, mover.body, mover.fraction, simulation_.settings.gravity,
+                       {simulation_.settings.duration, simulation_.settings.substep_duration()});
     }
 
     static constexpr std::size_t kNobody = Mover::kNobody;

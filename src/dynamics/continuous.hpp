@@ -1,9 +1,7 @@
 // Continuous collision: a body that moves far in a step is stopped where it first meets what it must not pass.
 //
 // Fast is who moves by more than half of the smallest extent of its shapes. Fast bodies are swept against static and
-// kinematic ones, bullets against all, on the bracketed time of impact of the narrow phase. Only what would pass deeply
-// counts: the sweep of a shape's core, smaller than the shape, decides whether to stop, so that sliding over the seam
-// of two floors is no impact; the sweep of the shape itself says when.
+// kinematic ones, bullets against all, on the bracketed time of impact of the narrow phase.
 //
 // Left out: what a stopped body would have done with the rest of the step. It loses that time: the contact begins in this
 // step and is solved in the next.

@@ -67,6 +67,30 @@ void integrate_positions(BodyStore& bodies, float h, const SpeedLimits& limits) 
     }
 }
 
+void shorten_motion(BodyStore& bodies, std::uint32_t index, double fraction, Vec2 gravity, const StepTimes& times) {
+    const BodyFrame& frame = bodies.frames[index];
+    SolverBody& body = bodies.solver_bodies[frame.solver_body];
+    const MovingBody& moving = bodies.moving[frame.solver_body];
+    const float part = static_cast<float>(fraction), rest = static_cast<float>(1.0 - fraction);
+    const float lost = rest * times.step;
+    body.angular_velocity -= allowed(body.flags, lost * moving.angular_acceleration);
+    const Vec2 acceleration = allowed(body.flags, moving.free_acceleration(gravity));
+    const float size = length(acceleration);
+    if (size > 0.0f) {
+        const Vec2 down = (1.0f / size) * acceleration;
+        const float middle = dot(body.velocity, down) + 0.5f * times.substep * size;
+        const float due_sq = speed_sq_after(middle, -rest * dot(body.delta_position, down), size);
+        const float speed = std::min(std::sqrt(std::max(due_sq, 0.0f)), std::abs(middle) + lost * size);
+        body.velocity += (std::copysign(speed, middle - lost * size) - middle) * down;
+        const float owed = std::min(due_sq, 0.0f) * frame.inv_inertia / frame.inv_mass;
+        const float spin_sq = body.angular_velocity * body.angular_velocity + owed;
+        body.angular_velocity = std::copysign(std::sqrt(std::max(spin_sq, 0.0f)), body.angular_velocity);
+    }
+    if (fraction <= 0.0) body.angular_velocity = 0.0f;
+    body.delta_position = part * body.delta_position;
+    body.delta_rotation = make_rotation(fraction * angle(body.delta_rotation));
+}
+
 void finalize_poses(BodyStore& bodies, const SpeedLimits& limits) {
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
         SolverBody& body = bodies.solver_bodies[i];

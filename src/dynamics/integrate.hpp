@@ -1,9 +1,6 @@
 // Motion of the bodies: semi-implicit Euler within the sub-steps, and the new poses at the end of the step.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "dynamics/body_store.hpp"
 #include "tumble/math.hpp"
 
@@ -15,10 +12,10 @@ struct SpeedLimits {
     float fast_spin = 0.0f;  // of bodies that may turn fast, and what nothing passes unless it is thrown
 };
 
-// The speed after a way along a constant acceleration, 0 if that is out of reach. The scheme keeps v^2 - 2 a x exactly
-// for the velocities of the middle of a sub-step, v + a h / 2.
-inline float speed_after(float velocity, float way, float acceleration) {
-    return std::sqrt(std::max(velocity * velocity + 2.0f * acceleration * way, 0.0f));
+// The square of the speed after a way along a constant acceleration; negative if that is out of reach. The scheme keeps
+// v^2 - 2 a x exactly for the velocities of the middle of a sub-step, v + a h / 2.
+constexpr float speed_sq_after(float velocity, float way, float acceleration) {
+    return velocity * velocity + 2.0f * acceleration * way;
 }
 
 // v += h (g + F / m), damping v / (1 + h c), speed limits: constraints are to pass on no more than a body may have. Bodies that are not dynamic keep their velocities.
@@ -27,6 +24,17 @@ void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedL
 // Deltas of position and rotation by the new velocities, within the speed limits: what contradictory joints ask for in
 // a sub-step would tear them farther apart than they were.
 void integrate_positions(BodyStore& bodies, float h, const SpeedLimits& limits);
+
+struct StepTimes {
+    float step = 0.0f;     // s
+    float substep = 0.0f;  // s
+};
+
+// Ends a body's motion of this step at a fraction: gravity and forces did not act for the rest of it. The speed along them
+// becomes what is due at that place, even if the body has bounced on its way: to take off what they gave in that time would
+// gain energy then. Spin pays for what the place is worth beyond that speed, and what joints have moved is no faster than
+// before them. A body that is stopped at once does not spin: it would be stopped so in every step, by what no contact sees.
+void shorten_motion(BodyStore& bodies, std::uint32_t body, double fraction, Vec2 gravity, const StepTimes& times);
 
 // Takes the deltas into the poses and clears them, with the forces that made them. No body ends a step faster than the
 // speed limits: joints that contradict each other may have thrown it.

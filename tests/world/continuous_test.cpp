@@ -97,6 +97,26 @@ TEST_CASE("a row of bullets that stop each other keeps its order") {
     }
 }
 
+// It would turn deeper into the ground in every step and is stopped, while the corner that it stands on parts and no other
+// is near enough for a contact.
+TEST_CASE("a body that spins in the ground gets out of it, however it lies") {
+    for (const Shape& shape : {make_box({0.8f, 0.5f}), make_capsule({-0.3f, 0.0f}, {0.3f, 0.0f}, 0.2f)})
+        for (const float spin : {-45.0f, -25.0f, 25.0f, 45.0f})
+            for (const double depth : {0.05, 0.15, 0.25})
+                for (int turn = 0; turn < 12; ++turn) {
+                    CAPTURE(spin);
+                    CAPTURE(depth);
+                    CAPTURE(turn);
+                    World world;
+                    const SurfaceMaterial smooth{.friction = 0.0f};
+                    add_floor(world, smooth);
+                    const BodyId body = add_dynamic(world, {0.0, 0.25 - depth}, shape, smooth, turn * kPi / 12.0);
+                    world.set_velocity(body, {}, spin);
+                    run(world, 120);
+                    CHECK(world.state(body).pose.position.y > 0.19);  // the capsule lies at 0.2
+                }
+}
+
 TEST_CASE("a body is stopped at the wall's surface, and bounces back as high as it should") {
     World world;
     add_static(world, {}, make_box({20.0f, 0.02f}), {.restitution = 1.0f});
