@@ -159,6 +159,15 @@ Vec2 way_in_step(const Contact& contact, const BodyStore& bodies, float duration
 
 }  // namespace
 
+void drop(Contact& contact) {
+    contact.manifold.point_count = 0;
+    contact.impulses[0] = contact.impulses[1] = {};
+    contact.applied[0] = contact.applied[1] = {};
+    contact.watched = -1;
+    contact.rolling_impulse = 0.0f;
+    contact.is_touching = false;
+}
+
 bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, float duration) {
     const ShapeRecord& a = shapes[contact.shapes.a];
     const ShapeRecord& b = shapes[contact.shapes.b];

@@ -63,6 +63,9 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tun
 // Whether a sensor overlaps now. Its contact has no manifold: nothing that is solved may see one.
 void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes);
 
+// The two do not touch in this step: takes manifold and impulses away.
+void drop(Contact& contact);
+
 // The manifold of this step of `duration` (s); impulses stay with the points whose features go on. False if it was
 // recycled.
 bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, float duration);

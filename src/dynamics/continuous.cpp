@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/chain_passes.hpp"
 #include "dynamics/constants.hpp"
 #include "dynamics/impact.hpp"
 #include "dynamics/integrate.hpp"
@@ -75,9 +76,9 @@ private:
             simulation_.broad.query(box, [&](std::uint32_t other) { near_.push_back(other); });
             for (const std::uint32_t other : near_) {
                 const ProxyPair pair = make_pair_of(own.index, other);
-                if (may_touch(simulation_, pair))
-                    visit(own.index, other);
-                else if (simulation_.shapes[own.index].is_sensor != simulation_.shapes[other].is_sensor)
+                const bool may_stop = may_touch(simulation_, pair);
+                if (may_stop && !passes_chain(simulation_, pair)) visit(own.index, other);
+                if (!may_stop && simulation_.shapes[own.index].is_sensor != simulation_.shapes[other].is_sensor)
                     simulation_.sensor_passes.push_back(pair);
             }
         }

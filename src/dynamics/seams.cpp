@@ -53,15 +53,6 @@ bool rises_above(const Footing& ground, const Footing& plane, double tolerance) 
     return highest + double{shape.radius()} > plane.height + tolerance;
 }
 
-void drop(Contact& contact) {
-    contact.manifold.point_count = 0;
-    contact.impulses[0] = contact.impulses[1] = {};
-    contact.applied[0] = contact.applied[1] = {};
-    contact.watched = -1;
-    contact.rolling_impulse = 0.0f;
-    contact.is_touching = false;
-}
-
 bool is_ground(const Simulation& simulation, std::uint32_t body, std::uint32_t shape) {
     return !simulation.bodies.is_dynamic(body) && !simulation.shapes[shape].link;
 }

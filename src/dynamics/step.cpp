@@ -1,6 +1,7 @@
 // The stages of a step, in the order in which it runs them.
 #include <chrono>
 
+#include "dynamics/chain_passes.hpp"
 #include "dynamics/continuous.hpp"
 #include "dynamics/events.hpp"
 #include "dynamics/integrate.hpp"
@@ -60,7 +61,12 @@ bool have_parted(const Simulation& simulation, ProxyPair shapes) {
 
 void collide_and_count(Simulation& simulation, Contact& contact) {
     ++simulation.collided.asked;
+    const bool was_apart = contact.came_from == LinkSide::apart;
     if (!collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration)) return;
+    if (was_apart && contact.came_from == LinkSide::open && passes_chain(simulation, contact.shapes)) {
+        contact.came_from = LinkSide::solid;
+        drop(contact);
+    }
     ++simulation.collided.full;
     simulation.collided.iterations += contact.cache.iterations;
 }
