@@ -41,6 +41,7 @@ DistanceResult answer(const DistanceQuery& query, const DistanceArguments& optio
 ExitCode answer_arguments(const Command& command, const DistanceArguments& options) {
     const DistanceQuery query = parse_query_arguments(options.a, options.b);
     const DistanceResult result = answer(query, options);
+    if (result.status == DistanceStatus::invalid) throw InputError("A and B have no distance: they are too far apart to be measured");
     if (!options.trace.empty()) {
         const std::string& by = options.sub_algorithm.empty() ? "voronoi" : options.sub_algorithm;
         write_trace(options.trace, query, kSubAlgorithms.at(by), options.force);
@@ -127,6 +128,8 @@ ExitCode answer_lines(const DistanceArguments& options) {
 ExitCode run(const Command& command, const DistanceArguments& options) {
     if (!options.trace.empty() && (options.from_input || !is_trace_file(options.trace)))
         throw CLI::ValidationError("--trace", "expected a file .png, .svg or .json, for one query, got " + options.trace.string());
+    if (options.from_input && !options.a.empty())
+        throw CLI::ValidationError("--stdin", "reads all queries from standard input, and takes no A and B");
     if (options.from_input) return answer_lines(options);
     if (options.a.empty() || options.b.empty())
         throw CLI::RequiredError("A and B, two shapes as JSON, or --stdin,");

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "shape_json.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_world.hpp"
 
@@ -140,6 +141,7 @@ Pose read_pose(PlainReader& reader, const Value* pose) {
     if (angle) read.rotation = make_rotation_degrees(reader.number(*angle));
     if (rotation) {
         const DVec2 cosine_sine = reader.pair(*rotation);
+        reader.require(is_cosine_and_sine(cosine_sine));
         read.rotation = {static_cast<float>(cosine_sine.x), static_cast<float>(cosine_sine.y)};
     }
     return read;

@@ -1,7 +1,6 @@
 #include "shape_json.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -30,13 +29,16 @@ DVec2 read_pair(const Json& pair, const std::string& source) {
 
 Rotation read_rotation(const Json& rotation, const std::string& source) {
     const DVec2 pair = read_pair(rotation, source);
-    const double largest = std::numeric_limits<float>::max();
-    if (std::abs(pair.x) > largest || std::abs(pair.y) > largest)
-        fail(source, "must be [cosine, sine], got " + rotation.dump());
+    if (!is_cosine_and_sine(pair)) fail(source, "must be the cosine and the sine of an angle, got " + rotation.dump());
     return {static_cast<float>(pair.x), static_cast<float>(pair.y)};
 }
 
 }  // namespace
+
+bool is_cosine_and_sine(DVec2 pair) {
+    constexpr double kRounding = 0.01;  // of two decimals, far below any mistake
+    return std::abs(length(pair) - 1.0) <= kRounding;
+}
 
 Json parse_json(std::string_view text, const std::string& source) {
     try {

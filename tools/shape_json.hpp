@@ -19,6 +19,9 @@ Shape parse_shape(std::string_view text, const std::string& source);
 // Throws InputError.
 Pose parse_pose(std::string_view text, const std::string& source);
 
+// Whether they are meant as those of one angle; they are taken literally then.
+bool is_cosine_and_sine(DVec2 pair);
+
 // The text as a JSON value. Throws InputError that names the source.
 nlohmann::json parse_json(std::string_view text, const std::string& source);
 

@@ -1,7 +1,9 @@
 #include "simulation.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "console.hpp"
@@ -52,6 +54,15 @@ FrameSchedule make_schedule(const Scene& scene, const RunOptions& options) {
     return {options.duration.value_or(scene.world.duration), options.frames_per_second, scene.world.steps_per_second};
 }
 
+// Of two files with one name the second would replace the first.
+void require_different_files(const RunOptions& options) {
+    std::set<std::filesystem::path> names{std::filesystem::absolute(summary_file(options.folder)).lexically_normal(),
+                                          std::filesystem::absolute(events_file(options.folder)).lexically_normal()};
+    for (const std::filesystem::path* const file : {&options.contacts, &options.trajectory, &options.hashes})
+        if (!file->empty() && !names.insert(std::filesystem::absolute(*file).lexically_normal()).second)
+            throw CLI::ValidationError(file->string(), "is the name of two files of the run");
+}
+
 Simulation::Simulation(const Scene& scene, const RunOptions& options)
     : options_(options), schedule_(make_schedule(scene, options)), run_(scene) {
     report_.scene_name = scene.name;
@@ -61,6 +72,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     const bool with_frames = !options.no_frames;
     if (with_frames && schedule_.repeats_frames())
         report_warning("more frames than steps a second: some frames repeat the one before");
+    require_different_files(options);
     for (const std::filesystem::path* const file : {&options.contacts, &options.trajectory, &options.hashes})
         if (!file->empty()) refuse_to_overwrite(*file, options.force);  // before anything is made
     prepare_run_folder(options.folder, with_frames, options.force);

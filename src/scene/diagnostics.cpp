@@ -18,6 +18,11 @@ bool is_continuation_byte(char c) {
     return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
 }
 
+// What a terminal would obey.
+bool is_control_byte(char c) {
+    return (static_cast<unsigned char>(c) < 0x20u && c != '\t') || c == '\x7f';
+}
+
 struct Excerpt {
     std::string line;
     std::string caret;
@@ -30,6 +35,7 @@ Excerpt make_excerpt(const std::string& line, int column) {
     while (from > 0 && is_continuation_byte(line[from])) --from;
     while (to < line.size() && is_continuation_byte(line[to])) ++to;
     Excerpt excerpt{line.substr(from, to - from), ""};
+    std::ranges::replace_if(excerpt.line, is_control_byte, '?');
     for (std::size_t i = from; i < at; ++i) {
         if (!is_continuation_byte(line[i])) excerpt.caret += line[i] == '\t' ? '\t' : ' ';
     }

@@ -133,13 +133,13 @@ std::string_view without_byte_order_mark(std::string_view text) {
     return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
 
-std::optional<Json> parse_json(std::string_view text, Diagnostics& diagnostics) {
+std::optional<Json> parse_json(std::string_view text, Diagnostics& diagnostics, const std::string& if_empty) {
     if (text.size() > kMaxFileBytes) {
         diagnostics.error_at_offset(0, "longer than " + std::to_string(kMaxFileBytes >> 20) + " MiB");
         return std::nullopt;
     }
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-        diagnostics.error_at_offset(0, "the file is empty", "the least scene is {\"format\": 1}");
+        diagnostics.error_at_offset(0, "the file is empty", if_empty);
         return std::nullopt;
     }
     Json value;

@@ -43,7 +43,7 @@ void append_materials(Scene& scene, const std::vector<SceneMaterial>& more) {
 }  // namespace
 
 Scene Reading::read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes, Diagnostics& diagnostics) {
-    std::optional<Json> value = parse_json(text, diagnostics);
+    std::optional<Json> value = parse_json(text, diagnostics, R"(the least scene is {"format": 1})");
     if (!value) return {};
     apply_overrides(changes, *value, diagnostics);
     Scene scene = read_scene(*value, diagnostics);

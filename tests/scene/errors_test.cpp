@@ -154,6 +154,12 @@ TEST_CASE("a long line is shown around the caret only") {
     CHECK(to_string(error).find("\"nam\"") != std::string::npos);
 }
 
+TEST_CASE("what a terminal would obey is not shown") {
+    const Diagnostic error = error_of("{\"format\": 1, \x1b[2J");
+    CHECK(to_string(error).find('\x1b') == std::string::npos);
+    CHECK(to_string(error).find("?[2J") != std::string::npos);
+}
+
 TEST_CASE("hints suggest what was meant") {
     CHECK(error_of(test::with_shape(R"({"cirle": {"radius": 1}})")).hint == "did you mean 'circle'?");
     CHECK(error_of(R"({"format": 1, "materials": {"ice": {"restituton": 1}}})").hint == "did you mean 'restitution'?");

@@ -93,6 +93,7 @@ TEST_CASE("a folder that cannot be written ends with exit code 4 and its name") 
 TEST_CASE("wrong usage ends with exit code 2") {
     const Folder folder;
     const std::string scene = folder.write("scene.json", tumble::test::small_scene());
+    const std::string out = (folder / "out").string(), csv = (folder / "data.csv").string();
     const std::vector<std::vector<std::string>> wrong = {
         {"flap"},
         {"run"},
@@ -113,6 +114,9 @@ TEST_CASE("wrong usage ends with exit code 2") {
         {"demo", "no_such_demo"},
         {"demo", "../no_such_demo"},
         {"distance", R"({"circle": {"radius": 1}})"},
+        {"distance", "--stdin", R"({"circle": {"radius": 1}})", R"({"circle": {"radius": 1}})"},
+        {"run", scene, "--no-frames", "-o", out, "--trajectory", csv, "--contacts", csv},
+        {"run", scene, "--no-frames", "-o", out, "--hashes", out + "/../out/events.csv"},
     };
     for (const std::vector<std::string>& arguments : wrong) {
         CAPTURE(arguments.back());

@@ -82,6 +82,8 @@ TEST_CASE("a query that is wrong says where, with exit code 3") {
                                      std::string(R"({"polygon": {"vertices": [[1, 1], [1, 1], [1, 1]]}})"),
                                      std::string(R"({"circle": {"radius": 1}, "pose": {"angel": 3}})"),
                                      std::string(R"({"circle": {"radius": 1}, "pose": {"angle": 3, "rotation": [1, 0]}})"),
+                                     std::string(R"({"circle": {"radius": 1}, "pose": {"rotation": [1, 1]}})"),
+                                     std::string(R"({"circle": {"radius": 1}, "pose": {"position": [1e300, 0]}})"),
                                      std::string(R"({"chain": {"points": [[0, 0], [1, 0], [2, 0]]}})")}) {
         CAPTURE(wrong);
         const Answer answer = run_tumble({"distance", circle, wrong});

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -53,6 +54,14 @@ private:
         return pair(x, y);
     }
 
+    std::string cosine_and_sine() {
+        const double angle = uniform(-4.0, 4.0);
+        std::string x, y;
+        append_number(x, std::cos(angle));
+        append_number(y, std::sin(angle));
+        return pair(x, y);
+    }
+
     std::string shape() {
         switch (below(5)) {
             case 0: return R"({"circle": {"radius": )" + length() + (below(2) ? R"(, "center": )" + point() : "") + "}}";
@@ -84,7 +93,7 @@ private:
         switch (below(4)) {
             case 0: return position + "}";
             case 1: return position + R"(, "angle": )" + std::to_string(90 * (below(9) - 4)) + "}";
-            case 2: return position + R"(, "rotation": )" + point() + "}";
+            case 2: return position + R"(, "rotation": )" + cosine_and_sine() + "}";
             default: return position + R"(, "angle": )" + number(-400.0, 400.0) + "}";
         }
     }
@@ -161,7 +170,8 @@ TEST_CASE("the quick reader leaves what is wrong to the strict one, which refuse
           R"({"segment": {"from": [1, 1], "to": [1, 1]}})", R"({"capsule": {"from": [0, 0], "to": [1, 0]}})",
           R"({"circle": {"radius": 1}}, "b": {"circle": {"radius": 1}})", R"({"circle": {"radius": 1}}, "c": 1)",
           R"({"circle": {"radius": 1}}, "a_pose": {"position": [0]})", R"({"circle": {"radius": 1}}, "a_pose": {"x": 0})",
-          R"({"circle": {"radius": 1}}, "a_pose": {"angle": 0, "rotation": [1, 0]})", R"({"circle": {"radius": 1}}} {)"}) {
+          R"({"circle": {"radius": 1}}, "a_pose": {"angle": 0, "rotation": [1, 0]})", R"({"circle": {"radius": 1}}, "a_pose": {"rotation": [1, 1]})",
+          R"({"circle": {"radius": 1}}, "a_pose": {"rotation": [0.7, 0.7]})", R"({"circle": {"radius": 1}}} {)"}) {
         CAPTURE(shape);
         CHECK_FALSE(read_plain_query(with(shape)));
         CHECK(is_refused(with(shape)));
