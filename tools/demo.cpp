@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kDefaultDemo = "mixed_rain";
-constexpr std::size_t kLargestScene = 32u << 20;  // bytes
 
 struct DemoArguments {
     std::string name = kDefaultDemo;
@@ -58,7 +57,7 @@ ExitCode print_demo(const Command& command, const DemoArguments& options) {
     LoadOptions as_written;
     as_written.keep_includes = true;
     const bool is_whole = load_scene(file, as_written).include.empty();
-    const std::string text = is_whole ? read_file(file, kLargestScene) : to_json(load_scene(file));
+    const std::string text = is_whole ? read_file(file) : to_json(load_scene(file));
     if (!command.json) {
         write_output(text);
         return ExitCode::ok;

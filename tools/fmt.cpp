@@ -1,5 +1,4 @@
 // `tumble fmt`: the canonical form of a scene file.
-#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,8 +13,6 @@
 namespace tumble::tools {
 
 namespace {
-
-constexpr std::size_t kWholeFile = std::numeric_limits<std::size_t>::max() - 1;
 
 struct FmtArguments {
     std::string file;
@@ -49,7 +46,7 @@ ExitCode format(const Command& command, const FmtArguments& options) {
     as_written.keep_includes = !options.flat;
     const Scene scene = load_scene(options.file, as_written);
     const std::string text = to_json(scene);
-    const std::string before = read_file(options.file, kWholeFile);
+    const std::string before = read_file(options.file);
     const bool changes = before != text;
     // Comments may stand between any two tokens, and the canonical form has no place for them.
     const int comments = count_comments(before);

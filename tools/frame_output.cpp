@@ -13,8 +13,6 @@ namespace {
 
 int encoder_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
-double aspect_ratio(FrameSize size) { return static_cast<double>(size.width) / size.height; }
-
 }  // namespace
 
 FrameOutput::FrameOutput(const Scene& scene, const SceneWorld& world, const RunOptions& options,
@@ -23,18 +21,17 @@ FrameOutput::FrameOutput(const Scene& scene, const SceneWorld& world, const RunO
       folder_(options.folder),
       schedule_(schedule),
       renderer_(options.size.width, options.size.height),
-      camera_(make_camera(scene, world, aspect_ratio(options.size))),
+      camera_(make_camera(scene, world, options.size.aspect_ratio())),
       writer_(encoder_threads()),
       overlay_(options.overlay) {}
 
 void FrameOutput::draw_due(const SceneWorld& world) {
     const Stopwatch watch;
     const std::uint64_t step = world.world.step_count();
-    const double time = static_cast<double>(step) / schedule_.steps_per_second;
     camera_ = move_camera(camera_, scene_, world);
     while (next_frame_ < schedule_.frame_count() && schedule_.step_of_frame(next_frame_) == step) {
         Image image = writer_.take_image();
-        renderer_.draw(scene_, world, camera_, time, image, overlay_);
+        renderer_.draw(scene_, world, camera_, world.world.time(), image, overlay_);
         writer_.submit(std::move(image), frame_file(folder_, next_frame_));
         ++next_frame_;
     }

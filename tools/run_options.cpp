@@ -13,13 +13,11 @@ namespace tumble::tools {
 
 namespace {
 
-constexpr int kMinSize = 16;  // pixels, the renderer's bounds
-constexpr int kMaxSize = 8192;
-constexpr double kMaxRate = 1e5;      // frames/s
+constexpr double kMaxRate = 1e5;  // frames/s
 
 bool parse_side(std::string_view text, int& pixels) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), pixels);
-    return error == std::errc{} && end == text.data() + text.size() && pixels >= kMinSize && pixels <= kMaxSize;
+    return error == std::errc{} && end == text.data() + text.size() && pixels >= kSmallestFrame && pixels <= kLargestFrame;
 }
 
 FrameSize parse_size(const std::string& text) {
@@ -28,8 +26,8 @@ FrameSize parse_size(const std::string& text) {
     if (cross != std::string::npos && parse_side(std::string_view(text).substr(0, cross), size.width) &&
         parse_side(std::string_view(text).substr(cross + 1), size.height))
         return size;
-    throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, each from " + std::to_string(kMinSize) + " to " +
-                                             std::to_string(kMaxSize) + " pixels, got " + text);
+    throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, each from " + std::to_string(kSmallestFrame) + " to " +
+                                             std::to_string(kLargestFrame) + " pixels, got " + text);
 }
 
 std::string overlay_names() {

@@ -16,6 +16,8 @@ inline constexpr double kMaxDuration = 1e6;  // s: 11 days of simulated time
 struct FrameSize {
     int width = 1280;
     int height = 720;
+
+    double aspect_ratio() const { return static_cast<double>(width) / height; }
 };
 
 struct RunOptions {

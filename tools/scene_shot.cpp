@@ -9,8 +9,7 @@ namespace tumble::tools {
 SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
                        const Overlay& overlay, const Marker& mark) {
     SceneRun run(scene);
-    const double aspect_ratio = static_cast<double>(size.width) / size.height;
-    Camera camera = make_camera(scene, run.built(), aspect_ratio);
+    Camera camera = make_camera(scene, run.built(), size.aspect_ratio());
     Renderer renderer(size.width, size.height);
     Progress progress("step", step);
     while (run.world().step_count() < step) {
@@ -20,7 +19,7 @@ SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, c
     }
     Image image;
     const Marking marking = mark ? mark(run.built()) : Marking{};
-    camera = widen_camera(camera, run.world(), marking, aspect_ratio);
+    camera = widen_camera(camera, run.world(), marking, size.aspect_ratio());
     renderer.draw(scene, run.built(), camera, run.time(), image, overlay, marking);
     create_folder_of(file);
     write_png(image, file);

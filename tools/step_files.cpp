@@ -24,10 +24,6 @@ void append_cell(std::string& line, Number number) {
 
 }  // namespace
 
-std::string output_name(const SceneInstance& body, std::size_t index) {
-    return body.name.empty() ? "body[" + std::to_string(index) + "]" : body.name;
-}
-
 void BodyFields::update(const SceneWorld& world) {
     for (; known_ < world.bodies.size(); ++known_) {
         const SceneInstance& body = world.bodies[known_];
@@ -43,9 +39,8 @@ TrajectoryFile::TrajectoryFile(const std::filesystem::path& file, bool force) : 
 }
 
 void TrajectoryFile::record(const SceneWorld& world) {
-    const double time = static_cast<double>(world.world.step_count()) / world.world.def().steps_per_second;
     std::string step = std::to_string(world.world.step_count()) + ",";
-    append_number(step, time);
+    append_number(step, world.world.time());
     lines_.clear();
     names_.update(world);
     for (const SceneInstance& body : world.bodies) {
@@ -86,10 +81,8 @@ void ContactsFile::record(const SceneWorld& built) {
 EventsFile::EventsFile(const std::filesystem::path& file, bool force, const SceneWorld& world)
     : file_(open_output(file, force)) {
     file_.write("step,time,event,a,b,x,y,nx,ny,speed\n");
-    for (std::size_t i = 0; i < world.joints.size(); ++i) {
-        const std::string& name = world.joints[i].name;
-        joints_.set(world.joints[i].id, csv_field(name.empty() ? "joint[" + std::to_string(i) + "]" : name));
-    }
+    for (std::size_t i = 0; i < world.joints.size(); ++i)
+        joints_.set(world.joints[i].id, csv_field(output_name(world.joints[i], i)));
 }
 
 void EventsFile::add(const std::string& event, const std::string& a, const std::string& b) {
@@ -101,7 +94,7 @@ void EventsFile::record(const SceneWorld& built) {
     names_.update(built);
     const StepEvents& events = world.events();
     step_ = std::to_string(world.step_count()) + ",";
-    append_number(step_, static_cast<double>(world.step_count()) / world.def().steps_per_second);
+    append_number(step_, world.time());
     step_ += ',';
     lines_.clear();
     const auto add_meeting = [this](const char* event, const auto& meeting) {

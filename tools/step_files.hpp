@@ -17,9 +17,6 @@ namespace tumble::tools {
 // The field as CSV has it: quoted if it holds a comma, a quote or a line break.
 std::string csv_field(std::string_view text);
 
-// The name of a body in output: its own, or body[i] for the one at that place of SceneWorld::bodies.
-std::string output_name(const SceneInstance& body, std::size_t index);
-
 // Texts by id; of an id that is stale by now too, until its place has been taken twice.
 template <class Id>
 class TextsById {

@@ -70,7 +70,7 @@ struct Drawing {
     void text(DVec2 at, std::string text, double size, Color color, TextAnchor anchor = TextAnchor::left);
 };
 
-// Text made safe inside SVG and HTML: & < > and quotes become entities.
+// Text made safe inside XML and HTML: & < > and quotes become entities, control characters question marks.
 std::string escape_markup(std::string_view text);
 
 // A standalone SVG document; its numbers are rounded to 1/100 px. The same drawing gives the same bytes.

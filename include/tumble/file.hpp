@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -16,8 +17,8 @@ public:
     FileError(const std::filesystem::path& path, std::string_view reason);
 };
 
-// At most `limit` + 1 bytes of a file, so that the caller sees that there are more. Throws FileError.
-std::string read_file(const std::filesystem::path& file, std::size_t limit);
+// At most `limit` + 1 bytes of a file, so that the caller sees that there are more; by default all. Throws FileError.
+std::string read_file(const std::filesystem::path& file, std::size_t limit = std::numeric_limits<std::size_t>::max() - 1);
 
 // Writes under a temporary name in the same folder (one that no other thread or process uses), and takes the file's name
 // at commit(). All functions throw FileError with the system's reason, for instance on a full disk.

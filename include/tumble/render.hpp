@@ -79,10 +79,12 @@ inline constexpr std::array<OverlayPart, 6> kOverlayParts{{{"contacts", &Overlay
                                                            {"velocity", &Overlay::velocity},
                                                            {"joints", &Overlay::joints}}};
 
+inline constexpr int kSmallestFrame = 16, kLargestFrame = 8192;  // pixels a side
+
 // Draws frames of one size. Holds the off-screen context: use it from the thread that made it.
 class Renderer {
 public:
-    // 16 to 8192 pixels each, else std::invalid_argument. Loads OSMesa and the font; throws RenderError.
+    // kSmallestFrame to kLargestFrame each, else std::invalid_argument. Loads OSMesa and the font; throws RenderError.
     Renderer(int width, int height);
     ~Renderer();
     Renderer(Renderer&&) noexcept;

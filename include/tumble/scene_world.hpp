@@ -24,7 +24,7 @@ std::size_t count_bodies(const Scene& scene);
 std::size_t count_joints(const Scene& scene);
 
 // One body of the built world: which entry of Scene::bodies it came from (or, counted on from there, of Scene::timeline),
-// and its name after repeating (empty for unnamed bodies, which are called body[i] in output, i counting the built bodies).
+// and its name after repeating (empty for unnamed bodies).
 struct SceneInstance {
     BodyId id;
     std::size_t source = 0;
@@ -35,7 +35,7 @@ struct SceneInstance {
 const SceneBody& source_of(const Scene& scene, const SceneInstance& body);
 
 // One joint of the built world: which entry of Scene::joints it came from, and its name after repeating (empty for unnamed
-// joints, which are called joint[i] in output, i counting the built joints).
+// joints).
 struct SceneJointInstance {
     JointId id;
     std::size_t source = 0;
@@ -47,6 +47,10 @@ struct SceneWorld {
     std::vector<SceneInstance> bodies;  // in the order of creation: ids of those that have gone are stale
     std::vector<SceneJointInstance> joints;  // in the order of the scene and of the copies
 };
+
+// What a body or joint is called in output: by its name, or body[i] or joint[i] as the one at that place of a SceneWorld.
+std::string output_name(const SceneInstance& body, std::size_t index);
+std::string output_name(const SceneJointInstance& joint, std::size_t index);
 
 // Throws SceneError if a name does not resolve, geometry is degenerate (the reader has checked both already) or the scene
 // was loaded with keep_includes.

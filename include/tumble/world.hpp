@@ -62,12 +62,13 @@ struct ShapePair {
 // it has been slower than 0.05 m/s for half a second. Asleep it costs nothing. It wakes when something awake touches
 // it, when one of its bodies is given a velocity, a force, a shape or a joint, and when what it leans on moves or goes.
 //
-// No dynamic body moves faster than 400 m/s (times the root of WorldDef::scale), or turns by more than an eighth of a turn in a step (half a turn in a sub-step, if it
-// is allowed to turn fast): joints and forces that ask for more are not followed further.
+// No dynamic body moves faster than 400 m/s (times the root of WorldDef::scale), or turns by more than an eighth of a
+// turn in a step (half a turn in a sub-step, if it is allowed to turn fast): joints and forces that ask for more are not
+// followed further.
 //
 // Calls with an id that names nothing here (of something destroyed, or of another world: an id does not know its world
-// and may happen to name something in this one), with values that are not finite or out of range throw std::invalid_argument with
-// the value printed, and leave the world as it was.
+// and may happen to name something in this one), with values that are not finite or out of range throw
+// std::invalid_argument with the value printed, and leave the world as it was.
 class World {
 public:
     explicit World(const WorldDef& def = {});
@@ -90,6 +91,7 @@ public:
     void step();
 
     std::uint64_t step_count() const noexcept;
+    double time() const noexcept;  // s, of all steps
     const WorldDef& def() const noexcept;
 
     bool is_valid(BodyId id) const noexcept;

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -41,7 +40,7 @@ b2Vec2 vector(const Json& object, const char* key) {
 
 // From the first brace to the last: a JavaScript file has more around the scene.
 Json parse_export(const std::filesystem::path& file) {
-    const std::string text = read_file(file, std::numeric_limits<std::size_t>::max() - 1);
+    const std::string text = read_file(file);
     const std::size_t open = text.find('{'), close = text.rfind('}');
     if (open == std::string::npos || close == std::string::npos || close < open)
         throw std::runtime_error(file.string() + ": is no R.U.B.E. export");

@@ -128,9 +128,8 @@ private:
 }  // namespace
 
 Image draw_image(const Drawing& drawing) {
-    constexpr int kLargest = 8192;
-    if (drawing.width < 1 || drawing.height < 1 || drawing.width > kLargest || drawing.height > kLargest)
-        throw std::invalid_argument("a drawing must be 1 to 8192 pixels wide and high, got " +
+    if (drawing.width < 1 || drawing.height < 1 || drawing.width > kLargestFrame || drawing.height > kLargestFrame)
+        throw std::invalid_argument("a drawing must be 1 to " + std::to_string(kLargestFrame) + " pixels wide and high, got " +
                                     std::to_string(drawing.width) + "x" + std::to_string(drawing.height));
     GlyphAtlas atlas(find_font(font_candidates()));
     LayerStack stack(drawing, atlas);

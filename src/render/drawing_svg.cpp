@@ -68,6 +68,11 @@ std::string element(const DrawnText& text) {
            attribute("text-anchor", kAnchors[static_cast<std::size_t>(text.anchor)]) + ">" + escape_markup(text.text) + "</text>\n";
 }
 
+// XML 1.0 has no way to write the other control characters.
+bool is_no_character(char c) {
+    return static_cast<unsigned char>(c) < 0x20u && c != '\t' && c != '\n' && c != '\r';
+}
+
 }  // namespace
 
 std::string escape_markup(std::string_view text) {
@@ -78,7 +83,7 @@ std::string escape_markup(std::string_view text) {
             case '<': escaped += "&lt;"; break;
             case '>': escaped += "&gt;"; break;
             case '"': escaped += "&quot;"; break;
-            default: escaped += c;
+            default: escaped += is_no_character(c) ? '?' : c;
         }
     }
     return escaped;

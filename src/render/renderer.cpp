@@ -23,9 +23,6 @@ struct Renderer::Impl {
 
 namespace {
 
-constexpr int kSmallestFrame = 16;
-constexpr int kLargestFrame = 8192;
-
 int checked_side(const char* name, int pixels) {
     if (pixels < kSmallestFrame || pixels > kLargestFrame)
         throw std::invalid_argument(std::string("the ") + name + " of a frame must be " +

@@ -115,6 +115,14 @@ const SceneBody& source_of(const Scene& scene, const SceneInstance& body) {
     return scene.timeline.at(body.source - scene.bodies.size()).spawn.value();
 }
 
+std::string output_name(const SceneInstance& body, std::size_t index) {
+    return body.name.empty() ? "body[" + std::to_string(index) + "]" : body.name;
+}
+
+std::string output_name(const SceneJointInstance& joint, std::size_t index) {
+    return joint.name.empty() ? "joint[" + std::to_string(index) + "]" : joint.name;
+}
+
 std::size_t count_bodies(const Scene& scene) {
     std::int64_t count = 0;
     for (const SceneBody& body : scene.bodies) count += scene::copy_count(body);

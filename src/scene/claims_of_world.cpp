@@ -78,7 +78,7 @@ public:
         for (std::size_t i = 0; i < built.joints.size(); ++i) {
             const SceneJointInstance& joint = built.joints[i];
             if (!name.empty() && joint.name != name && base_name(joint.name) != name) continue;
-            joints_.push_back({joint.id, joint.name.empty() ? "joint[" + std::to_string(i) + "]" : "'" + joint.name + "'"});
+            joints_.push_back({joint.id, display_joint_name(built, i)});
         }
     }
 

@@ -5,10 +5,19 @@
 
 namespace tumble::scene {
 
-std::string display_name(const SceneWorld& built, std::size_t body) {
-    const std::string& name = built.bodies[body].name;
-    return name.empty() ? "body[" + std::to_string(body) + "]" : "'" + name + "'";
+namespace {
+
+template <class Instance>
+std::string quoted_name(const std::vector<Instance>& instances, std::size_t index) {
+    const std::string name = output_name(instances[index], index);
+    return instances[index].name.empty() ? name : "'" + name + "'";
 }
+
+}  // namespace
+
+std::string display_name(const SceneWorld& built, std::size_t body) { return quoted_name(built.bodies, body); }
+
+std::string display_joint_name(const SceneWorld& built, std::size_t joint) { return quoted_name(built.joints, joint); }
 
 std::string display_name(const SceneWorld& built, BodyId id) {
     const auto found = std::ranges::find(built.bodies, id, &SceneInstance::id);

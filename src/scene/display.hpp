@@ -7,8 +7,9 @@
 
 namespace tumble::scene {
 
-// "'crate[3]'", or "body[7]" for a body without a name.
+// Names as in output, in quotes if they are its own: "'crate[3]'", "body[7]".
 std::string display_name(const SceneWorld& built, std::size_t body);
+std::string display_joint_name(const SceneWorld& built, std::size_t joint);
 std::string display_name(const SceneWorld& built, BodyId id);
 
 // Three digits are enough to read, and do not pretend more.

@@ -65,12 +65,10 @@ struct SceneRun::Impl {
         }
     }
 
-    double time() const { return static_cast<double>(built.world.step_count()) / built.world.def().steps_per_second; }
-
     bool is_due(const Happening& happening) const {
         const SceneEvent& event = happening.event;
         const double slack = scene::kTimeSlack / built.world.def().steps_per_second;
-        const double now = time() + slack;
+        const double now = built.world.time() + slack;
         if (event.at && happening.lasts()) return now >= *event.at && (!event.until || now < *event.until);
         if (event.at) return happening.count == 0 && now >= *event.at;
         const double due = event.from.value_or(0.0) + static_cast<double>(happening.count) * event.every.value_or(0.0);
@@ -154,7 +152,7 @@ void SceneRun::step() {
     impl_->built.world.step();
 }
 
-double SceneRun::time() const { return impl_->time(); }
+double SceneRun::time() const { return impl_->built.world.time(); }
 
 const SceneWorld& SceneRun::built() const noexcept { return impl_->built; }
 

@@ -174,6 +174,9 @@ void World::step() {
 std::uint64_t World::step_count() const noexcept {
     return impl_->step_count;
 }
+double World::time() const noexcept {
+    return static_cast<double>(impl_->step_count) / double{impl_->def.steps_per_second};
+}
 const WorldDef& World::def() const noexcept {
     return impl_->def;
 }

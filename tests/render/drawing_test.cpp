@@ -26,6 +26,7 @@ TEST_CASE("an SVG holds each element once, in order, with rounded numbers and es
     CHECK(svg.find("<circle cx=\"50\" cy=\"40\" r=\"12.35\" fill=\"#ff0000\" stroke=\"#000000\" stroke-width=\"2\"") !=
           std::string::npos);
     CHECK(svg.find("a &lt; b &amp; &quot;c&quot;</text>") != std::string::npos);
+    CHECK(escape_markup("a\x01\tb\n") == "a?\tb\n");  // XML has no such character
     CHECK(svg.find("points=\"0,0 10,0 10,0\" fill=\"#1020ff\" fill-opacity=\"0.2\"/>") != std::string::npos);
     CHECK(svg.find("<circle") < svg.find("<text"));
     CHECK(svg.find("</svg>\n") == svg.size() - 7);
