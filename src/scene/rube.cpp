@@ -70,8 +70,7 @@ private:
         if (!world.flag("warmStarting", true)) notes_.add("warm starting switched off");
         if (!world.flag("autoClearForces", true)) notes_.add("forces that are not cleared");
         if (world.has("image")) notes_.add("images", static_cast<int>(world.list("image").size()));
-        if (const std::string properties = world.raw("customProperties"); !properties.empty())
-            scene_.custom = "{\"customProperties\": " + properties + "}";
+        scene_.custom = world.custom({"customProperties"});
         world.skip({"velocityIterations", "positionIterations", "image"});
     }
 
@@ -101,14 +100,12 @@ private:
 
     // Names are unique in a scene; the first body keeps a name that several have.
     void read_name(RubeObject& body, SceneBody& result) {
-        Json custom = Json::object();
         const std::string name = body.text("name");
         result.name = name;
         for (int number = 2; !result.name.empty() && !names_.insert(result.name).second; ++number)
             result.name = name + "_" + std::to_string(number);
         if (result.name != name) notes_.add("body names that occurred before, numbered");
-        if (const std::string properties = body.raw("customProperties"); !properties.empty())
-            result.custom = "{\"customProperties\": " + properties + "}";
+        result.custom = body.custom({"customProperties"});
     }
 
     void read_behaviour(RubeObject& body, SceneBody& result) {
@@ -118,6 +115,11 @@ private:
         const SceneMass mass = read_mass(body, fixed);
         if (result.type != BodyType::dynamic_body) return;
         result.awake = awake;
+        if (!awake && (result.velocity != DVec2{} || result.angular_velocity != 0.0)) {
+            notes_.add("velocities of bodies asleep");
+            result.velocity = {};
+            result.angular_velocity = 0.0;
+        }
         result.bullet = bullet;
         result.allow_sleep = may_sleep;
         result.fixed_rotation = fixed;

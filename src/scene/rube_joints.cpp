@@ -112,8 +112,7 @@ void read_pulley(RubeObject& joint, SceneJoint& result) {
 void read_common(RubeObject& joint, SceneJoint& result) {
     result.name = joint.text("name");
     result.collide_connected = joint.flag("collideConnected");
-    const std::string properties = joint.raw("customProperties");
-    if (!properties.empty()) result.custom = "{\"customProperties\": " + properties + "}";
+    result.custom = joint.custom({"customProperties"});
 }
 
 }  // namespace

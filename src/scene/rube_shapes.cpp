@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "scene/geometry.hpp"
-#include "scene/json_text.hpp"
 #include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
@@ -85,15 +84,6 @@ std::optional<ShapeGeometry> read_sound_geometry(RubeObject& fixture, RubeNotes&
     }
 }
 
-// "" or {"name": ..., "customProperties": ...}
-std::string custom_of(RubeObject& fixture) {
-    Json custom = Json::object();
-    if (const std::string name = fixture.text("name"); !name.empty()) custom["name"] = name;
-    if (const std::string properties = fixture.raw("customProperties"); !properties.empty())
-        custom["customProperties"] = Json::parse(properties);
-    return custom.empty() ? std::string() : compact_text(custom);
-}
-
 constexpr double kAll = 65535.0;  // exports know 16 categories
 
 // Nothing if all is as it is without a filter.
@@ -110,7 +100,7 @@ std::optional<SceneFilter> read_filter(RubeObject& fixture) {
 std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, RubeNotes& notes) {
     RubeFixture result;
     result.surface = {fixture.number("density"), fixture.number("friction"), fixture.number("restitution")};
-    result.custom = custom_of(fixture);
+    result.custom = fixture.custom({"name", "customProperties"});
     result.filter = read_filter(fixture);
     result.sensor = fixture.flag("sensor");
     const std::optional<ShapeGeometry> geometry = read_sound_geometry(fixture, notes);

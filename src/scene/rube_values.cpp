@@ -100,9 +100,11 @@ std::vector<DVec2> RubeObject::points(std::string_view key) {
     return points;
 }
 
-std::string RubeObject::raw(std::string_view key) {
-    const Json* value = find(key);
-    return value ? compact_text(*value) : std::string();
+std::string RubeObject::custom(std::initializer_list<std::string_view> keys) {
+    Json kept = Json::object();
+    for (const std::string_view key : keys)
+        if (const Json* value = find(key); value && *value != "") kept[std::string(key)] = *value;
+    return kept.empty() ? std::string() : compact_text(kept);
 }
 
 RubeObject RubeObject::object(std::string_view key) {

@@ -36,7 +36,7 @@ public:
     std::string text(std::string_view key);
     DVec2 vector(std::string_view key);
     std::vector<DVec2> points(std::string_view key);
-    std::string raw(std::string_view key);  // as JSON text; empty if missing
+    std::string custom(std::initializer_list<std::string_view> keys);  // an object of these, as text; empty if all are missing
     RubeObject object(std::string_view key);
     std::vector<RubeObject> list(std::string_view key);
 

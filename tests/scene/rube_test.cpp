@@ -189,6 +189,17 @@ TEST_CASE("wrong values are errors at their place") {
     }
 }
 
+TEST_CASE("a body asleep arrives without its velocity, which no scene gives it") {
+    const ImportedScene imported = parse_rube(R"({"body": [{"type": 2, "linearVelocity": {"x": 1, "y": 0}, "angularVelocity": 2},
+        {"type": 2, "awake": true, "linearVelocity": {"x": 1, "y": 0}}, {"type": 1, "linearVelocity": {"x": 1, "y": 0}}]})", "asleep.json");
+    CHECK(imported.scene.bodies.at(0).velocity == DVec2{});
+    CHECK(imported.scene.bodies.at(0).angular_velocity == 0.0);
+    CHECK(imported.scene.bodies.at(1).velocity == DVec2{1.0, 0.0});
+    CHECK(imported.scene.bodies.at(2).velocity == DVec2{1.0, 0.0});
+    CHECK(count_of(imported, "velocities of bodies asleep") == 1);
+    CHECK_NOTHROW(build_world(imported.scene));
+}
+
 TEST_CASE("an editor project is recognised") {
     CHECK_THROWS_WITH_AS(import_rube(kData / "rube_project.rube"), doctest::Contains("export the scene as JSON"),
                          SceneError);
