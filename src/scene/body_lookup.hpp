@@ -17,18 +17,18 @@ public:
 
     const std::string& name() const { return name_; }
 
-    // Null while there is none. Each instance is looked at once: names do not change, and new ones come last.
+    // Null while there is none; what has gone may come again under its name. Each instance is passed once: new ones come last.
     const SceneInstance* find(const SceneWorld& built) {
-        for (; !found_ && searched_ < built.bodies.size(); ++searched_) found_ = built.bodies[searched_].name == name_;
-        if (!found_) return nullptr;
-        const SceneInstance& body = built.bodies[searched_ - 1];
-        return built.world.is_valid(body.id) ? &body : nullptr;
+        for (; next_ < built.bodies.size(); ++next_) {
+            const SceneInstance& body = built.bodies[next_];
+            if (body.name == name_ && built.world.is_valid(body.id)) return &body;
+        }
+        return nullptr;
     }
 
 private:
     std::string name_;
-    std::size_t searched_ = 0;
-    bool found_ = false;
+    std::size_t next_ = 0;  // the one that was found last, or where to go on
 };
 
 // A body, or the copies that share its name, in a world where they come and go.

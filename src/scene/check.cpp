@@ -2,8 +2,10 @@
 #include "scene/check.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "scene/check_claim.hpp"
 #include "scene/fields.hpp"
@@ -38,6 +40,7 @@ public:
         const References references(scene_, names, bodies_unread_, diagnostics_);
         for (std::size_t i = 0; i < own_.bodies; ++i) check_body(scene_.bodies[i], at("/bodies", i));
         check_unique(names);
+        check_spawned_names(names);
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) check_places(i);
         for (std::size_t i = 0; i < own_.joints; ++i) check_joint(scene_.joints[i], at("/joints", i), names, references);
         for (std::size_t i = 0; i < own_.timeline; ++i)
@@ -124,12 +127,6 @@ private:
             else if (!body.repeat && names.is_copy(body.name))
                 error(pointer, quoted(body.name) + " is the name of a copy of a repeated body");
         }
-        for (std::size_t i = 0; i < scene_.timeline.size(); ++i) {
-            const std::optional<SceneBody>& spawn = scene_.timeline[i].spawn;
-            if (spawn && names.find_source(spawn->name))
-                error(at("/timeline", i) + "/spawn/name", quoted(spawn->name) + " is the name of a body that is there from the start",
-                      prefix_hint(i, own_.timeline));
-        }
         std::set<std::string, std::less<>> joint_names, repeated;
         for (const SceneJoint& joint : scene_.joints)
             if (joint.repeat) repeated.insert(joint.name);
@@ -141,6 +138,40 @@ private:
                 error(at("/joints", i) + "/name", quoted(name) + " is the name of another joint already",
                       prefix_hint(i, own_.joints));
         }
+    }
+
+    // A name may be given again once its body was despawned.
+    void check_spawned_names(const BodyNames& names) {
+        std::map<std::string_view, std::set<double>> ends;  // when bodies of a name go
+        std::set<std::string_view> repeated;
+        for (const SceneEvent& event : scene_.timeline) {
+            if (event.at && !event.despawn.empty()) ends[event.despawn].insert(*event.at);
+            if (event.spawn && (event.every || event.spawn->repeat)) repeated.insert(event.spawn->name);
+        }
+        std::map<std::string_view, std::size_t> last;  // who made one
+        for (std::size_t i = 0; i < scene_.timeline.size(); ++i) {
+            const SceneEvent& event = scene_.timeline[i];
+            if (!event.spawn || event.spawn->name.empty()) continue;
+            const std::string& name = event.spawn->name;
+            const auto refuse = [&](const std::string& whose, const std::string& hint = "") {
+                error(at("/timeline", i) + "/spawn/name", quoted(name) + " is the name of " + whose, hint);
+            };
+            const auto [earlier, is_new] = last.try_emplace(name, i);
+            const std::size_t other = std::exchange(earlier->second, i);
+            if (names.find_source(name) || names.is_copy(name))
+                refuse("a body that is there from the start", prefix_hint(i, own_.timeline));
+            else if (copy_number(name) && repeated.contains(base_name(name)))
+                refuse("a copy that comes by itself");
+            else if (!is_new && !goes_between(scene_.timeline[other], event, ends[name]))
+                refuse("what " + diagnostics_.name_of(at("/timeline", other)) + " makes already",
+                       i < own_.timeline ? "what was despawned may come again" : prefix_hint(i, own_.timeline));
+        }
+    }
+
+    static bool goes_between(const SceneEvent& one, const SceneEvent& other, const std::set<double>& ends) {
+        if (!one.at || !other.at || one.spawn->repeat || other.spawn->repeat) return false;
+        const auto end = ends.lower_bound(std::min(*one.at, *other.at));
+        return end != ends.end() && *end <= std::max(*one.at, *other.at);
     }
 
     // Keeps the places, which joints need.

@@ -43,6 +43,12 @@ public:
                              R"(give it a "mass", or a shape with an inside)");
     }
 
+    void check_motion(const SceneBody& body, const std::string& pointer) {
+        const bool is_pushed = body.velocity != DVec2{} || body.angular_velocity != 0.0;
+        if (is_pushed && body.type == BodyType::static_body)
+            diagnostics_.warning(pointer, "is static, and has a velocity: it does not move", R"("type": "kinematic" moves by its velocity alone)");
+    }
+
 private:
     void check_size(const std::string& pointer, double width, double size) {
         if (width > 0.0 && width < kSliver * size)
@@ -85,6 +91,7 @@ void add_body_lints(const Scene& scene, Diagnostics& diagnostics) {
     const auto check = [&](const SceneBody& body, const std::string& pointer) {
         linter.check_shapes(body, pointer);
         linter.check_weight(body, pointer);
+        linter.check_motion(body, pointer);
     };
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) check(scene.bodies[i], "/bodies/" + std::to_string(i));
     for (std::size_t i = 0; i < scene.timeline.size(); ++i)

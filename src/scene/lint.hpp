@@ -10,7 +10,7 @@ namespace tumble::scene {
 // For a scene without errors. Builds a world and steps it once.
 void add_lints(const Scene& scene, Diagnostics& diagnostics);
 
-// What the bodies show by themselves: slivers, sizes, what weighs nothing.
+// What the bodies show by themselves: slivers, sizes, what weighs nothing, what cannot move.
 void add_body_lints(const Scene& scene, Diagnostics& diagnostics);
 
 // Whose surface moves farther in a step than it is thick: by its velocity, a motor or an event.

@@ -79,9 +79,8 @@ BodyNames::BodyNames(const Scene& scene) {
 }
 
 bool BodyNames::is_spawned(std::string_view name) const {
-    const std::string_view base = base_name(name);
-    const auto found = spawned_.find(base);
-    return found != spawned_.end() && found->second == (base != name);
+    const auto exact = spawned_.find(name), again = spawned_.find(base_name(name));
+    return (exact != spawned_.end() && !exact->second) || (again != spawned_.end() && again->second && again != exact);
 }
 
 bool BodyNames::is_shared(std::string_view name) const {

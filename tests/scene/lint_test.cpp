@@ -184,6 +184,11 @@ TEST_CASE("bodies of segments and sensors alone are warned of, as they weigh not
     CHECK(warnings_of(R"({"name": "pin"}, {"type": "static", "shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})").empty());
 }
 
+TEST_CASE("a static body with a velocity is warned of") {
+    CHECK(says(warning_of(R"({"type": "static", "velocity": [1, 0], "shapes": [{"circle": {"radius": 1}}]})"), "it does not move"));
+    CHECK(warnings_of(R"({"type": "kinematic", "velocity": [1, 0], "shapes": [{"circle": {"radius": 1}}]})").empty());
+}
+
 TEST_CASE("masses that differ by more than a hundred are warned of where they touch or are tied") {
     const std::string light = R"({"name": "light", "position": [0, 0.5], "shapes": [{"box": {"size": [1, 1]}}]}, )";
     // 1 kg under 4 x 4 x 10 = 160 kg.

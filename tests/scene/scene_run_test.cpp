@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "scene/disc_scene.hpp"
 
@@ -93,6 +94,7 @@ TEST_CASE("bodies appear by their names, are acted on, and go") {
         {"every": 0.25, "until": 0.5, "spawn": {"name": "drop", "position": [5, 0], "velocity": [1, 0], "shapes": [{"circle": {"radius": 0.1}}]}},
         {"at": 0.5, "spawn": {"name": "pair", "repeat": {"grid": {"columns": 2, "spacing": [2, 0]}}, "position": [0, 50], "shapes": [{"circle": {"radius": 0.1}}]}},
         {"at": 0.6, "body": "drop[1]", "velocity": [0, 7]},
+        {"at": 1.9, "spawn": {"name": "own[3]", "position": [0, 90], "shapes": [{"circle": {"radius": 0.1}}]}}, {"at": 1.95, "despawn": "own[3]"},
         {"at": 1, "despawn": "disc"}, {"at": 1, "despawn": "drop[0]"}, {"at": 1.2, "body": "disc", "impulse": [1, 0]}])");
     SceneRun run(scene);
     const auto names = [&run] {
@@ -112,6 +114,25 @@ TEST_CASE("bodies appear by their names, are acted on, and go") {
     CHECK(run.world().state(run.built().bodies[5].id).pose.position == DVec2{2.0, 50.0});
     for (int i = 0; i < 60; ++i) run.step();
     CHECK(names() == "drop[1] drop[2] pair[0] pair[1] ");
+}
+
+TEST_CASE("a body that went may come again under its name, and is acted on again") {
+    const Scene scene = make_disc_scene(R"("timeline": [{"at": 0, "spawn": {"name": "late", "position": [9, 9], "gravity_scale": 0, "shapes": [{"circle": {"radius": 1}}]}},
+        {"at": 0.05, "body": "late", "velocity": [1, 0]}, {"at": 0.1, "despawn": "late"},
+        {"at": 0.2, "spawn": {"name": "late", "position": [9, 9], "gravity_scale": 0, "shapes": [{"circle": {"radius": 1}}]}},
+        {"at": 0.3, "body": "late", "velocity": [2, 0]}, {"at": 0.4, "despawn": "late"}])");
+    SceneRun run(scene);
+    const auto speed_of_late = [&] {
+        const SceneInstance& body = run.built().bodies.back();
+        return run.world().is_valid(body.id) ? run.world().state(body.id).velocity.x : -1.0f;
+    };
+    // Steps of 1/60 s: shown are 0.083 s, 0.15 s, 0.25 s, 0.35 s and 0.45 s.
+    std::vector<float> speeds;
+    for (int step = 1; step <= 27; ++step) {
+        run.step();
+        if (step == 5 || step == 9 || step == 15 || step == 21 || step == 27) speeds.push_back(speed_of_late());
+    }
+    CHECK(speeds == std::vector<float>{1.0f, -1.0f, 0.0f, 2.0f, -1.0f});
 }
 
 TEST_CASE("motors change their speed, a mouse joint its target, and a joint is let go") {
