@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 
 #include "exit_code.hpp"
@@ -17,6 +18,9 @@ struct Command {
 
 // Adds a subcommand with its --json flag.
 CLI::App& add_subcommand(CLI::App& app, Command& command, const std::string& name, const std::string& description);
+
+// Says which of these options were given in vain, as `beside` was too. To be called once all is parsed.
+void warn_of_idle(const CLI::App& subcommand, std::initializer_list<const char*> options, const char* beside);
 
 // One for each subcommand, defined in the file of its name. `command` must outlive the parsing and the action.
 void add_run(CLI::App& app, Command& command);

@@ -102,14 +102,15 @@ void add_parity(CLI::App& app, Command& command) {
     parity.add_option("--seed", options->parity.seed, "Seed of the pairs")
         ->capture_default_str()
         ->check(any_seed());
-    parity.add_option("--family", options->parity.families, "Only this family of pairs; may be repeated");
-    parity.add_option("--scene", options->scenes, "Instead, every pair of every step of this scene; may be repeated");
+    parity.add_option("--family", options->parity.families, "Only this family of pairs; may be given again");
+    parity.add_option("--scene", options->scenes, "Instead, every pair of every step of this scene; may be given again");
     parity.add_option("--threads", options->parity.threads, "0: as many as the machine has")
         ->capture_default_str()
         ->check(whole_number_from_to(0, 256));
-    parity.add_option("--report", options->report, "Write a page with plots and the worst cases to this file");
+    parity.add_option("--report", options->report, "Write a page with plots and the worst cases to this file")->type_name("F.html");
     parity.add_flag("--force", options->force, "Replace an existing report");
     parity.add_flag("--list", options->list, "List the families");
+    parity.parse_complete_callback([&parity] { warn_of_idle(parity, {"--pairs", "--seed", "--family"}, "--scene"); });
     parity.callback([&command, options] { command.action = [&command, options] { return compare(command, *options); }; });
 }
 

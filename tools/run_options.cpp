@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "console.hpp"
+#include "command.hpp"
 #include "validators.hpp"
 
 namespace tumble::tools {
@@ -84,11 +84,7 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         ->type_name("F.csv");
     subcommand.add_option("--hashes", options.hashes, "Write the state hash after each step")->type_name("F.csv");
     subcommand.add_flag("--force", options.force, "Replace what an earlier run left in the folder");
-    subcommand.parse_complete_callback([&subcommand, &options] {
-        if (!options.no_frames) return;
-        for (const char* const option : {"--fps", "--size", "--overlay"})
-            if (subcommand.count(option) > 0) report_warning(std::string(option) + " has no effect with --no-frames");
-    });
+    subcommand.parse_complete_callback([&subcommand] { warn_of_idle(subcommand, {"--fps", "--size", "--overlay"}, "--no-frames"); });
 }
 
 }  // namespace tumble::tools

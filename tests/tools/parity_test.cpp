@@ -44,6 +44,7 @@ TEST_CASE("parity of a scene compares its pairs step by step") {
     CHECK(result["families"][0]["name"] == "small");
     CHECK(result["ours_wrong"] == 0);
     CHECK(result["pairs"].get<int>() > 300);  // two bodies on the ground for most of 300 steps
+    CHECK(run_tumble({"parity", "--scene", scene, "--seed", "2"}).err.find("--seed has no effect with --scene") != std::string::npos);
     const std::string nameless = folder.write("nameless.json", R"({"format": 1, "world": {"duration": 0.1}})");
     CHECK(json::parse(run_tumble({"parity", "--scene", nameless, "--json"}).out)["families"][0]["name"] == "nameless");
 }
