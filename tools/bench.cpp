@@ -1,6 +1,5 @@
 // `tumble bench`: queries of the narrow phase and the world step beside Box2D's, in one run.
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>

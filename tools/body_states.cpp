@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
 #include "csv_file.hpp"
 #include "json_writer.hpp"

@@ -1,8 +1,6 @@
 // The command line of tumble: reads the arguments, runs one subcommand, and turns what it threw into an exit code.
 #include <algorithm>
 #include <exception>
-#include <filesystem>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,8 +1,6 @@
 // `tumble parity`: distances, rays, casts and times of impact beside Box2D's, with exact arithmetic as the judge.
 #include <cstdint>
-#include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <span>
 #include <vector>
 
 #include "html.hpp"

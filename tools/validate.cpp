@@ -1,7 +1,6 @@
 // `tumble validate`: reads scenes, and says everything that is wrong with them.
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -4,8 +4,6 @@
 // one with the lowest shape id is first. Queries see the poses at the end of the last step.
 #pragma once
 
-#include <cstdint>
-
 #include "tumble/body.hpp"
 #include "tumble/distance.hpp"
 #include "tumble/id.hpp"

@@ -1,7 +1,6 @@
 // A scene as it runs: its world, what happens to it by its timeline, and what becomes of the claims it makes.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>

@@ -2,7 +2,6 @@
 #include "tumble/drawing.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace tumble {

@@ -1,6 +1,5 @@
 #include "render/overlay.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>

@@ -7,7 +7,6 @@
 #include "render/primitives.hpp"
 #include "render/view.hpp"
 #include "tumble/render.hpp"
-#include "tumble/scene.hpp"
 
 namespace tumble::render {
 

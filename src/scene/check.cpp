@@ -15,7 +15,6 @@
 #include "scene/json_text.hpp"
 #include "scene/names.hpp"
 #include "scene/place.hpp"
-#include "scene/pointer.hpp"
 #include "scene/repeat.hpp"
 #include "tumble/scene_world.hpp"
 #include "tumble/suggest.hpp"

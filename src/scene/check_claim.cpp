@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "scene/claims.hpp"
-#include "scene/json_text.hpp"
 
 namespace tumble::scene {
 

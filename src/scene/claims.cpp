@@ -1,6 +1,5 @@
 #include "scene/claims.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "scene/display.hpp"
@@ -10,11 +9,6 @@
 namespace tumble::scene {
 
 namespace {
-
-std::string event_name(SceneEventKind kind) {
-    const auto& names = kEnumNames<SceneEventKind>;
-    return std::string(std::ranges::find(names, kind, &std::pair<SceneEventKind, std::string_view>::first)->second);
-}
 
 bool is_one_value(const SceneInterval& allowed) { return allowed.lower == allowed.upper; }
 
@@ -66,7 +60,7 @@ std::string event_count_text(const SceneExpectation& claim) {
     const SceneInterval& count = claim.event_count.value();
     const bool is_one = is_one_value(count) && count.lower == 1.0;
     const std::string by = claim.at ? number_text(*claim.at) + " s" : "the end";
-    return amount(count) + " '" + event_name(claim.event.value()) + "'" + (claim.body.empty() ? "" : " of '" + claim.body + "'") +
+    return amount(count) + " '" + std::string(enum_name(claim.event.value())) + "'" + (claim.body.empty() ? "" : " of '" + claim.body + "'") +
            (is_one ? " happens by " : " happen by ") + by;
 }
 

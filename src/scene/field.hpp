@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -65,6 +66,14 @@ struct Field {
 // Enumerators and their names in files.
 template <class Enum>
 inline constexpr std::array<std::pair<Enum, std::string_view>, 0> kEnumNames{};
+
+// Throws std::invalid_argument for what is none of them.
+template <class Enum>
+std::string_view enum_name(Enum value) {
+    for (const auto& [enumerator, name] : kEnumNames<Enum>)
+        if (enumerator == value) return name;
+    throw std::invalid_argument("an enumerator of a scene is out of range");
+}
 
 // A visitor that collects the keys of a struct.
 struct FieldNames {

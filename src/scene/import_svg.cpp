@@ -3,7 +3,6 @@
 // The y axis is turned upwards about the lower edge of the drawing, so that its lower left corner is the origin and the
 // camera shows the page. Parsed by pugixml, without entities or external files.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 

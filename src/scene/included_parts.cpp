@@ -1,7 +1,6 @@
 #include "scene/included_parts.hpp"
 
 #include <charconv>
-#include <string_view>
 #include <utility>
 
 #include "scene/pointer.hpp"

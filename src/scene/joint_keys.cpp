@@ -1,19 +1,11 @@
 #include "scene/joint_keys.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/fields.hpp"
 
 namespace tumble::scene {
-
-namespace {
-
-std::string_view name_of(SceneJointType type) {
-    const auto& names = kEnumNames<SceneJointType>;
-    return std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == type; })->second;
-}
-
-}  // namespace
 
 bool JointKey::belongs_to(SceneJointType type) const {
     return std::find(types.begin(), types.end(), type) != types.end();
@@ -23,7 +15,7 @@ std::string JointKey::owners() const {
     std::string text = "belongs to ";
     for (std::size_t i = 0; i < types.size(); ++i) {
         if (i > 0) text += i + 1 < types.size() ? ", " : " and ";
-        text += name_of(types[i]);
+        text += enum_name(types[i]);
     }
     return text + " joints";
 }

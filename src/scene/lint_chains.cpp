@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "scene/display.hpp"
 #include "scene/lint.hpp"

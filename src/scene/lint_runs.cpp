@@ -1,8 +1,5 @@
 // Events and claims that the run never comes to, and events that nothing obeys.
-#include <algorithm>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <string>
 
 #include "scene/json_text.hpp"

@@ -1,7 +1,6 @@
 // Overrides: a walk down the JSON value for each, with the defaults beside it.
 #include "scene/override.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
 

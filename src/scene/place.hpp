@@ -1,7 +1,6 @@
 // Where every body of a scene stands when it is made, copies included.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "scene/joints.hpp"

@@ -3,7 +3,6 @@
 #include "scene/repeat.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 

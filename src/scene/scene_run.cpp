@@ -4,7 +4,6 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
-#include <utility>
 
 #include "scene/body_lookup.hpp"
 #include "scene/body_plan.hpp"

@@ -2,7 +2,6 @@
 #include "scene/svg_body.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 

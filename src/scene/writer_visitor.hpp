@@ -1,7 +1,6 @@
 // The writing visitor of the table in fields.hpp; the schema uses it too, for the defaults that it shows.
 #pragma once
 
-#include <algorithm>
 #include <concepts>
 #include <stdexcept>
 #include <type_traits>
@@ -24,12 +23,7 @@ public:
 
     template <class Enum>
     requires std::is_enum_v<Enum> Json write(Enum value)
-    const {
-        const auto& names = kEnumNames<Enum>;
-        const auto found = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == value; });
-        if (found == names.end()) throw std::invalid_argument("an enumerator of a scene is out of range");
-        return found->second;
-    }
+    const { return enum_name(value); }
 
     template <class First, class Second>
     Json write(const std::pair<First, Second>& value) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tumble/cast.hpp"
 #include "tumble/compound.hpp"

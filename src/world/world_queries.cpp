@@ -1,5 +1,4 @@
 // The queries of the facade: input checked, then asked.
-#include <cmath>
 
 #include "world/input_checks.hpp"
 #include "world/queries.hpp"
