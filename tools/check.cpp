@@ -119,11 +119,7 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
     }
     json.close_array().member("passed", code == ExitCode::ok).close_object();
     if (command.json) write_output(json.text() + "\n");
-    if (!options.junit.empty()) {
-        OutputFile file = open_output(options.junit, options.force);
-        file.write(to_junit(checks));
-        file.commit();
-    }
+    if (!options.junit.empty()) write_file(options.junit, to_junit(checks), options.force);
     return code;
 }
 

@@ -52,16 +52,6 @@ ShapeAtPose parse_posed(std::string_view text, const std::string& source, std::o
     return {parse_shape(shape, source), optional_pose(pose, pose_source)};
 }
 
-const char* to_text(DistanceStatus status) {
-    switch (status) {
-        case DistanceStatus::separated: return "separated";
-        case DistanceStatus::touching: return "touching";
-        case DistanceStatus::overlapping: return "overlapping";
-        case DistanceStatus::invalid: break;
-    }
-    return "invalid";
-}
-
 void write_pose(JsonWriter& json, const char* key, const Pose& pose) {
     json.key(key).open_object().member("position", pose.position);
     json.key("rotation").open_array().value(pose.rotation.c).value(pose.rotation.s).close_array();
@@ -125,7 +115,7 @@ void write_answer(JsonWriter& json, const DistanceQuery& query, const DistanceRe
         .member("point_a", result.point_a)
         .member("point_b", result.point_b)
         .member("normal", result.normal);
-    json.member("status", to_text(result.status)).member("iterations", result.iterations);
+    json.member("status", to_string(result.status)).member("iterations", result.iterations);
     write_pose(json, "a_pose", query.a_pose);
     write_pose(json, "b_pose", query.b_pose);
     write_certificate(json, result.certificate);
@@ -133,7 +123,7 @@ void write_answer(JsonWriter& json, const DistanceQuery& query, const DistanceRe
 }
 
 std::string answer_text(const DistanceResult& result) {
-    std::string text = to_text(result.status);
+    std::string text(to_string(result.status));
     text += "\n  distance    ";
     append_number(text, result.distance);
     text += " m\n  proved      from ";

@@ -25,4 +25,10 @@ OutputFile open_output(const fs::path& file, bool force) {
     return OutputFile(file);
 }
 
+void write_file(const fs::path& file, std::string_view text, bool force) {
+    OutputFile output = open_output(file, force);
+    output.write(text);
+    output.commit();
+}
+
 }  // namespace tumble::tools

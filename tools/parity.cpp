@@ -83,9 +83,8 @@ ExitCode compare(const Command& command, const ParityArguments& options) {
         write_output(parity_table(result));
     }
     if (!options.report.empty()) {
-        OutputFile file = open_output(options.report, options.force);
-        file.write(parity_page(result, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"));
-        file.commit();
+        write_file(options.report, parity_page(result, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"),
+                   options.force);
         narrate("the report is " + options.report + "\n");
     }
     return result.passed() ? ExitCode::ok : ExitCode::failed;

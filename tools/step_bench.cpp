@@ -1,12 +1,13 @@
 #include "step_bench.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "cpu_clock.hpp"
 #include "median.hpp"
 #include "reference/b2_world.hpp"
+#include "tumble/scene_run.hpp"
 #include "tumble/scene_world.hpp"
 
 namespace tumble::tools {
@@ -22,9 +23,9 @@ double time_steps(World& world, int count) {
     return cpu_seconds() - start;
 }
 
-int count_steps(const Scene& scene, const StepBenchOptions& options) {
-    const double whole = std::round(scene.world.duration * scene.world.steps_per_second);
-    return std::max(1, static_cast<int>(std::min<double>(options.steps, whole)));
+int steps_of(const Scene& scene, const StepBenchOptions& options) {
+    const std::uint64_t most = static_cast<std::uint64_t>(options.steps);
+    return std::max(1, static_cast<int>(std::min(most, count_steps(scene))));
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ int count_steps(const Scene& scene, const StepBenchOptions& options) {
 StepBenchResult bench_steps(const Scene& scene, const StepBenchOptions& options) {
     StepBenchResult result;
     result.scene = scene.name;
-    const int steps = count_steps(scene, options);
+    const int steps = steps_of(scene, options);
     std::vector<double> ours, theirs;  // ms a step, of each run
     for (int run = 0; run < options.runs; ++run) {
         SceneWorld tumble_world = build_world(scene);

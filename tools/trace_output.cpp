@@ -28,12 +28,6 @@ std::string trace_json(const DistanceQuery& query, const DistanceTrace& trace) {
     return json.close_object().text() + "\n";
 }
 
-void write_text(const std::filesystem::path& file, const std::string& text, bool force) {
-    OutputFile output = open_output(file, force);
-    output.write(text);
-    output.commit();
-}
-
 }  // namespace
 
 bool is_trace_file(const std::filesystem::path& file) {
@@ -43,9 +37,9 @@ bool is_trace_file(const std::filesystem::path& file) {
 
 void write_trace(const std::filesystem::path& file, const DistanceQuery& query, SubAlgorithm sub_algorithm, bool force) {
     const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose, sub_algorithm);
-    if (file.extension() == ".json") return write_text(file, trace_json(query, trace), force);
+    if (file.extension() == ".json") return write_file(file, trace_json(query, trace), force);
     const Drawing drawing = draw_trace(query.a, query.a_pose, query.b, query.b_pose, trace);
-    if (file.extension() == ".svg") return write_text(file, to_svg(drawing), force);
+    if (file.extension() == ".svg") return write_file(file, to_svg(drawing), force);
     refuse_to_overwrite(file, force);
     create_folder_of(file);
     write_png(draw_image(drawing), file);

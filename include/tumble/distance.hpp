@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "tumble/math.hpp"
@@ -47,6 +48,17 @@ enum class DistanceStatus : std::uint8_t {
     invalid,      // NaN or infinity in the input, a shape without vertices, or positions more than 2^500 m apart (or, for
                   // points, less than 2^-480 m but not 0); every number of the result is NaN
 };
+
+// "separated", "touching", "overlapping" or "invalid".
+constexpr std::string_view to_string(DistanceStatus status) {
+    switch (status) {
+        case DistanceStatus::separated: return "separated";
+        case DistanceStatus::touching: return "touching";
+        case DistanceStatus::overlapping: return "overlapping";
+        case DistanceStatus::invalid: break;
+    }
+    return "invalid";
+}
 
 // What proves the result to a checker in exact arithmetic. `direction` is any nonzero vector in world axes; with h the
 // maximum of direction . w over all w of the core difference A - B, the signed core distance is at least -h / |direction|:

@@ -19,16 +19,6 @@ constexpr double kStepHeight = 270.0;  // of one iteration's panel
 constexpr int kMostColumns = 4;
 constexpr double kCaptionSize = 12.0;
 
-std::string_view name(DistanceStatus status) {
-    switch (status) {
-        case DistanceStatus::separated: return "separated";
-        case DistanceStatus::touching: return "touching";
-        case DistanceStatus::overlapping: return "overlapping";
-        case DistanceStatus::invalid: return "invalid";
-    }
-    return "";
-}
-
 // The support vertices of a trace, numbered from 1 as they were first found.
 class FoundVertices {
 public:
@@ -229,7 +219,7 @@ void draw_bounds_panel(Drawing& drawing, PixelRect rect, const std::vector<Trace
 std::string summary(const DistanceResult& result) {
     if (result.status == DistanceStatus::invalid) return "invalid input";
     const std::string count = std::to_string(result.iterations) + (result.iterations == 1 ? " support vertex" : " support vertices");
-    return std::string(name(result.status)) + ": signed distance " + short_number(result.distance) + " m, normal (" +
+    return std::string(to_string(result.status)) + ": signed distance " + short_number(result.distance) + " m, normal (" +
            short_number(result.normal.x) + ", " + short_number(result.normal.y) + "), " + count + " computed";
 }
 
