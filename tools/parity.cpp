@@ -6,7 +6,6 @@
 
 #include "command.hpp"
 #include "console.hpp"
-#include "input_error.hpp"
 #include "output_path.hpp"
 #include "parity_report.hpp"
 #include "places.hpp"
@@ -63,7 +62,7 @@ reference::ParityResult compare_scenes(const ParityArguments& options) {
 reference::ParityResult compare_random_pairs(const ParityArguments& options) {
     for (const std::string& name : options.parity.families)
         if (!reference::find_pair_family(name) && !reference::find_cast_family(name))
-            throw InputError("there is no family '" + name + "'; tumble parity --list names them all");
+            throw CLI::ValidationError("--family", "there is no family '" + name + "'; tumble parity --list names them all");
     Progress progress("pairs", options.parity.pairs);
     reference::ParityOptions parity = options.parity;
     parity.progress = [&progress](std::uint64_t done) { progress.show(done); };

@@ -2,7 +2,6 @@
 // were found, each iteration, and the bounds closing in.
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "render/drawn_pair.hpp"
 

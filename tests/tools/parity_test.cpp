@@ -77,7 +77,7 @@ TEST_CASE("parity names its families, and refuses others and pairs that are none
     CHECK(families.code == 0);
     CHECK(families.out.find("near_gap") != std::string::npos);
     const Answer unknown = run_tumble({"parity", "--family", "near_gapp"});
-    CHECK(unknown.code == 3);
+    CHECK(unknown.code == 2);
     CHECK(unknown.err.find("near_gapp") != std::string::npos);
     CHECK(run_tumble({"parity", "--pairs", "0"}).code == 2);
     CHECK(run_tumble({"parity", "--scene", "no_such_scene.json"}).code == 4);
