@@ -5,26 +5,26 @@
 
 namespace tumble {
 
-void BroadPhase::add(std::uint32_t key, const Aabb& box, Mobility mobility) {
+void BroadPhase::add(std::uint32_t key, const Aabb& box, Layer layer) {
     if (key >= proxies_.size()) proxies_.resize(key + 1);
     Proxy& proxy = proxies_[key];
     proxy.box = box;
-    proxy.mobility = mobility;
-    proxy.leaf = tree(mobility).insert(box, key);
+    proxy.layer = layer;
+    proxy.leaf = tree(layer).insert(box, key);
     touch(key);
 }
 
 // The key may still wait in asked_; a search skips it there unless it has been given to a new proxy.
 void BroadPhase::remove(std::uint32_t key) {
     Proxy& proxy = proxies_[key];
-    tree(proxy.mobility).remove(proxy.leaf);
+    tree(proxy.layer).remove(proxy.leaf);
     proxy.leaf = AabbTree::kNone;
 }
 
 void BroadPhase::move(std::uint32_t key, const Aabb& box) {
     Proxy& proxy = proxies_[key];
     proxy.box = box;
-    tree(proxy.mobility).move(proxy.leaf, box);
+    tree(proxy.layer).move(proxy.leaf, box);
     touch(key);
 }
 
@@ -35,19 +35,19 @@ void BroadPhase::touch(std::uint32_t key) {
 }
 
 void BroadPhase::validate() const {
-    fixed_.validate();
-    moving_.validate();
-    std::size_t fixed_count = 0, moving_count = 0;
+    std::array<std::size_t, 3> counts{};
+    for (const AabbTree& tree : trees_) tree.validate();
     for (std::uint32_t key = 0; key < proxies_.size(); ++key) {
         const Proxy& proxy = proxies_[key];
         if (proxy.leaf == AabbTree::kNone) continue;
-        const bool is_fixed = proxy.mobility == Mobility::fixed;
-        (is_fixed ? fixed_count : moving_count) += 1;
-        if ((is_fixed ? fixed_ : moving_).box(proxy.leaf) != proxy.box)
+        const auto layer = static_cast<std::size_t>(proxy.layer);
+        ++counts[layer];
+        if (trees_[layer].box(proxy.leaf) != proxy.box)
             throw std::logic_error("broad phase: proxy " + std::to_string(key) + ": box differs from its leaf's");
     }
-    if (fixed_count != fixed_.leaf_count() || moving_count != moving_.leaf_count())
-        throw std::logic_error("broad phase: proxies and leaves differ in number");
+    for (std::size_t layer = 0; layer < counts.size(); ++layer)
+        if (counts[layer] != trees_[layer].leaf_count())
+            throw std::logic_error("broad phase: proxies and leaves differ in number");
 }
 
 }  // namespace tumble

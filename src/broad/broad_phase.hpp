@@ -1,10 +1,11 @@
 // Finds pairs of proxies whose boxes overlap, each pair once, in order of their keys.
 //
-// A proxy is a box under a key. Fixed proxies never pair with each other. Only proxies that were added or moved since
-// the last search are asked about; known pairs are remembered until they are forgotten.
+// A proxy is a box under a key, in a layer with a tree of its own. Only proxies that were added or moved since the last
+// search are asked about; known pairs are remembered until they are forgotten.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,12 +14,14 @@
 
 namespace tumble {
 
-enum class Mobility : std::uint8_t { fixed, moving };
+// Fixed proxies never pair with each other. Firm ones move too, and are few: what is fast has to look out for them.
+// Loose are the others.
+enum class Layer : std::uint8_t { fixed, firm, loose };
 
 class BroadPhase {
 public:
     // Keys are small numbers: an array as long as the largest is kept.
-    void add(std::uint32_t key, const Aabb& box, Mobility mobility);
+    void add(std::uint32_t key, const Aabb& box, Layer layer);
     void remove(std::uint32_t key);
     void move(std::uint32_t key, const Aabb& box);
 
@@ -29,7 +32,9 @@ public:
     bool has_moved() const { return !asked_.empty(); }
 
     const Aabb& box(std::uint32_t key) const { return proxies_[key].box; }
-    bool overlap(ProxyPair pair) const { return overlaps(box(pair.a), box(pair.b)); }
+    bool has(std::uint32_t key) const { return key < proxies_.size() && proxies_[key].leaf != AabbTree::kNone; }
+    // False if one of them is gone.
+    bool overlap(ProxyPair pair) const { return has(pair.a) && has(pair.b) && overlaps(box(pair.a), box(pair.b)); }
 
     // The new pairs, sorted, for which accept(pair) holds; rejected pairs are not remembered. Valid until the next
     // call.
@@ -40,62 +45,74 @@ public:
     bool knows(ProxyPair pair) const { return known_.contains(pair); }
     std::size_t known_count() const { return known_.size(); }
 
-    // Calls visit(key) for each proxy whose box overlaps, fixed ones first.
+    // Calls visit(key) for each proxy of these layers whose box overlaps, layer by layer.
     template <class Visitor>
-    void query(const Aabb& box, Visitor&& visit) const {
-        fixed_.query(box, visit);
-        moving_.query(box, visit);
+    void query(const Aabb& box, Visitor&& visit, Layer last = Layer::loose, Layer first = Layer::fixed) const {
+        for (auto layer = static_cast<std::size_t>(first); layer <= static_cast<std::size_t>(last); ++layer)
+            trees_[layer].query(box, visit);
     }
 
     // The same with any condition on boxes: see AabbTree::search().
     template <class MayHold, class Visitor>
     void search(MayHold&& may_hold, Visitor&& visit) const {
-        fixed_.search(may_hold, visit);
-        moving_.search(may_hold, visit);
+        for (const AabbTree& tree : trees_) tree.search(may_hold, visit);
     }
 
     void validate() const;
 
     // What is kept to be used again, bytes.
-    std::size_t spare_bytes() const { return new_pairs_.capacity() * sizeof(ProxyPair); }
+    std::size_t spare_bytes() const {
+        return new_pairs_.capacity() * sizeof(ProxyPair) + waiting_.capacity() * sizeof(AabbTree::NodePair);
+    }
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.fixed_, self.moving_, self.proxies_, self.asked_, self.known_);
+        visit(self.trees_, self.proxies_, self.asked_, self.known_);
     }
 
 private:
     struct Proxy {
         Aabb box;
         AabbTree::Node leaf = AabbTree::kNone;  // kNone: no proxy under this key
-        Mobility mobility = Mobility::fixed;
+        Layer layer = Layer::fixed;
         bool is_asked = false;  // waits in asked_
     };
 
-    AabbTree& tree(Mobility mobility) { return mobility == Mobility::fixed ? fixed_ : moving_; }
+    const AabbTree& tree(Layer layer) const { return trees_[static_cast<std::size_t>(layer)]; }
+    AabbTree& tree(Layer layer) { return trees_[static_cast<std::size_t>(layer)]; }
 
-    AabbTree fixed_;
-    AabbTree moving_;
+    std::array<AabbTree, 3> trees_;     // by layer
     std::vector<Proxy> proxies_;        // by key
     std::vector<std::uint32_t> asked_;  // keys added, moved or touched since the last search
     std::vector<ProxyPair> new_pairs_;
+    std::vector<AabbTree::NodePair> waiting_;  // of the search for all pairs
     PairSet known_;
 };
 
+// Once half of the loose ones ask, all their pairs are found at once: in a drum of 2000 boxes the stage takes 0.50 ms
+// instead of 0.98.
 template <class Accept>
 const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept) {
     new_pairs_.clear();
+    const auto consider = [&](std::uint32_t key, std::uint32_t other) {
+        const ProxyPair pair = make_pair_of(key, other);
+        if (!known_.contains(pair) && accept(pair)) new_pairs_.push_back(pair);
+    };
+    const bool at_once = 2 * asked_.size() > tree(Layer::loose).leaf_count();
+    if (at_once)
+        tree(Layer::loose).for_each_pair(waiting_, [&](std::uint32_t a, std::uint32_t b) {
+            if (proxies_[a].is_asked || proxies_[b].is_asked) consider(a, b);
+        });
     for (const std::uint32_t key : asked_) {
         const Proxy& proxy = proxies_[key];
         if (proxy.leaf == AabbTree::kNone) continue;
-        const auto consider = [&](std::uint32_t other) {
-            // Of two proxies that both ask, the one with the smaller key finds the pair.
-            if (other == key || (proxies_[other].is_asked && other < key)) return;
-            const ProxyPair pair = make_pair_of(key, other);
-            if (!known_.contains(pair) && accept(pair)) new_pairs_.push_back(pair);
+        // Of two proxies that both ask, the one with the smaller key finds the pair.
+        const auto meet = [&](std::uint32_t other) {
+            if (other != key && !(proxies_[other].is_asked && other < key)) consider(key, other);
         };
-        moving_.query(proxy.box, consider);
-        if (proxy.mobility == Mobility::moving) fixed_.query(proxy.box, consider);
+        const Layer first = proxy.layer == Layer::fixed ? Layer::firm : Layer::fixed;
+        const Layer last = proxy.layer == Layer::loose && at_once ? Layer::firm : Layer::loose;
+        query(proxy.box, meet, last, first);
     }
     std::sort(new_pairs_.begin(), new_pairs_.end());
     for (const ProxyPair pair : new_pairs_) known_.insert(pair);

@@ -163,11 +163,8 @@ void AabbTree::rotate(Node node) {
 
 double AabbTree::cost() const {
     double sum = 0.0;
-    for (Node node = root_; node != kNone;) {
-        const bool leaf = at(node).is_leaf();
-        if (!leaf) sum += static_cast<double>(perimeter(at(node).box));
-        node = leaf ? after_subtree(node) : at(node).child[0];
-    }
+    const auto add = [&sum](const Aabb& box) { return sum += static_cast<double>(perimeter(box)), true; };
+    search(add, [&](std::uint32_t) {});
     return sum;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "tumble/math.hpp"
@@ -18,6 +19,7 @@ class AabbTree {
 public:
     using Node = std::int32_t;
     static constexpr Node kNone = -1;
+    using NodePair = std::pair<Node, Node>;
 
     // Adds a leaf and returns its node, which stays the leaf's name until it is removed.
     Node insert(const Aabb& box, std::uint32_t key);
@@ -32,7 +34,7 @@ public:
     // Calls visit(key) for each leaf whose box overlaps, in an order that depends on the tree. O(log n + results).
     template <class Visitor>
     void query(const Aabb& box, Visitor&& visit) const {
-        search([&](const Aabb& node_box) { return overlaps(node_box, box); }, visit);
+        search([box](const Aabb& node_box) { return overlaps(node_box, box); }, visit);
     }
 
     // Calls visit(key) for each leaf for whose box, and the boxes around it, may_hold(box) is true. A box
@@ -40,7 +42,11 @@ public:
     template <class MayHold, class Visitor>
     void search(MayHold&& may_hold, Visitor&& visit) const;
 
-    // Sum of the perimeters of the inner nodes: proportional to the expected cost of a query.
+    // Calls visit(key, other key) once for each two leaves whose boxes overlap. `waiting` is room to work in.
+    template <class Visitor>
+    void for_each_pair(std::vector<NodePair>& waiting, Visitor&& visit) const;
+
+    // Sum of the perimeters of all nodes: proportional to the expected cost of a query.
     double cost() const;
 
     // Walks every link and box; throws std::logic_error that names the first one broken.
@@ -66,6 +72,8 @@ private:
         }
     };
 
+    static constexpr int kStackSize = 64;
+
     NodeData& at(Node node) { return nodes_[static_cast<std::size_t>(node)]; }
     const NodeData& at(Node node) const { return nodes_[static_cast<std::size_t>(node)]; }
 
@@ -77,7 +85,8 @@ private:
     void replace_child(Node parent, Node old_child, Node new_child);
     void refit_upwards(Node node);
     void rotate(Node node);
-    Node after_subtree(Node node) const;
+    template <class MayHold, class Visitor>
+    void search_subtree(Node root, MayHold& may_hold, Visitor& visit) const;
     std::size_t validate_subtree(Node root) const;
 
     std::vector<NodeData> nodes_;
@@ -86,25 +95,56 @@ private:
     std::size_t leaf_count_ = 0;
 };
 
-// The node that follows a whole subtree in depth-first order: needs no stack, so that a query neither allocates nor
-// limits the depth.
-inline AabbTree::Node AabbTree::after_subtree(Node node) const {
-    while (node != root_) {
-        const NodeData& parent = at(at(node).parent);
-        if (parent.child[0] == node) return parent.child[1];
-        node = at(node).parent;
-    }
-    return kNone;
-}
-
 template <class MayHold, class Visitor>
 void AabbTree::search(MayHold&& may_hold, Visitor&& visit) const {
-    Node node = root_;
-    while (node != kNone) {
-        const NodeData& data = at(node);
-        const bool hit = may_hold(data.box);
-        if (hit && data.is_leaf()) visit(data.key);
-        node = hit && !data.is_leaf() ? data.child[0] : after_subtree(node);
+    if (root_ != kNone) search_subtree(root_, may_hold, visit);
+}
+
+// Depth first, left before right. A subtree that the stack has no room for has one of its own: the depth is not
+// limited, and nothing allocated.
+template <class MayHold, class Visitor>
+void AabbTree::search_subtree(Node root, MayHold& may_hold, Visitor& visit) const {
+    Node waiting[kStackSize] = {root};
+    for (int count = 1; count > 0;) {
+        const NodeData& node = at(waiting[--count]);
+        if (!may_hold(node.box)) continue;
+        if (node.is_leaf()) {
+            visit(node.key);
+        } else if (count + 2 <= kStackSize) {
+            waiting[count++] = node.child[1];
+            waiting[count++] = node.child[0];
+        } else {
+            for (const Node child : node.child) search_subtree(child, may_hold, visit);
+        }
+    }
+}
+
+// Pairs of subtrees: a subtree with itself is its halves with themselves and with each other.
+template <class Visitor>
+void AabbTree::for_each_pair(std::vector<NodePair>& waiting, Visitor&& visit) const {
+    waiting.clear();
+    if (root_ != kNone) waiting.push_back({root_, root_});
+    while (!waiting.empty()) {
+        const auto [first, second] = waiting.back();
+        waiting.pop_back();
+        const NodeData& a = at(first);
+        const NodeData& b = at(second);
+        if (first == second) {
+            if (a.is_leaf()) continue;
+            waiting.push_back({a.child[0], a.child[0]});
+            waiting.push_back({a.child[1], a.child[1]});
+            waiting.push_back({a.child[0], a.child[1]});
+        } else if (!overlaps(a.box, b.box)) {
+            continue;
+        } else if (a.is_leaf() && b.is_leaf()) {
+            visit(a.key, b.key);
+        } else if (b.is_leaf() || (!a.is_leaf() && perimeter(a.box) > perimeter(b.box))) {  // the larger one is opened
+            waiting.push_back({a.child[0], second});
+            waiting.push_back({a.child[1], second});
+        } else {
+            waiting.push_back({first, b.child[0]});
+            waiting.push_back({first, b.child[1]});
+        }
     }
 }
 

@@ -14,6 +14,7 @@ bool share_an_end(const Shape& a, const Shape& b) {
 }  // namespace
 
 bool passes_chain(Simulation& simulation, ProxyPair pair) {
+    if (!simulation.passes.before && !simulation.passes.now) return false;
     const bool link_is_a = simulation.shapes[pair.a].link.has_value();
     const ShapeRecord& link = simulation.shapes[link_is_a ? pair.a : pair.b];
     if (!link.link || !link.link->one_sided) return false;

@@ -12,8 +12,8 @@ struct Bounce {
     Lanes part;     // of the energy that it took, by Newton's law of restitution
 };
 
-// A bouncing point is to part with e times the speed of its impact where it met: at a separation s under the acceleration
-// a with (v + a h / 2)^2 = (e v_impact)^2 + 2 a s, as in set_approaches().
+// A bouncing point is to part with e times the speed of its impact where it met: at a separation s under the
+// acceleration a with (v + a h / 2)^2 = (e v_impact)^2 + 2 a s, as in set_approaches().
 TUMBLE_LANE_FUNCTION Bounce make_bounce(const ContactBlock& block, int index, const Lanes& shift, float threshold,
                                         float h, const BlockState& state) {
     const ContactBlockPoint& point = block.points[index];
@@ -47,10 +47,10 @@ TUMBLE_LANE_FUNCTION Lanes affordable_part(const ContactBlock& block, const Lane
     return select_less(zero, square, (root - linear).max(zero) / square, one).min(one);
 }
 
-// Both points at once: one after the other they would make a box that falls flat spin. What Newton's law asks for may be
-// more than the impact took, where bodies turn while they meet or meet several others: no more is given back than that
-// part of it [Stronge 1990, "Rigid body collisions with friction"], less what friction has given already while it stopped
-// a surface that the impact drove along. A gas of ten balls grew by 4 % in a minute without.
+// Both points at once: one after the other they would make a box that falls flat spin. What Newton's law asks for may
+// be more than the impact took, where bodies turn while they meet or meet several others: no more is given back than
+// that part of it [Stronge 1990, "Rigid body collisions with friction"], less what friction has given already while it
+// stopped a surface that the impact drove along. A gas of ten balls grew by 4 % in a minute without.
 TUMBLE_LANE_FUNCTION void solve_restitution(ContactBlock& block, float threshold, float h, BlockState& state) {
     const Lanes shift = center_shift(block, state);
     const Bounce first = make_bounce(block, 0, shift, threshold, h, state);

@@ -52,7 +52,8 @@ Contact* ContactStore::find(ProxyPair pair) {
 void ContactStore::merge_woken() {
     if (woken_.empty()) return;
     std::sort(woken_.begin(), woken_.end(), [](const Contact& a, const Contact& b) { return a.shapes < b.shapes; });
-    insert(woken_.size(), [&](std::size_t i) { return woken_[i].shapes; }, [&](std::size_t i) { return woken_[i]; });
+    insert(
+        woken_.size(), [&](std::size_t i) { return woken_[i].shapes; }, [&](std::size_t i) { return woken_[i]; });
     woken_.clear();
 }
 
@@ -127,11 +128,10 @@ bool came_through(const PlacedShape& chain, const PlacedShape& other, Vec2 way, 
 // from behind is remembered until it has passed, or the segment would throw it out. `way`: of the other shape against
 // the chain in a step, m.
 Manifold collide_with_chain(const PlacedShape& chain, const PlacedShape& other, Vec2 way, Contact& contact) {
-    const LinkMeeting met = meet_link(chain.record.shape, *chain.record.link, chain.pose, other.record.shape, other.pose,
-                                      contact.speculative_distance, contact.cache);
+    const LinkMeeting met = meet_link(chain.record.shape, *chain.record.link, chain.pose, other.record.shape,
+                                      other.pose, contact.speculative_distance, contact.cache);
     const bool is_first = contact.came_from == LinkSide::apart || met.side == LinkSide::apart;
-    if (is_first)
-        contact.came_from = came_through(chain, other, way, met.manifold) ? LinkSide::solid : met.side;
+    if (is_first) contact.came_from = came_through(chain, other, way, met.manifold) ? LinkSide::solid : met.side;
     return contact.came_from == LinkSide::solid ? Manifold{} : met.manifold;
 }
 
@@ -174,11 +174,11 @@ bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
     const Pose& pose_a = bodies.frames[contact.body_a].pose;
     const Pose& pose_b = bodies.frames[contact.body_b].pose;
     const float tolerance = kRecyclingPart * contact.speculative_distance;
-    const bool is_recycled =
-        recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold);
+    const bool is_recycled = recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold);
     if (!is_recycled) {
         const bool is_with_chain = a.link || b.link;
-        collide_anew(contact, {a, pose_a}, {b, pose_b}, is_with_chain ? way_in_step(contact, bodies, duration) : Vec2{});
+        collide_anew(contact, {a, pose_a}, {b, pose_b},
+                     is_with_chain ? way_in_step(contact, bodies, duration) : Vec2{});
     }
     look_at_touch(contact, bodies);
     contact.is_new = false;

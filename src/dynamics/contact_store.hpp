@@ -46,8 +46,8 @@ public:
     }
 
 private:
-    // Puts `count` contacts in their places, from the back and without a second buffer: pair_of(i) ascends, make(i) is the
-    // contact of that pair.
+    // Puts `count` contacts in their places, from the back and without a second buffer: pair_of(i) ascends, make(i) is
+    // the contact of that pair.
     template <class PairOf, class Make>
     void insert(std::size_t count, PairOf&& pair_of, Make&& make);
 
@@ -74,8 +74,9 @@ template <class Keep>
 void ContactStore::update(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning,
                           Keep&& keep) {
     keep_if(keep);
-    insert(new_pairs.size(), [&](std::size_t i) { return new_pairs[i]; },
-           [&](std::size_t i) { return make_contact(new_pairs[i], shapes, tuning); });
+    insert(
+        new_pairs.size(), [&](std::size_t i) { return new_pairs[i]; },
+        [&](std::size_t i) { return make_contact(new_pairs[i], shapes, tuning); });
 }
 
 template <class PairOf, class Make>
@@ -92,8 +93,11 @@ void ContactStore::insert(std::size_t count, PairOf&& pair_of, Make&& make) {
 template <class Keep>
 void ContactStore::keep_if(Keep&& keep) {
     std::size_t kept = 0;
-    for (Contact& contact : contacts_)
-        if (keep(contact)) contacts_[kept++] = contact;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        if (!keep(contacts_[i])) continue;
+        if (kept < i) contacts_[kept] = contacts_[i];
+        ++kept;
+    }
     contacts_.resize(kept);
 }
 

@@ -67,32 +67,35 @@ private:
         std::sort(movers_.begin(), movers_.end(), [](const Mover& a, const Mover& b) { return a.body < b.body; });
     }
 
-    // Calls visit(own shape, other shape) for each pair that may meet, of a mover and a shape near its way.
+    // Calls visit(own shape, other shape) for each pair that may meet, of a mover and a shape near its way: one that is
+    // not loose, unless all are asked for.
     template <class Visitor>
-    void for_each_near(const Mover& mover, Visitor&& visit) {
+    void for_each_near(const Mover& mover, Layer last, Visitor&& visit) {
         for (const ShapeId own : simulation_.bodies.records[mover.body].shapes) {
-            const Aabb box = box_on_way(simulation_.shapes[own.index].shape, mover.sweep);
+            const ShapeRecord& shape = simulation_.shapes[own.index];
+            const Aabb box = box_on_way(shape.shape, mover.sweep);
             near_.clear();
-            simulation_.broad.query(box, [&](std::uint32_t other) { near_.push_back(other); });
+            simulation_.broad.query(
+                box, [&](std::uint32_t other) { near_.push_back(other); }, shape.is_sensor ? Layer::loose : last);
             for (const std::uint32_t other : near_) {
                 const ProxyPair pair = make_pair_of(own.index, other);
-                const bool may_stop = may_touch(simulation_, pair);
-                if (may_stop && !passes_chain(simulation_, pair)) visit(own.index, other);
-                if (!may_stop && simulation_.shapes[own.index].is_sensor != simulation_.shapes[other].is_sensor)
+                if (may_touch(simulation_, pair))
+                    visit(own.index, other);
+                else if (shape.is_sensor != simulation_.shapes[other].is_sensor)
                     simulation_.sensor_passes.push_back(pair);
             }
         }
     }
 
     void stop_at_immovable(Mover& mover) {
-        for_each_near(mover, [&](std::uint32_t own, std::uint32_t other) {
+        for_each_near(mover, Layer::firm, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
-            if (simulation_.bodies.is_dynamic(body)) return;
             const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
                                            sweep_of(simulation_.bodies, body), is_held(own, other));
-            if (fraction >= mover.fraction) return;
+            const ProxyPair pair = make_pair_of(own, other);
+            if (fraction >= mover.fraction || passes_chain(simulation_, pair)) return;
             mover.fraction = fraction;
-            mover.meeting = make_pair_of(own, other);
+            mover.meeting = pair;
         });
     }
 
@@ -101,7 +104,7 @@ private:
         Mover& mover = movers_[bullet];
         mover.next = mover.fraction;
         mover.partner = kNobody;
-        for_each_near(mover, [&](std::uint32_t own, std::uint32_t other) {
+        for_each_near(mover, Layer::loose, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
             if (!simulation_.bodies.is_dynamic(body) || find_mover(body) != kNobody) return;
             meet(mover, own, other, sweep_of(simulation_.bodies, body), 1.0, kNobody);

@@ -3,8 +3,8 @@
 // Fast is who moves by more than half of the smallest extent of its shapes. Fast bodies are swept against static and
 // kinematic ones, bullets against all, on the bracketed time of impact of the narrow phase.
 //
-// Left out: what a stopped body would have done with the rest of the step. It loses that time: the contact begins in this
-// step and is solved in the next.
+// Left out: what a stopped body would have done with the rest of the step. It loses that time: the contact begins in
+// this step and is solved in the next.
 #pragma once
 
 #include "dynamics/simulation.hpp"

@@ -21,8 +21,8 @@ Vec2 long_axis(const Shape& shape) {
     return longest;
 }
 
-// A shape shrunk about its middle to a part of its thickness, and by as much of its length: the tip of a bar is no more to
-// pass than its side. 0 leaves the middle point.
+// A shape shrunk about its middle to a part of its thickness, and by as much of its length: the tip of a bar is no more
+// to pass than its side. 0 leaves the middle point.
 Shape core_of(const ShapeRecord& record, float part) {
     const Shape& shape = record.shape;
     const Vec2 middle = mass_properties(shape).center;

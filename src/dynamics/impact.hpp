@@ -9,9 +9,9 @@
 
 namespace tumble {
 
-// The fraction of the step, 1 if it may go all the way. Apart, a shape stops at the surface; it may sink in as far as its
-// core if it touches already, or the solver held the two apart in this step. One whose core is in goes no deeper, up to its
-// middle: 0.
+// The fraction of the step, 1 if it may go all the way. Apart, a shape stops at the surface; it may sink in as far as
+// its core if it touches already, or the solver held the two apart in this step. One whose core is in goes no deeper,
+// up to its middle: 0.
 double impact(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other, const Sweep& other_sweep,
               bool is_held);
 

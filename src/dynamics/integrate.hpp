@@ -18,7 +18,8 @@ constexpr float speed_sq_after(float velocity, float way, float acceleration) {
     return velocity * velocity + 2.0f * acceleration * way;
 }
 
-// v += h (g + F / m), damping v / (1 + h c), speed limits: constraints are to pass on no more than a body may have. Bodies that are not dynamic keep their velocities.
+// v += h (g + F / m), damping v / (1 + h c), speed limits: constraints are to pass on no more than a body may have.
+// Bodies that are not dynamic keep their velocities.
 void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits);
 
 // Deltas of position and rotation by the new velocities, within the speed limits: what contradictory joints ask for in
@@ -30,10 +31,11 @@ struct StepTimes {
     float substep = 0.0f;  // s
 };
 
-// Ends a body's motion of this step at a fraction: gravity and forces did not act for the rest of it. The speed along them
-// becomes what is due at that place, even if the body has bounced on its way: to take off what they gave in that time would
-// gain energy then. Spin pays for what the place is worth beyond that speed, and what joints have moved is no faster than
-// before them. A body that is stopped at once does not spin: it would be stopped so in every step, by what no contact sees.
+// Ends a body's motion of this step at a fraction: gravity and forces did not act for the rest of it. The speed along
+// them becomes what is due at that place, even if the body has bounced on its way: to take off what they gave in that
+// time would gain energy then. Spin pays for what the place is worth beyond that speed, and what joints have moved is
+// no faster than before them. A body that is stopped at once does not spin: it would be stopped so in every step, by
+// what no contact sees.
 void shorten_motion(BodyStore& bodies, std::uint32_t body, double fraction, Vec2 gravity, const StepTimes& times);
 
 // Takes the deltas into the poses and clears them, with the forces that made them. No body ends a step faster than the

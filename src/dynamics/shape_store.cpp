@@ -22,13 +22,22 @@ ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def) {
     return id;
 }
 
+namespace {
+
+Layer layer_of(const ShapeRecord& shape, BodyType body) {
+    if (body == BodyType::static_body) return Layer::fixed;
+    return shape.is_sensor || body == BodyType::kinematic_body ? Layer::firm : Layer::loose;
+}
+
+}  // namespace
+
 void ShapeStore::place(std::uint32_t shape, const BodyFrame& frame, const Tuning& tuning, BroadPhase& broad) {
     ShapeRecord& record = records_[shape];
     record.is_placed = true;
-    const bool fixed = frame.type == BodyType::static_body;
+    const Layer layer = layer_of(record, frame.type);
     const Aabb box = bounds(record.shape, frame.pose);
-    broad.add(shape, fixed ? box : enlarged(box, tuning.aabb_margin(record.smaller_extent)),
-              fixed ? Mobility::fixed : Mobility::moving);
+    const float margin = tuning.aabb_margin(record.smaller_extent);
+    broad.add(shape, layer == Layer::fixed ? box : enlarged(box, margin), layer);
 }
 
 void ShapeStore::displace(std::uint32_t shape, BroadPhase& broad) {

@@ -23,7 +23,7 @@ struct ShapeRecord {
     float reach = 0.0f;           // of the farthest point from the body's origin, m
     bool is_sensor = false;
     bool is_live = false;
-    bool is_placed = false;  // it has a proxy: its body is enabled
+    bool is_placed = false;         // it has a proxy: its body is enabled
     std::optional<ChainLink> link;  // of a chain's segment
 };
 

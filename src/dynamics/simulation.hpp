@@ -78,6 +78,12 @@ struct Mover {
     bool is_bullet = false;
 };
 
+// Whether any shape passes a one-sided chain.
+struct ChainPasses {
+    bool before = false;  // in the last step
+    bool now = false;     // in this one, as far as pairs have been collided
+};
+
 struct Simulation {
     StepSettings settings;
     BodyStore bodies;
@@ -91,6 +97,7 @@ struct Simulation {
     StepEvents events;  // of the last step
     ContactCounts contact_counts;
     CollisionCounts collided;
+    ChainPasses passes;
     StageTimes times;
     bool filters_changed = false;  // by a joint, a filter, a type...: contacts may have to go that were allowed
 
@@ -106,7 +113,8 @@ struct Simulation {
     std::vector<Mover> movers;
     std::vector<std::uint32_t> near_shapes;
     std::vector<ProxyPair> impacts;  // of this step: pairs whose shapes have met on the way, sorted
-    std::vector<ProxyPair> sensor_passes;  // of this step: sensors near the way of a mover; in the end those that it met
+    std::vector<ProxyPair>
+        sensor_passes;  // of this step: sensors near the way of a mover; in the end those that it met
 
     // False once one of the shapes is gone, for good or because its body is disabled.
     bool is_live(ProxyPair pair) const { return shapes[pair.a].is_placed && shapes[pair.b].is_placed; }

@@ -27,9 +27,7 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    static double milliseconds(Clock::duration time) {
-        return std::chrono::duration<double, std::milli>(time).count();
-    }
+    static double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
 
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
@@ -55,18 +53,16 @@ bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, 
     return false;
 }
 
-bool have_parted(const Simulation& simulation, ProxyPair shapes) {
-    return !simulation.is_live(shapes) || !simulation.broad.overlap(shapes);
-}
-
 void collide_and_count(Simulation& simulation, Contact& contact) {
-    ++simulation.collided.asked;
     const bool was_apart = contact.came_from == LinkSide::apart;
-    if (!collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration)) return;
+    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration);
     if (was_apart && contact.came_from == LinkSide::open && passes_chain(simulation, contact.shapes)) {
         contact.came_from = LinkSide::solid;
         drop(contact);
     }
+    simulation.passes.now |= contact.came_from == LinkSide::solid;
+    ++simulation.collided.asked;
+    if (!in_full) return;
     ++simulation.collided.full;
     simulation.collided.iterations += contact.cache.iterations;
 }
@@ -117,7 +113,7 @@ bool may_touch(const Simulation& simulation, ProxyPair shapes) {
 
 // Type and rest do not count: what falls asleep, or stops, still touches what it leans on.
 bool is_over(const Simulation& simulation, const Contact& contact) {
-    return have_parted(simulation, contact.shapes) ||
+    return !simulation.broad.overlap(contact.shapes) ||
            (simulation.filters_changed && !may_touch(simulation, contact.shapes));
 }
 
@@ -127,8 +123,8 @@ bool may_collide(const Simulation& simulation, ProxyPair shapes) {
     if (!simulation.is_live(shapes)) return false;
     const BodyStore& bodies = simulation.bodies;
     if (a.is_sensor != b.is_sensor) {
-        const bool both_static = bodies.frames[a.body].type == BodyType::static_body &&
-                                 bodies.frames[b.body].type == BodyType::static_body;
+        const bool both_static =
+            bodies.frames[a.body].type == BodyType::static_body && bodies.frames[b.body].type == BodyType::static_body;
         return a.body != b.body && !both_static && may_meet(a.filter, b.filter);
     }
     const bool can_give_way = bodies.is_dynamic(a.body) || bodies.is_dynamic(b.body);
@@ -145,7 +141,7 @@ void find_pairs(Simulation& simulation) {
         simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); });
     if (!moved && !simulation.shapes.has_destroyed() && !simulation.filters_changed) return;
     simulation.contacts.update(new_pairs, simulation.shapes, simulation.settings.tuning, [&](Contact& contact) {
-        const bool keep = !have_parted(simulation, contact.shapes) &&
+        const bool keep = simulation.broad.overlap(contact.shapes) &&
                           !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
         if (!keep) {
             report_parting(simulation, contact);
@@ -158,6 +154,7 @@ void find_pairs(Simulation& simulation) {
 }
 
 void collide_pairs(Simulation& simulation) {
+    simulation.passes = {.before = simulation.passes.now};
     for (Contact& contact : simulation.contacts.all())
         if (contact.kind == ContactKind::solid) collide_and_count(simulation, contact);
 }
@@ -216,8 +213,8 @@ void update_proxies(Simulation& simulation) {
     for (std::size_t i = 1; i < simulation.bodies.moving.size(); ++i) {
         const std::uint32_t body = simulation.bodies.moving[i].body;
         for (const ShapeId shape : simulation.bodies.records[body].shapes)
-            simulation.shapes.update_proxy(shape.index, simulation.bodies.frames[body].pose,
-                                           simulation.settings.tuning, simulation.broad);
+            simulation.shapes.update_proxy(shape.index, simulation.bodies.frames[body].pose, simulation.settings.tuning,
+                                           simulation.broad);
     }
 }
 

@@ -21,7 +21,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied as
 constexpr char kMagic[8] = {'t', 'u', 'm', 'b', 'l', 'e', 'W', '\n'};
 
 // To be raised with every change of what is saved: a member more or less anywhere in the state.
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 
 constexpr std::size_t kHeaderBytes = sizeof kMagic + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
@@ -30,7 +30,7 @@ void visit_state(Parts& parts, Visit&& visit) {
     auto& simulation = parts.simulation;
     visit(parts.def, parts.step_count, parts.diverged_body, simulation.bodies, simulation.shapes, simulation.joints,
           simulation.broad, simulation.contacts, simulation.sleeping, simulation.events,
-          simulation.contact_counts, simulation.filters_changed);
+          simulation.contact_counts, simulation.passes, simulation.filters_changed);
 }
 
 class Writer {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/slide.hpp"
@@ -102,7 +102,8 @@ TEST_CASE("a one-sided chain lets through what comes from its solid side, and ho
 }
 
 TEST_CASE("what comes from the solid side of a chain meets nothing, at any speed and wherever its steps fall") {
-    for (const Shape& shape : {make_circle(0.1f), make_circle(0.5f), make_box({0.3f, 0.6f}), make_capsule({-0.4f, 0.0f}, {0.4f, 0.0f}, 0.1f)})
+    for (const Shape& shape : {make_circle(0.1f), make_circle(0.5f), make_box({0.3f, 0.6f}),
+                               make_capsule({-0.4f, 0.0f}, {0.4f, 0.0f}, 0.1f)})
         for (const float speed : {0.5f, 2.9f, 7.3f, 13.0f, 31.0f, 90.0f})
             for (const auto& [start, sideways] :
                  {std::pair{-1.2, 0.0f}, {-1.25, 1.0f}, {-1.31, -2.0f}, {-1.38, 0.3f}, {-1.3, 4.0f}}) {

@@ -168,7 +168,8 @@ TEST_CASE("ten bodies that meet each other without loss gain no energy in a minu
         add_static(world, {-5.5, 20.0}, make_box({1.0f, 40.0f}), smooth);
         add_static(world, {5.5, 20.0}, make_box({1.0f, 40.0f}), smooth);
         for (int i = 0; i < 10; ++i) {
-            const BodyId id = add_dynamic(world, {-4.0 + 2.0 * (i % 5), 2.0 + 2.0 * (i / 5)}, random_shape(random), smooth);
+            const BodyId id =
+                add_dynamic(world, {-4.0 + 2.0 * (i % 5), 2.0 + 2.0 * (i / 5)}, random_shape(random), smooth);
             world.set_velocity(id, {3.0f - static_cast<float>(i), 2.0f}, static_cast<float>(i - 5));
         }
         const double start = energy_of_scheme(world);
