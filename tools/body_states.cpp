@@ -109,8 +109,7 @@ private:
 class RunningStates final : public StateSource {
 public:
     RunningStates(const std::filesystem::path& file, const LoadOptions& changes)
-        : scene_(load_scene(file, changes)), run_(scene_),
-          last_step_(count_steps(scene_)) {}
+        : scene_(load_scene(file, changes)), run_(scene_), last_step_(count_steps(scene_)) {}
 
     bool next(StepStates& states) override {
         if (started_ && run_.world().step_count() >= last_step_) return false;

@@ -132,7 +132,9 @@ void add_check(CLI::App& app, Command& command) {
     add_change_options(check, options->changes);
     check.add_option("--junit", options->junit, "Write the results as JUnit XML")->type_name("F.xml");
     check.add_option("--shots", options->shots, "Draw the moment of each failure into this folder")->type_name("DIR");
-    check.add_option("-j,--jobs", options->jobs, "Scenes at a time")->capture_default_str()->check(whole_number_from_to(1, 256));
+    check.add_option("-j,--jobs", options->jobs, "Scenes at a time")
+        ->capture_default_str()
+        ->check(whole_number_from_to(1, 256));
     check.add_flag("--force", options->force, "Replace files that exist");
     check.callback([&command, options] { command.action = [&command, options] { return check_all(command, *options); }; });
 }

@@ -71,7 +71,7 @@ std::uint64_t ulps_between(Number a, Number b) {
                  : static_cast<std::uint64_t>(y) - static_cast<std::uint64_t>(x);
 }
 
-constexpr double kMostTolerance = 1e9;  // m: the farthest place of a scene
+constexpr double kMostTolerance = 1e9;             // m: the farthest place of a scene
 constexpr std::uint64_t kCountableUlps = 1000000;  // more tell nobody anything
 
 std::uint64_t ulps(const Difference& difference) {

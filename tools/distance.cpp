@@ -41,7 +41,8 @@ DistanceResult answer(const DistanceQuery& query, const DistanceArguments& optio
 ExitCode answer_arguments(const Command& command, const DistanceArguments& options) {
     const DistanceQuery query = parse_query_arguments(options.a, options.b);
     const DistanceResult result = answer(query, options);
-    if (result.status == DistanceStatus::invalid) throw InputError("A and B have no distance: double numbers cannot hold it");
+    if (result.status == DistanceStatus::invalid)
+        throw InputError("A and B have no distance: double numbers cannot hold it");
     if (!options.trace.empty()) {
         const std::string& by = options.sub_algorithm.empty() ? "voronoi" : options.sub_algorithm;
         write_trace(options.trace, query, kSubAlgorithms.at(by), options.force);

@@ -16,7 +16,8 @@ public:
     // The world is in its initial state: the camera is chosen from it.
     FrameOutput(const Scene& scene, const SceneWorld& world, const RunOptions& options, const FrameSchedule& schedule);
 
-    // Draws the frames that show the world's current step, if there are any. To be called for each step: the camera follows.
+    // Draws the frames that show the world's current step, if there are any. To be called for each step: the camera
+    // follows.
     void draw_due(const SceneWorld& world);
 
     // Waits until all frames are files. Throws the first FileError.

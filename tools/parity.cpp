@@ -51,7 +51,8 @@ reference::ParityResult compare_scenes(const ParityArguments& options) {
     all.seed = options.parity.seed;
     for (const std::string& name : options.scenes) {
         narrate("comparing every pair of every step of " + name + "\n");
-        const reference::ParityResult one = reference::run_scene_parity(load_named_scene(find_scene(name).string()), options.parity);
+        const reference::ParityResult one =
+            reference::run_scene_parity(load_named_scene(find_scene(name).string()), options.parity);
         all.pairs += one.pairs;
         all.seconds += one.seconds;
         all.families.insert(all.families.end(), one.families.begin(), one.families.end());
@@ -62,7 +63,8 @@ reference::ParityResult compare_scenes(const ParityArguments& options) {
 reference::ParityResult compare_random_pairs(const ParityArguments& options) {
     for (const std::string& name : options.parity.families)
         if (!reference::find_pair_family(name) && !reference::find_cast_family(name))
-            throw CLI::ValidationError("--family", "there is no family '" + name + "'; tumble parity --list names them all");
+            throw CLI::ValidationError("--family",
+                                       "there is no family '" + name + "'; tumble parity --list names them all");
     Progress progress("pairs", options.parity.pairs);
     reference::ParityOptions parity = options.parity;
     parity.progress = [&progress](std::uint64_t done) { progress.show(done); };
@@ -82,7 +84,8 @@ ExitCode compare(const Command& command, const ParityArguments& options) {
         write_output(parity_table(result));
     }
     if (!options.report.empty()) {
-        write_file(options.report, parity_page(result, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"),
+        write_file(options.report,
+                   parity_page(result, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"),
                    options.force);
         narrate("the report is " + options.report + "\n");
     }
@@ -94,16 +97,18 @@ ExitCode compare(const Command& command, const ParityArguments& options) {
 void add_parity(CLI::App& app, Command& command) {
     const auto options = std::make_shared<ParityArguments>();
     CLI::App& parity = add_subcommand(app, command, "parity", "Compare distances with b2Distance and exact arithmetic");
-    parity.add_option("--pairs", options->parity.pairs, "Random pairs")->capture_default_str()->check(whole_number_from_to(1, kMostPairs));
-    parity.add_option("--seed", options->parity.seed, "Seed of the pairs")
+    parity.add_option("--pairs", options->parity.pairs, "Random pairs")
         ->capture_default_str()
-        ->check(any_seed());
+        ->check(whole_number_from_to(1, kMostPairs));
+    parity.add_option("--seed", options->parity.seed, "Seed of the pairs")->capture_default_str()->check(any_seed());
     parity.add_option("--family", options->parity.families, "Only this family of pairs; may be given again");
-    parity.add_option("--scene", options->scenes, "Instead, every pair of every step of this scene; may be given again");
+    parity.add_option("--scene", options->scenes,
+                      "Instead, every pair of every step of this scene; may be given again");
     parity.add_option("--threads", options->parity.threads, "0: as many as the machine has")
         ->capture_default_str()
         ->check(whole_number_from_to(0, 256));
-    parity.add_option("--report", options->report, "Write a page with plots and the worst cases to this file")->type_name("F.html");
+    parity.add_option("--report", options->report, "Write a page with plots and the worst cases to this file")
+        ->type_name("F.html");
     parity.add_flag("--force", options->force, "Replace an existing report");
     parity.add_flag("--list", options->list, "List the families");
     parity.parse_complete_callback([&parity] { warn_of_idle(parity, {"--pairs", "--seed", "--family"}, "--scene"); });

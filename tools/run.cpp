@@ -24,8 +24,7 @@ ExitCode run(const Command& command, const RunArguments& options) {
     const bool has_bodies = !scene.bodies.empty() || std::ranges::any_of(scene.timeline, [](const SceneEvent& event) { return event.spawn.has_value(); });
     if (!has_bodies) report_warning("the scene has no bodies: there is nothing to see");
     RunOptions settings = options.run;
-    if (settings.folder.empty())
-        settings.folder = std::filesystem::path("out") / file_name_of(scene.name);
+    if (settings.folder.empty()) settings.folder = std::filesystem::path("out") / file_name_of(scene.name);
     const RunReport report = simulate(scene, settings);
     write_output(command.json ? to_json(report) : to_text(report));
     return report.complete ? ExitCode::ok : ExitCode::interrupted;

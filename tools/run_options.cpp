@@ -17,7 +17,8 @@ constexpr double kMaxRate = 1e5;  // frames/s
 
 bool parse_side(std::string_view text, int& pixels) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), pixels);
-    return error == std::errc{} && end == text.data() + text.size() && pixels >= kSmallestFrame && pixels <= kLargestFrame;
+    return error == std::errc{} && end == text.data() + text.size() && pixels >= kSmallestFrame &&
+           pixels <= kLargestFrame;
 }
 
 FrameSize parse_size(const std::string& text) {
@@ -84,7 +85,9 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         ->type_name("F.csv");
     subcommand.add_option("--hashes", options.hashes, "Write the state hash after each step")->type_name("F.csv");
     subcommand.add_flag("--force", options.force, "Replace what an earlier run left in the folder");
-    subcommand.parse_complete_callback([&subcommand] { warn_of_idle(subcommand, {"--fps", "--size", "--overlay"}, "--no-frames"); });
+    subcommand.parse_complete_callback([&subcommand] {
+        warn_of_idle(subcommand, {"--fps", "--size", "--overlay"}, "--no-frames");
+    });
 }
 
 }  // namespace tumble::tools

@@ -9,10 +9,14 @@
 namespace tumble::tools {
 
 void add_change_options(CLI::App& subcommand, LoadOptions& changes, const std::string& scene) {
-    subcommand.add_option("--set", changes.overrides, "Change a value of " + scene + ", /bodies/ball/position=[0, 3]; may be given again")
+    subcommand
+        .add_option("--set", changes.overrides,
+                    "Change a value of " + scene + ", /bodies/ball/position=[0, 3]; may be given again")
         ->type_name("/json/pointer=value")
         ->allow_extra_args(false);
-    subcommand.add_option("--seed", changes.seed, "Seed of " + scene + ", in place of its own")->type_name("N")->check(any_seed());
+    subcommand.add_option("--seed", changes.seed, "Seed of " + scene + ", in place of its own")
+        ->type_name("N")
+        ->check(any_seed());
 }
 
 void add_scene_options(CLI::App& subcommand, SceneOptions& options) {

@@ -23,7 +23,8 @@ void add_change_options(CLI::App& subcommand, LoadOptions& changes, const std::s
 void add_scene_options(CLI::App& subcommand, SceneOptions& options);
 
 // Reads a scene; without a name it has that of its file. Throws FileError or SceneError.
-Scene load_named_scene(const std::string& file, const LoadOptions& changes = {}, std::vector<Diagnostic>* warnings = nullptr);
+Scene load_named_scene(const std::string& file, const LoadOptions& changes = {},
+                       std::vector<Diagnostic>* warnings = nullptr);
 
 // The same, and says its warnings.
 Scene read_scene(const SceneOptions& options);

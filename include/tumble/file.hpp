@@ -18,7 +18,8 @@ public:
 };
 
 // At most `limit` + 1 bytes of a file, so that the caller sees that there are more; by default all. Throws FileError.
-std::string read_file(const std::filesystem::path& file, std::size_t limit = std::numeric_limits<std::size_t>::max() - 1);
+std::string read_file(const std::filesystem::path& file,
+                      std::size_t limit = std::numeric_limits<std::size_t>::max() - 1);
 
 // Writes under a temporary name in the same folder (one that no other thread or process uses), and takes the file's name
 // at commit(). All functions throw FileError with the system's reason, for instance on a full disk.

@@ -43,8 +43,8 @@ struct Camera {
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio);
 
 // The camera where the body it follows is now: it begins to follow a body that the timeline makes in the first state
-// that has it, and stays where it is once that is gone. To be called after each step, so that a run shows the same however
-// many of its steps are drawn.
+// that has it, and stays where it is once that is gone. To be called after each step, so that a run shows the same
+// however many of its steps are drawn.
 Camera move_camera(Camera camera, const Scene& scene, const SceneWorld& world);
 
 // What a frame points at, and says about it: the edges of regions and bodies are drawn strongly, and an arrow at the edge

@@ -23,8 +23,8 @@ std::size_t count_bodies(const Scene& scene);
 // Its joints, likewise.
 std::size_t count_joints(const Scene& scene);
 
-// One body of the built world: which entry of Scene::bodies it came from (or, counted on from there, of Scene::timeline),
-// and its name after repeating (empty for unnamed bodies).
+// One body of the built world: which entry of Scene::bodies it came from (or, counted on from there, of
+// Scene::timeline), and its name after repeating (empty for unnamed bodies).
 struct SceneInstance {
     BodyId id;
     std::size_t source = 0;
@@ -34,8 +34,8 @@ struct SceneInstance {
 // The entry that the body came from.
 const SceneBody& source_of(const Scene& scene, const SceneInstance& body);
 
-// One joint of the built world: which entry of Scene::joints it came from, and its name after repeating (empty for unnamed
-// joints).
+// One joint of the built world: which entry of Scene::joints it came from, and its name after repeating (empty for
+// unnamed joints).
 struct SceneJointInstance {
     JointId id;
     std::size_t source = 0;
@@ -48,7 +48,8 @@ struct SceneWorld {
     std::vector<SceneJointInstance> joints;  // in the order of the scene and of the copies
 };
 
-// What a body or joint is called in output: by its name, or body[i] or joint[i] as the one at that place of a SceneWorld.
+// What a body or joint is called in output: by its name, or body[i] or joint[i] as the one at that place of a
+// SceneWorld.
 std::string output_name(const SceneInstance& body, std::size_t index);
 std::string output_name(const SceneJointInstance& joint, std::size_t index);
 

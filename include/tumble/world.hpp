@@ -63,8 +63,8 @@ struct ShapePair {
 // it, when one of its bodies is given a velocity, a force, a shape or a joint, and when what it leans on moves or goes.
 //
 // No dynamic body moves faster than 400 m/s (times the root of WorldDef::scale), or turns by more than an eighth of a
-// turn in a step (half a turn in a sub-step, if it is allowed to turn fast): joints and forces that ask for more are not
-// followed further.
+// turn in a step (half a turn in a sub-step, if it is allowed to turn fast): joints and forces that ask for more are
+// not followed further.
 //
 // Calls with an id that names nothing here (of something destroyed, or of another world: an id does not know its world
 // and may happen to name something in this one), with values that are not finite or out of range throw

@@ -14,7 +14,9 @@ std::optional<int> hex_digit(char c) {
 
 std::uint8_t to_channel(double value) { return static_cast<std::uint8_t>(std::floor(value + 0.5)); }
 
-std::uint8_t mix_channel(std::uint8_t a, std::uint8_t b, double amount) { return to_channel(a + amount * (b - a)); }
+std::uint8_t mix_channel(std::uint8_t a, std::uint8_t b, double amount) {
+    return to_channel(a + amount * (b - a));
+}
 
 }  // namespace
 
@@ -32,7 +34,8 @@ std::optional<Color> parse_color(std::string_view text) {
 }
 
 Color mix(Color a, Color b, double amount) {
-    return {mix_channel(a.r, b.r, amount), mix_channel(a.g, b.g, amount), mix_channel(a.b, b.b, amount), mix_channel(a.a, b.a, amount)};
+    return {mix_channel(a.r, b.r, amount), mix_channel(a.g, b.g, amount), mix_channel(a.b, b.b, amount),
+            mix_channel(a.a, b.a, amount)};
 }
 
 Color faded(Color color, double opacity) {

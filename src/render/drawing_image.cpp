@@ -129,8 +129,9 @@ private:
 
 Image draw_image(const Drawing& drawing) {
     if (drawing.width < 1 || drawing.height < 1 || drawing.width > kLargestFrame || drawing.height > kLargestFrame)
-        throw std::invalid_argument("a drawing must be 1 to " + std::to_string(kLargestFrame) + " pixels wide and high, got " +
-                                    std::to_string(drawing.width) + "x" + std::to_string(drawing.height));
+        throw std::invalid_argument("a drawing must be 1 to " + std::to_string(kLargestFrame) +
+                                    " pixels wide and high, got " + std::to_string(drawing.width) + "x" +
+                                    std::to_string(drawing.height));
     GlyphAtlas atlas(find_font(font_candidates()));
     LayerStack stack(drawing, atlas);
     for (const DrawnElement& element : drawing.elements)

@@ -218,8 +218,9 @@ void draw_bounds_panel(Drawing& drawing, PixelRect rect, const std::vector<Trace
 std::string summary(const DistanceResult& result) {
     if (result.status == DistanceStatus::invalid) return "invalid input";
     const std::string count = std::to_string(result.iterations) + (result.iterations == 1 ? " support vertex" : " support vertices");
-    return std::string(to_string(result.status)) + ": signed distance " + short_number(result.distance) + " m, normal (" +
-           short_number(result.normal.x) + ", " + short_number(result.normal.y) + "), " + count + " computed";
+    return std::string(to_string(result.status)) + ": signed distance " + short_number(result.distance) +
+           " m, normal (" + short_number(result.normal.x) + ", " + short_number(result.normal.y) + "), " + count +
+           " computed";
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ public:
 
     const std::string& name() const { return name_; }
 
-    // Null while there is none; what has gone may come again under its name. Each instance is passed once: new ones come last.
+    // Null while there is none; what has gone may come again under its name. Each instance is passed once: new ones
+    // come last.
     const SceneInstance* find(const SceneWorld& built) {
         for (; next_ < built.bodies.size(); ++next_) {
             const SceneInstance& body = built.bodies[next_];

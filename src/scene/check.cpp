@@ -76,7 +76,8 @@ private:
         for (std::size_t i = 0; i < body.shapes.size(); ++i) check_shape(body.shapes[i], at(pointer + "/shapes", i));
         const bool moves = body.velocity != DVec2{} || body.angular_velocity != 0.0;
         if (moves && !body.awake && body.type == BodyType::dynamic_body)
-            error(pointer + "/awake", "a body asleep is at rest, and this one has a velocity", R"(leave out "awake": false, or the velocity)");
+            error(pointer + "/awake", "a body asleep is at rest, and this one has a velocity",
+                  R"(leave out "awake": false, or the velocity)");
     }
 
     void check_shape(const SceneShape& shape, const std::string& pointer) {
@@ -206,7 +207,8 @@ private:
         const SceneJoint* const a = check_geared(gear.joint_a, pointer, "joints/0", references);
         const SceneJoint* const b = check_geared(gear.joint_b, pointer, "joints/1", references);
         if (!a || !b || diagnostics_.has_errors_in(pointer)) return;
-        const NamedPlace first = *references.joint_names().find(gear.joint_a), second = *references.joint_names().find(gear.joint_b);
+        const NamedPlace first = *references.joint_names().find(gear.joint_a),
+                         second = *references.joint_names().find(gear.joint_b);
         if (first == second) error(pointer + "/joints", "a gear needs two joints, got " + quoted(gear.joint_a) + " twice");
         if (gear.repeat) check_gear_repeat(gear, pointer + "/repeat", {first, second});
     }
@@ -218,7 +220,8 @@ private:
         return joint;
     }
 
-    void check_gear_repeat(const SceneJoint& gear, const std::string& pointer, std::initializer_list<NamedPlace> joints) {
+    void check_gear_repeat(const SceneJoint& gear, const std::string& pointer,
+                           std::initializer_list<NamedPlace> joints) {
         if (std::ranges::none_of(joints, &NamedPlace::is_copy))
             return error(pointer, "belongs to gears on repeated joints", "name the first copy: \"hinge[0]\"");
         if (!check_rows(*gear.repeat, pointer)) return;

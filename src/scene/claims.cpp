@@ -60,8 +60,8 @@ std::string event_count_text(const SceneExpectation& claim) {
     const SceneInterval& count = claim.event_count.value();
     const bool is_one = is_one_value(count) && count.lower == 1.0;
     const std::string by = claim.at ? number_text(*claim.at) + " s" : "the end";
-    return amount(count) + " '" + std::string(enum_name(claim.event.value())) + "'" + (claim.body.empty() ? "" : " of '" + claim.body + "'") +
-           (is_one ? " happens by " : " happen by ") + by;
+    return amount(count) + " '" + std::string(enum_name(claim.event.value())) + "'" +
+           (claim.body.empty() ? "" : " of '" + claim.body + "'") + (is_one ? " happens by " : " happen by ") + by;
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ inline constexpr std::size_t kMaxKeysInObject = 4096;  // looking up a key is li
 std::string_view without_byte_order_mark(std::string_view text);
 
 // The parsed value, // and /* */ comments allowed; nothing, with errors in `diagnostics`, if the text is not JSON, too
-// large or too deep. Duplicate keys are errors too, but the value is returned with the last of each. `if_empty` is the hint for
-// an empty text.
+// large or too deep. Duplicate keys are errors too, but the value is returned with the last of each. `if_empty` is the
+// hint for an empty text.
 std::optional<Json> parse_json(std::string_view text, Diagnostics& diagnostics, const std::string& if_empty = "");
 
 }  // namespace tumble::scene

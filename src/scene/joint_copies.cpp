@@ -7,7 +7,9 @@ namespace {
 // The joint as it is for other bodies: what it says of the world keeps its place in the body.
 SceneJoint moved(const SceneJoint& joint, const PlacedBody& from, const PlacedBody& to) {
     SceneJoint copy = joint;
-    const auto move = [&](DVec2& point) { point = transform_point(to.pose, inverse_transform_point(from.pose, point)); };
+    const auto move = [&](DVec2& point) {
+        point = transform_point(to.pose, inverse_transform_point(from.pose, point));
+    };
     if (joint.anchor) move(*copy.anchor);
     if (joint.ground_anchors) move(copy.ground_anchors->first), move(copy.ground_anchors->second);
     if (joint.axis && !joint.anchors) copy.axis = rotate(to.pose.rotation, inverse_rotate(from.pose.rotation, *joint.axis));
@@ -49,7 +51,9 @@ std::vector<JointDef> make_joints(const SceneJoint& joint, const BodyNames& name
 
 std::vector<JointDef> make_gears(const SceneJoint& gear, const JointNames& names, const std::vector<std::vector<JointId>>& built) {
     const NamedPlace a = names.find(gear.joint_a).value(), b = names.find(gear.joint_b).value();
-    const auto joint_at = [&](const NamedPlace& place, std::size_t step) { return built[place.source].at(place.is_copy ? place.copy + step : 0); };
+    const auto joint_at = [&](const NamedPlace& place, std::size_t step) {
+        return built[place.source].at(place.is_copy ? place.copy + step : 0);
+    };
     std::vector<JointDef> gears;
     for (const std::size_t step : steps_of(gear)) gears.push_back(make_gear(gear, joint_at(a, step), joint_at(b, step)));
     return gears;

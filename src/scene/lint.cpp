@@ -45,7 +45,8 @@ public:
     void check_motion(const SceneBody& body, const std::string& pointer) {
         const bool is_pushed = body.velocity != DVec2{} || body.angular_velocity != 0.0;
         if (is_pushed && body.type == BodyType::static_body)
-            diagnostics_.warning(pointer, "is static, and has a velocity: it does not move", R"("type": "kinematic" moves by its velocity alone)");
+            diagnostics_.warning(pointer, "is static, and has a velocity: it does not move",
+                                 R"("type": "kinematic" moves by its velocity alone)");
     }
 
 private:

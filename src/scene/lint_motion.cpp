@@ -26,8 +26,8 @@ double thickness_of(const SceneBody& body) {
     return least;
 }
 
-// How far what sweeps over other places, when the body turns about a point of it, is from there (m): a disc about the point
-// sweeps over nothing new.
+// How far what sweeps over other places, when the body turns about a point of it, is from there (m): a disc about the
+// point sweeps over nothing new.
 double reach_of(const SceneBody& body, Vec2 pivot) {
     double reach = 0.0;
     for (const SceneShape& shape : body.shapes)
@@ -39,9 +39,15 @@ double reach_of(const SceneBody& body, Vec2 pivot) {
 class MotionLinter {
 public:
     MotionLinter(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics)
-        : scene_(scene), built_(built), diagnostics_(diagnostics), names_(scene), limits_(world_limits(built.world.def())) {
+        : scene_(scene),
+          built_(built),
+          diagnostics_(diagnostics),
+          names_(scene),
+          limits_(world_limits(built.world.def())) {
         const auto is_dynamic = [&](const SceneInstance& body) { return built.world.type(body.id) == BodyType::dynamic_body; };
-        const auto comes = [](const SceneEvent& event) { return event.spawn && event.spawn->type == BodyType::dynamic_body; };
+        const auto comes = [](const SceneEvent& event) {
+            return event.spawn && event.spawn->type == BodyType::dynamic_body;
+        };
         moving_ = std::ranges::count_if(built.bodies, is_dynamic);
         moving_ += std::ranges::any_of(scene.timeline, comes);  // one more stands for all that come
     }
@@ -56,7 +62,8 @@ public:
         if (body && event.velocity) check_velocity(*body, *event.velocity, pointer);
         if (body && event.angular_velocity) check_turning(*body, *event.angular_velocity, pointer);
         const auto joint = std::ranges::find(built_.joints, event.joint, &SceneJointInstance::name);
-        if (event.motor_speed && joint != built_.joints.end()) note_motor(*joint, *event.motor_speed, pointer + "/motor_speed");
+        if (event.motor_speed && joint != built_.joints.end())
+            note_motor(*joint, *event.motor_speed, pointer + "/motor_speed");
         if (event.spawn) check_body(*event.spawn, pointer + "/spawn");
     }
 
@@ -97,7 +104,8 @@ private:
 
     void check_turning(const SceneBody& body, double angular_velocity, const std::string& pointer) {
         if (angular_velocity != 0.0)
-            check_way(body, way_of_turn(body, angular_velocity, center_of(body)), pointer + "/angular_velocity", "moves its ends by up to ");
+            check_way(body, way_of_turn(body, angular_velocity, center_of(body)), pointer + "/angular_velocity",
+                      "moves its ends by up to ");
     }
 
     // Of the body that the joint moves: the second one, unless that cannot be moved.
@@ -107,8 +115,11 @@ private:
                 if constexpr (requires { def.anchor_a; }) {
                     const bool moves_b = built_.world.type(def.body_b) == BodyType::dynamic_body;
                     const BodyId id = moves_b ? def.body_b : def.body_a;
-                    const SceneBody& body = scene_.bodies[std::ranges::find(built_.bodies, id, &SceneInstance::id)->source];
-                    const double way = drive.turns ? way_of_turn(body, drive.speed, moves_b ? def.anchor_b : def.anchor_a) : way_of(drive.speed);
+                    const SceneBody& body =
+                        scene_.bodies[std::ranges::find(built_.bodies, id, &SceneInstance::id)->source];
+                    const double way = drive.turns
+                                           ? way_of_turn(body, drive.speed, moves_b ? def.anchor_b : def.anchor_a)
+                                           : way_of(drive.speed);
                     check_way(body, way, drive.pointer, "moves " + display_name(built_, id) + " by up to ");
                 }
             },
@@ -121,11 +132,15 @@ private:
         if (body.type != BodyType::dynamic_body || !may_pass) return;
         const double thickness = thickness_of(body);
         if (!(way > thickness)) return;
-        const std::string what = is_continuous ? "other moving bodies" : "whatever is in its way, as the world is not continuous";
-        const std::string remedy = is_continuous ? R"("bullet": true, also of what moves as fast towards it, or more steps_per_second)"
-                                                 : R"("continuous": true, or more steps_per_second)";
-        diagnostics_.warning(pointer, moves + brief(way) + " m in a step, and the body is " + brief(thickness) +
-                                          " m thick: it may pass through " + what, remedy);
+        const std::string what =
+            is_continuous ? "other moving bodies" : "whatever is in its way, as the world is not continuous";
+        const std::string remedy =
+            is_continuous ? R"("bullet": true, also of what moves as fast towards it, or more steps_per_second)"
+                          : R"("continuous": true, or more steps_per_second)";
+        diagnostics_.warning(pointer,
+                             moves + brief(way) + " m in a step, and the body is " + brief(thickness) +
+                                 " m thick: it may pass through " + what,
+                             remedy);
     }
 
     // In a step (m).
@@ -152,7 +167,7 @@ private:
     Diagnostics& diagnostics_;
     BodyNames names_;
     WorldLimits limits_;
-    std::ptrdiff_t moving_ = 0;                               // dynamic bodies
+    std::ptrdiff_t moving_ = 0;                              // dynamic bodies
     std::map<std::pair<std::size_t, bool>, Drive> fastest_;  // by the joint of the scene, and whether it turns
 };
 

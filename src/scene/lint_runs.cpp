@@ -15,8 +15,7 @@ namespace {
 class RunLinter {
 public:
     RunLinter(const Scene& scene, Diagnostics& diagnostics)
-        : scene_(scene), diagnostics_(diagnostics), names_(scene),
-          steps_(count_steps(scene)) {}
+        : scene_(scene), diagnostics_(diagnostics), names_(scene), steps_(count_steps(scene)) {}
 
     void check_event(const SceneEvent& event, const std::string& pointer) {
         // An event of the last state comes too late too: no step begins there.
@@ -56,8 +55,9 @@ private:
     void check_gone(const std::string& name, double time, std::string SceneEvent::*goes, const std::string& pointer) {
         for (const SceneEvent& end : scene_.timeline) {
             if (name.empty() || end.*goes != name || time <= end.at.value()) continue;
-            diagnostics_.warning(pointer, quoted(name) + " goes at " + number_text(*end.at) + " s: nothing happens to it after that",
-                                 "an earlier time, or let it go later");
+            diagnostics_.warning(
+                pointer, quoted(name) + " goes at " + number_text(*end.at) + " s: nothing happens to it after that",
+                "an earlier time, or let it go later");
             return;
         }
     }

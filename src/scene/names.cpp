@@ -12,7 +12,8 @@ namespace tumble::scene {
 
 namespace {
 
-// What was meant by a name that names nothing. `copies_of` gives the names of the copies that share one of the known names.
+// What was meant by a name that names nothing. `copies_of` gives the names of the copies that share one of the known
+// names.
 template <class CopiesOf>
 std::string hint_for(std::string_view name, const std::vector<std::string_view>& known, const CopiesOf& copies_of) {
     const std::string_view base = name.substr(0, name.rfind('['));
@@ -38,7 +39,8 @@ std::optional<NamedPlace> EntryNames::find(std::string_view name) const {
 std::optional<NamedPlace> EntryNames::find_copy(std::string_view name) const {
     const std::optional<std::size_t> copy = copy_number(name);
     const auto repeated = first_.find(base_name(name));
-    if (!copy || repeated == first_.end() || !repeated->second.is_copy || *copy >= repeated->second.count) return std::nullopt;
+    if (!copy || repeated == first_.end() || !repeated->second.is_copy || *copy >= repeated->second.count)
+        return std::nullopt;
     NamedPlace place = repeated->second;
     place.copy = *copy;
     return place;
@@ -108,7 +110,8 @@ std::string BodyNames::hint(std::string_view name) const {
     return hint_for(name, known, [this](std::string_view meant) {
         const auto spawned = spawned_.find(meant);
         const bool again = spawned != spawned_.end() && spawned->second;
-        return again ? copy_name(spawned->first, 0) + ", " + copy_name(spawned->first, 1) + " and so on" : entries_.copies_text(meant);
+        return again ? copy_name(spawned->first, 0) + ", " + copy_name(spawned->first, 1) + " and so on"
+                     : entries_.copies_text(meant);
     });
 }
 

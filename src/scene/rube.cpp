@@ -17,8 +17,8 @@
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
-#include "tumble/scene_world.hpp"
 #include "tumble/scene_import.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble {
 

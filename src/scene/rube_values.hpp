@@ -36,7 +36,8 @@ public:
     std::string text(std::string_view key);
     DVec2 vector(std::string_view key);
     std::vector<DVec2> points(std::string_view key);
-    std::string custom(std::initializer_list<std::string_view> keys);  // an object of these, as text; empty if all are missing
+    std::string custom(
+        std::initializer_list<std::string_view> keys);  // an object of these, as text; empty if all are missing
     RubeObject object(std::string_view key);
     std::vector<RubeObject> list(std::string_view key);
 

@@ -138,7 +138,9 @@ std::uint64_t nearest_step(double time, double steps_per_second) {
     return static_cast<std::uint64_t>(std::llround(time * steps_per_second));
 }
 
-std::uint64_t count_steps(const Scene& scene) { return nearest_step(scene.world.duration, scene.world.steps_per_second); }
+std::uint64_t count_steps(const Scene& scene) {
+    return nearest_step(scene.world.duration, scene.world.steps_per_second);
+}
 
 SceneRun::SceneRun(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
 SceneRun::~SceneRun() = default;
@@ -151,7 +153,9 @@ void SceneRun::step() {
     impl_->built.world.step();
 }
 
-double SceneRun::time() const { return impl_->built.world.time(); }
+double SceneRun::time() const {
+    return impl_->built.world.time();
+}
 
 const SceneWorld& SceneRun::built() const noexcept { return impl_->built; }
 
