@@ -326,6 +326,9 @@ private:
 
     void check_spawn(const SceneBody& body, const std::string& pointer) {
         check_body(body, pointer);
+        if (copy_count(body) > kMaxBodies)
+            return error(pointer + "/repeat", "makes " + std::to_string(copy_count(body)) + " bodies; at most " +
+                                                  std::to_string(kMaxBodies) + " are allowed");
         try {
             place_copies(body, scene_.world.seed, 0);
         } catch (const std::invalid_argument& cause) {

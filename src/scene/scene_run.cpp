@@ -11,6 +11,7 @@
 #include "scene/diagnostics.hpp"
 #include "scene/names.hpp"
 #include "scene/place.hpp"
+#include "scene/repeat.hpp"
 #include "scene/step_time.hpp"
 
 namespace tumble {
@@ -115,7 +116,11 @@ struct SceneRun::Impl {
         const SceneBody& body = *happening.event.spawn;
         const std::size_t source = bodies_of_file + happening.index;
         const bool is_one = !happening.event.every && !body.repeat;
+        const std::int64_t count = static_cast<std::int64_t>(built.world.bodies().size()) + scene::copy_count(body);
         try {
+            if (count > scene::kMaxBodies)
+                throw std::invalid_argument("would bring the bodies to " + std::to_string(count) + "; at most " +
+                                            std::to_string(scene::kMaxBodies) + " are allowed");
             for (const scene::PlacedBody& place : scene::place_copies(body, seed + happening.count, source)) {
                 const BodyId id = scene::create_body(built.world, *happening.plan, place.pose);
                 built.bodies.push_back({id, source, is_one ? body.name : scene::copy_name(body.name, happening.spawned++)});

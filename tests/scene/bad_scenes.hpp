@@ -194,6 +194,7 @@ inline const std::vector<BadScene> kBadScenes = {
     {R"({"format": 1, "bodies": [{"name": "a", "repeat": {"ring": {"count": 2}}}], "timeline": [{"at": 1, "spawn": {"name": "a[1]"}}]})", "/timeline/0/spawn/name", "there from the start", kNames},
     {R"({"format": 1, "timeline": [{"every": 1, "spawn": {"name": "a"}}, {"at": 1, "spawn": {"name": "a[7]"}}]})", "/timeline/1/spawn/name", "a copy that comes by itself", kNames},
     {R"({"format": 1, "timeline": [{"every": 1, "spawn": {"name": "a"}}, {"every": 2, "spawn": {"name": "a"}}]})", "/timeline/1/spawn/name", "what /timeline/0 makes already", kNames},
+    {R"({"format": 1, "timeline": [{"at": 1, "spawn": {"repeat": {"grid": {"columns": 1000000, "rows": 1000000}}}}]})", "/timeline/0/spawn/repeat", "makes 1000000000000 bodies", kNumbers},
     {R"({"format": 1, "timeline": [{"at": 3, "spawn": {"name": "a"}}, {"at": 1, "spawn": {"name": "a"}}, {"at": 4, "despawn": "a"}]})", "/timeline/1/spawn/name", "what /timeline/0 makes already", kNames},
     {R"({"format": 1, "timeline": [{"at": 2, "release": "x"}]})", "/timeline/0/release", "there is no joint \"x\"", kNames},
     {R"({"format": 1, "expect": [{}]})", "/expect/0", "needs one of the keys at_rest_by"},

@@ -135,6 +135,18 @@ TEST_CASE("a body that went may come again under its name, and is acted on again
     CHECK(speeds == std::vector<float>{1.0f, -1.0f, 0.0f, 2.0f, -1.0f});
 }
 
+TEST_CASE("no run comes to more than a million bodies") {
+    const Scene scene = make_disc_scene(R"("timeline": [{"at": 0, "spawn": {"name": "crowd", "repeat": {"grid": {"columns": 1000, "rows": 1000}}}}])");
+    SceneRun run(scene);
+    try {
+        run.step();
+        FAIL("1000001 bodies were made");
+    } catch (const SceneError& error) {
+        CHECK(error.diagnostics.front().pointer == "/timeline/0/spawn");
+        CHECK(error.diagnostics.front().message == "would bring the bodies to 1000001; at most 1000000 are allowed");
+    }
+}
+
 TEST_CASE("motors change their speed, a mouse joint its target, and a joint is let go") {
     const std::string bodies = R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [{"name": "base", "type": "static"},
         {"name": "arm", "shapes": [{"box": {"size": [2, 0.5]}}]}], "joints": [)";
