@@ -27,11 +27,24 @@ struct Touch {
     double stiffness = 0.0;    // of all points along their normals, N/m
 };
 
+// Of the body's shapes; of what is a line its length.
+double smallest_extent(const World& world, BodyId body) {
+    double least = HUGE_VAL;
+    for (const ShapeId shape : world.shapes(body)) {
+        const Extent size = extent(world.shape(shape));
+        least = std::min(least, double{size.smaller > 0.0f ? size.smaller : size.larger});
+    }
+    return least;
+}
+
 class ContactLinter {
 public:
     ContactLinter(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics)
         : scene_(scene), built_(started), diagnostics_(diagnostics), limits_(world_limits(started.world.def())), up_(-1.0 * scene.world.gravity) {
-        for (std::size_t i = 0; i < built_.bodies.size(); ++i) index_[built_.bodies[i].id.index] = i;
+        for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
+            index_[built_.bodies[i].id.index] = i;
+            extents_.push_back(smallest_extent(built_.world, id(i)));
+        }
         std::map<std::pair<std::size_t, std::size_t>, Touch> touches;
         for (const ContactPoint& contact : built_.world.contacts()) {
             const std::size_t a = index_.at(contact.body_a.index), b = index_.at(contact.body_b.index);
@@ -179,14 +192,7 @@ private:
         return 1.0 / double{own.mass} + (own.inertia > 0.0f ? turn * turn / double{own.inertia} : 0.0);
     }
 
-    double extent_of(std::size_t body) const {
-        double least = HUGE_VAL;
-        for (const ShapeId shape : built_.world.shapes(id(body))) {
-            const Extent size = extent(built_.world.shape(shape));
-            least = std::min(least, double{size.smaller > 0.0f ? size.smaller : size.larger});
-        }
-        return least;
-    }
+    double extent_of(std::size_t body) const { return extents_[body]; }
 
     const Scene& scene_;
     const SceneWorld& built_;
@@ -194,6 +200,7 @@ private:
     WorldLimits limits_;
     DVec2 up_;                                     // gravity, the other way round (m/s^2)
     std::map<std::uint32_t, std::size_t> index_;   // of BodyId::index
+    std::vector<double> extents_;                  // [built bodies] m: the smallest
     std::vector<Touch> touches_;                   // in the order of the bodies
 };
 

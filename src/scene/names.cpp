@@ -76,18 +76,29 @@ BodyNames::BodyNames(const Scene& scene) {
         first_built_.push_back(built);
         built += count;
     }
-    for (const SceneEvent& event : scene.timeline)
-        if (event.spawn && !event.spawn->name.empty()) spawned_.emplace(event.spawn->name, event.every || event.spawn->repeat);
+    for (std::size_t i = 0; i < scene.timeline.size(); ++i) {
+        const SceneEvent& event = scene.timeline[i];
+        if (event.spawn && !event.spawn->name.empty())
+            spawned_.emplace(event.spawn->name, Spawned{i, event.every || event.spawn->repeat});
+    }
 }
 
 bool BodyNames::is_spawned(std::string_view name) const {
     const auto exact = spawned_.find(name), again = spawned_.find(base_name(name));
-    return (exact != spawned_.end() && !exact->second) || (again != spawned_.end() && again->second && again != exact);
+    return (exact != spawned_.end() && !exact->second.again) ||
+           (again != spawned_.end() && again->second.again && again != exact);
+}
+
+std::optional<std::size_t> BodyNames::find_event(std::string_view name) const {
+    auto found = spawned_.find(name);
+    if (found == spawned_.end()) found = spawned_.find(base_name(name));
+    if (found == spawned_.end()) return std::nullopt;
+    return found->second.event;
 }
 
 bool BodyNames::is_shared(std::string_view name) const {
     const auto spawned = spawned_.find(name);
-    return entries_.is_shared(name) || (spawned != spawned_.end() && spawned->second);
+    return entries_.is_shared(name) || (spawned != spawned_.end() && spawned->second.again);
 }
 
 std::optional<std::size_t> BodyNames::find(std::string_view name) const {
@@ -106,10 +117,10 @@ std::string BodyNames::hint(std::string_view name) const {
     if (is_spawned(name)) return "the timeline makes it: it is not there from the start";
     std::vector<std::string_view> known;
     entries_.append_to(known);
-    for (const auto& [spawned, again] : spawned_) known.push_back(spawned);
+    for (const auto& [spawned, event] : spawned_) known.push_back(spawned);
     return hint_for(name, known, [this](std::string_view meant) {
         const auto spawned = spawned_.find(meant);
-        const bool again = spawned != spawned_.end() && spawned->second;
+        const bool again = spawned != spawned_.end() && spawned->second.again;
         return again ? copy_name(spawned->first, 0) + ", " + copy_name(spawned->first, 1) + " and so on"
                      : entries_.copies_text(meant);
     });
@@ -119,9 +130,8 @@ const SceneBody* find_definition(const Scene& scene, const BodyNames& names, std
     const std::optional<std::size_t> exact = names.find_source(name), shared = names.find_source(base_name(name));
     if (exact) return &scene.bodies[*exact];
     if (shared && names.is_copy(name)) return &scene.bodies[*shared];
-    for (const SceneEvent& event : scene.timeline)
-        if (event.spawn && (event.spawn->name == name || event.spawn->name == base_name(name))) return &*event.spawn;
-    return nullptr;
+    const std::optional<std::size_t> event = names.find_event(name);
+    return event ? &*scene.timeline[*event].spawn : nullptr;
 }
 
 JointNames::JointNames(const Scene& scene) {

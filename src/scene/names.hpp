@@ -61,6 +61,9 @@ public:
     // Whether the timeline makes a body of this name.
     bool is_spawned(std::string_view name) const;
 
+    // The entry of Scene::timeline that does, or makes copies that share it.
+    std::optional<std::size_t> find_event(std::string_view name) const;
+
     // Whether copies share this name, of a body that is repeated or made by the timeline more than once.
     bool is_shared(std::string_view name) const;
 
@@ -74,9 +77,14 @@ public:
     std::string hint(std::string_view name) const;
 
 private:
+    struct Spawned {
+        std::size_t event = 0;
+        bool again = false;  // it makes more than one
+    };
+
     EntryNames entries_;
-    std::vector<std::size_t> first_built_;              // [Scene::bodies]: the built body that is its first copy
-    std::map<std::string, bool, std::less<>> spawned_;  // by the name of the body: whether more than once
+    std::vector<std::size_t> first_built_;  // [Scene::bodies]: the built body that is its first copy
+    std::map<std::string, Spawned, std::less<>> spawned_;
 };
 
 // The body that has a name in the end: an entry of Scene::bodies, repeated or not, or what an event spawns. Null if none.
