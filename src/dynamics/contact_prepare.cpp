@@ -1,6 +1,7 @@
 // From contacts to blocks and back: the only place where lanes are filled one by one.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "dynamics/contact_block.hpp"
 #include "dynamics/integrate.hpp"
@@ -153,6 +154,18 @@ void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, 
     }
 }
 
+// The contacts of a block lie far apart, and no hardware guesses where: what both passes need of them.
+void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> block) {
+    constexpr std::size_t kCacheLine = 64;
+    for (const std::uint32_t index : block) {
+        if (index == ConstraintGraph::kNoContact) continue;
+        const char* const contact = reinterpret_cast<const char*>(&contacts[index]);
+        __builtin_prefetch(contact + offsetof(Contact, manifold));
+        __builtin_prefetch(contact + offsetof(Contact, manifold) + kCacheLine);
+        __builtin_prefetch(contact + offsetof(Contact, friction));
+    }
+}
+
 }  // namespace
 
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
@@ -162,6 +175,7 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
     blocks.resize(graph.block_count());
     for (std::size_t index = 0; index < blocks.size(); ++index) {
         ContactBlock& block = blocks[index];
+        if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
         block = neutral;
         bool is_static = false;  // of all lanes alike, by the colours
         for (int lane = 0; lane < kLaneCount; ++lane) {
@@ -182,6 +196,7 @@ void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGra
                     std::span<Contact> contacts) {
     for (std::size_t index = 0; index < blocks.size(); ++index) {
         const ContactBlock& block = blocks[index];
+        if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
         for (int lane = 0; lane < kLaneCount; ++lane) {
             const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
             if (contact == ConstraintGraph::kNoContact) continue;
