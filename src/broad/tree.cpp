@@ -163,8 +163,11 @@ void AabbTree::rotate(Node node) {
 
 double AabbTree::cost() const {
     double sum = 0.0;
-    const auto add = [&sum](const Aabb& box) { return sum += static_cast<double>(perimeter(box)), true; };
-    search(add, [&](std::uint32_t) {});
+    const auto add = [&sum](const Aabb& box) {
+        sum += static_cast<double>(perimeter(box));
+        return true;
+    };
+    search(add, [](std::uint32_t) {});
     return sum;
 }
 

@@ -4,6 +4,7 @@
 
 #include "render/chain_band.hpp"
 #include "render/grid.hpp"
+#include "render/joined_parts.hpp"
 #include "render/joint_marks.hpp"
 #include "render/orientation_mark.hpp"
 #include "render/palette.hpp"
@@ -17,7 +18,9 @@ namespace {
 constexpr double kMarkOpacity = 0.6;
 
 // A body of several shapes shows which way it is turned by itself, unless they are circles.
-bool has_mark(const Shape& shape, std::size_t shape_count) { return shape_count == 1 || shape.vertex_count() == 1; }
+bool has_mark(const Shape& shape, std::size_t shape_count) {
+    return shape_count == 1 || shape.vertex_count() == 1;
+}
 
 void add_chain_bands(std::vector<MeshVertex>& mesh, const View& view, const SceneBody& body, const Pose& pose,
                      Color color) {
@@ -39,6 +42,7 @@ void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world
     const Palette palette(scene);
     const double line_width = style::kSegment * view.detail();
     std::vector<Paint> paints;
+    std::vector<Part> parts;
     std::size_t ordinal = 0;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
         const SceneInstance& body = world.bodies[i];
@@ -51,15 +55,21 @@ void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world
         palette.paint_body(body.source, ordinal, paints);
         if (is_static && !paints.empty())
             add_chain_bands(list.ground.mesh, view, source_of(scene, body), pose, paints.front().outline);
+        parts.clear();
         for (std::size_t k = 0; k < shapes.size(); ++k) {
             const Shape& shape = world.world.shape(shapes[k]);
-            if (world.world.is_sensor(shapes[k])) {
+            if (world.world.is_sensor(shapes[k]))
                 add_sensor_area(list.sensors, view, shape, pose, paints[k]);
-                continue;
-            }
-            add_shape(is_static ? list.ground : list.bodies, view, shape, pose, paints[k], line_width);
-            if (!is_static && has_mark(shape, shapes.size()))
-                add_orientation_mark(list.details, view, shape, pose, faded(paints[k].outline, kMarkOpacity));
+            else
+                parts.push_back({&shape, paints[k]});
+        }
+        find_joined(parts);
+        Layer& layer = is_static ? list.ground : list.bodies;
+        add_joined_parts(layer, view, parts, pose);
+        for (const Part& part : parts) {
+            if (!part.is_joined) add_shape(layer, view, *part.shape, pose, part.paint, line_width);
+            if (!is_static && has_mark(*part.shape, shapes.size()))
+                add_orientation_mark(list.details, view, *part.shape, pose, faded(part.paint.outline, kMarkOpacity));
         }
     }
     add_joints(list.details, view, world.world, world.joints);

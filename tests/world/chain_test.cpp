@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "support/slide.hpp"
@@ -28,6 +27,11 @@ void add_chain(World& world, const std::vector<Vec2>& points, bool loop, bool on
         world.add_shape(ground, def);
     }
 }
+
+struct Start {
+    double height;   // m
+    float sideways;  // parts of the speed upwards
+};
 
 // 100 m of uneven segments along y = 0; from the right to the left, so that the right of them is up.
 std::vector<Vec2> flat_points() {
@@ -105,14 +109,13 @@ TEST_CASE("what comes from the solid side of a chain meets nothing, at any speed
     for (const Shape& shape : {make_circle(0.1f), make_circle(0.5f), make_box({0.3f, 0.6f}),
                                make_capsule({-0.4f, 0.0f}, {0.4f, 0.0f}, 0.1f)})
         for (const float speed : {0.5f, 2.9f, 7.3f, 13.0f, 31.0f, 90.0f})
-            for (const auto& [start, sideways] :
-                 {std::pair{-1.2, 0.0f}, {-1.25, 1.0f}, {-1.31, -2.0f}, {-1.38, 0.3f}, {-1.3, 4.0f}}) {
+            for (const Start& from : {Start{-1.2, 0.0f}, {-1.25, 1.0f}, {-1.31, -2.0f}, {-1.38, 0.3f}, {-1.3, 4.0f}}) {
                 World world = weightless();
                 add_chain(world, flat_points(), false, true, 0.5f);
-                const BodyId up = add_dynamic(world, {0.13, start}, shape, {}, 0.3);
-                const Vec2 velocity{sideways * speed, speed};
+                const BodyId up = add_dynamic(world, {0.13, from.height}, shape, {}, 0.3);
+                const Vec2 velocity{from.sideways * speed, speed};
                 world.set_velocity(up, velocity, 0.0f);
-                INFO("vertices ", shape.vertex_count(), " speed ", speed, " sideways ", sideways, " from ", start);
+                INFO("vertices ", shape.vertex_count(), " speed ", speed, " by ", from.sideways, " from ", from.height);
                 for (int step = 0; world.state(up).pose.position.y < 1.5; ++step) {
                     REQUIRE(step < 400);
                     world.step();

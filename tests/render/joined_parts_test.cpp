@@ -1,0 +1,72 @@
+// Parts of one body that share edges are drawn as one shape.
+#include "render/joined_parts.hpp"
+
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+#include <vector>
+
+using namespace tumble;
+using namespace tumble::render;
+
+namespace {
+
+constexpr Paint kRed{{200, 0, 0, 255}, {100, 0, 0, 255}};
+constexpr Paint kBlue{{0, 0, 200, 255}, {0, 0, 100, 255}};
+
+// 10 pixels a metre, the origin in the middle.
+const View kView{{0.0, 0.0}, 10.0, 640, 360};
+
+Shape box(Vec2 lower, Vec2 upper, float radius = 0.0f) {
+    const Vec2 corners[] = {lower, {upper.x, lower.y}, upper, {lower.x, upper.y}};
+    return make_polygon(corners, radius);
+}
+
+int joined_count(std::initializer_list<Part> given) {
+    std::vector<Part> parts(given);
+    find_joined(parts);
+    int count = 0;
+    for (const Part& part : parts) count += part.is_joined;
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("parts that share a whole edge in one paint are joined, others are not") {
+    const Shape left = box({0, 0}, {1, 1}), right = box({1, 0}, {2, 1}), far = box({3, 0}, {4, 1});
+    const Shape lower_half = box({1, 0}, {2, 0.5f}), rounded = box({1, 0}, {2, 1}, 0.1f), ball = make_circle(1.0f);
+    CHECK(joined_count({{&left, kRed}, {&far, kRed}, {&right, kRed}, {&ball, kRed}}) == 2);
+    CHECK(joined_count({{&left, kRed}, {&right, kBlue}}) == 0);
+    CHECK(joined_count({{&left, kRed}, {&lower_half, kRed}}) == 0);
+    CHECK(joined_count({{&left, kRed}, {&rounded, kRed}}) == 0);
+    CHECK(joined_count({{&left, kRed}, {&left, kRed}}) ==
+          0);  // one on the other: no edge has another's on its far side
+}
+
+TEST_CASE("an L of three boxes is filled by its parts and has a line along each outer edge") {
+    const Shape corner = box({0, 0}, {1, 1}), right = box({1, 0}, {3, 1}), top = box({0, 1}, {1, 4});
+    std::vector<Part> parts{{&corner, kRed}, {&right, kRed}, {&top, kRed}};
+    find_joined(parts);
+    Layer layer;
+    layer.outline_width = 2.0;
+    add_joined_parts(layer, kView, parts, {});
+
+    // Twice the signed area of all triangles: 1 + 2 + 3 square metres of 100 pixels each.
+    double twice_area = 0.0;
+    for (std::size_t i = 0; i < layer.mesh.size(); i += 3) {
+        const MeshVertex *a = &layer.mesh[i], *b = a + 1, *c = a + 2;
+        twice_area += static_cast<double>((b->x - a->x) * (c->y - a->y) - (c->x - a->x) * (b->y - a->y));
+        CHECK(a->paint == flat(kRed.fill));
+    }
+    CHECK(twice_area == doctest::Approx(2.0 * 600.0));
+
+    // Of 12 edges 4 meet in pairs. Around the L: 3 + 1 + 2 + 3 + 1 + 4 m.
+    CHECK(layer.boxes.size() == 8);
+    double outline = 0.0;
+    for (const BoxInstance& line : layer.boxes) {
+        outline += 2.0 * static_cast<double>(line.half_x);
+        CHECK(line.paint == flat(kRed.outline));
+        CHECK(line.radius == 1.0f);
+    }
+    CHECK(outline == doctest::Approx(140.0));
+}
