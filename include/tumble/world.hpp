@@ -77,6 +77,10 @@ public:
     World& operator=(World&&) noexcept;
 
     BodyId create_body(const BodyDef& def);
+
+    // A body with its shapes, whose velocity is that of the centre of mass of them all. Weighs them once: O(n), where adding
+    // n one by one is O(n^2).
+    BodyId create_body(const BodyDef& def, std::span<const ShapeDef> shapes);
     void destroy_body(BodyId id);  // with its shapes, its joints and their gears
     ShapeId add_shape(BodyId body, const ShapeDef& def);
     void remove_shape(ShapeId id);

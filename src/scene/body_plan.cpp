@@ -65,12 +65,7 @@ BodyPlan plan_body(const Scene& scene, const SceneBody& body) { return {make_bod
 BodyId create_body(World& world, const BodyPlan& plan, const Pose& pose) {
     BodyDef def = plan.def;
     def.pose = pose;
-    const BodyId id = world.create_body(def);
-    for (const ShapeDef& shape : plan.shapes) world.add_shape(id, shape);
-    // Shapes move the centre of mass, whose velocity is given, and a turning body's with it.
-    if (def.type == BodyType::dynamic_body && def.awake && def.enabled)
-        world.set_velocity(id, def.velocity, def.angular_velocity);
-    return id;
+    return world.create_body(def, plan.shapes);
 }
 
 }  // namespace tumble::scene

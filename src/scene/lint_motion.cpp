@@ -157,9 +157,7 @@ private:
     Vec2 center_of(const SceneBody& body) const {
         if (body.mass) return to_float(body.mass->center);
         World alone;
-        const BodyId id = alone.create_body({});
-        for (const ShapeDef& shape : plan_body(scene_, body).shapes) alone.add_shape(id, shape);
-        return alone.mass(id).center;
+        return alone.mass(alone.create_body({}, plan_body(scene_, body).shapes)).center;
     }
 
     const Scene& scene_;

@@ -15,6 +15,16 @@
 
 namespace tumble {
 
+ShapeId World::Impl::attach(BodyId body, const ShapeDef& shape) {
+    const ShapeId id = simulation.shapes.create(body.index, shape);
+    BodyRecord& record = simulation.bodies.records[body.index];
+    record.shapes.push_back(id);
+    if (record.is_enabled)
+        simulation.shapes.place(id.index, simulation.bodies.frames[body.index], simulation.settings.tuning,
+                                simulation.broad);
+    return id;
+}
+
 void World::Impl::touch_shapes(BodyId id) {
     if (!simulation.bodies.records[id.index].is_enabled) return;
     for (const ShapeId shape : simulation.bodies.records[id.index].shapes) simulation.broad.touch(shape.index);
@@ -85,6 +95,17 @@ BodyId World::create_body(const BodyDef& def) {
     return id;
 }
 
+BodyId World::create_body(const BodyDef& def, std::span<const ShapeDef> shapes) {
+    for (const ShapeDef& shape : shapes) check(shape);
+    const BodyId id = create_body(def);
+    for (const ShapeDef& shape : shapes) impl_->attach(id, shape);
+    impl_->update_mass(id);
+    // With the centre of mass its velocity has changed, if the body turns.
+    const BodyStore& bodies = impl_->simulation.bodies;
+    if (bodies.is_dynamic(id.index) && bodies.is_active(id.index)) set_velocity(id, def.velocity, def.angular_velocity);
+    return id;
+}
+
 void World::destroy_body(BodyId id) {
     impl_->require(id);
     Simulation& simulation = impl_->simulation;
@@ -103,12 +124,7 @@ ShapeId World::add_shape(BodyId body, const ShapeDef& def) {
     // A body that is being built asleep goes on sleeping; one that rests on something may no longer do so.
     const std::uint32_t island = simulation.bodies.records[body.index].island;
     if (island != kNoIsland && !simulation.sleeping[island].contacts.empty()) wake(simulation, body.index);
-    const ShapeId id = simulation.shapes.create(body.index, def);
-    BodyRecord& record = simulation.bodies.records[body.index];
-    record.shapes.push_back(id);
-    if (record.is_enabled)
-        simulation.shapes.place(id.index, simulation.bodies.frames[body.index], simulation.settings.tuning,
-                                simulation.broad);
+    const ShapeId id = impl_->attach(body, def);
     impl_->update_mass(body);
     return id;
 }

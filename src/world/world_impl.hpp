@@ -26,6 +26,7 @@ struct World::Impl {
     JointDef complete(const JointDef& joint) const;     // a gear with its bodies; throws if it has no two joints
     std::vector<JointId> gears_on(JointId id) const;  // in order of creation
     void remove_joint(JointId id);                    // with its gears
+    ShapeId attach(BodyId body, const ShapeDef& shape);  // without its mass
     void touch_shapes(BodyId id);
     void place_shapes(BodyId id);     // proxies where the body is, of its type; none if it is disabled
     void displace_shapes(BodyId id);

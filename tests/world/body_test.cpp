@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <vector>
 
 #include "support/worlds.hpp"
 
@@ -35,6 +37,34 @@ TEST_CASE("a body that is moved loses its contacts, wakes what it carried and fi
     CHECK(world.events().contact_ends.size() == 2);    // the floor and the upper box
     run(world, 120);
     CHECK(world.state(upper).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
+    world.validate();
+}
+
+TEST_CASE("a body made with its shapes is the one that gets them one by one, with the velocity that was given") {
+    const std::vector<ShapeDef> shapes{{.shape = kBox}, {.shape = make_circle(0.5f, {2.0f, 1.0f})}, {.shape = kBox, .sensor = true}};
+    for (const float spin : {0.0f, 3.0f}) {
+        CAPTURE(spin);
+        const BodyDef def{.pose = {{1.0, 2.0}, make_rotation(0.3)}, .velocity = {4.0f, 5.0f}, .angular_velocity = spin};
+        World at_once, one_by_one;
+        const BodyId whole = at_once.create_body(def, shapes), grown = one_by_one.create_body(def);
+        for (const ShapeDef& shape : shapes) one_by_one.add_shape(grown, shape);
+        CHECK(at_once.mass(whole) == one_by_one.mass(grown));
+        CHECK(at_once.shapes(whole).size() == 3);
+        CHECK(at_once.state(whole).velocity == def.velocity);
+        // Shapes that come later move the centre of mass of a body that turns, and its velocity with it.
+        CHECK((one_by_one.state(grown).velocity == def.velocity) == (spin == 0.0f));
+        one_by_one.set_velocity(grown, def.velocity, spin);
+        run(at_once, 10);
+        run(one_by_one, 10);
+        CHECK(at_once.state_hash() == one_by_one.state_hash());
+        at_once.validate();
+    }
+    World world;
+    CHECK_THROWS_AS(world.create_body({}, std::vector<ShapeDef>{{.shape = kBox}, {}}), std::invalid_argument);
+    CHECK(world.bodies().empty());
+    const BodyId asleep = world.create_body({.awake = false}, shapes), off = world.create_body({.enabled = false}, shapes);
+    CHECK_FALSE(world.is_awake(asleep));
+    CHECK(world.shapes(off).size() == 3);
     world.validate();
 }
 
