@@ -5,7 +5,7 @@
 
 namespace tumble {
 
-void BroadPhase::add(std::uint32_t key, const Aabb& box, Layer layer) {
+void BroadPhase::add(std::uint32_t key, const Aabb& box, ProxyLayer layer) {
     if (key >= proxies_.size()) proxies_.resize(key + 1);
     Proxy& proxy = proxies_[key];
     proxy.box = box;

@@ -16,12 +16,12 @@ namespace tumble {
 
 // Fixed proxies never pair with each other. Firm ones move too, and are few: what is fast has to look out for them.
 // Loose are the others.
-enum class Layer : std::uint8_t { fixed, firm, loose };
+enum class ProxyLayer : std::uint8_t { fixed, firm, loose };
 
 class BroadPhase {
 public:
     // Keys are small numbers: an array as long as the largest is kept.
-    void add(std::uint32_t key, const Aabb& box, Layer layer);
+    void add(std::uint32_t key, const Aabb& box, ProxyLayer layer);
     void remove(std::uint32_t key);
     void move(std::uint32_t key, const Aabb& box);
 
@@ -47,7 +47,8 @@ public:
 
     // Calls visit(key) for each proxy of these layers whose box overlaps, layer by layer.
     template <class Visitor>
-    void query(const Aabb& box, Visitor&& visit, Layer last = Layer::loose, Layer first = Layer::fixed) const {
+    void query(const Aabb& box, Visitor&& visit, ProxyLayer first = ProxyLayer::fixed,
+               ProxyLayer last = ProxyLayer::loose) const {
         for (auto layer = static_cast<std::size_t>(first); layer <= static_cast<std::size_t>(last); ++layer)
             trees_[layer].query(box, visit);
     }
@@ -74,12 +75,12 @@ private:
     struct Proxy {
         Aabb box;
         AabbTree::Node leaf = AabbTree::kNone;  // kNone: no proxy under this key
-        Layer layer = Layer::fixed;
+        ProxyLayer layer = ProxyLayer::fixed;
         bool is_asked = false;  // waits in asked_
     };
 
-    const AabbTree& tree(Layer layer) const { return trees_[static_cast<std::size_t>(layer)]; }
-    AabbTree& tree(Layer layer) { return trees_[static_cast<std::size_t>(layer)]; }
+    const AabbTree& tree(ProxyLayer layer) const { return trees_[static_cast<std::size_t>(layer)]; }
+    AabbTree& tree(ProxyLayer layer) { return trees_[static_cast<std::size_t>(layer)]; }
 
     std::array<AabbTree, 3> trees_;     // by layer
     std::vector<Proxy> proxies_;        // by key
@@ -98,9 +99,11 @@ const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept) {
         const ProxyPair pair = make_pair_of(key, other);
         if (!known_.contains(pair) && accept(pair)) new_pairs_.push_back(pair);
     };
-    const bool at_once = 2 * asked_.size() > tree(Layer::loose).leaf_count();
+    const auto loose = std::count_if(asked_.begin(), asked_.end(),
+                                     [&](std::uint32_t key) { return proxies_[key].layer == ProxyLayer::loose; });
+    const bool at_once = 2 * static_cast<std::size_t>(loose) > tree(ProxyLayer::loose).leaf_count();
     if (at_once)
-        tree(Layer::loose).for_each_pair(waiting_, [&](std::uint32_t a, std::uint32_t b) {
+        tree(ProxyLayer::loose).for_each_pair(waiting_, [&](std::uint32_t a, std::uint32_t b) {
             if (proxies_[a].is_asked || proxies_[b].is_asked) consider(a, b);
         });
     for (const std::uint32_t key : asked_) {
@@ -110,9 +113,9 @@ const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept) {
         const auto meet = [&](std::uint32_t other) {
             if (other != key && !(proxies_[other].is_asked && other < key)) consider(key, other);
         };
-        const Layer first = proxy.layer == Layer::fixed ? Layer::firm : Layer::fixed;
-        const Layer last = proxy.layer == Layer::loose && at_once ? Layer::firm : Layer::loose;
-        query(proxy.box, meet, last, first);
+        const ProxyLayer first = proxy.layer == ProxyLayer::fixed ? ProxyLayer::firm : ProxyLayer::fixed;
+        const ProxyLayer last = proxy.layer == ProxyLayer::loose && at_once ? ProxyLayer::firm : ProxyLayer::loose;
+        query(proxy.box, meet, first, last);
     }
     std::sort(new_pairs_.begin(), new_pairs_.end());
     for (const ProxyPair pair : new_pairs_) known_.insert(pair);

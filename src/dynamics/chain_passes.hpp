@@ -6,7 +6,11 @@
 
 namespace tumble {
 
-// True if one of the pair is a segment that the other passes, or the next to one that it passes.
-bool passes_chain(Simulation& simulation, ProxyPair pair);
+// True if one of the pair is a segment that the other passes, or follows one that it passes with a turn of less than a
+// right angle: beyond, the two have no solid side in common. O(segments of the body), where anything passes any chain.
+bool passes_chain(const Simulation& simulation, ProxyPair pair);
+
+// The contact with such a segment: nothing is felt of it until the two have parted.
+void let_pass(Contact& contact);
 
 }  // namespace tumble

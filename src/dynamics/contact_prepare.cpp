@@ -154,7 +154,7 @@ void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, 
     }
 }
 
-// The contacts of a block lie far apart, and no hardware guesses where: what both passes need of them.
+// The contacts of a block lie far apart, and no hardware guesses where.
 void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> block) {
     constexpr std::size_t kCacheLine = 64;
     for (const std::uint32_t index : block) {

@@ -1,5 +1,6 @@
 // Bounces: what was approaching fast parts again, once after the sub-steps.
 #include "dynamics/contact_normals.hpp"
+#include "dynamics/integrate.hpp"
 
 namespace tumble {
 
@@ -22,9 +23,10 @@ TUMBLE_LANE_FUNCTION Bounce make_bounce(const ContactBlock& block, int index, co
     const Lanes was_fast = select_less(approach, Lanes::Constant(-threshold), one, zero);
     const Lanes happens = select_less(zero, point.applied_normal, was_fast, zero);
     const Lanes back = block.restitution * approach;
-    const Lanes fallen = 2.0f * block.acceleration * current_separation(block, point, shift, state);
-    const Lanes speed = (back * back + fallen).max(zero).sqrt() - 0.5f * h * block.acceleration;
-    const Lanes arrived = approach * approach + fallen;
+    const Lanes way = current_separation(block, point, shift, state);
+    const Lanes speed_sq = speed_sq_after(back, way, block.acceleration).max(zero);
+    const Lanes speed = speed_sq.sqrt() - 0.5f * h * block.acceleration;
+    const Lanes arrived = speed_sq_after(approach, way, block.acceleration);
     return {happens, speed, select_less(zero, happens * arrived, speed * speed / arrived, zero)};
 }
 

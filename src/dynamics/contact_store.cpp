@@ -15,6 +15,13 @@ float extent_of_pair(float a, float b) {
     return smaller > 0.0f ? smaller : std::max(a, b);
 }
 
+template <class Contacts>
+auto* find_in(Contacts& contacts, ProxyPair pair) {
+    const auto found = std::lower_bound(contacts.begin(), contacts.end(), pair,
+                                        [](const Contact& contact, ProxyPair key) { return contact.shapes < key; });
+    return found != contacts.end() && found->shapes == pair ? &*found : nullptr;
+}
+
 }  // namespace
 
 void mix_surfaces(Contact& contact, const ShapeStore& shapes) {
@@ -44,9 +51,10 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tun
 }
 
 Contact* ContactStore::find(ProxyPair pair) {
-    const auto found = std::lower_bound(contacts_.begin(), contacts_.end(), pair,
-                                        [](const Contact& contact, ProxyPair key) { return contact.shapes < key; });
-    return found != contacts_.end() && found->shapes == pair ? &*found : nullptr;
+    return find_in(contacts_, pair);
+}
+const Contact* ContactStore::find(ProxyPair pair) const {
+    return find_in(contacts_, pair);
 }
 
 void ContactStore::merge_woken() {

@@ -35,6 +35,7 @@ public:
 
     // The contact of a pair among all(), or nullptr.
     Contact* find(ProxyPair pair);
+    const Contact* find(ProxyPair pair) const;
 
     std::vector<Contact>& woken() { return woken_; }
     std::vector<Contact>& all() { return contacts_; }

@@ -67,16 +67,17 @@ private:
         std::sort(movers_.begin(), movers_.end(), [](const Mover& a, const Mover& b) { return a.body < b.body; });
     }
 
-    // Calls visit(own shape, other shape) for each pair that may meet, of a mover and a shape near its way: one that is
-    // not loose, unless all are asked for.
+    // Calls visit(own shape, other shape) for each pair that may meet, of a mover and a shape of these layers near its
+    // way. A sensor of its own notices those of the layers above too.
     template <class Visitor>
-    void for_each_near(const Mover& mover, Layer last, Visitor&& visit) {
+    void for_each_near(const Mover& mover, ProxyLayer first, ProxyLayer last, Visitor&& visit) {
         for (const ShapeId own : simulation_.bodies.records[mover.body].shapes) {
             const ShapeRecord& shape = simulation_.shapes[own.index];
             const Aabb box = box_on_way(shape.shape, mover.sweep);
+            const ProxyLayer top = shape.is_sensor ? ProxyLayer::loose : last;
             near_.clear();
             simulation_.broad.query(
-                box, [&](std::uint32_t other) { near_.push_back(other); }, shape.is_sensor ? Layer::loose : last);
+                box, [&](std::uint32_t other) { near_.push_back(other); }, first, top);
             for (const std::uint32_t other : near_) {
                 const ProxyPair pair = make_pair_of(own.index, other);
                 if (may_touch(simulation_, pair))
@@ -88,7 +89,7 @@ private:
     }
 
     void stop_at_immovable(Mover& mover) {
-        for_each_near(mover, Layer::firm, [&](std::uint32_t own, std::uint32_t other) {
+        for_each_near(mover, ProxyLayer::fixed, ProxyLayer::firm, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
             const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
                                            sweep_of(simulation_.bodies, body), is_held(own, other));
@@ -104,9 +105,9 @@ private:
         Mover& mover = movers_[bullet];
         mover.next = mover.fraction;
         mover.partner = kNobody;
-        for_each_near(mover, Layer::loose, [&](std::uint32_t own, std::uint32_t other) {
+        for_each_near(mover, ProxyLayer::loose, ProxyLayer::loose, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
-            if (!simulation_.bodies.is_dynamic(body) || find_mover(body) != kNobody) return;
+            if (find_mover(body) != kNobody) return;
             meet(mover, own, other, sweep_of(simulation_.bodies, body), 1.0, kNobody);
         });
         // Other fast bodies may come from outside the box.

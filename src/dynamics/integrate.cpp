@@ -78,10 +78,14 @@ void shorten_motion(BodyStore& bodies, std::uint32_t index, double fraction, Vec
     const float size = length(acceleration);
     if (size > 0.0f) {
         const Vec2 down = (1.0f / size) * acceleration;
+        const float fallen = dot(body.delta_position, down), gained = size * times.step;
         const float middle = dot(body.velocity, down) + 0.5f * times.substep * size;
-        const float due_sq = speed_sq_after(middle, -rest * dot(body.delta_position, down), size);
+        const float ballistic = middle - lost * size;
+        // If not, its mean speed is that of free motion, but for what damping takes.
+        const bool was_struck = std::abs(middle - 0.5f * gained - fallen / times.step) > gained;
+        const float due_sq = was_struck ? speed_sq_after(middle, -rest * fallen, size) : ballistic * ballistic;
         const float speed = std::min(std::sqrt(std::max(due_sq, 0.0f)), std::abs(middle) + lost * size);
-        body.velocity += (std::copysign(speed, middle - lost * size) - middle) * down;
+        body.velocity += (std::copysign(speed, ballistic) - middle) * down;
         const float owed = std::min(due_sq, 0.0f) * frame.inv_inertia / frame.inv_mass;
         const float spin_sq = body.angular_velocity * body.angular_velocity + owed;
         body.angular_velocity = std::copysign(std::sqrt(std::max(spin_sq, 0.0f)), body.angular_velocity);

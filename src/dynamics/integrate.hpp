@@ -14,7 +14,8 @@ struct SpeedLimits {
 
 // The square of the speed after a way along a constant acceleration; negative if that is out of reach. The scheme keeps
 // v^2 - 2 a x exactly for the velocities of the middle of a sub-step, v + a h / 2.
-constexpr float speed_sq_after(float velocity, float way, float acceleration) {
+template <class Real>
+Real speed_sq_after(const Real& velocity, const Real& way, const Real& acceleration) {
     return velocity * velocity + 2.0f * acceleration * way;
 }
 
@@ -31,11 +32,10 @@ struct StepTimes {
     float substep = 0.0f;  // s
 };
 
-// Ends a body's motion of this step at a fraction: gravity and forces did not act for the rest of it. The speed along
-// them becomes what is due at that place, even if the body has bounced on its way: to take off what they gave in that
-// time would gain energy then. Spin pays for what the place is worth beyond that speed, and what joints have moved is
-// no faster than before them. A body that is stopped at once does not spin: it would be stopped so in every step, by
-// what no contact sees.
+// Ends a body's motion of this step at a fraction: gravity, forces and torques did not act for the rest of it. If the
+// body was struck on its way, taking off the speed that they gave would gain energy: along them it gets the speed that
+// is due at that place, and what the place is worth beyond that is paid by the spin. A body that is stopped at once
+// does not spin: it would be stopped so in every step, by what no contact sees.
 void shorten_motion(BodyStore& bodies, std::uint32_t body, double fraction, Vec2 gravity, const StepTimes& times);
 
 // Takes the deltas into the poses and clears them, with the forces that made them. No body ends a step faster than the

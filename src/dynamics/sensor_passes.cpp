@@ -8,7 +8,7 @@ namespace tumble {
 
 namespace {
 
-bool touched_before(Simulation& simulation, ProxyPair pair) {
+bool touched_before(const Simulation& simulation, ProxyPair pair) {
     const Contact* const contact = simulation.contacts.find(pair);
     return contact && contact->was_touching;
 }
@@ -16,8 +16,8 @@ bool touched_before(Simulation& simulation, ProxyPair pair) {
 bool meet_on_the_way(const Simulation& simulation, ProxyPair pair) {
     const ShapeRecord& a = simulation.shapes[pair.a];
     const ShapeRecord& b = simulation.shapes[pair.b];
-    const CastResult meeting = time_of_impact(a.shape, sweep_of(simulation.bodies, a.body), b.shape,
-                                              sweep_of(simulation.bodies, b.body));
+    const CastResult meeting =
+        time_of_impact(a.shape, sweep_of(simulation.bodies, a.body), b.shape, sweep_of(simulation.bodies, b.body));
     return meeting.status == CastStatus::hit;
 }
 

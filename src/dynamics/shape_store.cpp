@@ -24,9 +24,9 @@ ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def) {
 
 namespace {
 
-Layer layer_of(const ShapeRecord& shape, BodyType body) {
-    if (body == BodyType::static_body) return Layer::fixed;
-    return shape.is_sensor || body == BodyType::kinematic_body ? Layer::firm : Layer::loose;
+ProxyLayer layer_of(const ShapeRecord& shape, BodyType body) {
+    if (body == BodyType::static_body) return ProxyLayer::fixed;
+    return shape.is_sensor || body == BodyType::kinematic_body ? ProxyLayer::firm : ProxyLayer::loose;
 }
 
 }  // namespace
@@ -34,10 +34,10 @@ Layer layer_of(const ShapeRecord& shape, BodyType body) {
 void ShapeStore::place(std::uint32_t shape, const BodyFrame& frame, const Tuning& tuning, BroadPhase& broad) {
     ShapeRecord& record = records_[shape];
     record.is_placed = true;
-    const Layer layer = layer_of(record, frame.type);
+    const ProxyLayer layer = layer_of(record, frame.type);
     const Aabb box = bounds(record.shape, frame.pose);
     const float margin = tuning.aabb_margin(record.smaller_extent);
-    broad.add(shape, layer == Layer::fixed ? box : enlarged(box, margin), layer);
+    broad.add(shape, layer == ProxyLayer::fixed ? box : enlarged(box, margin), layer);
 }
 
 void ShapeStore::displace(std::uint32_t shape, BroadPhase& broad) {

@@ -32,7 +32,7 @@ public:
     // Without a proxy.
     ShapeId create(std::uint32_t body, const ShapeDef& def);
 
-    // A proxy where the body is, and none again. What kind of proxy depends on the body's type.
+    // A proxy where the body is, and none again. Its layer depends on the body's type, and on whether it is a sensor.
     void place(std::uint32_t shape, const BodyFrame& frame, const Tuning& tuning, BroadPhase& broad);
     void displace(std::uint32_t shape, BroadPhase& broad);
 

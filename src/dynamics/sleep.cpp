@@ -53,8 +53,9 @@ void find_islands(Simulation& simulation) {
 void set_contacts_aside(Simulation& simulation) {
     simulation.contacts.keep_if([&](const Contact& contact) {
         const BodyStore& bodies = simulation.bodies;
-        if (contact.kind != ContactKind::solid) return true;  // who sleeps in a sensor is still there
-        if (is_over(simulation, contact)) return true;        // the next step drops it
+        if (contact.kind != ContactKind::solid) return true;    // who sleeps in a sensor is still there
+        if (is_over(simulation, contact)) return true;          // the next step drops it
+        if (contact.came_from == LinkSide::solid) return true;  // who sleeps half through a chain is to pass it yet
         const bool sleeps_a = bodies.is_asleep(contact.body_a), sleeps_b = bodies.is_asleep(contact.body_b);
         if (!sleeps_a && !sleeps_b) return true;
         if (bodies.is_active(contact.body_a) || bodies.is_active(contact.body_b)) return true;
@@ -105,7 +106,8 @@ void fall_asleep(Simulation& simulation) {
     find_islands(simulation);
     IslandFinder& islands = simulation.islands;
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
-        if (bodies.moving[i].still_time < simulation.settings.tuning.time_to_sleep || islands.is_kept_awake(i)) islands.keep_awake(islands.root(i));
+        if (bodies.moving[i].still_time < simulation.settings.tuning.time_to_sleep || islands.is_kept_awake(i))
+            islands.keep_awake(islands.root(i));
     bool any = false;
     for (std::uint32_t i = 1; i < bodies.moving.size() && !any; ++i)
         any = (bodies.solver_bodies[i].flags & kDynamicBody) && !islands.is_kept_awake(islands.root(i));

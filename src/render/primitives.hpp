@@ -60,7 +60,8 @@ struct Layer {
     std::vector<BoxInstance> boxes;
     std::vector<CircleInstance> circles;
     std::vector<GlyphInstance> glyphs;
-    double outline_width = 0.0;  // pixels, of all outlines in the layer; they lie inside the shapes
+    double outline_width =
+        0.0;  // pixels, of all outlines in the layer; they lie inside the shapes, half inside of joined parts
 
     void clear() {
         mesh.clear();

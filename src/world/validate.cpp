@@ -55,8 +55,9 @@ void validate_gear(const JointStore& joints, JointId id, const GearJointDef& gea
         require(joints.ids.is_live(joint), "a gear is on a joint that is gone", id.index);
         require(can_be_geared(joints.def(joint)), "a gear is on a joint of another kind", id.index);
     }
-    require(gear.body_a == joint_body_b(joints.def(gear.joint_a)) && gear.body_b == joint_body_b(joints.def(gear.joint_b)),
-            "a gear names other bodies than its joints", id.index);
+    require(
+        gear.body_a == joint_body_b(joints.def(gear.joint_a)) && gear.body_b == joint_body_b(joints.def(gear.joint_b)),
+        "a gear names other bodies than its joints", id.index);
 }
 
 void validate_joints(const Simulation& simulation) {
@@ -116,8 +117,8 @@ void validate_contacts(const Simulation& simulation) {
         const ShapeRecord& b = simulation.shapes[contact.shapes.b];
         if (!simulation.is_live(contact.shapes)) continue;  // dropped by the next step
         const bool both_sleep = simulation.bodies.is_asleep(a.body) && simulation.bodies.is_asleep(b.body);
-        require(!both_sleep || contact.kind != ContactKind::solid || is_over(simulation, contact),
-                "a contact is awake alone", i);
+        const bool may_wait = contact.kind != ContactKind::solid || contact.came_from == LinkSide::solid;
+        require(!both_sleep || may_wait || is_over(simulation, contact), "a contact is awake alone", i);
         require(a.body == contact.body_a && b.body == contact.body_b, "a contact names a wrong body", i);
         require(contact.manifold.point_count >= 0 && contact.manifold.point_count <= 2, "manifold points", i);
         for (int point = 0; point < contact.manifold.point_count; ++point)

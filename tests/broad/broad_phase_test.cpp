@@ -41,7 +41,7 @@ std::vector<std::uint32_t> sorted_hits(const AabbTree& tree, const Aabb& box) {
 
 struct Proxy {
     Aabb box;
-    Layer layer;
+    ProxyLayer layer;
 };
 
 std::set<ProxyPair> all_overlaps(const std::map<std::uint32_t, Aabb>& boxes) {
@@ -66,7 +66,7 @@ std::set<ProxyPair> all_overlaps(const std::map<std::uint32_t, Proxy>& proxies) 
     for (const auto& [a, first] : proxies)
         for (const auto& [b, second] : proxies)
             if (a < b && overlaps(first.box, second.box) &&
-                (first.layer != Layer::fixed || second.layer != Layer::fixed))
+                (first.layer != ProxyLayer::fixed || second.layer != ProxyLayer::fixed))
                 pairs.insert({a, b});
     return pairs;
 }
@@ -147,7 +147,7 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
         for (int edit = 0; edit < edits; ++edit) {
             const std::uint32_t key = boxes.below(150);
             if (!live.contains(key)) {
-                live[key] = {boxes.next(), static_cast<Layer>(boxes.below(3))};
+                live[key] = {boxes.next(), static_cast<ProxyLayer>(boxes.below(3))};
                 broad.add(key, live[key].box, live[key].layer);
             } else if (boxes.below(3) == 0) {
                 live.erase(key);
@@ -180,8 +180,8 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
 
 TEST_CASE("a rejected pair is offered again when one of its proxies is touched") {
     BroadPhase broad;
-    broad.add(0, {{0, 0}, {1, 1}}, Layer::loose);
-    broad.add(1, {{0.5f, 0}, {1.5f, 1}}, Layer::loose);
+    broad.add(0, {{0, 0}, {1, 1}}, ProxyLayer::loose);
+    broad.add(1, {{0.5f, 0}, {1.5f, 1}}, ProxyLayer::loose);
     CHECK(broad.find_new_pairs([](ProxyPair) { return false; }).empty());
     CHECK(broad.find_new_pairs(accept_all).empty());
     broad.touch(1);
@@ -192,9 +192,9 @@ TEST_CASE("a rejected pair is offered again when one of its proxies is touched")
 
 TEST_CASE("boxes that touch in a point are a pair, fixed ones are not") {
     BroadPhase broad;
-    broad.add(3, {{0, 0}, {1, 1}}, Layer::fixed);
-    broad.add(1, {{1, 1}, {2, 2}}, Layer::loose);
-    broad.add(2, {{0, 0}, {0.5f, 0.5f}}, Layer::fixed);
+    broad.add(3, {{0, 0}, {1, 1}}, ProxyLayer::fixed);
+    broad.add(1, {{1, 1}, {2, 2}}, ProxyLayer::loose);
+    broad.add(2, {{0, 0}, {0.5f, 0.5f}}, ProxyLayer::fixed);
     CHECK(broad.find_new_pairs(accept_all) == std::vector<ProxyPair>{{1, 3}});
 }
 

@@ -126,6 +126,63 @@ TEST_CASE("what comes from the solid side of a chain meets nothing, at any speed
             }
 }
 
+// So slowly that contacts are recycled from step to step, and over the corners of a zigzag.
+TEST_CASE("what creeps through a bent chain from its solid side meets nothing") {
+    for (const float height : {0.05f, 0.2f})
+        for (const float sideways : {-1.0f, -0.5f, 0.5f, 1.0f})
+            for (const double start : {0.13, 0.4, 0.77}) {
+                World world = weightless();
+                std::vector<Vec2> zigzag;
+                for (int i = 0; i < 50; ++i)
+                    zigzag.push_back({0.4f * static_cast<float>(25 - i), i % 2 == 0 ? 0.0f : height});
+                add_chain(world, zigzag, false, true, 0.5f);
+                const BodyId box = add_dynamic(world, {start, -0.45}, make_box({0.3f, 0.8f}));
+                world.set_allow_sleep(box, false);
+                const float speed = 0.1f * height;  // less than half a millimetre a step
+                const Vec2 velocity{sideways * speed, speed};
+                world.set_velocity(box, velocity, 0.0f);
+                INFO("height ", height, " sideways ", sideways, " start ", start);
+                run(world, static_cast<int>(60.0f * 1.2f / speed));
+                CHECK(world.state(box).velocity == velocity);
+            }
+}
+
+// The walls of a cup are met from their open side by what has come in through its bottom.
+TEST_CASE("what passes one segment is held by the next if that turns away by a right angle") {
+    const std::vector<Vec2> cup{{1.0f, 8.0f}, {1.0f, 0.0f}, {-1.0f, 0.0f}, {-1.0f, 8.0f}};
+    struct Shot {
+        double from;
+        Vec2 velocity;
+    };
+    for (const Shot& shot : {Shot{0.0, {1.0f, 2.0f}}, {0.2, {1.5f, 4.0f}}, {0.4, {1.5f, 8.0f}}}) {
+        World world = weightless();
+        add_chain(world, cup, false, true, 0.0f);
+        const BodyId ball = add_dynamic(world, {shot.from, -1.0}, make_circle(0.4f));
+        world.set_velocity(ball, shot.velocity, 0.0f);
+        for (int step = 0; step < 90 && world.state(ball).pose.position.y < 7.0; ++step) {
+            world.step();
+            REQUIRE(world.state(ball).pose.position.x < 0.601);
+        }
+        CHECK(world.state(ball).pose.position.y > 0.5);
+    }
+}
+
+TEST_CASE("what falls asleep half through a chain passes it when it wakes") {
+    World world = weightless();
+    add_chain(world, flat_points(), false, true, 0.5f);
+    const BodyId ball = add_dynamic(world, {0.0, -0.6}, make_circle(0.5f));
+    world.set_damping(ball, 1.0f, 0.0f);
+    world.set_velocity(ball, {0.0f, 0.7f}, 0.0f);  // comes to rest after 0.7 m, or falls asleep before
+    run(world, 600);
+    REQUIRE_FALSE(world.is_awake(ball));
+    const double rest = world.state(ball).pose.position.y;
+    REQUIRE(rest > 0.0);
+    world.validate();
+    world.set_velocity(ball, {0.0f, 0.06f}, 0.0f);
+    run(world, 20);
+    CHECK(world.state(ball).pose.position.y < rest + 0.06 / 3.0);
+}
+
 TEST_CASE("what has passed a chain lands on it when it comes back") {
     World world;
     add_chain(world, flat_points(), false, true, 0.5f);

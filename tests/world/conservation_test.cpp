@@ -127,9 +127,9 @@ TEST_CASE("a box that tumbles between walls without loss gains no energy in a mi
 // bounced: neither may be paid by nobody. With friction, what stops the surface's slip must not come back as a bounce.
 TEST_CASE("no lone body that bounces without loss gains more than 1 % of energy in a minute") {
     int spinning = 0;
-    for (const float friction : {0.0f, 0.3f, 1.0f}) {
+    for (const float friction : {0.0f, 0.3f, 0.6f}) {
         const SurfaceMaterial hard{.friction = friction, .restitution = 1.0f};
-        for (unsigned seed = 1; seed <= 100; ++seed) {
+        for (unsigned seed = 251; seed <= 350; ++seed) {
             CAPTURE(friction);
             CAPTURE(seed);
             std::mt19937 random(seed);
@@ -140,7 +140,7 @@ TEST_CASE("no lone body that bounces without loss gains more than 1 % of energy 
             add_static(world, {5.5, 20.0}, make_box({1.0f, 40.0f}), hard);
             const Shape shape = random_shape(random);
             const BodyId body = add_dynamic(world, {0.0, 4.0}, shape, hard, 3.0 * static_cast<double>(unit(random)));
-            const float right = 8.0f * unit(random), up = 8.0f * unit(random), spin = 6.0f * unit(random);
+            const float right = 8.0f * unit(random), up = 8.0f * unit(random), spin = 30.0f * unit(random);
             world.set_velocity(body, {right, up}, spin);
             const double start = energy_of_scheme(world);
             double highest = start;
@@ -148,13 +148,15 @@ TEST_CASE("no lone body that bounces without loss gains more than 1 % of energy 
             for (int step = 0; step < 3600; ++step) {
                 world.step();
                 highest = std::max(highest, energy_of_scheme(world));
-                spins = spins || std::abs(world.state(body).angular_velocity) > 30.0f;
+                spins =
+                    spins || std::abs(world.state(body).angular_velocity) > 25.0f;  // an eighth of a turn in two steps
             }
             spinning += spins;
             CHECK(highest < 1.01 * start);
         }
     }
-    CHECK(spinning > 15);
+    CHECK(spinning > 90);  // of 300
+    CHECK(spinning < 210);
 }
 
 // Who meets two at once is asked to part from each with the speed that it came with, which may be more than both took.
