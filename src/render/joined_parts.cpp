@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "render/clip.hpp"
 #include "render/shape_primitives.hpp"
 
 namespace tumble::render {
@@ -45,17 +46,21 @@ bool meet(const Edge& a, const Edge& b, std::span<const Part> parts) {
 }
 
 void add_fan(std::vector<MeshVertex>& mesh, const View& view, const Part& part, const Pose& pose) {
-    const auto corner = [&](int i) {
-        const DVec2 at = view.to_pixels(transform_point(pose, part.shape->vertex(i)));
-        return MeshVertex{static_cast<float>(at.x), static_cast<float>(at.y), kInside, flat(part.paint.fill)};
+    std::vector<DVec2> polygon;
+    for (int i = 0; i < part.shape->vertex_count(); ++i)
+        polygon.push_back(view.to_pixels(transform_point(pose, part.shape->vertex(i))));
+    polygon = clip_polygon(view, kClipMargin, std::move(polygon));
+    const auto corner = [&](std::size_t i) {
+        return MeshVertex{static_cast<float>(polygon[i].x), static_cast<float>(polygon[i].y), kInside,
+                          flat(part.paint.fill)};
     };
-    for (int i = 1; i + 1 < part.shape->vertex_count(); ++i)
-        mesh.insert(mesh.end(), {corner(0), corner(i), corner(i + 1)});
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) mesh.insert(mesh.end(), {corner(0), corner(i), corner(i + 1)});
 }
 
 }  // namespace
 
 void find_joined(std::span<Part> parts) {
+    if (parts.size() < 2) return;
     const std::vector<Edge> edges = sorted_edges(parts, [](const Part& part) { return is_plain(*part.shape); });
     for (std::size_t i = 1; i < edges.size(); ++i)
         if (meet(edges[i - 1], edges[i], parts))

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <initializer_list>
 #include <vector>
 
@@ -69,4 +70,16 @@ TEST_CASE("an L of three boxes is filled by its parts and has a line along each 
         CHECK(line.radius == 1.0f);
     }
     CHECK(outline == doctest::Approx(140.0));
+}
+
+TEST_CASE("joined parts are cut to the frame, those out of view left out") {
+    const Shape left = box({-1e6f, -1}, {0, 1}), right = box({0, -1}, {1e6f, 1}), far = box({1e6f, -1}, {2e6f, 1});
+    std::vector<Part> parts{{&left, kRed}, {&right, kRed}, {&far, kRed}};
+    find_joined(parts);
+    Layer layer;
+    layer.outline_width = 2.0;
+    add_joined_parts(layer, kView, parts, {});
+    CHECK(layer.mesh.size() == 12);  // two rectangles
+    for (const MeshVertex& corner : layer.mesh) CHECK(std::abs(corner.x) <= 320.0f + 64.0f);
+    CHECK(layer.boxes.size() == 4);  // along the top and the bottom
 }
