@@ -26,7 +26,8 @@ struct BenchArguments {
 
 void write_row(const QueryBenchResult& row) {
     char line[160];
-    std::snprintf(line, sizeof line, "%-26s %12.1f %12.1f %7.2f\n", row.name.c_str(), row.tumble_ns, row.box2d_ns, row.ratio());
+    std::snprintf(line, sizeof line, "%-26s %12.1f %12.1f %7.2f\n", row.name.c_str(), row.tumble_ns, row.box2d_ns,
+                  row.ratio());
     write_output(line);
 }
 
@@ -59,7 +60,8 @@ void write_row(JsonWriter& json, const StepBenchResult& row) {
 
 void bench_all_queries(const Command& command, const QueryBenchOptions& options, JsonWriter& json) {
     if (options.pairs == 0) return;
-    if (!command.json) write_output("query                         tumble ns     box2d ns   ratio   (CPU time a query)\n");
+    if (!command.json)
+        write_output("query                         tumble ns     box2d ns   ratio   (CPU time a query)\n");
     for (const reference::QueryCase& query_case : reference::query_cases()) {
         const QueryBenchResult row = bench_queries(query_case, options);
         write_row(json, row);
@@ -93,7 +95,9 @@ ExitCode bench(const Command& command, const BenchArguments& options) {
 void add_bench(CLI::App& app, Command& command) {
     const auto options = std::make_shared<BenchArguments>();
     CLI::App& app_bench = add_subcommand(app, command, "bench", "Measure queries and the world step beside Box2D");
-    app_bench.add_option("--scenes", options->scenes, "Shipped scenes, or files")->delimiter(',')->capture_default_str();
+    app_bench.add_option("--scenes", options->scenes, "Shipped scenes, or files")
+        ->delimiter(',')
+        ->capture_default_str();
     app_bench.add_option("--pairs", options->queries.pairs, "Pairs of shapes a query case; 0: no queries")
         ->capture_default_str()
         ->check(whole_number_from_to(0, 10000000));
@@ -103,7 +107,8 @@ void add_bench(CLI::App& app, Command& command) {
     app_bench.add_option("--runs", options->steps.runs, "Runs, of which the median counts")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 1000));
-    app_bench.callback([&command, options] { command.action = [&command, options] { return bench(command, *options); }; });
+    app_bench.callback(
+        [&command, options] { command.action = [&command, options] { return bench(command, *options); }; });
 }
 
 }  // namespace tumble::tools

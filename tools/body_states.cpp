@@ -17,8 +17,8 @@ namespace {
 // The numbers are x, y, the normal's x and y, separation and impulse, as text.
 std::string contact_text(const std::string& a, const std::string& b, const std::array<std::string, 6>& numbers) {
     const auto& [x, y, normal_x, normal_y, separation, impulse] = numbers;
-    return a + " and " + b + " at [" + x + ", " + y + "], normal [" + normal_x + ", " + normal_y + "], separation " + separation +
-           " m, impulse " + impulse + " N s";
+    return a + " and " + b + " at [" + x + ", " + y + "], normal [" + normal_x + ", " + normal_y + "], separation " +
+           separation + " m, impulse " + impulse + " N s";
 }
 
 // The contacts of one step after the other, as --contacts writes them.
@@ -49,7 +49,8 @@ private:
         at_end_ = !csv_.read(fields);
         if (at_end_) return;
         const auto& [step, a, b, feature, x, y, nx, ny, separation, normal_impulse, tangent_impulse] = fields;
-        held_ = Line{csv_.number<std::uint64_t>(step), a, b, contact_text(a, b, {x, y, nx, ny, separation, normal_impulse})};
+        held_ = Line{csv_.number<std::uint64_t>(step), a, b,
+                     contact_text(a, b, {x, y, nx, ny, separation, normal_impulse})};
     }
 
     CsvFile<11> csv_;
@@ -123,8 +124,9 @@ public:
             if (!run_.world().is_valid(bodies[i].id)) continue;
             const BodyState state = run_.world().state(bodies[i].id);
             const DVec2 position = state.pose.position;
-            states.bodies.push_back({output_name(bodies[i], i), {position.x, position.y, angle(state.pose.rotation), double{state.velocity.x},
-                                                 double{state.velocity.y}, double{state.angular_velocity}}});
+            states.bodies.push_back({output_name(bodies[i], i),
+                                     {position.x, position.y, angle(state.pose.rotation), double{state.velocity.x},
+                                      double{state.velocity.y}, double{state.angular_velocity}}});
         }
         return true;
     }
@@ -151,8 +153,9 @@ private:
             append_number(digits, number);
             return digits;
         };
-        return contact_text(a, b, {text(contact.point.x), text(contact.point.y), text(contact.normal.x), text(contact.normal.y),
-                                   text(contact.separation), text(contact.normal_impulse)});
+        return contact_text(a, b,
+                            {text(contact.point.x), text(contact.point.y), text(contact.normal.x),
+                             text(contact.normal.y), text(contact.separation), text(contact.normal_impulse)});
     }
 
     Scene scene_;
@@ -163,13 +166,16 @@ private:
 
 }  // namespace
 
-bool is_scene_file(const std::filesystem::path& path) { return !std::filesystem::is_directory(path) && path.extension() != ".csv"; }
+bool is_scene_file(const std::filesystem::path& path) {
+    return !std::filesystem::is_directory(path) && path.extension() != ".csv";
+}
 
 std::unique_ptr<StateSource> open_states(const std::filesystem::path& path, const LoadOptions& changes) {
     if (std::filesystem::is_directory(path)) {
         const std::filesystem::path trajectory = path / "trajectory.csv";
         if (!std::filesystem::exists(trajectory))
-            throw InputError(path.string() + ": holds no trajectory.csv; run the scene with --trajectory " + trajectory.string());
+            throw InputError(path.string() + ": holds no trajectory.csv; run the scene with --trajectory " +
+                             trajectory.string());
         return std::make_unique<TrajectoryStates>(trajectory);
     }
     if (is_scene_file(path)) return std::make_unique<RunningStates>(path, changes);

@@ -15,8 +15,8 @@ namespace tumble::tools {
 
 inline constexpr std::array<std::string_view, 6> kComponents{"x", "y", "angle", "vx", "vy", "omega"};
 
-// The first two, the position (m), are double in the engine. The angle (rad) is written as double, but comes from a float
-// cosine and sine; the velocities (m/s, rad/s) are float.
+// The first two, the position (m), are double in the engine. The angle (rad) is written as double, but comes from a
+// float cosine and sine; the velocities (m/s, rad/s) are float.
 inline constexpr std::size_t kPreciseComponents = 2;
 inline constexpr std::size_t kDoubleComponents = 3;
 
@@ -44,9 +44,9 @@ public:
     virtual std::vector<std::string> contacts_of(const std::string& body) = 0;
 };
 
-// A scene file (.json), a trajectory (.csv), or the folder of a run that holds trajectory.csv; a run's contacts are those of
-// contacts.csv beside the trajectory. Throws FileError, InputError or SceneError.
-// `changes` are those of a scene.
+// A scene file (.json), a trajectory (.csv), or the folder of a run that holds trajectory.csv; a run's contacts are
+// those of contacts.csv beside the trajectory. Throws FileError, InputError or SceneError. `changes` are those of a
+// scene.
 std::unique_ptr<StateSource> open_states(const std::filesystem::path& path, const LoadOptions& changes = {});
 
 // Whether open_states() would run it.

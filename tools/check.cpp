@@ -81,8 +81,8 @@ void make_names_differ(std::vector<SceneCheck>& checks) {
     }
 }
 
-// A picture of the moment that decided each claim that does not hold: DIR/<scene>-expect-<index>.png. A picture that cannot
-// be had is said, and the claims still decide the exit code.
+// A picture of the moment that decided each claim that does not hold: DIR/<scene>-expect-<index>.png. A picture that
+// cannot be had is said, and the claims still decide the exit code.
 void draw_failures(SceneCheck& check, const CheckArguments& options) {
     check.shots.resize(check.expectations.size());
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
@@ -92,9 +92,8 @@ void draw_failures(SceneCheck& check, const CheckArguments& options) {
         try {
             refuse_to_overwrite(file, options.force);
             const Scene scene = load_named_scene(check.file, options.changes);
-            draw_scene_at(scene, result.step, {}, file, {}, [&](const SceneWorld& built) {
-                return marks_of(scene.expect.at(i), result, built);
-            });
+            draw_scene_at(scene, result.step, {}, file, {},
+                          [&](const SceneWorld& built) { return marks_of(scene.expect.at(i), result, built); });
             check.shots[i] = file;
         } catch (...) {
             report_warning("not drawn: " + explain(std::current_exception()).message);
@@ -136,7 +135,8 @@ void add_check(CLI::App& app, Command& command) {
         ->capture_default_str()
         ->check(whole_number_from_to(1, 256));
     check.add_flag("--force", options->force, "Replace files that exist");
-    check.callback([&command, options] { command.action = [&command, options] { return check_all(command, *options); }; });
+    check.callback(
+        [&command, options] { command.action = [&command, options] { return check_all(command, *options); }; });
 }
 
 }  // namespace tumble::tools

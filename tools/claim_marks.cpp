@@ -29,8 +29,8 @@ void mark_regions(const SceneExpectation& expected, Marking& marking) {
     for (const std::optional<SceneBox>& box : {expected.inside, expected.outside, expected.region})
         if (box) marking.regions.push_back(corners_of(expected, box->first, box->second));
     if (const std::optional<SceneInterval>& height = expected.height)
-        marking.regions.push_back(corners_of(expected, {-kWide, std::max(height->lower, -kWide)},
-                                             {kWide, std::min(height->upper, kWide)}));
+        marking.regions.push_back(
+            corners_of(expected, {-kWide, std::max(height->lower, -kWide)}, {kWide, std::min(height->upper, kWide)}));
 }
 
 void mark_named(const SceneExpectation& expected, const SceneWorld& built, Marking& marking) {
@@ -39,8 +39,11 @@ void mark_named(const SceneExpectation& expected, const SceneWorld& built, Marki
             if (is_called(body.name, name)) marking.bodies.push_back(body.id);
     for (const SceneJointInstance& joint : built.joints) {
         if (!is_called(joint.name, expected.joint) || !built.world.is_valid(joint.id)) continue;
-        std::visit([&](const auto& def) { marking.bodies.insert(marking.bodies.end(), {def.body_a, def.body_b}); },
-                   built.world.joint(joint.id));
+        std::visit(
+            [&](const auto& def) {
+                marking.bodies.insert(marking.bodies.end(), {def.body_a, def.body_b});
+            },
+            built.world.joint(joint.id));
     }
 }
 

@@ -31,9 +31,11 @@ auto with_input_errors(Action action) {
 template <unsigned Columns>
 class CsvFile {
 public:
-    // The names of the columns, which must stand in the first line. Throws FileError or InputError, as all functions do.
+    // The names of the columns, which must stand in the first line. Throws FileError or InputError, as all functions
+    // do.
     template <class... Names>
-    CsvFile(const std::filesystem::path& file, Names... names) : name_(file.string()), stream_(opened(file)), csv_(name_, stream_) {
+    CsvFile(const std::filesystem::path& file, Names... names)
+        : name_(file.string()), stream_(opened(file)), csv_(name_, stream_) {
         with_input_errors([&] { csv_.read_header(io::ignore_no_column, names...); });
     }
 
@@ -50,7 +52,8 @@ public:
         const char* const end = text + std::strlen(text);
         const auto [stop, error] = std::from_chars(text, end, value);
         if (error == std::errc() && stop == end) return value;
-        throw InputError(name_ + ":" + std::to_string(csv_.get_file_line()) + ": expected a number, got '" + text + "'");
+        throw InputError(name_ + ":" + std::to_string(csv_.get_file_line()) + ": expected a number, got '" + text +
+                         "'");
     }
 
 private:

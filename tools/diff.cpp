@@ -29,8 +29,8 @@ struct DiffArguments {
 
 struct Difference {
     std::uint64_t step = 0;
-    double time = 0.0;      // s
-    std::string what;       // for differences other than of numbers: "B ends before it"
+    double time = 0.0;  // s
+    std::string what;   // for differences other than of numbers: "B ends before it"
     std::string body;
     std::size_t component = 0;
     double a = 0.0, b = 0.0;
@@ -42,7 +42,8 @@ struct Difference {
 struct Kind {
     std::string_view name, unit;
 };
-constexpr std::array<Kind, 4> kKinds{{{"position", "m"}, {"angle", "rad"}, {"velocity", "m/s"}, {"angular velocity", "rad/s"}}};
+constexpr std::array<Kind, 4> kKinds{
+    {{"position", "m"}, {"angle", "rad"}, {"velocity", "m/s"}, {"angular velocity", "rad/s"}}};
 constexpr std::array<std::size_t, kComponents.size()> kKindOf{0, 0, 1, 2, 2, 3};
 
 // How far the runs get apart in one kind of component.
@@ -53,8 +54,8 @@ struct Largest {
 };
 
 struct Comparison {
-    std::uint64_t steps = 0;   // that are equal
-    std::size_t bodies = 0;    // most in a step
+    std::uint64_t steps = 0;  // that are equal
+    std::size_t bodies = 0;   // most in a step
     std::optional<Difference> first;
     std::array<Largest, kKinds.size()> largest;  // over all steps that both have, with the same bodies
 };
@@ -109,7 +110,8 @@ std::optional<Difference> compare_step(const StepStates& a, const StepStates& b,
         if (!in_both) {
             if (first.differing_bodies > 0) break;
             first.body = i < a.bodies.size() ? a.bodies[i].body : b.bodies[i].body;
-            first.what = std::string("the body is in ") + (i < a.bodies.size() ? "A" : "B") + " only, or in another place";
+            first.what =
+                std::string("the body is in ") + (i < a.bodies.size() ? "A" : "B") + " only, or in another place";
             return first;
         }
         const std::optional<std::size_t> component = first_differing(a.bodies[i], b.bodies[i], tolerance);
@@ -135,7 +137,8 @@ void update_largest(std::array<Largest, kKinds.size()>& largest, const StepState
 
 // The first difference, and from there on how far the runs get apart.
 Comparison compare(const DiffArguments& options) {
-    const std::unique_ptr<StateSource> source_a = open_states(options.a), source_b = open_states(options.b, options.changes);
+    const std::unique_ptr<StateSource> source_a = open_states(options.a),
+                                       source_b = open_states(options.b, options.changes);
     Comparison comparison;
     StepStates a, b;
     for (;;) {
@@ -186,12 +189,19 @@ ExitCode compare_hashes(const Command& command, const DiffArguments& options) {
     if (command.json) {
         JsonWriter json;
         json.open_object().member("equal", equal).member("equal_steps", steps);
-        if (!equal) json.key("first").open_object().member("step", file_a.number<std::uint64_t>(step.c_str())).member("hash_a", hash_a).member("hash_b", hash_b).close_object();
+        if (!equal)
+            json.key("first")
+                .open_object()
+                .member("step", file_a.number<std::uint64_t>(step.c_str()))
+                .member("hash_a", hash_a)
+                .member("hash_b", hash_b)
+                .close_object();
         write_output(json.close_object().text() + "\n");
     } else if (equal) {
         write_output("equal hashes: " + std::to_string(steps) + " steps\n");
     } else {
-        write_output("the first difference is at step " + step + ": the hashes are " + hash_a + " and " + hash_b + "\n");
+        write_output("the first difference is at step " + step + ": the hashes are " + hash_a + " and " + hash_b +
+                     "\n");
     }
     return equal ? ExitCode::ok : ExitCode::failed;
 }
@@ -203,8 +213,8 @@ void append_largest(std::string& text, const Comparison& comparison) {
         const Largest& largest = comparison.largest[kind];
         if (!(largest.apart > 0.0)) continue;
         append_number(text += is_first ? "  at most apart by " : ", ", static_cast<float>(largest.apart));
-        text += " " + std::string(kKinds[kind].unit) + " of " + std::string(kKinds[kind].name) + " ('" + largest.body + "' at step " +
-                std::to_string(largest.step) + ")";
+        text += " " + std::string(kKinds[kind].unit) + " of " + std::string(kKinds[kind].name) + " ('" + largest.body +
+                "' at step " + std::to_string(largest.step) + ")";
         is_first = false;
     }
     if (!is_first) text += "\n";
@@ -224,7 +234,8 @@ void append_contacts(std::string& text, const char* of, const std::vector<std::s
 std::string as_text(const Comparison& comparison, double tolerance) {
     if (!comparison.first) {
         const std::string how = tolerance > 0.0 ? "equal within the tolerance" : "equal bit for bit";
-        return how + ": " + std::to_string(comparison.steps) + " steps of " + std::to_string(comparison.bodies) + " bodies\n";
+        return how + ": " + std::to_string(comparison.steps) + " steps of " + std::to_string(comparison.bodies) +
+               " bodies\n";
     }
     const Difference& first = *comparison.first;
     std::string text = "the first difference is at step " + std::to_string(first.step) + " (";
@@ -237,8 +248,10 @@ std::string as_text(const Comparison& comparison, double tolerance) {
     append_value(text += "\n  B ", first.component, first.b);
     append_number(text += "\n  apart by ", apart(first.component, first.a, first.b));
     text += " " + std::string(kKinds[kKindOf[first.component]].unit);
-    if (ulps(first) <= kCountableUlps) text += ", " + std::to_string(ulps(first)) + (ulps(first) == 1 ? " ulp" : " ulps");
-    text += "; " + std::to_string(first.differing_bodies) + " of " + std::to_string(comparison.bodies) + " bodies differ in this step\n";
+    if (ulps(first) <= kCountableUlps)
+        text += ", " + std::to_string(ulps(first)) + (ulps(first) == 1 ? " ulp" : " ulps");
+    text += "; " + std::to_string(first.differing_bodies) + " of " + std::to_string(comparison.bodies) +
+            " bodies differ in this step\n";
     append_largest(text, comparison);
     append_contacts(text, "A", first.contacts_a);
     append_contacts(text, "B", first.contacts_b);
@@ -253,10 +266,17 @@ void write_contacts(JsonWriter& json, const char* key, const std::vector<std::st
 
 std::string as_json(const Comparison& comparison) {
     JsonWriter json;
-    json.open_object().member("equal", !comparison.first).member("equal_steps", comparison.steps).member("bodies", comparison.bodies);
+    json.open_object()
+        .member("equal", !comparison.first)
+        .member("equal_steps", comparison.steps)
+        .member("bodies", comparison.bodies);
     if (comparison.first) {
         const Difference& first = *comparison.first;
-        json.key("first").open_object().member("step", first.step).member("time", first.time).member("body", first.body);
+        json.key("first")
+            .open_object()
+            .member("step", first.step)
+            .member("time", first.time)
+            .member("body", first.body);
         if (!first.what.empty()) {
             json.member("what", first.what);
         } else {
@@ -296,13 +316,17 @@ ExitCode run_diff(const Command& command, const DiffArguments& options) {
 void add_diff(CLI::App& app, Command& command) {
     const auto options = std::make_shared<DiffArguments>();
     CLI::App& diff = add_subcommand(app, command, "diff", "Say where two runs first differ; exit code 7 if they do");
-    diff.add_option("A", options->a, "A trajectory (.csv), the folder of a run that holds one, a scene to run, or a list of hashes (.csv)")->required();
+    diff.add_option(
+            "A", options->a,
+            "A trajectory (.csv), the folder of a run that holds one, a scene to run, or a list of hashes (.csv)")
+        ->required();
     diff.add_option("B", options->b, "Another")->required();
     add_change_options(diff, options->changes, "B, if it is a scene");
     diff.add_option("--tolerance", options->tolerance, "Differences up to this (m, rad, m/s, rad/s) do not count")
         ->capture_default_str()
         ->check(number_from_to(0.0, kMostTolerance));
-    diff.callback([&command, options] { command.action = [&command, options] { return run_diff(command, *options); }; });
+    diff.callback(
+        [&command, options] { command.action = [&command, options] { return run_diff(command, *options); }; });
 }
 
 }  // namespace tumble::tools

@@ -30,8 +30,8 @@ struct DistanceArguments {
 };
 
 const std::map<std::string, SubAlgorithm> kSubAlgorithms = {{"voronoi", SubAlgorithm::voronoi},
-                                                           {"johnson", SubAlgorithm::johnson},
-                                                           {"signed-volumes", SubAlgorithm::signed_volumes}};
+                                                            {"johnson", SubAlgorithm::johnson},
+                                                            {"signed-volumes", SubAlgorithm::signed_volumes}};
 
 DistanceResult answer(const DistanceQuery& query, const DistanceArguments& options) {
     if (options.sub_algorithm.empty()) return tumble::distance(query.a, query.a_pose, query.b, query.b_pose);
@@ -82,7 +82,8 @@ std::vector<DistanceResult> answer_all(const std::vector<Line>& lines, const Dis
         return results;
     }
     std::vector<PosedPair> pairs;
-    for (const Line& line : lines) pairs.push_back({&line.query.a, line.query.a_pose, &line.query.b, line.query.b_pose});
+    for (const Line& line : lines)
+        pairs.push_back({&line.query.a, line.query.a_pose, &line.query.b, line.query.b_pose});
     distance_batch(pairs, results);
     return results;
 }
@@ -100,8 +101,8 @@ void write_answers(const std::vector<Line>& lines, const DistanceArguments& opti
     }
 }
 
-// A line that is no query is answered by its error, and the next one is read. Lines are answered many at once, but who writes
-// one and waits gets its answer before we wait for the next.
+// A line that is no query is answered by its error, and the next one is read. Lines are answered many at once, but who
+// writes one and waits gets its answer before we wait for the next.
 ExitCode answer_lines(const DistanceArguments& options) {
     constexpr std::size_t kAtOnce = 256;
     std::ios::sync_with_stdio(false);
@@ -128,12 +129,12 @@ ExitCode answer_lines(const DistanceArguments& options) {
 
 ExitCode run(const Command& command, const DistanceArguments& options) {
     if (!options.trace.empty() && (options.from_input || !is_trace_file(options.trace)))
-        throw CLI::ValidationError("--trace", "expected a file .png, .svg or .json, for one query, got " + options.trace.string());
+        throw CLI::ValidationError("--trace",
+                                   "expected a file .png, .svg or .json, for one query, got " + options.trace.string());
     if (options.from_input && !options.a.empty())
         throw CLI::ValidationError("--stdin", "reads all queries from standard input, and takes no A and B");
     if (options.from_input) return answer_lines(options);
-    if (options.a.empty() || options.b.empty())
-        throw CLI::RequiredError("A and B, two shapes as JSON, or --stdin,");
+    if (options.a.empty() || options.b.empty()) throw CLI::RequiredError("A and B, two shapes as JSON, or --stdin,");
     return answer_arguments(command, options);
 }
 
@@ -148,7 +149,8 @@ void add_distance(CLI::App& app, Command& command) {
     distance.add_option("--sub-algorithm", options->sub_algorithm, "By the GJK loop alone, with this subalgorithm")
         ->check(CLI::IsMember(&kSubAlgorithms))
         ->type_name("NAME");
-    distance.add_option("--trace", options->trace, "Write the iterations of the one query")->type_name("F.png|.svg|.json");
+    distance.add_option("--trace", options->trace, "Write the iterations of the one query")
+        ->type_name("F.png|.svg|.json");
     distance.add_flag("--force", options->force, "Replace the trace if it exists");
     distance.callback([&command, options] { command.action = [&command, options] { return run(command, *options); }; });
 }

@@ -14,8 +14,8 @@ struct DistanceQuery {
     Pose a_pose, b_pose;
 };
 
-// From a line of `distance --stdin`: {"a": SHAPE, "b": SHAPE, "a_pose": POSE, "b_pose": POSE}, where the pose may also be the
-// key "pose" of its shape. Throws InputError or SceneError.
+// From a line of `distance --stdin`: {"a": SHAPE, "b": SHAPE, "a_pose": POSE, "b_pose": POSE}, where the pose may also
+// be the key "pose" of its shape. Throws InputError or SceneError.
 DistanceQuery parse_query_line(std::string_view line);
 
 // The same without the quick way for plain lines (plain_query.hpp): ten times slower, and every error is from here.

@@ -23,7 +23,8 @@ Range range_of_grounds(const World& world, DVec2 down) {
         for (const ShapeId shape : world.shapes(body)) {
             if (world.is_sensor(shape)) continue;
             const Aabb box = bounds(world.shape(shape), world.state(body).pose);
-            for (const Vec2 corner : {box.lower, box.upper, Vec2{box.lower.x, box.upper.y}, Vec2{box.upper.x, box.lower.y}}) {
+            for (const Vec2 corner :
+                 {box.lower, box.upper, Vec2{box.lower.x, box.upper.y}, Vec2{box.upper.x, box.lower.y}}) {
                 range.highest = std::min(range.highest, dot(DVec2(corner), down));
                 range.deepest = std::max(range.deepest, dot(DVec2(corner), down));
             }
@@ -50,8 +51,8 @@ std::string fallen_text(const SceneWorld& built) {
     }
     if (count == 0) return {};
     const std::string name = "'" + output_name(built.bodies[first], first) + "'";
-    std::string text = name + (count > 1 ? " and " + std::to_string(count - 1) + " more have" : " has") + " fallen below all that could hold " +
-                       (count > 1 ? "them: " : "it: ") + name + " is at y = ";
+    std::string text = name + (count > 1 ? " and " + std::to_string(count - 1) + " more have" : " has") +
+                       " fallen below all that could hold " + (count > 1 ? "them: " : "it: ") + name + " is at y = ";
     append_number(text, static_cast<float>(world.state(built.bodies[first].id).pose.position.y));
     return text + " m at the end";
 }

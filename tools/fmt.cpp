@@ -52,10 +52,12 @@ ExitCode format(const Command& command, const FmtArguments& options) {
     const int comments = count_comments(before);
     if (options.write && changes && comments > 0 && !options.force)
         throw FileError(options.file, "has " + std::to_string(comments) + (comments == 1 ? " comment" : " comments") +
-                                          ", for which the canonical form has no place; --force writes it without, \"custom\" is for what shall stay");
+                                          ", for which the canonical form has no place; --force writes it without, "
+                                          "\"custom\" is for what shall stay");
     if (comments > 0)
         report_warning(options.file + ": " + std::to_string(comments) +
-                       (comments == 1 ? " comment is" : " comments are") + " not kept; \"custom\" is for what shall stay");
+                       (comments == 1 ? " comment is" : " comments are") +
+                       " not kept; \"custom\" is for what shall stay");
     if (options.write && changes) save_scene(scene, options.file);
     if (!options.write && !command.json) {
         write_output(text);

@@ -6,9 +6,7 @@
 
 namespace tumble::tools {
 
-std::uint64_t FrameSchedule::step_count() const noexcept {
-    return nearest_step(duration, steps_per_second);
-}
+std::uint64_t FrameSchedule::step_count() const noexcept { return nearest_step(duration, steps_per_second); }
 
 std::uint64_t FrameSchedule::frame_count() const noexcept {
     // 0.29 s x 100 fps is 28.999999999999996 in double: a product within rounding of a whole number is that number.

@@ -6,7 +6,7 @@
 namespace tumble::tools {
 
 struct FrameSchedule {
-    double duration = 5.0;           // s, >= 0
+    double duration = 5.0;  // s, >= 0
     double frames_per_second = 60.0;
     double steps_per_second = 60.0;
 

@@ -64,8 +64,8 @@ void HtmlPage::begin_details(std::string_view summary) { body_ += "<details>" + 
 void HtmlPage::end_details() { body_ += "</details>\n"; }
 
 std::string HtmlPage::str() const {
-    return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" + element("title", title_) + "<style>" +
-           std::string(kStyle) + "</style>\n</head>\n<body>\n" + body_ + "</body>\n</html>\n";
+    return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" + element("title", title_) +
+           "<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n" + body_ + "</body>\n</html>\n";
 }
 
 }  // namespace tumble::tools

@@ -46,7 +46,8 @@ std::ptrdiff_t count_of(const ImportedScene& imported, BodyType type) {
 
 // What decides in a drawing what moves, which no drawing program asks.
 constexpr const char* kSvgRule =
-    "In a drawing, filled shapes become dynamic bodies, mere lines static chains. class=\"static\" (or \"kinematic\", \"dynamic\"), the "
+    "In a drawing, filled shapes become dynamic bodies, mere lines static chains. class=\"static\" (or \"kinematic\", "
+    "\"dynamic\"), the "
     "same in data-type, or an id that begins with it decides otherwise, on a shape or a group: mark a floor by it.";
 
 void write_json(const ImportArguments& options, const ImportedScene& imported,
@@ -89,8 +90,8 @@ ExitCode import_scene(const Command& command, const ImportArguments& options) {
     if (options.check && is_svg(options.source))
         throw CLI::ValidationError("--check", "compares a R.U.B.E. export with Box2D, and this is a drawing");
     refuse_to_overwrite(options.scene, options.force);
-    const ImportedScene imported = is_svg(options.source) ? import_svg(options.source, options.svg)
-                                                          : import_rube(options.source);
+    const ImportedScene imported =
+        is_svg(options.source) ? import_svg(options.source, options.svg) : import_rube(options.source);
     create_folder_of(options.scene);
     save_scene(imported.scene, options.scene);
     std::optional<reference::ImportDifferences> check;
@@ -106,20 +107,23 @@ ExitCode import_scene(const Command& command, const ImportArguments& options) {
 
 void add_import(CLI::App& app, Command& command) {
     const auto options = std::make_shared<ImportArguments>();
-    CLI::App& app_import = add_subcommand(app, command, "import", "Make a scene from a R.U.B.E. (b2dJson) export or an SVG drawing");
+    CLI::App& app_import =
+        add_subcommand(app, command, "import", "Make a scene from a R.U.B.E. (b2dJson) export or an SVG drawing");
     app_import.footer(kSvgRule);
     app_import.add_option("FILE", options->source, "The export (.json, .js), or the drawing (.svg)")->required();
     app_import.add_option("--scale", options->svg.metres_per_unit, "Metres of a user unit of an SVG drawing")
         ->type_name("M")
         ->capture_default_str()
         ->check(number_from_to(1e-6, 1e6));
-    app_import.add_option("--tolerance", options->svg.tolerance, "Largest distance of SVG curves from their chords, in m")
+    app_import
+        .add_option("--tolerance", options->svg.tolerance, "Largest distance of SVG curves from their chords, in m")
         ->type_name("M")
         ->capture_default_str()
         ->check(number_from_to(1e-9, 1e6));
     app_import.add_option("-o,--output", options->scene, "Scene file to write")->type_name("SCENE")->required();
-    app_import.add_flag("--check", options->check,
-                        "Compare masses, inertias and anchors with Box2D built from the same export; exit code 7 if they differ");
+    app_import.add_flag(
+        "--check", options->check,
+        "Compare masses, inertias and anchors with Box2D built from the same export; exit code 7 if they differ");
     app_import.add_flag("--force", options->force, "Replace the scene file if it exists");
     app_import.callback(
         [&command, options] { command.action = [&command, options] { return import_scene(command, *options); }; });

@@ -61,8 +61,10 @@ std::string unknown_text(const CLI::App& app) {
     }
     const std::string what = word.starts_with('-') ? "option" : chosen.empty() ? "command" : "argument";
     const std::string of = chosen.empty() ? "" : " of " + chosen.front()->get_name();
-    const std::string_view nearest = tumble::nearest_word(word, std::vector<std::string_view>(known.begin(), known.end()));
-    return "unknown " + what + " '" + word + "'" + of + (nearest.empty() ? "" : "\n  hint: did you mean '" + std::string(nearest) + "'?");
+    const std::string_view nearest =
+        tumble::nearest_word(word, std::vector<std::string_view>(known.begin(), known.end()));
+    return "unknown " + what + " '" + word + "'" + of +
+           (nearest.empty() ? "" : "\n  hint: did you mean '" + std::string(nearest) + "'?");
 }
 
 // Help is an answer, not an error; CLI11 throws for both.
@@ -72,7 +74,8 @@ ExitCode answer_parse_error(CLI::App& app, const CLI::ParseError& error) {
         return ExitCode::ok;
     }
     const bool is_unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    report_error((is_unknown ? unknown_text(app) : std::string(error.what())) + "\n  hint: tumble COMMAND --help lists the options of a command");
+    report_error((is_unknown ? unknown_text(app) : std::string(error.what())) +
+                 "\n  hint: tumble COMMAND --help lists the options of a command");
     return ExitCode::usage;
 }
 

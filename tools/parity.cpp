@@ -112,7 +112,8 @@ void add_parity(CLI::App& app, Command& command) {
     parity.add_flag("--force", options->force, "Replace an existing report");
     parity.add_flag("--list", options->list, "List the families");
     parity.parse_complete_callback([&parity] { warn_of_idle(parity, {"--pairs", "--seed", "--family"}, "--scene"); });
-    parity.callback([&command, options] { command.action = [&command, options] { return compare(command, *options); }; });
+    parity.callback(
+        [&command, options] { command.action = [&command, options] { return compare(command, *options); }; });
 }
 
 }  // namespace tumble::tools

@@ -56,7 +56,8 @@ Drawing draw_error_histograms(std::span<const ParityRow> families) {
         drawing.text({x, bottom + 18.0}, label, 12.0, kText, TextAnchor::middle);
         if (families.size() > 10) drawing.text({x, kTop - 10.0}, label, 12.0, kText, TextAnchor::middle);
     }
-    drawing.text({0.5 * (kLeft + kRight), bottom + 38.0}, "|error of the distance| / S", 13.0, kText, TextAnchor::middle);
+    drawing.text({0.5 * (kLeft + kRight), bottom + 38.0}, "|error of the distance| / S", 13.0, kText,
+                 TextAnchor::middle);
     drawing.text({kLeft, 20.0}, "tumble, upwards", 13.0, kOurs);
     drawing.text({kLeft + 140.0, 20.0}, "Box2D, downwards", 13.0, kBox2d);
     const double limit = x_of(reference::kParityTolerance * reference::kFloatEpsilon);

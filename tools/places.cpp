@@ -24,9 +24,7 @@ bool runs_in_build_folder() {
     return fs::equivalent(own_folder().parent_path(), kBuildFolder, ignored);
 }
 
-bool is_scene(const fs::path& file) {
-    return file.extension() == ".json" && file.filename() != "scene.schema.json";
-}
+bool is_scene(const fs::path& file) { return file.extension() == ".json" && file.filename() != "scene.schema.json"; }
 
 }  // namespace
 

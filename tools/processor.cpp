@@ -48,7 +48,8 @@ __attribute__((constructor(101))) void check_processor() {
         write_error(" ");
         write_error(kProcessorFeatureNames[i]);
     }
-    write_error("\n  hint: build for it with cmake -DTUMBLE_SIMD=baseline (or avx2); results are the same, bit for bit\n");
+    write_error(
+        "\n  hint: build for it with cmake -DTUMBLE_SIMD=baseline (or avx2); results are the same, bit for bit\n");
     _exit(1);
 }
 

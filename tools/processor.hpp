@@ -6,8 +6,8 @@
 namespace tumble::tools {
 
 // One bit for each instruction set that a compiler may use for us, in the order of kProcessorFeatureNames.
-inline constexpr const char* kProcessorFeatureNames[] = {"sse4.2",   "popcnt",   "avx",      "avx2",       "fma",
-                                                         "bmi",      "bmi2",     "avx512f",  "avx512cd",   "avx512dq",
+inline constexpr const char* kProcessorFeatureNames[] = {"sse4.2",   "popcnt",   "avx",        "avx2",      "fma",
+                                                         "bmi",      "bmi2",     "avx512f",    "avx512cd",  "avx512dq",
                                                          "avx512bw", "avx512vl", "avx512vbmi", "avx512vnni"};
 inline constexpr int kProcessorFeatureCount = sizeof(kProcessorFeatureNames) / sizeof(kProcessorFeatureNames[0]);
 

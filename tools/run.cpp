@@ -21,7 +21,9 @@ struct RunArguments {
 
 ExitCode run(const Command& command, const RunArguments& options) {
     const Scene scene = read_scene(options.scene);
-    const bool has_bodies = !scene.bodies.empty() || std::ranges::any_of(scene.timeline, [](const SceneEvent& event) { return event.spawn.has_value(); });
+    const bool has_bodies = !scene.bodies.empty() || std::ranges::any_of(scene.timeline, [](const SceneEvent& event) {
+        return event.spawn.has_value();
+    });
     if (!has_bodies) report_warning("the scene has no bodies: there is nothing to see");
     RunOptions settings = options.run;
     if (settings.folder.empty()) settings.folder = std::filesystem::path("out") / file_name_of(scene.name);

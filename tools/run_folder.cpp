@@ -40,7 +40,8 @@ fs::path events_file(const fs::path& folder) { return folder / "events.csv"; }
 void prepare_run_folder(const fs::path& folder, bool with_frames, bool force) {
     std::error_code error;
     if (fs::is_directory(folder, error) && !fs::is_empty(folder, error)) {
-        if (!force) throw FileError(folder, "is not empty; give another folder with -o, or --force to replace its frames");
+        if (!force)
+            throw FileError(folder, "is not empty; give another folder with -o, or --force to replace its frames");
         remove_earlier_run(folder);
     }
     const fs::path innermost = with_frames ? folder / "frames" : folder;

@@ -62,7 +62,8 @@ void add_overlay_option(CLI::App& subcommand, Overlay& overlay) {
             overlay.*found->member = true;
         }
     };
-    subcommand.add_option_function<std::string>("--overlay", parse, "Draw over the shapes: " + overlay_names() + ", or all")
+    subcommand
+        .add_option_function<std::string>("--overlay", parse, "Draw over the shapes: " + overlay_names() + ", or all")
         ->type_name("LIST");
 }
 

@@ -20,16 +20,16 @@ struct FrameSize {
 };
 
 struct RunOptions {
-    std::filesystem::path folder;         // receives frames/ and summary.json
-    std::optional<double> duration;       // s; default: the scene's
+    std::filesystem::path folder;    // receives frames/ and summary.json
+    std::optional<double> duration;  // s; default: the scene's
     double frames_per_second = 60.0;
     FrameSize size;
     bool no_frames = false;
-    bool force = false;                   // replace what an earlier run left
-    std::filesystem::path trajectory;     // empty: not written
-    std::filesystem::path contacts;       // empty: not written
-    std::filesystem::path hashes;         // empty: not written
-    Overlay overlay;                      // what the frames show beside the shapes
+    bool force = false;                // replace what an earlier run left
+    std::filesystem::path trajectory;  // empty: not written
+    std::filesystem::path contacts;    // empty: not written
+    std::filesystem::path hashes;      // empty: not written
+    Overlay overlay;                   // what the frames show beside the shapes
 };
 
 // --size WxH

@@ -25,11 +25,10 @@ struct Stage {
     const char* name;
     double StageTimes::*ms;
 };
-constexpr Stage kStages[] = {{"pairs", &StageTimes::pairs},           {"collide", &StageTimes::collide},
-                             {"prepare", &StageTimes::prepare},       {"solve", &StageTimes::solve},
-                             {"continuous", &StageTimes::continuous}, {"proxies", &StageTimes::proxies},
-                             {"events", &StageTimes::events},         {"sleep", &StageTimes::sleep},
-                             {"step", &StageTimes::step}};
+constexpr Stage kStages[] = {
+    {"pairs", &StageTimes::pairs},   {"collide", &StageTimes::collide},       {"prepare", &StageTimes::prepare},
+    {"solve", &StageTimes::solve},   {"continuous", &StageTimes::continuous}, {"proxies", &StageTimes::proxies},
+    {"events", &StageTimes::events}, {"sleep", &StageTimes::sleep},           {"step", &StageTimes::step}};
 
 void add_counters(JsonWriter& json, const RunReport& report) {
     const StepCounters& last = report.counters;

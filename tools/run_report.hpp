@@ -12,27 +12,27 @@ namespace tumble::tools {
 
 // Files that a run wrote, all of one kind.
 struct WrittenFiles {
-    std::string kind;               // "frames", "events", "trajectory", "contacts", "hashes"
-    std::filesystem::path path;     // of the first
+    std::string kind;            // "frames", "events", "trajectory", "contacts", "hashes"
+    std::filesystem::path path;  // of the first
     std::uint64_t count = 0;
-    std::uint64_t bytes = 0;        // of all
+    std::uint64_t bytes = 0;  // of all
 };
 
 struct RunReport {
     std::string scene_name;
     std::uint64_t scene_hash = 0;
     std::uint64_t seed = 0;
-    double dt = 0.0;              // s a step
-    std::uint64_t steps = 0;      // done
+    double dt = 0.0;                // s a step
+    std::uint64_t steps = 0;        // done
     double simulate_seconds = 0.0;  // wall clock
     double render_seconds = 0.0;    // drawing and waiting for the encoder
     double encode_seconds = 0.0;    // summed over the encoder's threads
     double total_seconds = 0.0;
     std::size_t bodies = 0;
-    StepCounters counters;        // of the last step
-    int islands = 0;              // at the end, awake and asleep
-    StageTimes stages;            // summed over the steps, ms
-    WorldMemory memory;           // at the end
+    StepCounters counters;  // of the last step
+    int islands = 0;        // at the end, awake and asleep
+    StageTimes stages;      // summed over the steps, ms
+    WorldMemory memory;     // at the end
     std::uint64_t state_hash = 0;
     std::vector<WrittenFiles> files;
     bool complete = false;

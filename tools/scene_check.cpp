@@ -112,7 +112,8 @@ std::vector<SceneCheck> check_scene_files(const std::vector<std::string>& files,
 
 std::string moment_text(const ExpectationResult& result) {
     char text[64];
-    std::snprintf(text, sizeof text, "at %.4g s (step %llu)", result.time, static_cast<unsigned long long>(result.step));
+    std::snprintf(text, sizeof text, "at %.4g s (step %llu)", result.time,
+                  static_cast<unsigned long long>(result.step));
     return text;
 }
 

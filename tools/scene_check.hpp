@@ -29,7 +29,8 @@ struct SceneCheck {
 SceneCheck check_scene_file(const std::string& file, const LoadOptions& changes);
 
 // The same for all, on so many threads; in the order of the files, whatever the threads do.
-std::vector<SceneCheck> check_scene_files(const std::vector<std::string>& files, const LoadOptions& changes, int threads);
+std::vector<SceneCheck> check_scene_files(const std::vector<std::string>& files, const LoadOptions& changes,
+                                          int threads);
 
 // "at 1.5 s (step 90)": when a claim was decided.
 std::string moment_text(const ExpectationResult& result);

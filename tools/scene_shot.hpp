@@ -14,8 +14,8 @@ namespace tumble::tools {
 // What to point at in a world that has come to the step.
 using Marker = std::function<Marking(const SceneWorld&)>;
 
-// Runs the scene for so many steps, draws what it shows then, and returns the run. The camera is widened to what is marked.
-// Throws what went wrong.
+// Runs the scene for so many steps, draws what it shows then, and returns the run. The camera is widened to what is
+// marked. Throws what went wrong.
 SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
                        const Overlay& overlay, const Marker& mark = {});
 

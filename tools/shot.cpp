@@ -40,7 +40,8 @@ ExitCode shoot(const Command& command, const ShotArguments& options) {
     if (options.file.extension() != ".png")
         throw CLI::ValidationError("--output", "expected a file .png, got " + options.file.string());
     const Scene scene = read_scene(options.scene);
-    if (options.time > scene.world.duration) report_warning("--at is after the duration of the scene, which runs on until then");
+    if (options.time > scene.world.duration)
+        report_warning("--at is after the duration of the scene, which runs on until then");
     refuse_to_overwrite(options.file, options.force);
     const std::uint64_t step = nearest_step(options.time, scene.world.steps_per_second);
     report_shot(command, options, draw_scene_at(scene, step, options.size, options.file, options.overlay));

@@ -70,8 +70,8 @@ void ContactsFile::record(const SceneWorld& built) {
     for (const ContactPoint& point : world.contacts()) {
         lines_ += step + names_[point.body_a] + "," + names_[point.body_b] + "," + std::to_string(point.feature);
         for (const double number : {point.point.x, point.point.y}) append_cell(lines_, number);
-        for (const float number : {point.normal.x, point.normal.y, point.separation, point.normal_impulse,
-                                   point.tangent_impulse})
+        for (const float number :
+             {point.normal.x, point.normal.y, point.separation, point.normal_impulse, point.tangent_impulse})
             append_cell(lines_, number);
         lines_ += '\n';
     }
@@ -100,17 +100,16 @@ void EventsFile::record(const SceneWorld& built) {
     const auto add_meeting = [this](const char* event, const auto& meeting) {
         lines_ += step_ + event + "," + names_[meeting.shape_a] + "," + names_[meeting.shape_b];
         for (const double number : {meeting.point.x, meeting.point.y}) append_cell(lines_, number);
-        for (const float number : {meeting.normal.x, meeting.normal.y, meeting.approach_speed}) append_cell(lines_, number);
+        for (const float number : {meeting.normal.x, meeting.normal.y, meeting.approach_speed})
+            append_cell(lines_, number);
         lines_ += '\n';
     };
     for (const ContactBegin& begin : events.contact_begins) add_meeting("contact_begin", begin);
-    for (const ContactEnd& end : events.contact_ends)
-        add("contact_end", names_[end.shape_a], names_[end.shape_b]);
+    for (const ContactEnd& end : events.contact_ends) add("contact_end", names_[end.shape_a], names_[end.shape_b]);
     for (const ContactHit& hit : events.contact_hits) add_meeting("contact_hit", hit);
     for (const SensorEvent& event : events.sensor_begins)
         add("sensor_begin", names_[event.sensor], names_[event.visitor]);
-    for (const SensorEvent& event : events.sensor_ends)
-        add("sensor_end", names_[event.sensor], names_[event.visitor]);
+    for (const SensorEvent& event : events.sensor_ends) add("sensor_end", names_[event.sensor], names_[event.visitor]);
     for (const JointId joint : events.broken_joints) add("joint_broke", joints_[joint], "");
     for (const BodyId body : events.fell_asleep) add("fell_asleep", names_[body], "");
     file_.write(lines_);

@@ -1,5 +1,5 @@
-// The files of a run that get lines after each step: events.csv, --trajectory, --contacts and --hashes, as CSV (RFC 4180,
-// but lines end in \n).
+// The files of a run that get lines after each step: events.csv, --trajectory, --contacts and --hashes, as CSV (RFC
+// 4180, but lines end in \n).
 #pragma once
 
 #include <filesystem>
@@ -67,8 +67,8 @@ private:
     std::string lines_;
 };
 
-// Every contact point: step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse. Gaps and normals as
-// the step found them, points carried along with the first body, impulses summed over the step.
+// Every contact point: step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse. Gaps and normals
+// as the step found them, points carried along with the first body, impulses summed over the step.
 class ContactsFile {
 public:
     ContactsFile(const std::filesystem::path& file, bool force);
@@ -96,7 +96,7 @@ private:
     OutputFile file_;
     BodyFields names_;
     TextsById<JointId> joints_;
-    std::string step_;                        // the first two cells of the present step
+    std::string step_;  // the first two cells of the present step
     std::string lines_;
 };
 

@@ -17,7 +17,10 @@ void write_step(JsonWriter& json, const TraceStep& step) {
     for (std::size_t i = 0; i < step.count; ++i) json.value(step.vertices[i]);
     json.close_array().member("closest", step.closest).member("direction", step.direction);
     write_pair(json.key("support"), step.support);
-    json.member("support_vertex", step.support_vertex).member("lower", step.lower).member("upper", step.upper).close_object();
+    json.member("support_vertex", step.support_vertex)
+        .member("lower", step.lower)
+        .member("upper", step.upper)
+        .close_object();
 }
 
 std::string trace_json(const DistanceQuery& query, const DistanceTrace& trace) {
@@ -35,7 +38,8 @@ bool is_trace_file(const std::filesystem::path& file) {
     return extension == ".png" || extension == ".svg" || extension == ".json";
 }
 
-void write_trace(const std::filesystem::path& file, const DistanceQuery& query, SubAlgorithm sub_algorithm, bool force) {
+void write_trace(const std::filesystem::path& file, const DistanceQuery& query, SubAlgorithm sub_algorithm,
+                 bool force) {
     const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose, sub_algorithm);
     if (file.extension() == ".json") return write_file(file, trace_json(query, trace), force);
     const Drawing drawing = draw_trace(query.a, query.a_pose, query.b, query.b_pose, trace);

@@ -20,8 +20,8 @@ namespace {
 struct Verdict {
     std::string file;
     ExitCode code = ExitCode::ok;
-    std::string error;                     // empty if the scene is valid
-    std::vector<Diagnostic> diagnostics;   // errors and warnings
+    std::string error;                    // empty if the scene is valid
+    std::vector<Diagnostic> diagnostics;  // errors and warnings
     std::size_t bodies = 0;
     std::size_t joints = 0;
 };
@@ -63,7 +63,8 @@ void say(const Verdict& verdict) {
     if (verdict.code == ExitCode::file_system) report_error(verdict.error);
     if (!verdict.error.empty()) return;
     const std::size_t warnings = verdict.diagnostics.size();
-    write_output(verdict.file + ": valid, " + amount(verdict.bodies, "body", "bodies") + ", " + amount(verdict.joints, "joint", "joints") +
+    write_output(verdict.file + ": valid, " + amount(verdict.bodies, "body", "bodies") + ", " +
+                 amount(verdict.joints, "joint", "joints") +
                  (warnings > 0 ? ", " + amount(warnings, "warning", "warnings") : "") + "\n");
 }
 

@@ -34,8 +34,6 @@ CLI::Validator whole_number_from_to(std::uint64_t lowest, std::uint64_t highest)
     return from_to(lowest, highest, "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
 }
 
-CLI::Validator any_seed() {
-    return whole_number_from_to(0, std::numeric_limits<std::uint64_t>::max());
-}
+CLI::Validator any_seed() { return whole_number_from_to(0, std::numeric_limits<std::uint64_t>::max()); }
 
 }  // namespace tumble::tools

@@ -18,9 +18,10 @@ enum class BodyType : std::uint8_t {
 };
 
 struct BodyMass {
-    float mass = 0.0f;     // kg; 0 for static, kinematic and disabled bodies
-    Vec2 center;           // centre of mass, body coordinates
-    float inertia = 0.0f;  // about the centre of mass, kg m^2; 0: nothing turns it, and nothing stops a spin that it has
+    float mass = 0.0f;  // kg; 0 for static, kinematic and disabled bodies
+    Vec2 center;        // centre of mass, body coordinates
+    float inertia =
+        0.0f;  // about the centre of mass, kg m^2; 0: nothing turns it, and nothing stops a spin that it has
 
     friend constexpr bool operator==(const BodyMass&, const BodyMass&) = default;
 };
@@ -47,8 +48,8 @@ struct BodyDef {
     bool allow_sleep = true;           // false keeps the body's whole island awake
     bool awake = true;                 // false: a dynamic body starts asleep, at rest, until something touches it
     BodyLocks locks{};
-    bool enabled = true;              // false: it is kept, but nothing meets it and it does not move
-    std::optional<BodyMass> mass{};   // in place of what the shapes weigh; mass > 0, inertia >= 0; for dynamic bodies
+    bool enabled = true;             // false: it is kept, but nothing meets it and it does not move
+    std::optional<BodyMass> mass{};  // in place of what the shapes weigh; mass > 0, inertia >= 0; for dynamic bodies
 };
 
 // How a surface behaves in contact. Of two surfaces the friction is sqrt(f1 f2), the restitution the larger, the

@@ -1,8 +1,8 @@
 // Moving shapes: ray cast, shape cast, swept overlap and time of impact, for every pair of shapes.
 //
 // A translation is solved in closed form on the Minkowski difference; a rotation by certified steps that never pass the
-// first contact. Everything is computed in double, relative to A, and no tolerance is absolute: each answer comes with a
-// bracket derived from the error bound E of its arithmetic, a few ulp of the sizes and offsets involved. Motions that
+// first contact. Everything is computed in double, relative to A, and no tolerance is absolute: each answer comes with
+// a bracket derived from the error bound E of its arithmetic, a few ulp of the sizes and offsets involved. Motions that
 // stay within a few E of the target distance without going clearly below it (grazing) may be answered either way.
 //
 // Sources: Cyrus, Beck 1978 (clipping a line by convex faces); Mirtich 1996 (conservative advancement); Ericson,
@@ -32,8 +32,8 @@ struct CastResult {
     DVec2 point;            // for a hit: on the surface of A at that fraction, world coordinates
     DVec2 normal;           // for a hit: unit, from A to B, or out of the shape that a ray meets
     std::int32_t iterations = 0;  // faces and corners looked at, or certified steps taken
-    bool reached_cap = false;     // time of impact alone: the bound on the steps ended it. What is answered is a `hit` at
-                                  // the last fraction that is proved free; upper is 1
+    bool reached_cap = false;  // time of impact alone: the bound on the steps ended it. What is answered is a `hit` at
+                               // the last fraction that is proved free; upper is 1
 };
 
 // The first point of a ray on a shape. The ray is the segment from `origin` to `origin + translation` (world, m). It
@@ -58,7 +58,7 @@ struct Sweep {
     DVec2 start;               // where it is in the world at fraction 0...
     DVec2 end;                 // ...and at fraction 1
     double start_angle = 0.0;  // radians
-    double turn = 0.0;         // radians from fraction 0 to 1, counter-clockwise positive; may be more than a whole turn
+    double turn = 0.0;  // radians from fraction 0 to 1, counter-clockwise positive; may be more than a whole turn
 
     friend constexpr bool operator==(const Sweep&, const Sweep&) = default;
 };
@@ -66,8 +66,8 @@ struct Sweep {
 // The pose of the shape at a fraction; its rotation is rounded to float.
 Pose pose_at(const Sweep& sweep, double fraction);
 
-// The first fraction at which two moving shapes are at the signed distance `target` >= 0. Never later than the first time
-// at which the exact distance is below target - 4E. Angles up to 1e6 radians, else `invalid`. At most
+// The first fraction at which two moving shapes are at the signed distance `target` >= 0. Never later than the first
+// time at which the exact distance is below target - 4E. Angles up to 1e6 radians, else `invalid`. At most
 // kMaxImpactSteps steps; no allocation.
 CastResult time_of_impact(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep& sweep_b,
                           double target = 0.0) noexcept;

@@ -26,9 +26,9 @@ struct CompoundDistance {
     std::int32_t queries = 0;                         // pairs that distance() was asked for
 };
 
-// The signed distance of two compounds. The same bits as the least of distance() over all pairs. `invalid`, with NaN and
-// no parts, if a compound has no shapes or one of its shapes or the pose is invalid. Takes O(n log n + n m) for n and m
-// parts, but with a few operations for most pairs; allocates only for more than 250 parts of both together.
+// The signed distance of two compounds. The same bits as the least of distance() over all pairs. `invalid`, with NaN
+// and no parts, if a compound has no shapes or one of its shapes or the pose is invalid. Takes O(n log n + n m) for n
+// and m parts, but with a few operations for most pairs; allocates only for more than 250 parts of both together.
 CompoundDistance compound_distance(std::span<const Shape> a, const Pose& world_from_a, std::span<const Shape> b,
                                    const Pose& world_from_b);
 
@@ -53,9 +53,10 @@ struct CompoundCast {
     std::int32_t queries = 0;  // pairs that were cast
 };
 
-// The casts of cast.hpp against bodies of many shapes: the same bits as the first of all pairs. Most pairs are left out by
-// when their boxes can meet at the earliest. `invalid` and allocation as for compound_distance().
-CompoundCast compound_cast_ray(std::span<const Shape> parts, const Pose& world_from_parts, DVec2 origin, DVec2 translation);
+// The casts of cast.hpp against bodies of many shapes: the same bits as the first of all pairs. Most pairs are left out
+// by when their boxes can meet at the earliest. `invalid` and allocation as for compound_distance().
+CompoundCast compound_cast_ray(std::span<const Shape> parts, const Pose& world_from_parts, DVec2 origin,
+                               DVec2 translation);
 CompoundCast compound_cast_shape(std::span<const Shape> a, const Pose& world_from_a, std::span<const Shape> b,
                                  const Pose& world_from_b, DVec2 translation, double target = 0.0);
 CompoundCast compound_time_of_impact(std::span<const Shape> a, const Sweep& sweep_a, std::span<const Shape> b,

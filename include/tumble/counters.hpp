@@ -27,10 +27,10 @@ struct StepCounters {
     int contacts = 0;  // pairs with at least one manifold point, those of sleeping bodies too
     int contact_points = 0;
     int joints = 0;
-    int colors = 0;                    // of the constraint graph
-    std::int64_t pairs = 0;            // of shapes that the narrow phase was asked about, sensors apart...
-    std::int64_t collided = 0;         // ...and of these, in full: the rest had barely moved and kept their manifolds
-    std::int64_t gjk_iterations = 0;   // of all full ones, as DistanceResult::iterations counts them
+    int colors = 0;                   // of the constraint graph
+    std::int64_t pairs = 0;           // of shapes that the narrow phase was asked about, sensors apart...
+    std::int64_t collided = 0;        // ...and of these, in full: the rest had barely moved and kept their manifolds
+    std::int64_t gjk_iterations = 0;  // of all full ones, as DistanceResult::iterations counts them
     StageTimes ms;
 };
 

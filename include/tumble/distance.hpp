@@ -45,8 +45,8 @@ enum class DistanceStatus : std::uint8_t {
     separated,    // proved: lower > 0
     touching,     // the bounds straddle zero: the sign is below what double arithmetic can decide
     overlapping,  // proved: upper < 0
-    invalid,      // NaN or infinity in the input, a shape without vertices, or positions more than 2^500 m apart (or, for
-                  // points, less than 2^-480 m but not 0); every number of the result is NaN
+    invalid,  // NaN or infinity in the input, a shape without vertices, or positions more than 2^500 m apart (or, for
+              // points, less than 2^-480 m but not 0); every number of the result is NaN
 };
 
 // "separated", "touching", "overlapping" or "invalid".
@@ -61,10 +61,10 @@ constexpr std::string_view to_string(DistanceStatus status) {
 }
 
 // What proves the result to a checker in exact arithmetic. `direction` is any nonzero vector in world axes; with h the
-// maximum of direction . w over all w of the core difference A - B, the signed core distance is at least -h / |direction|:
-// this one inequality proves `lower`, separated or overlapping. The one or two pairs span the closest simplex of
-// separated cores: its distance from the origin proves `upper`. For overlapping cores they are the face of A - B
-// nearest to the origin (an edge of one shape and the support vertex of the other), and `upper` needs all faces.
+// maximum of direction . w over all w of the core difference A - B, the signed core distance is at least -h /
+// |direction|: this one inequality proves `lower`, separated or overlapping. The one or two pairs span the closest
+// simplex of separated cores: its distance from the origin proves `upper`. For overlapping cores they are the face of A
+// - B nearest to the origin (an edge of one shape and the support vertex of the other), and `upper` needs all faces.
 struct Certificate {
     DVec2 direction;
     std::array<VertexPair, 2> pairs{};
@@ -76,9 +76,9 @@ struct DistanceResult {
     double distance = 0.0;  // signed, radii subtracted: negative inside (m)
     double lower = 0.0;     // the exact signed distance lies in [lower, upper]
     double upper = 0.0;
-    DVec2 point_a;          // witness points on the surfaces, world coordinates:
-    DVec2 point_b;          // point_b - point_a = distance * normal up to rounding, also inside
-    DVec2 normal;           // unit, from A to B; (1, 0) if the cores coincide in a point
+    DVec2 point_a;  // witness points on the surfaces, world coordinates:
+    DVec2 point_b;  // point_b - point_a = distance * normal up to rounding, also inside
+    DVec2 normal;   // unit, from A to B; (1, 0) if the cores coincide in a point
     Certificate certificate;
     DistanceStatus status = DistanceStatus::invalid;
     std::uint16_t iterations = 0;  // support pairs computed; a look at all faces at once counts as one
@@ -88,9 +88,9 @@ struct DistanceResult {
 // The signed distance of two shapes. Does not throw or allocate. With a cache, starts from its simplex and stores the
 // final one; the same status and overlapping bounds come out as without, and the same bits where the closest pair is
 // unique. Shapes of at most eight vertices are looked at by all faces of their difference at once, in lanes: the one of
-// largest separation decides overlap and depth, and holds the nearest point or ends in it. GJK answers for more vertices
-// (4 to 18 iterations of O(log n), O(n) if the outline is not strictly convex), and where rounding leaves the faces
-// undecided.
+// largest separation decides overlap and depth, and holds the nearest point or ends in it. GJK answers for more
+// vertices (4 to 18 iterations of O(log n), O(n) if the outline is not strictly convex), and where rounding leaves the
+// faces undecided.
 DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                         SimplexCache* cache = nullptr) noexcept;
 
@@ -102,9 +102,9 @@ struct PosedPair {
     Pose world_from_b;
 };
 
-// results[i] is distance() of pairs[i], bit for bit, in whatever order and company the pairs come; as many as the shorter
-// of the spans has. Convex shapes of up to eight vertices are looked at a pair a lane: with AVX-512 in 56 % of the time
-// that boxes take one by one, octagons 64 %. Does not throw or allocate.
+// results[i] is distance() of pairs[i], bit for bit, in whatever order and company the pairs come; as many as the
+// shorter of the spans has. Convex shapes of up to eight vertices are looked at a pair a lane: with AVX-512 in 56 % of
+// the time that boxes take one by one, octagons 64 %. Does not throw or allocate.
 void distance_batch(std::span<const PosedPair> pairs, std::span<DistanceResult> results) noexcept;
 
 // How the loop finds the point of a simplex nearest to the origin. They agree but for rounding.
@@ -114,8 +114,8 @@ enum class SubAlgorithm : std::uint8_t {
     signed_volumes,  // by the signs of lengths and areas [MPB17]
 };
 
-// The same query by the GJK loop alone, for any number of vertices: what distance() answers, bit for bit where the closest
-// pair is unique, but for the certificate's choice among proofs and the iterations. Does not throw or allocate.
+// The same query by the GJK loop alone, for any number of vertices: what distance() answers, bit for bit where the
+// closest pair is unique, but for the certificate's choice among proofs and the iterations. Does not throw or allocate.
 DistanceResult gjk_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                             SubAlgorithm sub_algorithm = SubAlgorithm::voronoi, SimplexCache* cache = nullptr) noexcept;
 
@@ -124,11 +124,11 @@ struct TraceStep {
     std::array<VertexPair, 3> simplex{};  // before the new support is added
     std::array<DVec2, 3> vertices{};      // their w
     std::uint8_t count = 0;
-    DVec2 closest;                        // the point of the simplex nearest to the origin
-    DVec2 direction;                      // the next search direction, towards the origin
-    VertexPair support;                   // the support found in it
+    DVec2 closest;       // the point of the simplex nearest to the origin
+    DVec2 direction;     // the next search direction, towards the origin
+    VertexPair support;  // the support found in it
     DVec2 support_vertex;
-    double lower = 0.0;                   // bounds on the core distance known after this step; lower may be negative
+    double lower = 0.0;  // bounds on the core distance known after this step; lower may be negative
     double upper = 0.0;
 };
 

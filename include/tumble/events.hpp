@@ -18,9 +18,9 @@ struct ContactBegin {
         0.0f;  // at the point, before anything stopped it, m/s; negative if they were parting already
 };
 
-// A point was struck, to be heard or to do damage: it bears a load that it did not bear before, and was approached at 1 m/s
-// or more (times the root of WorldDef::scale). As two shapes begin to touch, or later: a plank that falls over its one
-// end hits with the other. A contact has one at most in a step, and none in the step after.
+// A point was struck, to be heard or to do damage: it bears a load that it did not bear before, and was approached at 1
+// m/s or more (times the root of WorldDef::scale). As two shapes begin to touch, or later: a plank that falls over its
+// one end hits with the other. A contact has one at most in a step, and none in the step after.
 struct ContactHit {
     ShapeId shape_a;
     ShapeId shape_b;
@@ -38,7 +38,8 @@ struct ContactEnd {
 };
 
 // A shape entered or left a sensor. Either may have been destroyed if it left. A dynamic body that continuous collision
-// sweeps, as it moves by more than half its size in a step, may pass a sensor within one: it enters and leaves in that step.
+// sweeps, as it moves by more than half its size in a step, may pass a sensor within one: it enters and leaves in that
+// step.
 struct SensorEvent {
     ShapeId sensor;
     ShapeId visitor;

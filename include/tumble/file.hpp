@@ -1,5 +1,5 @@
-// Files that are whole or not there. What the library and its command line write (scenes, pictures, tables) goes through
-// OutputFile, so that an interrupted or failed write leaves what stood there before.
+// Files that are whole or not there. What the library and its command line write (scenes, pictures, tables) goes
+// through OutputFile, so that an interrupted or failed write leaves what stood there before.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ public:
 std::string read_file(const std::filesystem::path& file,
                       std::size_t limit = std::numeric_limits<std::size_t>::max() - 1);
 
-// Writes under a temporary name in the same folder (one that no other thread or process uses), and takes the file's name
-// at commit(). All functions throw FileError with the system's reason, for instance on a full disk.
+// Writes under a temporary name in the same folder (one that no other thread or process uses), and takes the file's
+// name at commit(). All functions throw FileError with the system's reason, for instance on a full disk.
 class OutputFile {
 public:
     explicit OutputFile(std::filesystem::path file);

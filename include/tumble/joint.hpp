@@ -174,8 +174,8 @@ struct PulleyJointDef {
     Vec2 anchor_b{};
     DVec2 ground_anchor_a{};  // world, m
     DVec2 ground_anchor_b{};
-    float length = 1.0f;  // m, > 0
-    float ratio = 1.0f;   // > 0
+    float length = 1.0f;               // m, > 0
+    float ratio = 1.0f;                // > 0
     float break_force = kUnbreakable;  // on B
     float break_torque = kUnbreakable;
     bool collide_connected = false;
@@ -184,17 +184,17 @@ struct PulleyJointDef {
 // Teeth between two joints, each revolute or prismatic: keeps
 //   motion of joint_a + ratio * motion of joint_b
 // as it is when the gear is made, where a motion is the angle (rad, whole turns counted) or the way (m) of B against A.
-// Wheels of radii r_a and r_b that mesh have the ratio r_b / r_a; a pinion and its rack, in this order, 1 / r or -1 / r.
-// It pushes all bodies of both joints, and goes with either of them. Given anchors or an axis that are new, a joint goes on
-// from where it is.
+// Wheels of radii r_a and r_b that mesh have the ratio r_b / r_a; a pinion and its rack, in this order, 1 / r or -1 /
+// r. It pushes all bodies of both joints, and goes with either of them. Given anchors or an axis that are new, a joint
+// goes on from where it is.
 struct GearJointDef {
     BodyId body_a{};  // the second bodies of the two joints; World fills them in
     BodyId body_b{};
     JointId joint_a{};
     JointId joint_b{};
-    float ratio = 1.0f;                  // any but 0; m if only B's joint turns, 1/m if only A's does
-    float break_force = kUnbreakable;    // on B, where it slides
-    float break_torque = kUnbreakable;   // on B, where it turns
+    float ratio = 1.0f;                 // any but 0; m if only B's joint turns, 1/m if only A's does
+    float break_force = kUnbreakable;   // on B, where it slides
+    float break_torque = kUnbreakable;  // on B, where it turns
     bool collide_connected = false;
 };
 
@@ -207,8 +207,8 @@ struct JointAnchors {
     DVec2 b;
 };
 
-// What a joint did to body B in the last sub-step, and opposite to body A. A pulley pulls A by the same rope in a direction
-// of its own, a gear acts on A by its other joint: there the ratio tells what A got.
+// What a joint did to body B in the last sub-step, and opposite to body A. A pulley pulls A by the same rope in a
+// direction of its own, a gear acts on A by its other joint: there the ratio tells what A got.
 struct JointReaction {
     Vec2 force;           // at the anchor, world axes, N
     float torque = 0.0f;  // N m

@@ -22,9 +22,9 @@ struct QueryFilter {
 struct CastHit {
     ShapeId shape;
     BodyId body;
-    double fraction = 0.0;  // of the way, in [0, 1]
-    DVec2 point;            // world, on the shape's surface
-    DVec2 normal;           // unit, out of the shape
+    double fraction = 0.0;       // of the way, in [0, 1]
+    DVec2 point;                 // world, on the shape's surface
+    DVec2 normal;                // unit, out of the shape
     bool starts_inside = false;  // of a moving shape alone: it overlaps at the start; then there is no point and normal
 };
 

@@ -37,9 +37,9 @@ struct Camera {
 
 // The scene's own camera. What it leaves open is chosen so that there is in view, with a margin: every body that moves
 // where it begins, also those that the timeline makes; their ways, but for bodies that go farther than a frame three
-// times as high; the ground below them; and of what never moves all, or as far as it is near. To know the ways the scene
-// is run ahead, for some 0.1 s at most, unless it has thousands of bodies. A camera that follows a body is five times as
-// high as the body's larger side. To be made from a world that was not stepped yet.
+// times as high; the ground below them; and of what never moves all, or as far as it is near. To know the ways the
+// scene is run ahead, for some 0.1 s at most, unless it has thousands of bodies. A camera that follows a body is five
+// times as high as the body's larger side. To be made from a world that was not stepped yet.
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio);
 
 // The camera where the body it follows is now: it begins to follow a body that the timeline makes in the first state
@@ -47,8 +47,8 @@ Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ra
 // however many of its steps are drawn.
 Camera move_camera(Camera camera, const Scene& scene, const SceneWorld& world);
 
-// What a frame points at, and says about it: the edges of regions and bodies are drawn strongly, and an arrow at the edge
-// of the frame points at what is out of view.
+// What a frame points at, and says about it: the edges of regions and bodies are drawn strongly, and an arrow at the
+// edge of the frame points at what is out of view.
 struct Marking {
     std::vector<std::array<DVec2, 4>> regions{};  // corners in order, world coordinates
     std::vector<BodyId> bodies{};

@@ -1,7 +1,7 @@
 // Scenes: the portable description of a world as plain data.
 //
-// Format 1 of their files is described in README.md and published as scenes/scene.schema.json. A Scene keeps the doubles and
-// degrees of its file. Files are read and written by scene_file.hpp, worlds built by scene_world.hpp.
+// Format 1 of their files is described in README.md and published as scenes/scene.schema.json. A Scene keeps the
+// doubles and degrees of its file. Files are read and written by scene_file.hpp, worlds built by scene_world.hpp.
 #pragma once
 
 #include <cstdint>
@@ -87,8 +87,8 @@ struct SceneFilter {
 
 struct SceneShape {
     ShapeGeometry geometry;
-    std::string material;  // name of a material; empty: the default one
-    std::string custom;    // JSON text, or empty
+    std::string material;                 // name of a material; empty: the default one
+    std::string custom;                   // JSON text, or empty
     std::optional<SceneFilter> filter{};  // which shapes it meets; default: all
     bool sensor = false;
 };
@@ -160,7 +160,7 @@ struct SceneInterval {
     double upper = 0.0;
 };
 struct SceneJointMotor {
-    double speed = 0.0;                   // degrees/s (revolute, wheel) or m/s (distance, prismatic)
+    double speed = 0.0;                  // degrees/s (revolute, wheel) or m/s (distance, prismatic)
     std::optional<double> max_torque{};  // N m: of what turns
     std::optional<double> max_force{};   // N: of what slides
 };
@@ -169,10 +169,10 @@ struct SceneJointSpring {
     double damping_ratio = 0.0;
 };
 
-// Makes a joint for each of so many copies of its bodies, row by row: the next column ties the next copies, the next row those
-// `row_step` places on. A body that is not a copy stays. Anchor and axis in the world are those of the first joint, and keep
-// their place in the first of its bodies that is a copy. Copies are named name[0], name[1], ... A gear goes through the copies
-// of its joints likewise.
+// Makes a joint for each of so many copies of its bodies, row by row: the next column ties the next copies, the next
+// row those `row_step` places on. A body that is not a copy stays. Anchor and axis in the world are those of the first
+// joint, and keep their place in the first of its bodies that is a copy. Copies are named name[0], name[1], ... A gear
+// goes through the copies of its joints likewise.
 struct JointRepeat {
     int columns = 1;
     int rows = 1;
@@ -182,16 +182,16 @@ struct JointRepeat {
 struct SceneJoint {
     SceneJointType type = SceneJointType::revolute;
     std::string name;
-    std::string body_a, body_b;                      // names; empty for gears, which have those of their joints
-    std::string joint_a, joint_b;                    // names, gears
-    std::optional<DVec2> anchor;                     // world coordinates at load, for both bodies, or:
-    std::optional<std::pair<DVec2, DVec2>> anchors;  // body coordinates of each
+    std::string body_a, body_b;                             // names; empty for gears, which have those of their joints
+    std::string joint_a, joint_b;                           // names, gears
+    std::optional<DVec2> anchor;                            // world coordinates at load, for both bodies, or:
+    std::optional<std::pair<DVec2, DVec2>> anchors;         // body coordinates of each
     std::optional<std::pair<DVec2, DVec2>> ground_anchors;  // of a pulley, world coordinates at load
-    std::optional<DVec2> axis;                       // world direction at load, or A's with `anchors`; prismatic, wheel
-    std::optional<double> reference_angle;           // degrees; default: the angle at load
-    std::optional<double> length;                    // m, distance joints and pulleys; default: that at load
-    std::optional<double> ratio;                     // pulleys and gears, of motions in m and radians; default: 1
-    std::optional<SceneInterval> limits;  // degrees (revolute) or m (distance, prismatic, wheel)
+    std::optional<DVec2> axis;              // world direction at load, or A's with `anchors`; prismatic, wheel
+    std::optional<double> reference_angle;  // degrees; default: the angle at load
+    std::optional<double> length;           // m, distance joints and pulleys; default: that at load
+    std::optional<double> ratio;            // pulleys and gears, of motions in m and radians; default: 1
+    std::optional<SceneInterval> limits;    // degrees (revolute) or m (distance, prismatic, wheel)
     std::optional<SceneJointMotor> motor;
     std::optional<SceneJointSpring> spring;          // of a weld: of its point
     std::optional<SceneJointSpring> angular_spring;  // welds
@@ -206,15 +206,16 @@ struct SceneJoint {
     std::string custom;
 };
 
-// Something that happens during the run, once (`at`) or again and again (`every`, `from` a time `until` a time): exactly one
-// of the actions. Who acts on a body or joint that is not there, not yet or no longer, does nothing.
+// Something that happens during the run, once (`at`) or again and again (`every`, `from` a time `until` a time):
+// exactly one of the actions. Who acts on a body or joint that is not there, not yet or no longer, does nothing.
 struct SceneEvent {
     std::optional<double> at;     // s
     std::optional<double> every;  // s
     std::optional<double> from;   // s: the first repetition; default: 0
-    std::optional<double> until;  // s: the last repetition, or the end of a force or torque; default: the end of the run
-    std::string body;             // what impulses, forces and velocities act on
-    std::string joint;            // what motor speeds and targets belong to
+    std::optional<double>
+        until;          // s: the last repetition, or the end of a force or torque; default: the end of the run
+    std::string body;   // what impulses, forces and velocities act on
+    std::string joint;  // what motor speeds and targets belong to
     std::optional<DVec2> impulse;            // N s, at the centre of mass
     std::optional<double> angular_impulse;   // N m s
     std::optional<DVec2> force;              // N, at the centre of mass, in each step from `at` on
@@ -232,7 +233,15 @@ struct SceneEvent {
 // When a claim of a state must hold: in the last state, in all of them, or in one.
 enum class SceneMoment { end, always, sometime };
 
-enum class SceneEventKind { contact_begin, contact_end, contact_hit, sensor_begin, sensor_end, joint_broke, fell_asleep };
+enum class SceneEventKind {
+    contact_begin,
+    contact_end,
+    contact_hit,
+    sensor_begin,
+    sensor_end,
+    joint_broke,
+    fell_asleep
+};
 
 using SceneBox = std::pair<DVec2, DVec2>;  // lower left and upper right corner, m
 
@@ -250,19 +259,19 @@ struct SceneExpectation {
     std::optional<double> max_energy_gain;  // * J of kinetic and potential energy above the first state
     std::string body;
     std::string joint;
-    std::optional<SceneBox> inside;         // * holds the body's position
-    std::optional<SceneBox> outside;        // * does not
-    std::optional<SceneInterval> height;    // * m, y of the body's position
-    std::optional<SceneInterval> speed;     // * m/s, of its centre of mass
-    std::optional<SceneInterval> angle;     // * degrees, in (-180, 180]
-    std::string touches;                    // * another body, at least once
-    std::string never_touches;              // * another body
-    std::optional<SceneInterval> count;     // * bodies whose position is in `region`, of `body` and its copies or of all
+    std::optional<SceneBox> inside;       // * holds the body's position
+    std::optional<SceneBox> outside;      // * does not
+    std::optional<SceneInterval> height;  // * m, y of the body's position
+    std::optional<SceneInterval> speed;   // * m/s, of its centre of mass
+    std::optional<SceneInterval> angle;   // * degrees, in (-180, 180]
+    std::string touches;                  // * another body, at least once
+    std::string never_touches;            // * another body
+    std::optional<SceneInterval> count;   // * bodies whose position is in `region`, of `body` and its copies or of all
     std::optional<SceneBox> region;
     std::optional<SceneInterval> event_count;  // * events so far of the kind `event`, of `body` or of all
     std::optional<SceneEventKind> event;
-    std::string state_hash;              // * 16 hexadecimal digits
-    std::optional<SceneFrame> frame;     // in which boxes, heights and angles are measured; default: the world's
+    std::string state_hash;               // * 16 hexadecimal digits
+    std::optional<SceneFrame> frame;      // in which boxes, heights and angles are measured; default: the world's
     SceneMoment when = SceneMoment::end;  // for the claims of a state
     std::optional<double> at;             // s: at this time in place of `when`
     std::optional<double> from;           // s: what is before does not count

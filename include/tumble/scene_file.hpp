@@ -21,12 +21,12 @@ struct Diagnostic {
     enum class Severity { error, warning };
     Severity severity = Severity::error;
     std::string file;
-    int line = 0;             // from 1; 0 if the place is unknown
-    int column = 0;           // from 1, in bytes
-    std::string pointer;      // JSON pointer of the value
-    std::string message;      // "must be greater than 0, got -1"
-    std::string source_line;  // the line of the file, for the caret
-    std::string hint;         // may be empty
+    int line = 0;                            // from 1; 0 if the place is unknown
+    int column = 0;                          // from 1, in bytes
+    std::string pointer;                     // JSON pointer of the value
+    std::string message;                     // "must be greater than 0, got -1"
+    std::string source_line;                 // the line of the file, for the caret
+    std::string hint;                        // may be empty
     std::vector<std::string> included_by{};  // "file:line:column" of what includes the file, innermost first
 };
 
@@ -48,12 +48,14 @@ struct LoadOptions {
     std::vector<std::string> overrides;  // "/json/pointer=value" each; a value that is not JSON is taken as a string
     std::optional<std::uint64_t> seed;   // replaces /world/seed
     bool lint = false;  // warn of what is valid but likely to disappoint; builds the world and steps it once
-    bool keep_includes = false;  // leave Scene::include as it is written, what it includes out: to write the scene again
+    bool keep_includes =
+        false;  // leave Scene::include as it is written, what it includes out: to write the scene again
     ReadIncluded read_included{};  // default: from the file system for load_scene(), none for parse_scene()
 };
 
-// Reads a scene, and what it includes. Throws FileError (not readable) or SceneError (not valid). Warnings, if asked for, are appended.
-// Wrong overrides are SceneErrors too: their diagnostics have the override in place of the file, and no line.
+// Reads a scene, and what it includes. Throws FileError (not readable) or SceneError (not valid). Warnings, if asked
+// for, are appended. Wrong overrides are SceneErrors too: their diagnostics have the override in place of the file, and
+// no line.
 Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* warnings = nullptr);
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options,
                  std::vector<Diagnostic>* warnings = nullptr);

@@ -1,5 +1,5 @@
-// The world that a scene describes. Each number of the scene is converted once, so that saving and loading it give the same
-// world bit for bit.
+// The world that a scene describes. Each number of the scene is converted once, so that saving and loading it give the
+// same world bit for bit.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +44,7 @@ struct SceneJointInstance {
 
 struct SceneWorld {
     World world;
-    std::vector<SceneInstance> bodies;  // in the order of creation: ids of those that have gone are stale
+    std::vector<SceneInstance> bodies;       // in the order of creation: ids of those that have gone are stale
     std::vector<SceneJointInstance> joints;  // in the order of the scene and of the copies
 };
 
@@ -53,8 +53,8 @@ struct SceneWorld {
 std::string output_name(const SceneInstance& body, std::size_t index);
 std::string output_name(const SceneJointInstance& joint, std::size_t index);
 
-// Throws SceneError if a name does not resolve, geometry is degenerate (the reader has checked both already) or the scene
-// was loaded with keep_includes.
+// Throws SceneError if a name does not resolve, geometry is degenerate (the reader has checked both already) or the
+// scene was loaded with keep_includes.
 SceneWorld build_world(const Scene& scene);
 
 }  // namespace tumble

@@ -17,9 +17,11 @@ namespace tumble {
 struct LargePolygon {
     std::vector<float> x;  // [n], counter-clockwise
     std::vector<float> y;  // [n]
-    std::vector<double> edge_angles;  // [n], ascending from `first_edge` on, in a unit of its own; empty if the outline is
-    std::int32_t first_edge = 0;      // not strictly convex: its supports are then found by looking at all vertices
-    std::vector<std::uint16_t> edges_before;  // [2 n + 1], how many edges lie before each of 2 n equal parts of the circle
+    std::vector<double>
+        edge_angles;              // [n], ascending from `first_edge` on, in a unit of its own; empty if the outline is
+    std::int32_t first_edge = 0;  // not strictly convex: its supports are then found by looking at all vertices
+    std::vector<std::uint16_t>
+        edges_before;  // [2 n + 1], how many edges lie before each of 2 n equal parts of the circle
 };
 
 // What taking the hull did to the points that were given. `kept + duplicate + collinear + interior` is their number.
@@ -67,8 +69,8 @@ public:
 
     // The shape with exactly these core vertices: no hull, no welding, nothing checked but their number (more than
     // kMaxVertices is std::invalid_argument). For parity tests and importers that hold a convex outline already;
-    // of vertices that are not convex and counter-clockwise distance queries see the hull, other queries answer wrongly; of
-    // those that are not finite all say `invalid`.
+    // of vertices that are not convex and counter-clockwise distance queries see the hull, other queries answer
+    // wrongly; of those that are not finite all say `invalid`.
     static Shape from_raw(std::span<const Vec2> vertices, float radius);
 
 private:
@@ -86,9 +88,9 @@ private:
 // All factories throw std::invalid_argument, with the offending value printed, for what is not finite, for a negative
 // radius, and where they say so.
 
-Shape make_circle(float radius, Vec2 center = {});                    // radius 0: a point
-Shape make_capsule(Vec2 from, Vec2 to, float radius);                 // from == to gives a circle
-Shape make_segment(Vec2 from, Vec2 to);                               // a capsule without radius: two-sided
+Shape make_circle(float radius, Vec2 center = {});     // radius 0: a point
+Shape make_capsule(Vec2 from, Vec2 to, float radius);  // from == to gives a circle
+Shape make_segment(Vec2 from, Vec2 to);                // a capsule without radius: two-sided
 
 // A box of outer size `size` (both > 0) whose corners are rounded by `radius` (at most half the smaller side): the core
 // is size - 2 radius, and a capsule or a circle where a side of it vanishes. `angle` in radians turns it about its

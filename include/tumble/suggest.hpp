@@ -8,8 +8,8 @@
 namespace tumble {
 
 // The candidate nearest to `word` by edits (insertion, deletion, replacement, swap of neighbours), if that is at most
-// a third of its length or 1 (of one letter: none), or if they differ in case alone or one begins with the other; else empty.
-// The first of equals.
+// a third of its length or 1 (of one letter: none), or if they differ in case alone or one begins with the other; else
+// empty. The first of equals.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);
 
 // "did you mean 'restitution'?", or else "expected one of: a, b, c" if the candidates are few, or nothing.

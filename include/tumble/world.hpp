@@ -29,9 +29,10 @@ struct WorldDef {
     bool sleeping = true;            // whether bodies at rest fall asleep
     bool continuous = true;          // whether fast bodies are kept from passing through thin ones
 
-    // The size of a typical body (m, > 0). The stepper's own lengths, speeds and frequencies are those of things of 1 m;
-    // they follow the scale s as gravity makes things follow it: lengths by s, speeds by its root, frequencies by the
-    // inverse of its root. A world of marbles (0.02) then behaves as one of boulders, at 1 / sqrt(s) times the step rate.
+    // The size of a typical body (m, > 0). The stepper's own lengths, speeds and frequencies are those of things of 1
+    // m; they follow the scale s as gravity makes things follow it: lengths by s, speeds by its root, frequencies by
+    // the inverse of its root. A world of marbles (0.02) then behaves as one of boulders, at 1 / sqrt(s) times the step
+    // rate.
     float scale = 1.0f;
 };
 
@@ -46,8 +47,8 @@ struct ContactPoint {
     std::uint32_t feature = 0;
     float separation = 0.0f;  // m, negative inside
 
-    // What B got of A in the whole step, N s: along the normal, and along the normal turned clockwise. At rest the points
-    // of a body that lies carry its weight times the step, and what an impact stopped shows its momentum.
+    // What B got of A in the whole step, N s: along the normal, and along the normal turned clockwise. At rest the
+    // points of a body that lies carry its weight times the step, and what an impact stopped shows its momentum.
     float normal_impulse = 0.0f;
     float tangent_impulse = 0.0f;
 };
@@ -78,8 +79,8 @@ public:
 
     BodyId create_body(const BodyDef& def);
 
-    // A body with its shapes, whose velocity is that of the centre of mass of them all. Weighs them once: O(n), where adding
-    // n one by one is O(n^2).
+    // A body with its shapes, whose velocity is that of the centre of mass of them all. Weighs them once: O(n), where
+    // adding n one by one is O(n^2).
     BodyId create_body(const BodyDef& def, std::span<const ShapeDef> shapes);
     void destroy_body(BodyId id);  // with its shapes, its joints and their gears
     ShapeId add_shape(BodyId body, const ShapeDef& def);
@@ -87,8 +88,8 @@ public:
     JointId create_joint(const JointDef& def);
     void destroy_joint(JointId id);  // with the gears on it
 
-    // Gives a joint other limits, motors, springs or anchors, between steps: another kind, other bodies or other joints of
-    // a gear are refused. What carries load goes on carrying it.
+    // Gives a joint other limits, motors, springs or anchors, between steps: another kind, other bodies or other joints
+    // of a gear are refused. What carries load goes on carrying it.
     void set_joint(JointId id, const JointDef& def);
 
     // Advances by one step. Throws SimulationDiverged, naming the first body, once a state is no longer finite.
@@ -109,16 +110,16 @@ public:
     // The definition that would make the body as it is now, all that was set since included.
     BodyDef definition(BodyId id) const;
 
-    // Moves a body to a pose at once: nothing on the way is met, and its velocity stays. Contacts of the new place begin
-    // in the next step, those that it has left end there; what overlaps is pushed out. The body wakes, and so does what
-    // leant on it, is tied to it or is met by it now.
+    // Moves a body to a pose at once: nothing on the way is met, and its velocity stays. Contacts of the new place
+    // begin in the next step, those that it has left end there; what overlaps is pushed out. The body wakes, and so
+    // does what leant on it, is tied to it or is met by it now.
     void set_transform(BodyId id, const Pose& pose);
 
     // Of the centre of mass. What is locked stays 0. Static and disabled bodies have none to set: they are refused.
     void set_velocity(BodyId id, Vec2 velocity, float angular_velocity);
 
-    // Gives a body the velocity with which it is at a pose after the next step, if nothing is in its way: for platforms and
-    // hands that follow a path. The shorter turn; stop it by set_velocity() once it is there.
+    // Gives a body the velocity with which it is at a pose after the next step, if nothing is in its way: for platforms
+    // and hands that follow a path. The shorter turn; stop it by set_velocity() once it is there.
     void move_towards(BodyId id, const Pose& pose);
 
     // Another type: a body that becomes static stops, and what leant on it wakes. Forces of the next step are gone.
@@ -148,7 +149,8 @@ public:
     void set_gravity(Vec2 gravity);
 
     // A force (N, world axes) at a world point and a torque (N m), during the next step only; an impulse (N s) and an
-    // angular impulse (N m s) at once. They act on dynamic bodies, with the mass of the moment, and do nothing to others.
+    // angular impulse (N m s) at once. They act on dynamic bodies, with the mass of the moment, and do nothing to
+    // others.
     void apply_force(BodyId id, Vec2 force, DVec2 point);
     void apply_force(BodyId id, Vec2 force);  // at the centre of mass
     void apply_torque(BodyId id, float torque);
@@ -182,14 +184,14 @@ public:
     // The force with which the joint held its bodies in the last step that it was awake.
     JointReaction reaction(JointId id) const;
 
-    // The points that a joint acts on, one of each body, as they are now; of a gear those of its two joints on their second
-    // bodies; none for a filter.
+    // The points that a joint acts on, one of each body, as they are now; of a gear those of its two joints on their
+    // second bodies; none for a filter.
     std::optional<JointAnchors> joint_anchors(JointId id) const;
 
     // Where the free motion of a joint was at the start of the last step: the angle of B against A in rad (revolute,
     // weld, motor; of a revolute joint only if it has limits or a spring), the way along the axis in m (prismatic,
-    // wheel), the distance of the anchors in m (distance, mouse), or that of A's from its wheel (pulley). Of a gear how far
-    // it gives: what it keeps less what it should be, in rad or m as its first joint has it.
+    // wheel), the distance of the anchors in m (distance, mouse), or that of A's from its wheel (pulley). Of a gear how
+    // far it gives: what it keeps less what it should be, in rad or m as its first joint has it.
     float joint_position(JointId id) const;
 
     // The first shape that a ray from `origin` to `origin + translation` enters, or all of them, the nearest first. A

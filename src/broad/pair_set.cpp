@@ -16,9 +16,7 @@ std::size_t PairSet::find_slot(std::uint64_t packed) const {
     return slot;
 }
 
-bool PairSet::contains(ProxyPair pair) const {
-    return !slots_.empty() && slots_[find_slot(pack(pair))] != kEmpty;
-}
+bool PairSet::contains(ProxyPair pair) const { return !slots_.empty() && slots_[find_slot(pack(pair))] != kEmpty; }
 
 void PairSet::insert(ProxyPair pair) {
     if (2 * (size_ + 1) > slots_.size()) grow();

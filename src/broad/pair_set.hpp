@@ -16,9 +16,7 @@ struct ProxyPair {
     friend constexpr auto operator<=>(ProxyPair, ProxyPair) = default;
 };
 
-constexpr ProxyPair make_pair_of(std::uint32_t x, std::uint32_t y) {
-    return x < y ? ProxyPair{x, y} : ProxyPair{y, x};
-}
+constexpr ProxyPair make_pair_of(std::uint32_t x, std::uint32_t y) { return x < y ? ProxyPair{x, y} : ProxyPair{y, x}; }
 
 class PairSet {
 public:

@@ -25,9 +25,7 @@ AabbTree::Node AabbTree::allocate() {
     return node;
 }
 
-void AabbTree::free(Node node) {
-    free_.push_back(node);
-}
+void AabbTree::free(Node node) { free_.push_back(node); }
 
 AabbTree::Node AabbTree::insert(const Aabb& box, std::uint32_t key) {
     const Node leaf = allocate();

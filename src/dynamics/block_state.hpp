@@ -2,7 +2,8 @@
 //
 // Velocities are handled in the contact's frame: the relative normal velocity of the centres of mass and the two
 // angular velocities follow each impulse, and the linear velocities are updated once at the end of a block. Of a body
-// locked along one axis, a normal impulse changes the tangent velocity too: that is seen when the block is loaded again.
+// locked along one axis, a normal impulse changes the tangent velocity too: that is seen when the block is loaded
+// again.
 #pragma once
 
 #include "dynamics/contact_block.hpp"

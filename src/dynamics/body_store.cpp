@@ -8,9 +8,7 @@ namespace tumble {
 namespace {
 
 // 1 / x, and 0 of 0. What is too light for a finite inverse acts as the lightest that has one.
-float inverse_of(float x) {
-    return x > 0.0f ? 1.0f / std::max(x, std::numeric_limits<float>::min()) : 0.0f;
-}
+float inverse_of(float x) { return x > 0.0f ? 1.0f / std::max(x, std::numeric_limits<float>::min()) : 0.0f; }
 
 }  // namespace
 
@@ -117,13 +115,9 @@ void BodyStore::remove_solver_body(std::uint32_t body) {
     awake_dynamic_count_ -= is_dynamic(body);
 }
 
-void BodyStore::put_to_sleep(std::uint32_t body) {
-    remove_solver_body(body);
-}
+void BodyStore::put_to_sleep(std::uint32_t body) { remove_solver_body(body); }
 
-void BodyStore::wake(std::uint32_t body) {
-    add_solver_body(body, {}, 0.0f);
-}
+void BodyStore::wake(std::uint32_t body) { add_solver_body(body, {}, 0.0f); }
 
 bool BodyStore::is_active(std::uint32_t body) const {
     const std::uint32_t index = frames[body].solver_body;

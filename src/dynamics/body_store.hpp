@@ -20,7 +20,7 @@ struct alignas(64) BodyFrame {
     float inv_mass = 0.0f;  // 0 if not dynamic
     float inv_inertia = 0.0f;
     std::uint32_t solver_body = kStaticSolverBody;  // the static one if asleep
-    BodyType type = BodyType::static_body;  // as it is simulated: static if disabled
+    BodyType type = BodyType::static_body;          // as it is simulated: static if disabled
     bool locks_x = false;
     bool locks_y = false;
 
@@ -44,7 +44,7 @@ inline constexpr std::uint32_t kNoIsland = 0xffffffffu;
 // What else is known of a body. By body index.
 struct BodyRecord {
     BodyMass mass;
-    std::optional<BodyMass> own_mass;  // in place of that of its shapes
+    std::optional<BodyMass> own_mass;       // in place of that of its shapes
     BodyType type = BodyType::static_body;  // as defined, disabled or not
     bool is_enabled = true;
     BodyMotion motion;

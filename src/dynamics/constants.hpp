@@ -20,8 +20,8 @@ inline constexpr float kContactHertzPerSubstep = 0.125f;
 
 // Of the part of an impulse that a soft contact takes back in a sub-step, how much of it acts on what the contact bore
 // when the step began, and on what has come since. The first is the sag, F / (m w^2) times this part: 1 is the plain
-// spring, where 20 boxes sink by 135 mm. The second is what keeps piles from bouncing: an impact of several boxes is passed
-// on in impulses too large, which fade.
+// spring, where 20 boxes sink by 135 mm. The second is what keeps piles from bouncing: an impact of several boxes is
+// passed on in impulses too large, which fade.
 //
 // Lower: 0.35 never comes to rest in a pyramid of 100 rows, 0.25 flies apart, and 0 shakes a stack of 20. Impulses and
 // velocities of a tall pile make a wave, whose stiffness m for slow motion is about 1.75 m / h^2 as one pass over the
@@ -43,17 +43,18 @@ inline constexpr float kJointHertz = 60.0f;
 inline constexpr float kJointDampingRatio = 2.0f;
 inline constexpr float kJointHertzPerSubstep = 0.25f;
 
-// Springs of joints: no stiffer than this / h, just under 1 / (2 pi). An implicit spring is stable on the mass that it was
-// made for. What else holds the bodies makes them heavier, and then the impulse of the last sub-step lags behind by
-// h (w h) a1 (see softness.hpp): of the damping a1 w there remains a1 w (1 - (w h)^2). Higher: a row of boards welded by
-// springs of 60 Hz shakes itself to pieces.
+// Springs of joints: no stiffer than this / h, just under 1 / (2 pi). An implicit spring is stable on the mass that it
+// was made for. What else holds the bodies makes them heavier, and then the impulse of the last sub-step lags behind by
+// h (w h) a1 (see softness.hpp): of the damping a1 w there remains a1 w (1 - (w h)^2). Higher: a row of boards welded
+// by springs of 60 Hz shakes itself to pieces.
 inline constexpr float kSpringHertzPerSubstep = 0.15f;
 
 // Approach speed below which a contact does not bounce, m/s. Lower: resting bodies hop for ever, as one sub-step of
 // gravity is read as an approach. Higher: slow bounces stick.
 inline constexpr float kRestitutionThreshold = 1.0f;
 
-// Approach speed from which a meeting is a hit, m/s. Lower: what rests and rocks is heard. Higher: what falls by 5 cm is not.
+// Approach speed from which a meeting is a hit, m/s. Lower: what rests and rocks is heard. Higher: what falls by 5 cm
+// is not.
 inline constexpr float kHitSpeed = 1.0f;
 
 // Contacts begin at this gap (m; part of the smaller extent): bodies are stopped before they touch, not pushed out
@@ -92,9 +93,9 @@ inline constexpr float kContinuousCores[] = {0.75f, 0.5f, 0.25f, 0.0f};
 inline constexpr float kMaxRotation = static_cast<float>(0.25 * kPi);
 inline constexpr float kMaxFastRotation = static_cast<float>(kPi);
 
-// Bodies that are locked along an axis are at a dead point where they give way by less than this part of what they would
-// without the lock: pushed within 6 degrees of the locked axis. Smaller: such pushes throw them aside. Larger: they are
-// held less.
+// Bodies that are locked along an axis are at a dead point where they give way by less than this part of what they
+// would without the lock: pushed within 6 degrees of the locked axis. Smaller: such pushes throw them aside. Larger:
+// they are held less.
 inline constexpr float kDeadPoint = 0.01f;
 
 // Colours of the constraint graph: those of contacts between moving bodies, and of contacts with one that is not
@@ -119,7 +120,9 @@ struct Tuning {
     float speculative_distance(float smaller_extent) const {
         return std::min(max_speculative_distance, kSpeculativePart * smaller_extent);
     }
-    float aabb_margin(float smaller_extent) const { return std::min(max_aabb_margin, kAabbMarginPart * smaller_extent); }
+    float aabb_margin(float smaller_extent) const {
+        return std::min(max_aabb_margin, kAabbMarginPart * smaller_extent);
+    }
 };
 
 inline Tuning make_tuning(float scale) {

@@ -37,9 +37,9 @@ struct Contact {
     float rolling_impulse = 0.0f;
     ContactKind kind = ContactKind::solid;
     LinkSide came_from = LinkSide::apart;  // of a chain's segment, until they have parted: what passes it passes whole
-    bool is_new = true;           // not collided since it was found or woke
-    bool is_touching = false;     // in this step: surfaces met, or an impulse kept them apart
-    bool was_touching = false;    // when events were last reported
+    bool is_new = true;                    // not collided since it was found or woke
+    bool is_touching = false;              // in this step: surfaces met, or an impulse kept them apart
+    bool was_touching = false;             // when events were last reported
     std::int8_t watched = -1;     // the point that may be struck: the deepest, or of who touched one that bore nothing
     bool was_hit = false;         // a hit was reported in the last step
     Approach approach;            // of the watched point
@@ -64,9 +64,7 @@ struct Contact {
 };
 
 // The tangent of a contact normal: with B on top of A it points to the right.
-constexpr Vec2 contact_tangent(Vec2 normal) {
-    return -perp(normal);
-}
+constexpr Vec2 contact_tangent(Vec2 normal) { return -perp(normal); }
 
 inline float mix_friction(const SurfaceMaterial& a, const SurfaceMaterial& b) {
     return std::sqrt(a.friction * b.friction);

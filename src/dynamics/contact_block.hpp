@@ -39,7 +39,7 @@ struct ContactBlockPoint {
 struct ContactBlock {
     std::uint32_t body_a[kLaneCount];  // solver bodies
     std::uint32_t body_b[kLaneCount];
-    Lanes normal_x, normal_y;  // from A to B
+    Lanes normal_x, normal_y;        // from A to B
     Lanes inv_mass_ax, inv_mass_ay;  // along the axes of the world: bodies may be locked
     Lanes inv_mass_bx, inv_mass_by;
     Lanes linear_normal, linear_tangent;  // of both bodies together, along normal and tangent
@@ -57,10 +57,12 @@ struct ContactBlock {
     bool has_rolling_resistance;
     Lanes radius_a, radius_b;  // of the shapes' rounding, m
     Lanes restitution;
-    Lanes approach_speed[2];  // of each point: normal velocity at the impact, negative if approaching; with restitution only
+    Lanes approach_speed[2];  // of each point: normal velocity at the impact, negative if approaching; with restitution
+                              // only
     Lanes absorbed;           // work that the normal impulses of this step have taken, J; with restitution only
     Lanes friction_work;      // work that friction has done in this step against its surfaces, J; with restitution only
-    Lanes acceleration;       // along the normal, of B's centre against A's if nothing were in their way; with restitution only
+    Lanes acceleration;  // along the normal, of B's centre against A's if nothing were in their way; with restitution
+                         // only
     Lanes tangent_speed;
     Lanes rolling_resistance;  // m
     Lanes rolling_mass;        // kg m^2

@@ -35,8 +35,8 @@ TUMBLE_LANE_FUNCTION Lanes power(const ContactBlock& block, const Lanes& impulse
     return impulse1 * normal_velocity(block.points[0], state) + impulse2 * normal_velocity(block.points[1], state);
 }
 
-// Pushes at both points. What may bounce remembers the work that it takes: each impulse does as much as if its point moved
-// at the mean of the velocities before and after.
+// Pushes at both points. What may bounce remembers the work that it takes: each impulse does as much as if its point
+// moved at the mean of the velocities before and after.
 TUMBLE_LANE_FUNCTION void push_normals(ContactBlock& block, const Lanes& impulse1, const Lanes& impulse2,
                                        BlockState& state) {
     if (block.has_restitution) block.absorbed -= 0.5f * power(block, impulse1, impulse2, state);

@@ -17,11 +17,13 @@ ContactBlock make_neutral_block() {
     std::fill_n(block.body_a, kLaneCount, kStaticSolverBody);
     std::fill_n(block.body_b, kLaneCount, kStaticSolverBody);
     for (Lanes* lanes :
-         {&block.normal_x, &block.normal_y, &block.inv_mass_ax, &block.inv_mass_ay, &block.inv_mass_bx,
-          &block.inv_mass_by, &block.linear_normal, &block.linear_tangent, &block.least_response, &block.inv_inertia_a,
-          &block.inv_inertia_b, &block.coupling, &block.friction, &block.radius_a, &block.radius_b, &block.restitution,
-          &block.approach_speed[0], &block.approach_speed[1], &block.acceleration, &block.absorbed, &block.friction_work,
-          &block.tangent_speed, &block.rolling_resistance, &block.rolling_mass, &block.rolling_impulse})
+         {&block.normal_x,          &block.normal_y,          &block.inv_mass_ax,        &block.inv_mass_ay,
+          &block.inv_mass_bx,       &block.inv_mass_by,       &block.linear_normal,      &block.linear_tangent,
+          &block.least_response,    &block.inv_inertia_a,     &block.inv_inertia_b,      &block.coupling,
+          &block.friction,          &block.radius_a,          &block.radius_b,           &block.restitution,
+          &block.approach_speed[0], &block.approach_speed[1], &block.acceleration,       &block.absorbed,
+          &block.friction_work,     &block.tangent_speed,     &block.rolling_resistance, &block.rolling_mass,
+          &block.rolling_impulse})
         *lanes = zero;
     for (ContactBlockPoint& point : block.points)
         for (Lanes* lanes :
@@ -89,8 +91,8 @@ void fill_lane(ContactBlock& block, int lane, const Contact& contact, const Body
 }
 
 // What an impulse at one arm does to the velocity at another: 1/m_A + 1/m_B + r r'/I_A + r r'/I_B.
-Lanes response(const ContactBlock& block, const Lanes& linear, const Lanes& arm_a, const Lanes& other_a, const Lanes& arm_b,
-               const Lanes& other_b) {
+Lanes response(const ContactBlock& block, const Lanes& linear, const Lanes& arm_a, const Lanes& other_a,
+               const Lanes& arm_b, const Lanes& other_b) {
     const Lanes angular_a = block.inv_inertia_a * arm_a * other_a;
     const Lanes angular_b = block.inv_inertia_b * arm_b * other_b;
     return linear + (angular_a + angular_b);
@@ -112,13 +114,14 @@ void set_masses(ContactBlock& block) {
             response(block, block.linear_tangent, point->along_a, point->along_a, point->along_b, point->along_b);
         // Where locks leave nothing that can give way, there is nothing to solve.
         if (block.has_locks)
-            point->separation = select_less(block.least_response, normal, point->separation, Lanes::Constant(kAbsentGap));
+            point->separation =
+                select_less(block.least_response, normal, point->separation, Lanes::Constant(kAbsentGap));
         point->inverse_mass = select_less(point->separation, absent, normal, one);
         const Lanes given = select_less(block.least_response, tangent, one / tangent, zero);
         point->tangent_mass = select_less(point->separation, absent, given, zero);
     }
-    const Lanes coupling = response(block, block.linear_normal, first.across_a, second.across_a, first.across_b,
-                                    second.across_b);
+    const Lanes coupling =
+        response(block, block.linear_normal, first.across_a, second.across_a, first.across_b, second.across_b);
     const Lanes product = first.inverse_mass * second.inverse_mass;
     const Lanes limited = clamp_magnitude(coupling, kMaxCoupling * product.sqrt());
     block.coupling = select_less(second.separation, absent, limited, zero);

@@ -50,12 +50,8 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tun
     return contact;
 }
 
-Contact* ContactStore::find(ProxyPair pair) {
-    return find_in(contacts_, pair);
-}
-const Contact* ContactStore::find(ProxyPair pair) const {
-    return find_in(contacts_, pair);
-}
+Contact* ContactStore::find(ProxyPair pair) { return find_in(contacts_, pair); }
+const Contact* ContactStore::find(ProxyPair pair) const { return find_in(contacts_, pair); }
 
 void ContactStore::merge_woken() {
     if (woken_.empty()) return;

@@ -1,7 +1,7 @@
 // Two rows that move as one, each with two bodies of its own: the two sides of a rope, or of a gear's teeth.
 //
-// The velocity of a coupled row is v_first + ratio v_second, and an impulse P acts on the first row by P and on the second
-// by ratio P. What a single row can do for an equality (joint_row.hpp), it can do.
+// The velocity of a coupled row is v_first + ratio v_second, and an impulse P acts on the first row by P and on the
+// second by ratio P. What a single row can do for an equality (joint_row.hpp), it can do.
 #pragma once
 
 #include <array>

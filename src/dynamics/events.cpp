@@ -37,8 +37,8 @@ bool is_struck(const Contact& contact) {
 
 // Once: nothing is watched until the pair is collided again.
 void report_hit(Simulation& simulation, Contact& contact) {
-    const bool is_hit = is_struck(contact) && !contact.was_hit &&
-                        contact.approach.speed >= simulation.settings.tuning.hit_speed;
+    const bool is_hit =
+        is_struck(contact) && !contact.was_hit && contact.approach.speed >= simulation.settings.tuning.hit_speed;
     contact.was_hit = is_hit;
     contact.watched = -1;
     if (!is_hit) return;

@@ -11,14 +11,12 @@ CoupledRow GearJoint::row(std::span<const SolverBody> bodies) const {
     return {side_a_.row(bodies_.first, bodies), side_b_.row(bodies_.second, bodies)};
 }
 
-void GearJoint::warm_start(std::span<SolverBody> bodies) const {
-    apply_row(bodies_, row(bodies), impulse_, bodies);
-}
+void GearJoint::warm_start(std::span<SolverBody> bodies) const { apply_row(bodies_, row(bodies), impulse_, bodies); }
 
 void GearJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     const float moved = side_a_.follow(bodies_.first, bodies) + bodies_.ratio * side_b_.follow(bodies_.second, bodies);
-    solve_equality(bodies_, row(bodies), context.equality_softness(use_bias), static_cast<float>(slip_) + moved, impulse_,
-                   bodies);
+    solve_equality(bodies_, row(bodies), context.equality_softness(use_bias), static_cast<float>(slip_) + moved,
+                   impulse_, bodies);
 }
 
 // The slip so far stays. What was measured last is no start for another measure, or another ratio of the two.

@@ -1,7 +1,7 @@
 // One of the two motions that a gear ties together: the angle of a revolute joint, or the way of a prismatic one.
 //
-// Only changes are measured, from step to step and within a step. Whole turns are counted from sub-step to sub-step, and no
-// sum grows with them.
+// Only changes are measured, from step to step and within a step. Whole turns are counted from sub-step to sub-step,
+// and no sum grows with them.
 #pragma once
 
 #include <span>
@@ -25,7 +25,9 @@ public:
     float follow(const JointBodies& joint, std::span<const SolverBody> all);
 
     // What an impulse per time along the row does to the second body.
-    JointReaction reaction(float effort) const { return slides_ ? JointReaction{effort * axis_, 0.0f} : JointReaction{{}, effort}; }
+    JointReaction reaction(float effort) const {
+        return slides_ ? JointReaction{effort * axis_, 0.0f} : JointReaction{{}, effort};
+    }
 
     // True if the same place has the same motion for another definition of the joint.
     bool measures_as(const GearSide& other) const;

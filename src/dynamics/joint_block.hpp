@@ -16,9 +16,9 @@ struct BlockMatrix {
 
     float determinant() const { return k11 * k22 - k12 * k12; }
 
-    // True if rounding has eaten the determinant, known to 2^-24 of each product. For an arm r at 45 degrees it is about
-    // 4 I / (m r^2) of them: 1e-5, where it is known to a hundredth, is an arm of 630 radii of gyration, as when a joint has
-    // been torn far apart.
+    // True if rounding has eaten the determinant, known to 2^-24 of each product. For an arm r at 45 degrees it is
+    // about 4 I / (m r^2) of them: 1e-5, where it is known to a hundredth, is an arm of 630 radii of gyration, as when
+    // a joint has been torn far apart.
     bool is_singular() const { return !(determinant() > 1e-5f * k11 * k22); }
 };
 

@@ -35,9 +35,7 @@ struct JointContext {
 };
 
 // The vector at unit length; anything but zero has a direction.
-inline Vec2 unit(Vec2 v) {
-    return (1.0f / length(v)) * v;
-}
+inline Vec2 unit(Vec2 v) { return (1.0f / length(v)) * v; }
 
 // Bodies and anchors of a joint during a step. Arms are in world axes at the start of the step.
 struct JointBodies {
@@ -46,8 +44,8 @@ struct JointBodies {
     Vec2 inv_mass_a, inv_mass_b;  // along the axes of the world: bodies may be locked
     float inv_inertia_a = 0.0f, inv_inertia_b = 0.0f;
     float locked_mass = 0.0f;  // inverse, of the bodies that are locked along an axis
-    Vec2 arm_a, arm_b;       // from the centres of mass to the anchors
-    Vec2 center_difference;  // of B's centre from A's
+    Vec2 arm_a, arm_b;         // from the centres of mass to the anchors
+    Vec2 center_difference;    // of B's centre from A's
 
     static JointBodies make(const BodyFrame& a, Vec2 anchor_a, const BodyFrame& b, Vec2 anchor_b) {
         JointBodies bodies{a.solver_body,

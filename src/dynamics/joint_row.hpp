@@ -29,9 +29,7 @@ inline JointRow operator*(float factor, const JointRow& row) {
 inline constexpr JointRow kTurningRow{{}, 1.0f, 1.0f};
 
 // The motion of B's anchor against A's along an axis fixed in the world for the moment.
-inline JointRow point_row(Vec2 axis, Vec2 arm_a, Vec2 arm_b) {
-    return {axis, cross(arm_a, axis), cross(arm_b, axis)};
-}
+inline JointRow point_row(Vec2 axis, Vec2 arm_a, Vec2 arm_b) { return {axis, cross(arm_a, axis), cross(arm_b, axis)}; }
 
 // How B's anchor moves along an axis that turns with A: seen from A, the anchor is at A's own plus the separation.
 inline JointRow sliding_row(Vec2 axis, Vec2 arm_a, Vec2 separation, Vec2 arm_b) {

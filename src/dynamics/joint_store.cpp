@@ -7,33 +7,15 @@ namespace tumble {
 
 namespace {
 
-RevoluteJoint make_joint(const RevoluteJointDef& def) {
-    return RevoluteJoint(def);
-}
-DistanceJoint make_joint(const DistanceJointDef& def) {
-    return DistanceJoint(def);
-}
-PrismaticJoint make_joint(const PrismaticJointDef& def) {
-    return PrismaticJoint(def);
-}
-WeldJoint make_joint(const WeldJointDef& def) {
-    return WeldJoint(def);
-}
-WheelJoint make_joint(const WheelJointDef& def) {
-    return WheelJoint(def);
-}
-MotorJoint make_joint(const MotorJointDef& def) {
-    return MotorJoint(def);
-}
-MouseJoint make_joint(const MouseJointDef& def) {
-    return MouseJoint(def);
-}
-FilterJoint make_joint(const FilterJointDef& def) {
-    return FilterJoint(def);
-}
-PulleyJoint make_joint(const PulleyJointDef& def) {
-    return PulleyJoint(def);
-}
+RevoluteJoint make_joint(const RevoluteJointDef& def) { return RevoluteJoint(def); }
+DistanceJoint make_joint(const DistanceJointDef& def) { return DistanceJoint(def); }
+PrismaticJoint make_joint(const PrismaticJointDef& def) { return PrismaticJoint(def); }
+WeldJoint make_joint(const WeldJointDef& def) { return WeldJoint(def); }
+WheelJoint make_joint(const WheelJointDef& def) { return WheelJoint(def); }
+MotorJoint make_joint(const MotorJointDef& def) { return MotorJoint(def); }
+MouseJoint make_joint(const MouseJointDef& def) { return MouseJoint(def); }
+FilterJoint make_joint(const FilterJointDef& def) { return FilterJoint(def); }
+PulleyJoint make_joint(const PulleyJointDef& def) { return PulleyJoint(def); }
 
 // A filter bears nothing and has no choice; every other kind says what it bears, and whether its bodies collide.
 struct Strength {
@@ -48,13 +30,9 @@ struct CollidesConnected {
 
 }  // namespace
 
-bool collides_connected(const JointDef& def) {
-    return std::visit(CollidesConnected{}, def);
-}
+bool collides_connected(const JointDef& def) { return std::visit(CollidesConnected{}, def); }
 
-JointStrength joint_strength(const JointDef& def) {
-    return std::visit(Strength{}, def);
-}
+JointStrength joint_strength(const JointDef& def) { return std::visit(Strength{}, def); }
 
 template <class Def>
 auto JointStore::make(const Def& kind) const {
@@ -134,8 +112,7 @@ void JointStore::redefine(JointId id, const JointDef& def) {
 }
 
 void JointStore::forget_impulses(JointId id) {
-    visit_list_of(*this, id,
-                  [&](auto& list, const auto&) { list.joints[records_[id.index].slot].forget_impulses(); });
+    visit_list_of(*this, id, [&](auto& list, const auto&) { list.joints[records_[id.index].slot].forget_impulses(); });
 }
 
 void JointStore::wake(JointId id) {

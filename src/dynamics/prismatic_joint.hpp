@@ -29,8 +29,8 @@ public:
     }
 
 private:
-    // The geometry within the step. What drives the slider and what holds it would undo each other's work on a long rail,
-    // and slowly agree, or never: a light slider that its limits pull two ways was thrown about at 400 m/s.
+    // The geometry within the step. What drives the slider and what holds it would undo each other's work on a long
+    // rail, and slowly agree, or never: a light slider that its limits pull two ways was thrown about at 400 m/s.
     struct Rail {
         Vec2 axis;  // turned with A
         Vec2 separation;

@@ -1,5 +1,5 @@
-// A rope over two fixed wheels: one row along both of its sides. Each side is a line from a point of the world, as that of
-// a distance joint is from body to body.
+// A rope over two fixed wheels: one row along both of its sides. Each side is a line from a point of the world, as that
+// of a distance joint is from body to body.
 #pragma once
 
 #include <span>

@@ -78,7 +78,8 @@ void drop_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint
     if (contact.manifold.point_count == 0 || lies.manifold.point_count == 0) return;
     const Vec2 normal = ground_normal(contact, moving_shape), normal_of_plane = ground_normal(lies, moving_shape);
     if (std::abs(cross(normal, normal_of_plane)) < kSameNormal) return;
-    const Footing ground = footing_of(simulation, contact, moving_shape), plane = footing_of(simulation, lies, moving_shape);
+    const Footing ground = footing_of(simulation, contact, moving_shape),
+                  plane = footing_of(simulation, lies, moving_shape);
     const double tolerance = double{kRecyclingPart} * double{contact.speculative_distance};
     if (!rises_above(ground, plane, tolerance)) drop(contact);
 }

@@ -7,9 +7,7 @@ namespace tumble {
 
 namespace {
 
-bool is_touching(const Contact& contact) {
-    return contact.manifold.point_count > 0;
-}
+bool is_touching(const Contact& contact) { return contact.manifold.point_count > 0; }
 
 // True if some body has been slow for long enough.
 bool update_still_times(BodyStore& bodies, const StepSettings& settings) {

@@ -1,8 +1,8 @@
 // Falling asleep and waking: islands leave the hot arrays as a whole and come back as a whole.
 //
 // An island is a set of dynamic bodies tied together by touching contacts and joints. It falls asleep when each of its
-// bodies has been slow for half a second (Tuning::time_to_sleep); it wakes when one of its bodies is touched by something awake, or when a
-// caller changes what it rests on.
+// bodies has been slow for half a second (Tuning::time_to_sleep); it wakes when one of its bodies is touched by
+// something awake, or when a caller changes what it rests on.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Soft constraints: a spring and damper given by frequency and damping ratio, integrated implicitly over a sub-step.
 //
 // The impulse is - mass * (mass_scale * (relative velocity + bias_rate * error)) - impulse_scale * (impulse so far)
-// [Catto 2011, "Soft Constraints"; Catto 2024, "Solver2D"]. Stable whatever the stiffness, if `mass` is what the impulse
-// moves; rigid is {0, 1, 0}.
+// [Catto 2011, "Soft Constraints"; Catto 2024, "Solver2D"]. Stable whatever the stiffness, if `mass` is what the
+// impulse moves; rigid is {0, 1, 0}.
 #pragma once
 
 #include <algorithm>

@@ -12,13 +12,13 @@
 namespace tumble {
 
 enum BodyFlag : std::uint32_t {
-    kDynamicBody = 1u << 0,    // has a mass: gravity, damping and impulses act on it
-    kFastSpin = 1u << 1,       // may turn by kMaxFastRotation in a sub-step
-    kBulletBody = 1u << 2,     // is swept against other dynamic bodies too
-    kLockX = 1u << 3,          // has no velocity along the world's x axis,
-    kLockY = 1u << 4,          // along y,
-    kLockRotation = 1u << 5,   // or of turning
-    kThrownBody = 1u << 6,     // went faster than anything may, since the last step ended
+    kDynamicBody = 1u << 0,   // has a mass: gravity, damping and impulses act on it
+    kFastSpin = 1u << 1,      // may turn by kMaxFastRotation in a sub-step
+    kBulletBody = 1u << 2,    // is swept against other dynamic bodies too
+    kLockX = 1u << 3,         // has no velocity along the world's x axis,
+    kLockY = 1u << 4,         // along y,
+    kLockRotation = 1u << 5,  // or of turning
+    kThrownBody = 1u << 6,    // went faster than anything may, since the last step ended
 };
 
 struct alignas(32) SolverBody {
@@ -42,14 +42,10 @@ inline float allowed(std::uint32_t flags, float angular_velocity) {
 }
 
 // A vector with its components multiplied, as masses of locked bodies do it.
-constexpr Vec2 scaled(Vec2 factors, Vec2 v) {
-    return {factors.x * v.x, factors.y * v.y};
-}
+constexpr Vec2 scaled(Vec2 factors, Vec2 v) { return {factors.x * v.x, factors.y * v.y}; }
 
 // How constraints see the motion of a body: the velocity of the point at offset `arm` from the centre of mass.
-inline Vec2 velocity_at(const SolverBody& body, Vec2 arm) {
-    return body.velocity + cross(body.angular_velocity, arm);
-}
+inline Vec2 velocity_at(const SolverBody& body, Vec2 arm) { return body.velocity + cross(body.angular_velocity, arm); }
 
 // The product of rotations: turns by `first`, then by `second`.
 constexpr Rotation compose(Rotation second, Rotation first) {

@@ -5,14 +5,11 @@ namespace tumble {
 namespace {
 
 Softness softness_of(const std::optional<JointSpring>& spring, const JointContext& context, bool use_bias) {
-    return spring ? spring_softness(*spring, context.h)
-                  : context.equality_softness(use_bias);
+    return spring ? spring_softness(*spring, context.h) : context.equality_softness(use_bias);
 }
 
 // Springs belong to the biased pass alone, as in JointDrive.
-bool is_solved(const std::optional<JointSpring>& spring, bool use_bias) {
-    return use_bias || !spring;
-}
+bool is_solved(const std::optional<JointSpring>& spring, bool use_bias) { return use_bias || !spring; }
 
 }  // namespace
 

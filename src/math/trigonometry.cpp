@@ -16,8 +16,8 @@ constexpr double kLargestAngle = 1e6;
 // Sine and cosine side by side: each operation rounds as it does for one number.
 using Double2 = double __attribute__((vector_size(16)));
 
-// Taylor series on [-pi/4, pi/4]: (sin x - x) / x^3 and (cos x - 1 + x^2 / 2) / x^4 as series in x^2. The first term left out
-// is below 1e-19 and 3e-18.
+// Taylor series on [-pi/4, pi/4]: (sin x - x) / x^3 and (cos x - 1 + x^2 / 2) / x^4 as series in x^2. The first term
+// left out is below 1e-19 and 3e-18.
 constexpr Double2 kSeries[] = {{1.0 / 355687428096000.0, 0.0},  // 1 / 17!
                                {-1.0 / 1307674368000.0, 1.0 / 20922789888000.0},
                                {1.0 / 6227020800.0, -1.0 / 87178291200.0},

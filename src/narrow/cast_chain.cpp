@@ -30,7 +30,11 @@ DifferenceChain::Fan DifferenceChain::make_fan(const Core& core, double sign) {
 }
 
 DifferenceChain::DifferenceChain(const CorePair& pair)
-    : pair_(pair), a_(make_fan(pair.a, 1.0)), b_(make_fan(pair.b, -1.0)), heading_(kFirstHeading), current_(vertex()),
+    : pair_(pair),
+      a_(make_fan(pair.a, 1.0)),
+      b_(make_fan(pair.b, -1.0)),
+      heading_(kFirstHeading),
+      current_(vertex()),
       is_point_(a_.left + b_.left == 0) {}
 
 MinkowskiVertex DifferenceChain::vertex() const {

@@ -1,8 +1,8 @@
 // The boundary of the Minkowski difference A - B as one closed chain, by walking both edge fans in angular order.
 //
-// Each step consumes the edge of A or the (negated) edge of B that turns less; parallel ones together, so that the chain
-// is the same seen from B. O(n + m), nothing stored: the faces come one by one. Consecutive faces share their vertex bit
-// for bit, so that tests on the signs at vertices leave no gap between faces.
+// Each step consumes the edge of A or the (negated) edge of B that turns less; parallel ones together, so that the
+// chain is the same seen from B. O(n + m), nothing stored: the faces come one by one. Consecutive faces share their
+// vertex bit for bit, so that tests on the signs at vertices leave no gap between faces.
 #pragma once
 
 #include "narrow/support.hpp"

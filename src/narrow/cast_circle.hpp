@@ -29,7 +29,9 @@ inline CircleEntry meet_circle(const CastPath& path, DVec2 center) {
     const double ahead = dot(heading, center), offside = cross(heading, center), aside = std::abs(offside);
     if (!(ahead > 0.0 && aside <= path.reach + path.error)) return {};
     const double entry = enter_circle(ahead, aside, path.reach), error = 2.0 * path.error;
-    return {entry >= 0.0, aside <= path.reach - path.error, entry,
+    return {entry >= 0.0,
+            aside <= path.reach - path.error,
+            entry,
             enter_circle(ahead, aside, path.reach + error) - path.error,
             enter_circle(ahead, aside, std::max(0.0, path.reach - error)) + path.error,
             (entry - ahead) * heading - offside * perp(heading)};

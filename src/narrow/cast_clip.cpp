@@ -17,9 +17,9 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 // A face with what both its ends and its line need.
 struct MeasuredFace {
     ChainFace chain;
-    DVec2 normal;     // unit, outwards; zero for a difference that is a point
+    DVec2 normal;  // unit, outwards; zero for a difference that is a point
     double length;
-    double rate;      // at which the face closes: -normal . v
+    double rate;  // at which the face closes: -normal . v
 };
 
 MeasuredFace measure(const ChainFace& chain, const CastPath& path) {
@@ -32,7 +32,9 @@ CastFeature feature_of(const MeasuredFace& face, double along) {
     return {face.normal, face.chain.from.pair(), face.chain.to.pair(), along};
 }
 
-CastFeature feature_of(const MinkowskiVertex& vertex, DVec2 normal) { return {normal, vertex.pair(), vertex.pair(), 0.0}; }
+CastFeature feature_of(const MinkowskiVertex& vertex, DVec2 normal) {
+    return {normal, vertex.pair(), vertex.pair(), 0.0};
+}
 
 // Contacts found so far: the first of all, and the first that is certain to exist.
 class FirstContact {
@@ -87,9 +89,7 @@ public:
 
 private:
     // By more than rounding within the motion, and than the rounding of the rate.
-    bool closes(double rate) const {
-        return rate > path_.error && rate > 16.0 * kUnitRoundoff * path_.length;
-    }
+    bool closes(double rate) const { return rate > path_.error && rate > 16.0 * kUnitRoundoff * path_.length; }
 
     void meet_face(const MeasuredFace& face) {
         const DVec2 v = path_.motion;
@@ -110,13 +110,16 @@ private:
         const CircleEntry circle = meet_circle(path_, after.chain.from.w);
         if (!circle.is_met) return;
         const bool is_round = path_.reach > kRound * path_.error;
-        const DVec2 normal = is_round ? (1.0 / length(circle.from_center)) * circle.from_center : corner_normal(before, after);
+        const DVec2 normal =
+            is_round ? (1.0 / length(circle.from_center)) * circle.from_center : corner_normal(before, after);
         // Without curvature to speak of, the faces beside the vertex are met instead of it, within E / s.
         const double slower = std::min(before.rate, after.rate);
         const double doubt = !is_round && slower > 0.0 ? path_.error / slower : 0.0;
         const bool is_certain = is_round ? circle.is_certain : closes(slower);
-        first_.offer({circle.entry / path_.length, circle.lower / path_.length - doubt, circle.upper / path_.length + doubt,
-                      -dot(normal, path_.motion), feature_of(after.chain.from, normal)}, is_certain);
+        first_.offer(
+            {circle.entry / path_.length, circle.lower / path_.length - doubt, circle.upper / path_.length + doubt,
+             -dot(normal, path_.motion), feature_of(after.chain.from, normal)},
+            is_certain);
     }
 
     // Of a vertex that is sharp: the face beside it that closes faster, or against the motion if there is none.
@@ -157,9 +160,9 @@ private:
 
     CastPath path_;
     FirstContact first_;
-    double nearest_ = kNever;   // from the origin to a face or vertex
+    double nearest_ = kNever;  // from the origin to a face or vertex
     CastFeature nearest_feature_{};
-    CastFeature facing_{};      // the face in front of the origin that closes fastest
+    CastFeature facing_{};  // the face in front of the origin that closes fastest
     double fastest_ = -kNever;
     double deepest_ = -kNever;  // largest separation of the origin from the line of a face
     bool is_held_ = false;      // a face that touches the origin does not close

@@ -1,14 +1,14 @@
 // The path of the origin against A - B grown by a reach: where it starts, and where it meets the boundary first.
 //
-// B moves by t v, so that A - B moves by -t v: as if the origin went along v and A - B stayed. The boundary of the grown
-// difference is its faces, moved outwards by the reach, and arcs around its vertices. A face is met if its moved ends lie
-// on the two sides of the path (a test on signs that neighbours share); a whole circle is tried at each vertex, as what
-// is no arc of it lies inside and is never met first. So nothing slips through a join. A vertex within the error bound
-// of the path counts as met.
+// B moves by t v, so that A - B moves by -t v: as if the origin went along v and A - B stayed. The boundary of the
+// grown difference is its faces, moved outwards by the reach, and arcs around its vertices. A face is met if its moved
+// ends lie on the two sides of the path (a test on signs that neighbours share); a whole circle is tried at each
+// vertex, as what is no arc of it lies inside and is never met first. So nothing slips through a join. A vertex within
+// the error bound of the path counts as met.
 //
-// Bracket: a face that closes at the rate s (m a whole motion) is met within E / s of the fraction found, a circle between
-// the fractions at which the radii reach + 2E and reach - 2E are; without curvature (reach below 16 E) a vertex is met
-// within E / s of the slower face beside it.
+// Bracket: a face that closes at the rate s (m a whole motion) is met within E / s of the fraction found, a circle
+// between the fractions at which the radii reach + 2E and reach - 2E are; without curvature (reach below 16 E) a vertex
+// is met within E / s of the slower face beside it.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct CastFeature {
     DVec2 normal;     // unit, outwards: from A to B
     VertexPair from;  // ends of the face; equal for a vertex
     VertexPair to;
-    double along;     // where on the face: 0 at `from`, 1 at `to`
+    double along;  // where on the face: 0 at `from`, 1 at `to`
 };
 
 // Where the path meets the boundary. Never, if the fraction is infinite.

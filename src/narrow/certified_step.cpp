@@ -19,22 +19,20 @@ struct Bound {
 };
 
 // An upper bound on tan(x) for 0 <= x <= 1: (tan x - x) / x^3 grows with x, to tan 1 - 1 = 0.55741.
-double tangent_above(double x) {
-    return x * (1.0 + 0.5575 * x * x);
-}
+double tangent_above(double x) { return x * (1.0 + 0.5575 * x * x); }
 
-double positive_part(double x) {
-    return x > 0.0 ? x : 0.0;
-}
+double positive_part(double x) { return x > 0.0 ? x : 0.0; }
 
 // At most the first positive root of gap = closing x + curvature x^2, and at most the window; by a square root only
-// where the bound does not close at first. The root is gap / (closing + curvature root): with a number beyond it in its place the quotient falls short if the curvature is
-// positive, and so it does with a number before it if that is negative. gap / closing lies before such a root.
+// where the bound does not close at first. The root is gap / (closing + curvature root): with a number beyond it in its
+// place the quotient falls short if the curvature is positive, and so it does with a number before it if that is
+// negative. gap / closing lies before such a root.
 double root_of(Bound bound, double gap, double window) {
     const double closing = bound.closing, curvature = bound.curvature;
     if (closing > 0.0) {
         const double near = curvature < 0.0 ? gap / closing : window;
-        return closing * closing + 4.0 * curvature * gap < 0.0 ? window : std::min(gap / (closing + curvature * near), window);
+        return closing * closing + 4.0 * curvature * gap < 0.0 ? window
+                                                               : std::min(gap / (closing + curvature * near), window);
     }
     if (curvature <= 0.0) return window;
     return std::min((std::sqrt(closing * closing + 4.0 * curvature * gap) - closing) / (2.0 * curvature), window);
@@ -51,12 +49,8 @@ double root_to_second_order(Bound bound, double gap) {
 // f cos y <= f + c y^2 and f sin y <= f y + c y^2 for 0 <= y <= angle <= 1, from the alternating Taylor series: the
 // term of second order is kept as it is, the first one left out is bounded at the end. Without branches on signs, which
 // are as good as random.
-double cosine_curvature(double f, double angle) {
-    return -0.5 * f + positive_part(f) * (angle * angle * (1.0 / 24.0));
-}
-double sine_curvature(double f, double angle) {
-    return positive_part(-f) * (angle * (1.0 / 6.0));
-}
+double cosine_curvature(double f, double angle) { return -0.5 * f + positive_part(f) * (angle * angle * (1.0 / 24.0)); }
+double sine_curvature(double f, double angle) { return positive_part(-f) * (angle * (1.0 / 6.0)); }
 
 // A body as its axis sees it: the height of its support vertex and its lever, the height gained per radian.
 struct Mover {
@@ -82,8 +76,8 @@ struct Mover {
 }
 
 // The height that a core has in the direction turned back by an angle of this tangent, as a lever.
-[[gnu::noinline]] double lever_of_support(const Core& core, DVec2 center, double height, DVec2 turned_back,
-                                          double back, int near) {
+[[gnu::noinline]] double lever_of_support(const Core& core, DVec2 center, double height, DVec2 turned_back, double back,
+                                          int near) {
     return ((support(core, turned_back, near).height - dot(turned_back, center)) - height) / back;
 }
 
@@ -124,9 +118,7 @@ struct Approach {
 }
 
 // Where nothing turns by more than a radian.
-double cut(double window, double fastest) {
-    return fastest * window > 1.0 ? 1.0 / fastest : window;
-}
+double cut(double window, double fastest) { return fastest * window > 1.0 ? 1.0 / fastest : window; }
 
 // The terms of the bound along an axis that turns with one core, and the other moves...
 struct FaceView {

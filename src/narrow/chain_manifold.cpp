@@ -121,12 +121,9 @@ LinkMeeting meet_link(const Shape& a, const ChainLink& link, const Pose& world_f
     if (is_reversed && link.one_sided) return {{}, LinkSide::solid};
     const OpenSegment segment = open_segment(pair.a, link, is_reversed);
     switch (judge(segment, DVec2(found.normal))) {
-        case Verdict::admit:
-            return {found, LinkSide::open};
-        case Verdict::drop:
-            return {{}, LinkSide::open};
-        case Verdict::replace:
-            break;
+        case Verdict::admit: return {found, LinkSide::open};
+        case Verdict::drop: return {{}, LinkSide::open};
+        case Verdict::replace: break;
     }
     const double tolerance = kReferenceTolerance * speculative_distance;
     cache.reference_side = Side::a;

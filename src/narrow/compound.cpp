@@ -14,7 +14,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-const Shape& part_of(std::span<const Shape> parts, std::int32_t index) { return parts[static_cast<std::size_t>(index)]; }
+const Shape& part_of(std::span<const Shape> parts, std::int32_t index) {
+    return parts[static_cast<std::size_t>(index)];
+}
 
 CompoundDistance invalid_distance() {
     const DistanceResult invalid = invalid_result();
@@ -62,7 +64,8 @@ CompoundOverlap compound_overlap(std::span<const Shape> a, const Pose& world_fro
     bool valid = true;
     const auto limit = [&] { return result.status == DistanceStatus::overlapping ? -kInfinity : 0.0; };
     pairs.visit(separation, limit, [&](std::int32_t part_a, std::int32_t part_b) {
-        const DistanceStatus status = distance(part_of(a, part_a), world_from_a, part_of(b, part_b), world_from_b).status;
+        const DistanceStatus status =
+            distance(part_of(a, part_a), world_from_a, part_of(b, part_b), world_from_b).status;
         ++result.queries;
         valid = valid && status != DistanceStatus::invalid;
         const bool decides = status == DistanceStatus::overlapping ||

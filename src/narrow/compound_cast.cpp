@@ -106,7 +106,8 @@ CompoundCast compound_cast_shape(std::span<const Shape> a, const Pose& world_fro
     if (!is_valid_motion(translation) || !(target >= 0.0)) return {invalid_cast(), -1, -1, 0};
     const double margin = target + pairs.rounding(target);
     return find_first(
-        pairs, [&](const Aabb& box_a, const Aabb& box_b) { return meeting_of_boxes(box_a, box_b, translation, margin); },
+        pairs,
+        [&](const Aabb& box_a, const Aabb& box_b) { return meeting_of_boxes(box_a, box_b, translation, margin); },
         [&](std::size_t i, std::size_t k) {
             return cast_shape(a[i], world_from_a, b[k], world_from_b, translation, target);
         });
@@ -124,7 +125,8 @@ CompoundCast compound_time_of_impact(std::span<const Shape> a, const Sweep& swee
                          (1.0 + 0x1p-40);
     const double margin = target + 0x1p-20 * (pairs.sizes() + target);
     return find_first(
-        pairs, [&](const Aabb& box_a, const Aabb& box_b) {
+        pairs,
+        [&](const Aabb& box_a, const Aabb& box_b) {
             const double gap = separation(box_a, box_b) - margin;
             return gap > 0.0 ? gap / speed : 0.0;
         },

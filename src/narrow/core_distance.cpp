@@ -50,8 +50,8 @@ CoreDistance face_distance(const CorePair& pair, const Face& face) {
     return result;
 }
 
-// Within rounding of contact both views are true: GJK's simplex bounds from above, the face from below. Where the face gives
-// the answer it bounds from above too: it lies as far from the origin as it is deep.
+// Within rounding of contact both views are true: GJK's simplex bounds from above, the face from below. Where the face
+// gives the answer it bounds from above too: it lies as far from the origin as it is deep.
 CoreDistance touching_cores(const CorePair& pair, const GjkResult& gjk, const CoreDistance& by_face) {
     CoreDistance result = by_face;
     result.upper = std::abs(by_face.distance) + error_bound(pair);
@@ -77,8 +77,7 @@ bool measure_small_simplex(const CorePair& pair, const Simplex& simplex, CoreDis
     if (simplex.count > 2 || !has_few_faces(pair)) return false;
     if (pair.a.count == 1 && pair.b.count == 1) return measure_points(pair, result) && result.lower > 0.0;
     const VertexPair first = simplex.vertices[0].pair(), second = simplex.vertices[1].pair();
-    if (simplex.count == 1)
-        return measure_by_vertex<8>(pair, {turn<8>(pair.a), turn<8>(pair.b)}, first, result);
+    if (simplex.count == 1) return measure_by_vertex<8>(pair, {turn<8>(pair.a), turn<8>(pair.b)}, first, result);
     return measure_by_ends<8>(pair, first, second, result) || measure_by_ends<8>(pair, second, first, result);
 }
 
@@ -104,8 +103,8 @@ void move_below_origin(const CorePair& pair, CoreDistance& core) {
     find_witness(pair, core);
 }
 
-// Of parallel faces of both cores the parts that the origin is not above lead as well; where they overlap, the walk along
-// them finds the part that it is above.
+// Of parallel faces of both cores the parts that the origin is not above lead as well; where they overlap, the walk
+// along them finds the part that it is above.
 bool measure_parallel_faces(const CorePair& pair, CoreDistance& result) {
     const TurnedPair<8> turned = {turn<8>(pair.a), turn<8>(pair.b)};
     for (LeadingFaces<8> leading(pair, turned); leading.bits != 0; leading.bits &= leading.bits - 1) {

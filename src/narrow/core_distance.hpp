@@ -15,9 +15,9 @@ struct CoreDistance {
     double distance = 0.0;  // signed, of the cores
     double lower = 0.0;     // the exact one lies in [lower, upper]
     double upper = 0.0;
-    DVec2 direction;      // from A to B; proves `lower`
-    DVec2 normal;         // the same, of unit length; (1, 0) if the cores coincide in a point
-    DVec2 on_a;           // witness points of the cores, relative to A's and to B's position, in world axes
+    DVec2 direction;  // from A to B; proves `lower`
+    DVec2 normal;     // the same, of unit length; (1, 0) if the cores coincide in a point
+    DVec2 on_a;       // witness points of the cores, relative to A's and to B's position, in world axes
     DVec2 on_b;
     VertexPair pairs[2];  // the closest vertex or edge of A - B, or the face of largest separation
     int pair_count = 0;
@@ -26,8 +26,8 @@ struct CoreDistance {
     bool reached_cap = false;
 };
 
-// What the loop would end with, from the nearest of all simplices: for a loop that stopped early, or closed around the origin
-// by rounding alone.
+// What the loop would end with, from the nearest of all simplices: for a loop that stopped early, or closed around the
+// origin by rounding alone.
 GjkResult exhaustive_search(const CorePair& pair, GjkResult stopped);
 
 // True if the loop's own bounds are apart by more than rounding explains.
@@ -45,7 +45,7 @@ inline constexpr auto kUnobserved = [](const Simplex&, const Closest&, const Min
 // By GJK alone. A cache, if given, supplies the first simplex and receives the last.
 template <typename Reducer, typename Observer>
 [[gnu::always_inline]] inline CoreDistance measure_by_gjk(const CorePair& pair, SimplexCache* cache,
-                                                         Observer&& observe) {
+                                                          Observer&& observe) {
     Simplex start;
     if (cache) start = simplex_of_cache(pair, *cache);
     const bool is_cold = start.count == 0;

@@ -43,9 +43,10 @@ DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b
         return distance_of_circles(a, world_from_a, b, world_from_b, cache);
     const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
     if (!is_valid(pair, a, b)) return invalid_result();
-    return measure_cores(pair, cache, [&](const CoreDistance& core) __attribute__((always_inline)) {
-        return make_result(core, a, b, world_from_a.position, world_from_b.position);
-    });
+    return measure_cores(
+        pair, cache, [&](const CoreDistance& core) __attribute__((always_inline)) {
+            return make_result(core, a, b, world_from_a.position, world_from_b.position);
+        });
 }
 
 }  // namespace tumble

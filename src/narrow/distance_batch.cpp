@@ -1,9 +1,9 @@
 // Many queries at once: a pair a lane.
 //
-// Pairs of at most four, and of at most eight, vertices are collected until their lanes are full, and answered together by
-// the formulas of one pair (feature_formulas.hpp). So each answer has the bits of distance(), whatever stands beside it: no lane
-// reads another. Pairs that the leading face does not decide, large ones, and the last ones of lanes that are not full
-// are asked one by one.
+// Pairs of at most four, and of at most eight, vertices are collected until their lanes are full, and answered together
+// by the formulas of one pair (feature_formulas.hpp). So each answer has the bits of distance(), whatever stands beside
+// it: no lane reads another. Pairs that the leading face does not decide, large ones, and the last ones of lanes that
+// are not full are asked one by one.
 #include <algorithm>
 
 #include "narrow/distance_result.hpp"
@@ -48,7 +48,8 @@ private:
         for (int lane = 0; lane < kPairs; ++lane) {
             const Shape &a = *shapes_a[lane], &b = *shapes_b[lane];
             if (measured.is_decided(lane) && are_radii_valid(a, b))
-                write_result(results_[indices_[lane]], measured(lane, a, b), a, b, poses_a[lane]->position, poses_b[lane]->position);
+                write_result(results_[indices_[lane]], measured(lane, a, b), a, b, poses_a[lane]->position,
+                             poses_b[lane]->position);
             else
                 answer_alone(indices_[lane]);
         }
@@ -68,7 +69,8 @@ void distance_batch(std::span<const PosedPair> pairs, std::span<DistanceResult> 
     Batch<8> larger(pairs, results);
     for (std::size_t i = 0; i < std::min(pairs.size(), results.size()); ++i) {
         const Shape &a = *pairs[i].a, &b = *pairs[i].b;
-        const int most = std::max(a.vertex_count(), b.vertex_count()), least = std::min(a.vertex_count(), b.vertex_count());
+        const int most = std::max(a.vertex_count(), b.vertex_count()),
+                  least = std::min(a.vertex_count(), b.vertex_count());
         const bool fits = least > 0 && most > 1 && most <= Shape::kInlineVertices && a.is_convex() && b.is_convex();
         if (!fits)
             results[i] = distance(a, pairs[i].world_from_a, b, pairs[i].world_from_b);

@@ -27,7 +27,8 @@ double height(const CorePair& pair, DVec2 direction, VertexPair at) {
 // The next vertex of A - B around its outline, counter-clockwise for step 1: that of the two cores which falls less.
 VertexPair neighbour(const CorePair& pair, DVec2 direction, VertexPair at, int step) {
     const auto beside = [step](const Core& core, int i) { return step > 0 ? core.next(i) : core.previous(i); };
-    const VertexPair along_a = make_pair_of(beside(pair.a, at.a), at.b), along_b = make_pair_of(at.a, beside(pair.b, at.b));
+    const VertexPair along_a = make_pair_of(beside(pair.a, at.a), at.b),
+                     along_b = make_pair_of(at.a, beside(pair.b, at.b));
     if (along_a == at) return along_b;
     if (along_b == at) return along_a;
     return height(pair, direction, along_a) >= height(pair, direction, along_b) ? along_a : along_b;
@@ -37,8 +38,8 @@ VertexPair neighbour(const CorePair& pair, DVec2 direction, VertexPair at, int s
 DVec2 normal_of_a(const CorePair& pair, int edge) { return -perp(pair.a.edge(edge, pair.a.next(edge))); }
 DVec2 normal_of_b(const CorePair& pair, int edge) { return perp(pair.b.edge(edge, pair.b.next(edge))); }
 
-// The height of an edge in the direction of its normal. Above an edge of an outline that is not convex other vertices may
-// stand: then theirs, so that the separation stays a lower bound.
+// The height of an edge in the direction of its normal. Above an edge of an outline that is not convex other vertices
+// may stand: then theirs, so that the separation stays a lower bound.
 double own_height(const Core& core, int edge, DVec2 outward) {
     return core.is_convex ? dot(outward, core.point(edge)) : support(core, outward).height;
 }
@@ -67,8 +68,8 @@ FoundFace face_of_b(const CorePair& pair, int edge) {
     return face_of_b(pair, edge, direction, support(pair.a, direction));
 }
 
-// Walks along the outline below the origin, as long as it, or its part up to the origin, stays level within the rounding
-// of heights.
+// Walks along the outline below the origin, as long as it, or its part up to the origin, stays level within the
+// rounding of heights.
 void move_below_origin(const CorePair& pair, Face& face) {
     const DVec2 along = perp(face.direction);  // from the first pair to the second
     const double slack = progress_bound(pair) * length(face.direction);

@@ -54,8 +54,10 @@ struct CorePairs {
     CorePairs(const Shape* const (&shapes_a)[kPairs], const Pose* const (&poses_a)[kPairs],
               const Shape* const (&shapes_b)[kPairs], const Pose* const (&poses_b)[kPairs])
         : a(shapes_a, poses_a), b(shapes_b, poses_b) {
-        offset_x = gather_lanes<kPairs>([&](int lane) { return poses_b[lane]->position.x - poses_a[lane]->position.x; });
-        offset_y = gather_lanes<kPairs>([&](int lane) { return poses_b[lane]->position.y - poses_a[lane]->position.y; });
+        offset_x =
+            gather_lanes<kPairs>([&](int lane) { return poses_b[lane]->position.x - poses_a[lane]->position.x; });
+        offset_y =
+            gather_lanes<kPairs>([&](int lane) { return poses_b[lane]->position.y - poses_a[lane]->position.y; });
         scale = (a.reach + b.reach) + square_root(offset_x * offset_x + offset_y * offset_y);
     }
 };
@@ -65,15 +67,16 @@ template <int N>
 struct LeadingFaceOfPairs {
     SeenFace<PairLanes> face;  // of separation minus infinity where no edge has a length
     PairLanes edge;
-    PairLanes nearest;            // the other core's vertex
-    PairMask is_tied;             // another face is as far
+    PairLanes nearest;  // the other core's vertex
+    PairMask is_tied;   // another face is as far
     PairMask is_b;
 
     PairMask exists() const { return PairLanes(-std::numeric_limits<double>::infinity()) < face.separation; }
 
     TUMBLE_LANE_FUNCTION explicit LeadingFaceOfPairs(const CorePairs<N>& pairs) {
         const PairLanes none(0.0);
-        face = {none, none, none, PairLanes(-std::numeric_limits<double>::infinity()), none, none, none, none, none, none};
+        face = {none, none, none, PairLanes(-std::numeric_limits<double>::infinity()), none, none, none,
+                none, none, none};
         edge = nearest = none;
         is_tied = none < none;
         look<0>(pairs.a, pairs.b, pairs.offset_x, pairs.offset_y, std::make_index_sequence<N>());
@@ -94,7 +97,8 @@ private:
     TUMBLE_LANE_FUNCTION void look_at(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other, const PairLanes& offset_x,
                                       const PairLanes& offset_y, std::index_sequence<Vertex...>) {
         constexpr int kNext = Edge + 1 < N ? Edge + 1 : 0;
-        const PairLanes edge_x = own.local_x[kNext] - own.local_x[Edge], edge_y = own.local_y[kNext] - own.local_y[Edge];
+        const PairLanes edge_x = own.local_x[kNext] - own.local_x[Edge],
+                        edge_y = own.local_y[kNext] - own.local_y[Edge];
         const PairLanes x = outward_x_of(own.c, own.s, edge_x, edge_y), y = outward_y_of(own.c, own.s, edge_x, edge_y);
         LowestLanes<kPairs> lowest{x * other.x[0] + y * other.y[0]};
         (take_lower(lowest, x * other.x[Vertex + 1] + y * other.y[Vertex + 1], Vertex + 1), ...);
@@ -116,7 +120,8 @@ private:
     }
 
     template <std::size_t... Vertex>
-    TUMBLE_LANE_FUNCTION void find_other(const CoreOfPairs<N>& a, const CoreOfPairs<N>& b, std::index_sequence<Vertex...>) {
+    TUMBLE_LANE_FUNCTION void find_other(const CoreOfPairs<N>& a, const CoreOfPairs<N>& b,
+                                         std::index_sequence<Vertex...>) {
         const auto take = [&](int vertex) __attribute__((always_inline)) {
             const PairMask is_here = nearest == PairLanes(vertex);
             replace(face.other_x, is_here, select(is_b, a.x[vertex], b.x[vertex]));

@@ -1,5 +1,5 @@
-// What a feature of A - B says of the distance: the arithmetic that one pair and a pair a lane share. What is decided by it
-// is in measure_cores.hpp, and in measure_pairs.hpp by masks.
+// What a feature of A - B says of the distance: the arithmetic that one pair and a pair a lane share. What is decided
+// by it is in measure_cores.hpp, and in measure_pairs.hpp by masks.
 #pragma once
 
 #include "narrow/error_bound.hpp"
@@ -12,7 +12,7 @@ template <typename Number>
 struct SeenFace {
     Number outward_x;
     Number outward_y;
-    Number length;      // of `outward`
+    Number length;  // of `outward`
     Number separation;
     Number first_x, first_y, second_x, second_y;  // the ends of its edge
     Number other_x, other_y;                      // the other core's vertex, relative to the other core's position
@@ -27,11 +27,14 @@ struct FaceMeasure {
 
 // The offset is from the owner's position to the other core's.
 template <typename Number>
-TUMBLE_LANE_FUNCTION FaceMeasure<Number> measure(const SeenFace<Number>& face, const Number& offset_x, const Number& offset_y) {
+TUMBLE_LANE_FUNCTION FaceMeasure<Number> measure(const SeenFace<Number>& face, const Number& offset_x,
+                                                 const Number& offset_y) {
     const Number normal_x = face.outward_x / face.length, normal_y = face.outward_y / face.length;
     // The edge is outward turned by a quarter: (-y, x).
-    const Number before_x = (face.first_x - face.other_x) - offset_x, before_y = (face.first_y - face.other_y) - offset_y;
-    const Number behind_x = (face.second_x - face.other_x) - offset_x, behind_y = (face.second_y - face.other_y) - offset_y;
+    const Number before_x = (face.first_x - face.other_x) - offset_x,
+                 before_y = (face.first_y - face.other_y) - offset_y;
+    const Number behind_x = (face.second_x - face.other_x) - offset_x,
+                 behind_y = (face.second_y - face.other_y) - offset_y;
     return {normal_x,
             normal_y,
             (face.other_x + offset_x) - face.separation * normal_x,
@@ -59,7 +62,8 @@ TUMBLE_LANE_FUNCTION Number to_origin(const Number& a, const Number& b, const Nu
 
 template <typename Number>
 TUMBLE_LANE_FUNCTION VertexMeasure<Number> measure_vertex(const Number& x, const Number& y, const Number& height_a,
-                                                          const Number& lowest_b, const Number& offset_x, const Number& offset_y) {
+                                                          const Number& lowest_b, const Number& offset_x,
+                                                          const Number& offset_y) {
     const Number height = (height_a - lowest_b) - (x * offset_x + y * offset_y);
     const Number distance_sq = x * x + y * y, distance = square_root(distance_sq), proved = -height / distance;
     return {x, y, distance_sq, distance, height, smaller(proved, distance), x / distance, y / distance};

@@ -49,10 +49,11 @@ struct GjkResult {
     ++simplex.count;
 }
 
-// Where rounding hides that a simplex is nearer than the best one, its direction may still prove more: that of an edge whose
-// foot is a hair's breadth from the vertex that the best one is. By value: an address would keep the loop's simplex out of
-// registers, 20 of 115 ns.
-[[gnu::noinline]] inline GjkResult with_better_proof(const CorePair& pair, GjkResult best, Simplex simplex, Closest closest) {
+// Where rounding hides that a simplex is nearer than the best one, its direction may still prove more: that of an edge
+// whose foot is a hair's breadth from the vertex that the best one is. By value: an address would keep the loop's
+// simplex out of registers, 20 of 115 ns.
+[[gnu::noinline]] inline GjkResult with_better_proof(const CorePair& pair, GjkResult best, Simplex simplex,
+                                                     Closest closest) {
     if (closest.contains_origin) return best;
     const double height = support(pair, closest.direction, simplex.vertices[0].pair()).height;
     ++best.iterations;
@@ -64,8 +65,8 @@ struct GjkResult {
     return best;
 }
 
-// `Reducer::reduce(pair, simplex)` reduces the simplex to the smallest subset that holds the point nearest to the origin,
-// and says where that is. `observe(simplex, closest, support)` sees each iteration before the support is added.
+// `Reducer::reduce(pair, simplex)` reduces the simplex to the smallest subset that holds the point nearest to the
+// origin, and says where that is. `observe(simplex, closest, support)` sees each iteration before the support is added.
 template <typename Reducer, typename Observer>
 [[gnu::always_inline]] inline GjkResult run_gjk(const CorePair& pair, Simplex simplex, Observer&& observe) {
     const int cap = iteration_cap(pair);

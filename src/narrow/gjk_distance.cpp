@@ -1,4 +1,5 @@
-// The GJK loop by itself, with any distance subalgorithm: measured, or with an observer that writes every iteration down.
+// The GJK loop by itself, with any distance subalgorithm: measured, or with an observer that writes every iteration
+// down.
 #include <limits>
 
 #include "narrow/distance_result.hpp"

@@ -1,7 +1,7 @@
 // Johnson's distance subalgorithm [GJK88, section 5], with the backup procedure.
 //
-// For a subset X of the vertices and i in X the cofactor delta_i(X) is the weight of w_i in the point of X's affine hull
-// nearest to the origin, times the sum of all weights, which is positive:
+// For a subset X of the vertices and i in X the cofactor delta_i(X) is the weight of w_i in the point of X's affine
+// hull nearest to the origin, times the sum of all weights, which is positive:
 //   delta_i({i}) = 1,  delta_j(X + j) = sum over i in X of delta_i(X) (w_i . w_k - w_i . w_j),  k any one of X.
 // X holds the nearest point if all its own cofactors are positive and no vertex outside has one that is. A cofactor of
 // three vertices is a product of four lengths and its sign is the first to be lost by rounding, for slivers; if then no
@@ -23,7 +23,8 @@ private:
         const MinkowskiVertex(&v)[3] = simplex.vertices;
         const DVec2 e01 = edge_between(pair, v[0], v[1]), e12 = edge_between(pair, v[1], v[2]),
                     e20 = edge_between(pair, v[2], v[0]);
-        // Of two vertices, by the edge between them: divided by the scale's square, as the products below would overflow.
+        // Of two vertices, by the edge between them: divided by the scale's square, as the products below would
+        // overflow.
         const double unit = 1.0 / (pair.scale * pair.scale);
         const double delta0_of_01 = unit * dot(v[1].w, e01), delta1_of_01 = -unit * dot(v[0].w, e01);
         const double delta1_of_12 = unit * dot(v[2].w, e12), delta2_of_12 = -unit * dot(v[1].w, e12);
@@ -35,7 +36,8 @@ private:
         const double delta0 = delta1_of_12 * delta0_of_01 + delta2_of_12 * (unit * dot(v[2].w, e01));
         const double delta1 = delta2_of_20 * delta1_of_12 + delta0_of_20 * (unit * dot(v[0].w, e12));
         const double delta2 = delta0_of_01 * delta2_of_20 + delta1_of_01 * (unit * dot(v[1].w, e20));
-        const bool is_on_01 = delta0_of_01 > 0.0 && delta1_of_01 > 0.0, is_on_12 = delta1_of_12 > 0.0 && delta2_of_12 > 0.0,
+        const bool is_on_01 = delta0_of_01 > 0.0 && delta1_of_01 > 0.0,
+                   is_on_12 = delta1_of_12 > 0.0 && delta2_of_12 > 0.0,
                    is_on_20 = delta2_of_20 > 0.0 && delta0_of_20 > 0.0;
         if (is_on_01 && delta2 <= 0.0) return keep_edge(simplex, 0, 1, e01);
         if (is_on_12 && delta0 <= 0.0) return keep_edge(simplex, 1, 2, e12);

@@ -1,6 +1,7 @@
-// The support vertex of a large polygon: the first edge that does not rise in the direction, by the directions of the edges
-// in angular order. It is looked for beside a vertex that is likely to be near, the hill climbing of [Cam97] kept from walking
-// around the polygon: after a few steps a table of sectors of the circle (edges_before) and bisection in one take over.
+// The support vertex of a large polygon: the first edge that does not rise in the direction, by the directions of the
+// edges in angular order. It is looked for beside a vertex that is likely to be near, the hill climbing of [Cam97] kept
+// from walking around the polygon: after a few steps a table of sectors of the circle (edges_before) and bisection in
+// one take over.
 #pragma once
 
 #include "narrow/core_pair.hpp"

@@ -71,12 +71,9 @@ void take(LeadingFeature& feature, const CorePair& pair, const CoreDistance& cor
 
 bool follow(const CorePair& pair, LeadingFeature& feature) {
     switch (feature.kind) {
-        case LeadingFeature::Kind::face:
-            return follow_face(pair, feature);
-        case LeadingFeature::Kind::vertices:
-            return follow_vertices(pair, feature);
-        case LeadingFeature::Kind::none:
-            return false;
+        case LeadingFeature::Kind::face: return follow_face(pair, feature);
+        case LeadingFeature::Kind::vertices: return follow_vertices(pair, feature);
+        case LeadingFeature::Kind::none: return false;
     }
     return false;
 }

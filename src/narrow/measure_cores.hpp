@@ -34,8 +34,8 @@ CoreDistance measure_any_cores(const CorePair& pair, SimplexCache* cache);
     return distance > 0.0;
 }
 
-// What the leading face, measured, says: it is the answer if the foot is inside, else the vertex that it ends with. Where
-// faces are equally separated, no vertex: which one is tried would depend on the order of the shapes.
+// What the leading face, measured, says: it is the answer if the foot is inside, else the vertex that it ends with.
+// Where faces are equally separated, no vertex: which one is tried would depend on the order of the shapes.
 enum class Decision { face, vertex, none };
 
 [[gnu::always_inline]] inline Decision decide(Foot foot, bool leads_alone, const CoreDistance& by_face) {
@@ -50,14 +50,16 @@ enum class Decision { face, vertex, none };
 
 // The face between two pairs, if they are the ends of one and the nearest point lies in it. Any pairs are safe.
 template <int N>
-TUMBLE_LANE_FUNCTION bool measure_by_ends(const CorePair& pair, VertexPair first, VertexPair second, CoreDistance& result) {
+TUMBLE_LANE_FUNCTION bool measure_by_ends(const CorePair& pair, VertexPair first, VertexPair second,
+                                          CoreDistance& result) {
     const unsigned is_b = first.a == second.a;
     const Core* const cores[2] = {&pair.a, &pair.b};
     const Core& owner = *cores[is_b];
     const int from = own_vertex(is_b, first), to = own_vertex(is_b, second);
     const bool is_edge = (from < owner.count) & (owner.next(from) == to) & (from != to);
     const bool is_face = is_edge & (own_vertex(1 - is_b, first) == own_vertex(1 - is_b, second));
-    return is_face && measure_by_face(pair, find_face<N>(pair, is_b, from), result) == Foot::inside && result.lower > 0.0;
+    return is_face && measure_by_face(pair, find_face<N>(pair, is_b, from), result) == Foot::inside &&
+           result.lower > 0.0;
 }
 
 [[gnu::always_inline]] inline void store(const CoreDistance& core, SimplexCache& cache) {

@@ -1,5 +1,5 @@
-// Core distances of many pairs of small cores at once, a pair a lane: as measure_cores.hpp finds them without a cache, and
-// with the same bits.
+// Core distances of many pairs of small cores at once, a pair a lane: as measure_cores.hpp finds them without a cache,
+// and with the same bits.
 #pragma once
 
 #include "narrow/core_distance.hpp"
@@ -29,7 +29,8 @@ public:
 
         const PairMask beyond_first = ~(by_face.before < zero), beyond_second = ~(zero < by_face.behind);
         const PairMask is_inside = ~(beyond_first | beyond_second), is_apart = zero < lower_;
-        const PairMask is_valid = leading_.exists() & (PairLanes(kSmallestScale) < pairs.scale) & (pairs.scale < PairLanes(kLargestScale));
+        const PairMask is_valid =
+            leading_.exists() & (PairLanes(kSmallestScale) < pairs.scale) & (pairs.scale < PairLanes(kLargestScale));
         ends_first_ = bits_of(beyond_first);
         by_face_ = bits_of(is_valid & is_inside & (is_apart | (upper_ < zero)));
         by_vertex_ = bits_of(is_valid & ~is_inside & is_apart & ~leading_.is_tied);
@@ -52,7 +53,8 @@ public:
         core.on_a.y = on_a_y_[lane];
         core.on_b.x = on_b_x_[lane];
         core.on_b.y = on_b_y_[lane];
-        const int edge = static_cast<int>(leading_.edge[lane]), from = edge % N, nearest = static_cast<int>(leading_.nearest[lane]);
+        const int edge = static_cast<int>(leading_.edge[lane]), from = edge % N,
+                  nearest = static_cast<int>(leading_.nearest[lane]);
         const unsigned is_b = edge >= N;
         const int counts[2] = {a.vertex_count(), b.vertex_count()};
         const int to = from + 1 == counts[is_b] ? 0 : from + 1;
@@ -68,22 +70,28 @@ public:
 
 private:
     // By the vertices that the leading faces end with, where it is they that may decide.
-    TUMBLE_LANE_FUNCTION void measure_ends(const CorePairs<N>& pairs, const PairMask& beyond_first, const PairMask& is_inside) {
+    TUMBLE_LANE_FUNCTION void measure_ends(const CorePairs<N>& pairs, const PairMask& beyond_first,
+                                           const PairMask& is_inside) {
         const CoreOfPairs<N>&a = pairs.a, &b = pairs.b;
         const SeenFace<PairLanes>& face = leading_.face;
-        const PairLanes end_x = select(beyond_first, face.first_x, face.second_x), end_y = select(beyond_first, face.first_y, face.second_y);
-        const PairLanes a_x = select(leading_.is_b, face.other_x, end_x), a_y = select(leading_.is_b, face.other_y, end_y);
-        const PairLanes b_x = select(leading_.is_b, end_x, face.other_x), b_y = select(leading_.is_b, end_y, face.other_y);
+        const PairLanes end_x = select(beyond_first, face.first_x, face.second_x),
+                        end_y = select(beyond_first, face.first_y, face.second_y);
+        const PairLanes a_x = select(leading_.is_b, face.other_x, end_x),
+                        a_y = select(leading_.is_b, face.other_y, end_y);
+        const PairLanes b_x = select(leading_.is_b, end_x, face.other_x),
+                        b_y = select(leading_.is_b, end_y, face.other_y);
         const PairLanes x = to_origin(a_x, b_x, pairs.offset_x), y = to_origin(a_y, b_y, pairs.offset_y);
         PairLanes height_a = x * a.x[0] + y * a.y[0], lowest_b = x * b.x[0] + y * b.y[0];
         for (int i = 1; i < N; ++i) {
             height_a = larger(height_a, x * a.x[i] + y * a.y[i]);
             lowest_b = smaller(lowest_b, x * b.x[i] + y * b.y[i]);
         }
-        const VertexMeasure<PairLanes> by_vertex = measure_vertex(x, y, height_a, lowest_b, pairs.offset_x, pairs.offset_y);
+        const VertexMeasure<PairLanes> by_vertex =
+            measure_vertex(x, y, height_a, lowest_b, pairs.offset_x, pairs.offset_y);
         const PairLanes error = error_bound(pairs.scale), lower = by_vertex.proved - error;
-        const PairMask is_proved = ~(progress_bound(pairs.scale) * by_vertex.distance < by_vertex.distance_sq + by_vertex.height) &
-                                       (PairLanes(0.0) < lower);
+        const PairMask is_proved =
+            ~(progress_bound(pairs.scale) * by_vertex.distance < by_vertex.distance_sq + by_vertex.height) &
+            (PairLanes(0.0) < lower);
         by_vertex_ &= bits_of(is_proved);
         const PairMask is_end = ~is_inside;
         replace(distance_, is_end, by_vertex.distance);
@@ -100,7 +108,8 @@ private:
     }
 
     LeadingFaceOfPairs<N> leading_;
-    PairLanes distance_, lower_, upper_, direction_x_, direction_y_, normal_x_, normal_y_, on_a_x_, on_a_y_, on_b_x_, on_b_y_;
+    PairLanes distance_, lower_, upper_, direction_x_, direction_y_, normal_x_, normal_y_, on_a_x_, on_a_y_, on_b_x_,
+        on_b_y_;
     unsigned by_face_, by_vertex_, ends_first_;
 };
 

@@ -11,9 +11,7 @@ namespace {
 
 constexpr double kLargestAngle = 1e6;
 
-double largest_angle(const Sweep& sweep) {
-    return std::abs(sweep.start_angle) + std::abs(sweep.turn);
-}
+double largest_angle(const Sweep& sweep) { return std::abs(sweep.start_angle) + std::abs(sweep.turn); }
 
 }  // namespace
 
@@ -23,10 +21,10 @@ Motion::Body Motion::make_body(const Shape& shape, const Sweep& sweep) {
     return {make_core(shape, {}), local_center, extent, sweep.turn, sin_cos(sweep.start_angle)};
 }
 
-// The core distance of separated cores at poses that are given is within 9.5 u of the scale (error_bound.hpp; by a face of
-// small cores 15.8 u), and 13.4 u of overlapping ones. Here the rotations are rounded too: sine and cosine of the start by
-// 4e-16 = 3.6 u each, a vertex by 5.1 u; on the way by as much for the turn and 2.1 u for its product with the start; the
-// angles by u of their size twice; the centres by 2 u of the ways. All worst cases at once: 23.8 u where the
+// The core distance of separated cores at poses that are given is within 9.5 u of the scale (error_bound.hpp; by a face
+// of small cores 15.8 u), and 13.4 u of overlapping ones. Here the rotations are rounded too: sine and cosine of the
+// start by 4e-16 = 3.6 u each, a vertex by 5.1 u; on the way by as much for the turn and 2.1 u for its product with the
+// start; the angles by u of their size twice; the centres by 2 u of the ways. All worst cases at once: 23.8 u where the
 // distance is within 9.5 u, 28 u for overlap, 30 u for small faces.
 Motion::Motion(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep& sweep_b, double reach)
     : a_(make_body(a, sweep_a)),

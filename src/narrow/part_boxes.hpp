@@ -39,7 +39,8 @@ inline double separation(const Aabb& a, const Aabb& b) {
     const auto gap = [](double a_lower, double a_upper, double b_lower, double b_upper) {
         return std::max(a_lower - b_upper, b_lower - a_upper);
     };
-    const double x = gap(a.lower.x, a.upper.x, b.lower.x, b.upper.x), y = gap(a.lower.y, a.upper.y, b.lower.y, b.upper.y);
+    const double x = gap(a.lower.x, a.upper.x, b.lower.x, b.upper.x),
+                 y = gap(a.lower.y, a.upper.y, b.lower.y, b.upper.y);
     return x > 0.0 && y > 0.0 ? std::sqrt(x * x + y * y) : std::max(x, y);
 }
 

@@ -72,8 +72,8 @@ public:
     // Of the largest parts and the offset (m).
     double sizes() const { return sizes_; }
 
-    // More than two error bounds of the distance of any pair grown by `target`: 16 u (RA + RB + |p|), and 4 u (rA + rB +
-    // |v|) for the radii (m).
+    // More than two error bounds of the distance of any pair grown by `target`: 16 u (RA + RB + |p|), and 4 u (rA + rB
+    // + |v|) for the radii (m).
     double rounding(double target = 0.0) const { return 0x1p-47 * (sizes_ + target); }
 
     // As visit_part_pairs().

@@ -6,9 +6,7 @@ namespace tumble {
 
 namespace {
 
-const Core& core_of(const CorePair& pair, Side side) {
-    return side == Side::a ? pair.a : pair.b;
-}
+const Core& core_of(const CorePair& pair, Side side) { return side == Side::a ? pair.a : pair.b; }
 
 FoundFace face_of(const CorePair& pair, ReferenceEdge reference) {
     return reference.side == Side::a ? face_of_a(pair, reference.edge) : face_of_b(pair, reference.edge);

@@ -18,9 +18,7 @@ struct Closest {
     bool contains_origin = false;  // v = 0: a triangle around the origin, or the origin on an edge or a vertex
 };
 
-[[gnu::always_inline]] inline Closest closest_at_origin() {
-    return {{}, 0.0, 0.0, true};
-}
+[[gnu::always_inline]] inline Closest closest_at_origin() { return {{}, 0.0, 0.0, true}; }
 
 [[gnu::always_inline]] inline Closest closest_on_vertex(const MinkowskiVertex& vertex) {
     const double distance_sq = length_sq(vertex.w);
@@ -66,7 +64,8 @@ DVec2 short_edge_between(const CorePair& pair, VertexPair from, VertexPair to);
     return closest_on_edge(kept_from, kept_to, edge);
 }
 
-// Two vertices, by how far the edge runs past the origin from either end: Voronoi regions and Johnson's cofactors alike.
+// Two vertices, by how far the edge runs past the origin from either end: Voronoi regions and Johnson's cofactors
+// alike.
 [[gnu::always_inline]] inline Closest reduce_edge(const CorePair& pair, Simplex& simplex) {
     const DVec2 edge = edge_between(pair, simplex.vertices[0], simplex.vertices[1]);
     if (dot(simplex.vertices[0].w, edge) >= 0.0) return keep_vertex(simplex, 0);

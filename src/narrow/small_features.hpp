@@ -13,13 +13,15 @@
 
 namespace tumble {
 
-// By a vertex of A - B, a of A and b of B: for the direction from it to the origin no other one is higher, within rounding.
+// By a vertex of A - B, a of A and b of B: for the direction from it to the origin no other one is higher, within
+// rounding.
 template <int N>
-TUMBLE_LANE_FUNCTION bool measure_by_vertex(const CorePair& pair, const TurnedPair<N>& turned, VertexPair at, CoreDistance& result) {
+TUMBLE_LANE_FUNCTION bool measure_by_vertex(const CorePair& pair, const TurnedPair<N>& turned, VertexPair at,
+                                            CoreDistance& result) {
     const double a_x = turned[0].x[at.a], a_y = turned[0].y[at.a], b_x = turned[1].x[at.b], b_y = turned[1].y[at.b];
     const double x = to_origin(a_x, b_x, pair.offset.x), y = to_origin(a_y, b_y, pair.offset.y);
-    const VertexMeasure<double> measured =
-        measure_vertex(x, y, largest(heights(turned[0], x, y)), smallest(heights(turned[1], x, y)), pair.offset.x, pair.offset.y);
+    const VertexMeasure<double> measured = measure_vertex(
+        x, y, largest(heights(turned[0], x, y)), smallest(heights(turned[1], x, y)), pair.offset.x, pair.offset.y);
     result.distance = measured.distance;
     result.lower = measured.proved - error_bound(pair);
     result.upper = measured.distance + error_bound(pair);
@@ -46,7 +48,7 @@ struct OwnedFace {
     unsigned is_b;  // the owner
     int from;       // the ends of its edge
     int to;
-    int nearest;    // the other core's vertex
+    int nearest;  // the other core's vertex
     SeenFace<double> seen;
 };
 
@@ -98,7 +100,10 @@ TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, in
     const double own_height = x * first.x + y * first.y;
     const double gap = (lowest - own_height) + (offset_x * x + offset_y * y);
     const double length = std::sqrt(x * x + y * y);
-    return {is_b, from, to, nearest,
+    return {is_b,
+            from,
+            to,
+            nearest,
             {x, y, length, gap / length, first.x, first.y, second.x, second.y, other.x[nearest], other.y[nearest]}};
 }
 
@@ -118,11 +123,13 @@ struct LeadingFaces {
 
 template <int N>
 LeadingFaces<N>::LeadingFaces(const CorePair& cores, const TurnedPair<N>& turned_cores)
-    : pair(cores), turned(turned_cores),
+    : pair(cores),
+      turned(turned_cores),
       of_a(faces_of(cores.a, turned_cores[0], turned_cores[1], cores.offset.x, cores.offset.y)),
       of_b(faces_of(cores.b, turned_cores[1], turned_cores[0], -cores.offset.x, -cores.offset.y)),
       separation(largest(larger(of_a.separation, of_b.separation))),
-      bits(bits_of(of_a.separation == DoubleLanes<N>(separation)) | bits_of(of_b.separation == DoubleLanes<N>(separation)) << N) {
+      bits(bits_of(of_a.separation == DoubleLanes<N>(separation)) |
+           bits_of(of_b.separation == DoubleLanes<N>(separation)) << N) {
     if (!(separation > -std::numeric_limits<double>::infinity())) bits = 0;
 }
 
@@ -137,8 +144,12 @@ OwnedFace LeadingFaces<N>::first() const {
     const TurnedCore<N>& other = turned[1 - is_b];
     const int to = cores[is_b]->next(from), nearest = static_cast<int>(face.nearest[from]);
     const double x = face.outward_x[from], y = face.outward_y[from];
-    return {is_b, from, to, nearest,
-            {x, y, face.length[from], separation, own.x[from], own.y[from], own.x[to], own.y[to], other.x[nearest], other.y[nearest]}};
+    return {is_b,
+            from,
+            to,
+            nearest,
+            {x, y, face.length[from], separation, own.x[from], own.y[from], own.x[to], own.y[to], other.x[nearest],
+             other.y[nearest]}};
 }
 
 }  // namespace tumble

@@ -17,8 +17,8 @@ struct Support {
 
 [[gnu::always_inline]] inline bool has_edge_angles(const Core& core) { return core.large && core.is_convex; }
 
-// Ties go to the lowest index, of large polygons to any. `near` is a vertex that the support of a large polygon is likely to be
-// near to.
+// Ties go to the lowest index, of large polygons to any. `near` is a vertex that the support of a large polygon is
+// likely to be near to.
 [[gnu::always_inline]] inline Support support(const Core& core, DVec2 direction, int near = 0) {
     const DVec2 local = core.turned_back(direction);  // once, instead of all vertices out of the core's frame
     if (has_edge_angles(core)) return support_at(core, local, large_support(*core.large, local, near));

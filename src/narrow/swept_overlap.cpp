@@ -1,6 +1,6 @@
-// GJK on a swept difference [seeds: moving objects, extended by adding v to all vertices]: A - B and all of it moved by -v
-// have the support s_A(d) - s_B(-d) + max(0, -d . v). Only the sign of the distance less the radii is asked for, so that
-// the loop stops at the first direction that separates, and at the first simplex that is near enough.
+// GJK on a swept difference [seeds: moving objects, extended by adding v to all vertices]: A - B and all of it moved by
+// -v have the support s_A(d) - s_B(-d) + max(0, -d . v). Only the sign of the distance less the radii is asked for, so
+// that the loop stops at the first direction that separates, and at the first simplex that is near enough.
 #include <algorithm>
 
 #include "narrow/cast_result.hpp"
@@ -106,7 +106,8 @@ DistanceStatus swept_overlap(const Shape& a, const Pose& world_from_a, const Sha
     if (!is_valid(pair, a, b) || !is_valid_motion(translation)) return DistanceStatus::invalid;
     const double reach = static_cast<double>(a.radius()) + b.radius();
     const double error = 16.0 * kUnitRoundoff * (pair.scale + length(translation) + reach);
-    const DVec2 towards = pair.offset == DVec2{} ? DVec2{1.0, 0.0} : pair.offset;  // zero would support no extreme vertex
+    const DVec2 towards =
+        pair.offset == DVec2{} ? DVec2{1.0, 0.0} : pair.offset;  // zero would support no extreme vertex
     return find_status({pair, translation}, towards, reach, error);
 }
 

@@ -26,8 +26,8 @@ void add_circle(b2Body& body, Vec2 center, float radius, const SurfaceMaterial& 
     body.CreateFixture(&def);
 }
 
-// The members that b2PolygonShape::Set() would fill, without its welding. Vertices convex and counter-clockwise, 3 to 8,
-// with area and without repeats.
+// The members that b2PolygonShape::Set() would fill, without its welding. Vertices convex and counter-clockwise, 3 to
+// 8, with area and without repeats.
 void add_polygon(b2Body& body, std::span<const Vec2> vertices, float radius, const SurfaceMaterial& material) {
     b2PolygonShape polygon;
     polygon.m_count = static_cast<int32>(vertices.size());
@@ -92,7 +92,8 @@ bool add_fan(b2Body& body, const std::vector<Vec2>& vertices, float radius, cons
     for (std::size_t begin = 1; begin + 1 < vertices.size(); begin += b2_maxPolygonVertices - 2) {
         const std::size_t end = std::min(begin + b2_maxPolygonVertices - 1, vertices.size());
         std::vector<Vec2> part{vertices[0]};
-        part.insert(part.end(), vertices.begin() + static_cast<std::ptrdiff_t>(begin), vertices.begin() + static_cast<std::ptrdiff_t>(end));
+        part.insert(part.end(), vertices.begin() + static_cast<std::ptrdiff_t>(begin),
+                    vertices.begin() + static_cast<std::ptrdiff_t>(end));
         if (!has_area(part)) continue;
         add_polygon(body, part, radius, material);
         added = true;

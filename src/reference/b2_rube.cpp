@@ -25,7 +25,8 @@ using Json = nlohmann::json;
 
 // A number, or the bit pattern of one as 8 hexadecimal digits.
 float to_number(const Json& value) {
-    if (value.is_string()) return std::bit_cast<float>(static_cast<std::uint32_t>(std::stoul(value.get<std::string>(), nullptr, 16)));
+    if (value.is_string())
+        return std::bit_cast<float>(static_cast<std::uint32_t>(std::stoul(value.get<std::string>(), nullptr, 16)));
     return value.is_number() ? value.get<float>() : 0.0f;
 }
 
@@ -44,7 +45,8 @@ Json parse_export(const std::filesystem::path& file) {
     const std::size_t open = text.find('{'), close = text.rfind('}');
     if (open == std::string::npos || close == std::string::npos || close < open)
         throw std::runtime_error(file.string() + ": is no R.U.B.E. export");
-    return Json::parse(text.begin() + static_cast<std::ptrdiff_t>(open), text.begin() + static_cast<std::ptrdiff_t>(close) + 1);
+    return Json::parse(text.begin() + static_cast<std::ptrdiff_t>(open),
+                       text.begin() + static_cast<std::ptrdiff_t>(close) + 1);
 }
 
 // Its mass data replaces that of its fixtures, which are not needed then.
@@ -63,8 +65,8 @@ b2Body* add_body(b2World& world, const Json& json) {
     return body;
 }
 
-// A joint with the anchors of Box2D's, whose other kinds keep them as its revolute joint does; none for joints without two
-// points of their own.
+// A joint with the anchors of Box2D's, whose other kinds keep them as its revolute joint does; none for joints without
+// two points of their own.
 b2Joint* add_joint(const Json& json, b2Body& a, b2Body& b, b2World& world) {
     constexpr std::array<std::string_view, 8> kKinds = {"revolute", "distance", "prismatic", "wheel",
                                                         "weld",     "rope",     "friction",  "pulley"};
@@ -98,7 +100,8 @@ void compare_bodies(const b2Body& theirs, const BodyMass& ours, ImportDifference
     const b2Vec2 center = theirs.GetLocalCenter();
     const DVec2 our_center(ours.center);
     worst.mass = std::max(worst.mass, relative(double{ours.mass}, mass));
-    worst.inertia = std::max(worst.inertia, relative(double{ours.inertia} + double{ours.mass} * length_sq(our_center), inertia));
+    worst.inertia =
+        std::max(worst.inertia, relative(double{ours.inertia} + double{ours.mass} * length_sq(our_center), inertia));
     const double apart = length(our_center - DVec2{double{center.x}, double{center.y}});
     if (apart > 0.0) worst.center = std::max(worst.center, apart / std::sqrt(inertia / mass));
     ++worst.bodies;
@@ -108,7 +111,8 @@ void compare_joint(b2Joint& theirs, const World& world, JointId ours, ImportDiff
     const std::optional<JointAnchors> anchors = world.joint_anchors(ours);
     if (!anchors) return;
     const auto apart = [](DVec2 at, b2Vec2 other) { return length(at - DVec2{double{other.x}, double{other.y}}); };
-    worst.anchor = std::max({worst.anchor, apart(anchors->a, theirs.GetAnchorA()), apart(anchors->b, theirs.GetAnchorB())});
+    worst.anchor =
+        std::max({worst.anchor, apart(anchors->a, theirs.GetAnchorA()), apart(anchors->b, theirs.GetAnchorB())});
     ++worst.joints;
 }
 
@@ -157,13 +161,14 @@ ImportDifferences compare_with_box2d(const std::filesystem::path& rube_file, con
     for (const Json& joint : joints) {
         their_joints.push_back(nullptr);
         if (!is_carried_over(joint)) continue;
-        their_joints.back() =
-            add_joint(joint, *bodies.at(joint.value("bodyA", std::size_t{0})), *bodies.at(joint.value("bodyB", std::size_t{0})), world);
+        their_joints.back() = add_joint(joint, *bodies.at(joint.value("bodyA", std::size_t{0})),
+                                        *bodies.at(joint.value("bodyB", std::size_t{0})), world);
         compare_next(their_joints.back());
     }
     for (const Json& joint : joints)
         if (is_gear(joint) && is_carried_over(joint, joints))
-            compare_next(add_gear(their_joints[joint.value("joint1", std::size_t{0})], their_joints[joint.value("joint2", std::size_t{0})], world));
+            compare_next(add_gear(their_joints[joint.value("joint1", std::size_t{0})],
+                                  their_joints[joint.value("joint2", std::size_t{0})], world));
     worst.same_count = worst.same_count && next == built.joints.size();
     return worst;
 }

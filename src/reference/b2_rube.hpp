@@ -1,5 +1,5 @@
-// An import of a R.U.B.E. export beside Box2D 2.4.1 built from the same file: what its bodies weigh, and where its joints
-// hold them.
+// An import of a R.U.B.E. export beside Box2D 2.4.1 built from the same file: what its bodies weigh, and where its
+// joints hold them.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,9 @@
 
 namespace tumble::reference {
 
-// The largest differences. Mass and inertia (about the body's origin) are of dynamic bodies that are active, relative to Box2D's; the centre
-// of mass is relative to the radius of gyration about the origin; anchors are in world coordinates at load, in m.
+// The largest differences. Mass and inertia (about the body's origin) are of dynamic bodies that are active, relative
+// to Box2D's; the centre of mass is relative to the radius of gyration about the origin; anchors are in world
+// coordinates at load, in m.
 struct ImportDifferences {
     double mass = 0.0;
     double center = 0.0;

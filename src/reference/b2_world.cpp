@@ -80,7 +80,8 @@ void B2World::Impl::add_body(const SceneWorld& built, const Scene& scene, const 
         if (!add_fixtures(*body, built.world.shape(id), material)) note_once("shapes without area are left out");
     }
     set_mass(*body, built.world.mass(instance.id));
-    if (def.type != b2_staticBody) body->SetLinearVelocity(def.linearVelocity);  // of the centre of mass, which has moved
+    if (def.type != b2_staticBody)
+        body->SetLinearVelocity(def.linearVelocity);  // of the centre of mass, which has moved
 }
 
 void B2World::Impl::add(const RevoluteJointDef& joint) {
@@ -159,7 +160,8 @@ float B2World::deepest_overlap() const {
         if (!contact->IsTouching()) continue;
         b2WorldManifold manifold;
         contact->GetWorldManifold(&manifold);
-        for (int i = 0; i < contact->GetManifold()->pointCount; ++i) deepest = std::max(deepest, -manifold.separations[i]);
+        for (int i = 0; i < contact->GetManifold()->pointCount; ++i)
+            deepest = std::max(deepest, -manifold.separations[i]);
     }
     return deepest;
 }

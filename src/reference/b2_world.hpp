@@ -1,9 +1,10 @@
-// The same scene in Box2D 2.4.1, to run beside ours: equal masses, materials and joints, and shapes as near as it has them.
+// The same scene in Box2D 2.4.1, to run beside ours: equal masses, materials and joints, and shapes as near as it has
+// them.
 //
 // A capsule becomes a box and two circles, a rounded polygon a polygon with m_radius, a polygon of more than 8 vertices
-// a fan of such polygons, a segment a two-sided edge. Polygons keep their vertices: they do not pass through Set(), which
-// welds them; those without a radius keep the 1 cm skin that every Box2D user has. What Box2D does not have (rolling
-// resistance, tangent speed) is left out and said.
+// a fan of such polygons, a segment a two-sided edge. Polygons keep their vertices: they do not pass through Set(),
+// which welds them; those without a radius keep the 1 cm skin that every Box2D user has. What Box2D does not have
+// (rolling resistance, tangent speed) is left out and said.
 #pragma once
 
 #include <memory>

@@ -77,8 +77,7 @@ inline Real core_distance(const std::vector<Point>& a, const std::vector<Point>&
     return separation < 0 && std::isfinite(separation) ? separation : distance_of_boundaries(a, b);
 }
 
-inline Real brute_distance(const Shape& a, const Pose& world_from_a, const Shape& b,
-                           const Pose& world_from_b) {
+inline Real brute_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b) {
     const std::vector<Point> va = world_vertices(a, world_from_a, world_from_a.position);
     const std::vector<Point> vb = world_vertices(b, world_from_b, world_from_a.position);
     return core_distance(va, vb) - (static_cast<Real>(a.radius()) + b.radius());

@@ -10,24 +10,14 @@ namespace tumble::reference {
 namespace {
 
 // Positions and angles are floats, so that Box2D is given the same bodies: its error is its own.
-DVec2 as_float(DVec2 v) {
-    return DVec2(to_float(v));
-}
-double as_float(double angle) {
-    return static_cast<float>(angle);
-}
+DVec2 as_float(DVec2 v) { return DVec2(to_float(v)); }
+double as_float(double angle) { return static_cast<float>(angle); }
 
 // Near the origin, and one in five 10 km away.
-DVec2 somewhere(Random& random) {
-    return random.point(random.chance(0.2) ? 1e4 : 1.0);
-}
+DVec2 somewhere(Random& random) { return random.point(random.chance(0.2) ? 1e4 : 1.0); }
 
-Shape about_a_metre(Random& random) {
-    return random_shape(random, random.integer(-1, 1));
-}
-Shape bare(const Shape& shape) {
-    return PairQuery{shape, shape, {}, {}}.without_radii().a;
-}
+Shape about_a_metre(Random& random) { return random_shape(random, random.integer(-1, 1)); }
+Shape bare(const Shape& shape) { return PairQuery{shape, shape, {}, {}}.without_radii().a; }
 
 // From a few metres away to somewhere near the other one, or not as far, or beyond.
 struct Way {
@@ -92,17 +82,15 @@ CastQuery straight_impact(std::uint64_t seed, std::uint64_t index) {
     return query;
 }
 
-CastQuery turning_impact(std::uint64_t seed, std::uint64_t index) {
-    return impact(seed, index, 1.5);
-}
-CastQuery spinning_impact(std::uint64_t seed, std::uint64_t index) {
-    return impact(seed, index, 12.0);
-}
+CastQuery turning_impact(std::uint64_t seed, std::uint64_t index) { return impact(seed, index, 1.5); }
+CastQuery spinning_impact(std::uint64_t seed, std::uint64_t index) { return impact(seed, index, 12.0); }
 
 // The truth about a moving pair takes some 50 us: small shares.
 constexpr std::array kFamilies = {
-    CastFamily{"rays", "rays at shapes of every kind from a few metres away, near the origin and 10 km from it", ray, 0.25},
-    CastFamily{"shape_casts", "linear casts of every pair of kinds, half of them as Box2D casts them", shape_cast, 0.15},
+    CastFamily{"rays", "rays at shapes of every kind from a few metres away, near the origin and 10 km from it", ray,
+               0.25},
+    CastFamily{"shape_casts", "linear casts of every pair of kinds, half of them as Box2D casts them", shape_cast,
+               0.15},
     CastFamily{"toi_translation", "times of impact of bodies that do not turn", straight_impact, 0.15},
     CastFamily{"toi_rotation", "times of impact of bodies that turn by up to a quarter of a turn", turning_impact, 0.1},
     CastFamily{"toi_spin", "times of impact of bodies that turn by up to two turns", spinning_impact, 0.05},
@@ -110,9 +98,7 @@ constexpr std::array kFamilies = {
 
 }  // namespace
 
-std::span<const CastFamily> cast_families() {
-    return kFamilies;
-}
+std::span<const CastFamily> cast_families() { return kFamilies; }
 
 const CastFamily* find_cast_family(std::string_view name) {
     const auto found = std::ranges::find(kFamilies, name, &CastFamily::name);

@@ -34,22 +34,14 @@ bool is_ordered(const CastResult& hit) {
 
 const char* to_string(CastVerdict verdict) {
     switch (verdict) {
-        case CastVerdict::hit:
-            return "hit";
-        case CastVerdict::miss:
-            return "miss";
-        case CastVerdict::overlap:
-            return "overlap";
-        case CastVerdict::graze:
-            return "graze";
-        case CastVerdict::missed:
-            return "a missed hit";
-        case CastVerdict::false_hit:
-            return "a false hit";
-        case CastVerdict::bracket:
-            return "the bracket";
-        case CastVerdict::refused:
-            return "no answer";
+        case CastVerdict::hit: return "hit";
+        case CastVerdict::miss: return "miss";
+        case CastVerdict::overlap: return "overlap";
+        case CastVerdict::graze: return "graze";
+        case CastVerdict::missed: return "a missed hit";
+        case CastVerdict::false_hit: return "a false hit";
+        case CastVerdict::bracket: return "the bracket";
+        case CastVerdict::refused: return "no answer";
     }
     return "unknown";
 }
@@ -57,14 +49,10 @@ const char* to_string(CastVerdict verdict) {
 CastVerdict judge(const TrueMotion& truth, const CastResult& ours) {
     const Real error = truth.error(), own = kOwnError * error;
     switch (ours.status) {
-        case CastStatus::invalid:
-            return CastVerdict::refused;
-        case CastStatus::overlapping:
-            return truth.gap(0) < own ? CastVerdict::overlap : CastVerdict::false_hit;
-        case CastStatus::miss:
-            return judge_miss(truth, -4 * error, own);
-        case CastStatus::hit:
-            break;
+        case CastStatus::invalid: return CastVerdict::refused;
+        case CastStatus::overlapping: return truth.gap(0) < own ? CastVerdict::overlap : CastVerdict::false_hit;
+        case CastStatus::miss: return judge_miss(truth, -4 * error, own);
+        case CastStatus::hit: break;
     }
     if (!is_ordered(ours)) return CastVerdict::bracket;
     const Real lower = std::max(0.0, ours.lower), upper = ours.upper;

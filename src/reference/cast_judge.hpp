@@ -10,9 +10,7 @@ namespace tumble::reference {
 // within 4 E, where the exact motion would have been answered the other way.
 enum class CastVerdict : std::uint8_t { hit, miss, overlap, graze, missed, false_hit, bracket, refused };
 const char* to_string(CastVerdict verdict);
-inline bool is_wrong(CastVerdict verdict) {
-    return verdict >= CastVerdict::missed;
-}
+inline bool is_wrong(CastVerdict verdict) { return verdict >= CastVerdict::missed; }
 
 CastVerdict judge(const TrueMotion& truth, const CastResult& ours);
 

@@ -84,12 +84,10 @@ double b2_target(CastKind kind) {
 
 CastResult ask_tumble(const CastQuery& query) {
     switch (query.kind) {
-        case CastKind::ray:
-            return cast_ray(query.a, query.pose_a, query.pose_b.position, query.translation);
+        case CastKind::ray: return cast_ray(query.a, query.pose_a, query.pose_b.position, query.translation);
         case CastKind::shape:
             return cast_shape(query.a, query.pose_a, query.b, query.pose_b, query.translation, query.target);
-        case CastKind::impact:
-            return time_of_impact(query.a, query.sweep_a, query.b, query.sweep_b, query.target);
+        case CastKind::impact: return time_of_impact(query.a, query.sweep_a, query.b, query.sweep_b, query.target);
     }
     return {};
 }

@@ -99,7 +99,7 @@ CertificateVerdict check_certificate(const PairQuery& query, const DistanceResul
         minkowski_vertex(pair, result.certificate.pairs[static_cast<std::size_t>(result.certificate.pair_count - 1)]);
     if (result.certificate.cores_overlap) return check_overlapping_upper(pair, w1, w2, direction, bounds);
     return compare(segment_distance(pair, w1, w2), bounds.upper) <= 0 ? CertificateVerdict::accepted
-                                                                       : CertificateVerdict::upper_not_proved;
+                                                                      : CertificateVerdict::upper_not_proved;
 }
 
 }  // namespace tumble::reference

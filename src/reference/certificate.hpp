@@ -14,11 +14,11 @@ namespace tumble::reference {
 
 enum class CertificateVerdict {
     accepted,
-    malformed,         // no or too many pairs, an index out of range, a direction or a bound that is not finite, or zero
+    malformed,  // no or too many pairs, an index out of range, a direction or a bound that is not finite, or zero
     lower_not_proved,
     upper_not_proved,
-    face_not_proved,   // overlapping: the claimed pairs span no face, or one whose separation is outside the bounds
-    status_not_proved, // the bounds do not say what the status says
+    face_not_proved,    // overlapping: the claimed pairs span no face, or one whose separation is outside the bounds
+    status_not_proved,  // the bounds do not say what the status says
 };
 
 const char* to_string(CertificateVerdict verdict);

@@ -161,9 +161,7 @@ ExactPair exact_pair(const PairQuery& query) {
             rotated_vertices(query.b, query.pose_b.rotation, units_b, exponent, offset), exponent};
 }
 
-ExactPoint minkowski_vertex(const ExactPair& pair, VertexPair indices) {
-    return pair.a[indices.a] - pair.b[indices.b];
-}
+ExactPoint minkowski_vertex(const ExactPair& pair, VertexPair indices) { return pair.a[indices.a] - pair.b[indices.b]; }
 
 mpz_class support_value(const ExactPair& pair, const ExactPoint& direction) {
     return MinkowskiFollower(pair).support_value(direction);

@@ -10,8 +10,8 @@ namespace tumble::reference {
 
 namespace {
 
-// A shape of small integers times 2^exponent, exact down to the smallest denormal float. No vertex is the origin: with a
-// lone vertex there the offset alone would set the scale, and may be too small to square.
+// A shape of small integers times 2^exponent, exact down to the smallest denormal float. No vertex is the origin: with
+// a lone vertex there the offset alone would set the scale, and may be too small to square.
 Shape grid_shape(Random& random, int exponent) {
     std::vector<GridPoint> points;
     const int count = random.integer(1, 8);
@@ -22,7 +22,9 @@ Shape grid_shape(Random& random, int exponent) {
 
 PairQuery grid_pair(Random& random, int exponent, int position_exponent) {
     const auto position = [&] { return std::ldexp(1.0, position_exponent) * random.point(100.0); };
-    return {grid_shape(random, exponent), grid_shape(random, exponent), {position(), random.rotation()},
+    return {grid_shape(random, exponent),
+            grid_shape(random, exponent),
+            {position(), random.rotation()},
             {position(), random.rotation()}};
 }
 

@@ -9,7 +9,9 @@ namespace tumble::reference {
 namespace {
 
 PairQuery make_pair(Random& random, int exponent) {
-    return {random_shape(random, exponent), random_shape(random, exponent), {random.point(4.0), random.rotation()},
+    return {random_shape(random, exponent),
+            random_shape(random, exponent),
+            {random.point(4.0), random.rotation()},
             {{}, random.rotation()}};
 }
 
@@ -54,8 +56,10 @@ PairQuery make_parallel_edges(Random& random) {
 }
 
 PairQuery make_almost_parallel(Random& random) {
-    PairQuery query{random_box(random, 0), random.chance(0.5) ? random_box(random, 0) : random_polygon(random, 8, 0),
-                    {random.point(4.0), {}}, {}};
+    PairQuery query{random_box(random, 0),
+                    random.chance(0.5) ? random_box(random, 0) : random_polygon(random, 8, 0),
+                    {random.point(4.0), {}},
+                    {}};
     const double gap = random.magnitude(-30, -1), angle = random.signed_magnitude(-27, -7);
     if (random.chance(0.5)) {
         // An angle far below the rounding of a cosine and sine taken from it: (1, s) literally.

@@ -11,8 +11,8 @@ namespace tumble::reference {
 namespace {
 
 // What is promised of our own numbers: the core distance within E = 16 u (RA + RB + |p|), and 4 u of all lengths that
-// subtracting the radii rounds. The bounds are E on either side of it, and the loop may stop with its own two bounds 2 E
-// apart: as much may lie between 0 and the distance where "touching" is said.
+// subtracting the radii rounds. The bounds are E on either side of it, and the loop may stop with its own two bounds 2
+// E apart: as much may lie between 0 and the distance where "touching" is said.
 struct Promise {
     double distance = 0.0;
     double bounds = 0.0;
@@ -112,7 +112,8 @@ void judge_box2d(ParityRow& row, const Comparison& comparison, const ExactSide* 
     verdict.box2d_flag = by_flag;
     if (by_flag) verdict.say("Box2D's overlap flag");
     if (by_distance) verdict.say("Box2D's distance");
-    if (has_comparable_witness(*comparison.box2d) && exceeds(witness_error(comparison.query, *comparison.box2d), bound)) {
+    if (has_comparable_witness(*comparison.box2d) &&
+        exceeds(witness_error(comparison.query, *comparison.box2d), bound)) {
         ++row.box2d_witness_wrong;
         verdict.say("Box2D's witness points");
     }
@@ -120,7 +121,8 @@ void judge_box2d(ParityRow& row, const Comparison& comparison, const ExactSide* 
 
 bool differ(const Comparison& comparison, const ExactSide& exact, double bound) {
     const B2Distance& box2d = *comparison.box2d;
-    if (exceeds(clamped_difference(comparison), bound) || contradicts(box2d, sign_of(comparison.ours.status))) return true;
+    if (exceeds(clamped_difference(comparison), bound) || contradicts(box2d, sign_of(comparison.ours.status)))
+        return true;
     if (!exact.has_unique_pair() || !has_comparable_witness(box2d)) return false;
     return exceeds(length(comparison.ours.point_a - box2d.point_a), bound) ||
            exceeds(length(comparison.ours.point_b - box2d.point_b), bound);
@@ -142,7 +144,8 @@ ExactSide ExactSide::of_distance(ExactDistance exact) {
 
 ExactSide ExactSide::of_certificate(const PairQuery& query, const DistanceResult& ours) {
     ExactSide side;
-    side.proved_ = ours.status != DistanceStatus::invalid && check_certificate(query, ours) == CertificateVerdict::accepted;
+    side.proved_ =
+        ours.status != DistanceStatus::invalid && check_certificate(query, ours) == CertificateVerdict::accepted;
     side.lower_ = ours.lower;
     side.upper_ = ours.upper;
     return side;
@@ -174,7 +177,8 @@ double ExactSide::error_of_clamped(double distance) const {
 
 bool needs_exact_check(const Comparison& comparison) {
     const double bound = tolerance(comparison.query);
-    if (comparison.ours.status == DistanceStatus::invalid || !(comparison.ours.lower <= comparison.ours.upper)) return true;
+    if (comparison.ours.status == DistanceStatus::invalid || !(comparison.ours.lower <= comparison.ours.upper))
+        return true;
     return comparison.box2d && (exceeds(clamped_difference(comparison), bound) ||
                                 contradicts(*comparison.box2d, sign_of(comparison.ours.status)));
 }
@@ -203,8 +207,7 @@ void add_comparison(ParityRow& row, const Comparison& comparison, const ExactSid
         row.max_error_box2d_eps = std::max(row.max_error_box2d_eps, error_box2d / unit);
         if (exact) row.histogram_box2d.add(kFloatEpsilon * (error_box2d / unit));
         judge_box2d(row, comparison, exact, error_box2d, bound, verdict);
-        verdict.ill_conditioned =
-            exact && !verdict.ours && !verdict.box2d && differ(comparison, *exact, bound);
+        verdict.ill_conditioned = exact && !verdict.ours && !verdict.box2d && differ(comparison, *exact, bound);
         row.ill_conditioned += verdict.ill_conditioned;
     } else {
         ++row.box2d_refused;
@@ -221,7 +224,8 @@ void add_invalid_comparison(ParityRow& row, const PairQuery& query, const Distan
     ++row.checked_exactly;
     ++row.box2d_refused;
     const auto is_nan = [](double value) { return std::isnan(value); };
-    if (ours.status == DistanceStatus::invalid && is_nan(ours.distance) && is_nan(ours.lower) && is_nan(ours.upper)) return;
+    if (ours.status == DistanceStatus::invalid && is_nan(ours.distance) && is_nan(ours.lower) && is_nan(ours.upper))
+        return;
     ++row.ours_wrong;
     row.keep({row.name, id.seed, id.index, query, ours, std::nullopt, NAN, 0.0, 0.0, 0.0, false, 0.0, Culprit::ours,
               "tumble's answer to invalid input"});

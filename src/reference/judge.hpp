@@ -17,10 +17,10 @@ public:
 
     bool is_exact() const { return exact_.has_value(); }
     bool ours_is_wrong(const DistanceResult& ours) const;
-    int sign() const;                      // of the exact signed distance; 0 also if the proved bounds straddle 0
-    double value() const;                  // the exact signed distance, or the middle of the bounds
-    double error_of(double signed_distance) const;    // the absolute difference from it, or from the nearer bound
-    double error_of_clamped(double distance) const;   // the same for a distance that is 0 inside
+    int sign() const;      // of the exact signed distance; 0 also if the proved bounds straddle 0
+    double value() const;  // the exact signed distance, or the middle of the bounds
+    double error_of(double signed_distance) const;   // the absolute difference from it, or from the nearer bound
+    double error_of_clamped(double distance) const;  // the same for a distance that is 0 inside
     bool has_unique_pair() const { return exact_ && exact_->has_unique_pair(); }
 
 private:

@@ -14,9 +14,9 @@ namespace tumble::reference {
 
 // What an answer to a pair of the family is checked against.
 enum class FamilyKind : std::uint8_t {
-    exact,      // the exact distance
-    large,      // more than 64 vertices: the answer's certificate, checked exactly
-    invalid,    // not finite, or beyond what double can square: the answer must say so
+    exact,    // the exact distance
+    large,    // more than 64 vertices: the answer's certificate, checked exactly
+    invalid,  // not finite, or beyond what double can square: the answer must say so
 };
 
 struct PairFamily {

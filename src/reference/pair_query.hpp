@@ -27,11 +27,12 @@ double largest_coordinate(const PairQuery& query);
 // shape's origin and the offset of the positions (m).
 double error_scale(const PairQuery& query);
 
-// The same with |q| of each rotation at its upper bound (1 + |q|^2) / 2, as the narrow phase takes it: equal for rotations
-// of unit length, and what its error bound is proportional to (m).
+// The same with |q| of each rotation at its upper bound (1 + |q|^2) / 2, as the narrow phase takes it: equal for
+// rotations of unit length, and what its error bound is proportional to (m).
 double bound_scale(const PairQuery& query);
 
-// u (RA + RB + |p| + rA + rB), u = 2^-53 and rA, rB the radii: the unit in which errors of the narrow phase are stated (m).
+// u (RA + RB + |p| + rA + rB), u = 2^-53 and rA, rB the radii: the unit in which errors of the narrow phase are stated
+// (m).
 double error_unit(const PairQuery& query);
 
 // All numbers as hexadecimal floats, from which the query can be typed in again bit for bit.

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "reference/cast_families.hpp"
 #include "reference/cast_block.hpp"
+#include "reference/cast_families.hpp"
 #include "reference/pair_families.hpp"
-#include "reference/parity_block.hpp"
 #include "reference/parallel_blocks.hpp"
+#include "reference/parity_block.hpp"
 
 namespace tumble::reference {
 
@@ -38,7 +38,7 @@ struct Block {
     }
 };
 
-constexpr std::uint64_t kBlockPairs = 256;   // its queries and answers stay in the second-level cache
+constexpr std::uint64_t kBlockPairs = 256;  // its queries and answers stay in the second-level cache
 constexpr std::uint64_t kLargeBlockPairs = 8;
 
 std::uint64_t Family::block_pairs() const {
@@ -53,7 +53,8 @@ std::vector<Family> chosen_families(const std::vector<std::string>& names) {
     }
     for (const std::string& name : names) {
         chosen.push_back({find_pair_family(name), find_cast_family(name)});
-        if (!chosen.back().still && !chosen.back().moving) throw std::invalid_argument("no family of pairs is called '" + name + "'");
+        if (!chosen.back().still && !chosen.back().moving)
+            throw std::invalid_argument("no family of pairs is called '" + name + "'");
     }
     return chosen;
 }
@@ -67,7 +68,9 @@ std::vector<Block> make_blocks(const std::vector<Family>& families, std::uint64_
     for (std::size_t row = 0; row < families.size(); ++row) {
         share += families[row].share();
         const bool is_last = row + 1 == families.size();
-        const auto until = is_last ? pairs : static_cast<std::uint64_t>(std::llround(static_cast<double>(pairs) * (share / all_shares)));
+        const auto until =
+            is_last ? pairs
+                    : static_cast<std::uint64_t>(std::llround(static_cast<double>(pairs) * (share / all_shares)));
         const std::uint64_t count = until - given, step = families[row].block_pairs();
         for (std::uint64_t begin = 0; begin < count; begin += step)
             blocks.push_back({row, families[row], begin, std::min(begin + step, count)});
@@ -91,8 +94,7 @@ ParityResult run_parity(const ParityOptions& options) {
     const std::vector<Block> blocks = make_blocks(families, options.pairs);
     std::uint64_t done = 0;
     run_blocks<ParityRow>(
-        blocks.size(), options.threads,
-        [&](std::size_t i) { return blocks[i].compare(options); },
+        blocks.size(), options.threads, [&](std::size_t i) { return blocks[i].compare(options); },
         [&](std::size_t i, const ParityRow& row) {
             result.families[blocks[i].row].merge(row);
             done += blocks[i].end - blocks[i].begin;

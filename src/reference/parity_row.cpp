@@ -104,7 +104,8 @@ ParityRow ParityResult::total() const {
 }
 
 bool ParityResult::passed() const {
-    return std::ranges::all_of(families, [](const ParityRow& row) { return row.ours_wrong + row.ours_witness_wrong == 0; });
+    return std::ranges::all_of(families,
+                               [](const ParityRow& row) { return row.ours_wrong + row.ours_witness_wrong == 0; });
 }
 
 }  // namespace tumble::reference

@@ -21,8 +21,8 @@ namespace {
 
 enum class Kind { circle, capsule, box, octagon, large };
 
-constexpr float kTarget = b2_linearSlop;       // b2TimeOfImpact stops this far before contact, for cores without radius
-constexpr double kSpeculative = 0.02;          // m, of manifolds
+constexpr float kTarget = b2_linearSlop;  // b2TimeOfImpact stops this far before contact, for cores without radius
+constexpr double kSpeculative = 0.02;     // m, of manifolds
 constexpr std::size_t kLargeVertices = 1000;
 
 Shape regular_polygon(std::size_t count, double radius) {
@@ -146,7 +146,8 @@ double run_box2d(std::vector<DistancePairs::Query>& queries, bool is_warm) {
 QueryCase distance_case(const std::string& name, Kind kind_a, Kind kind_b, double gap, bool is_warm) {
     return {name + (is_warm ? " warm" : " cold"), [=](int count, std::uint64_t seed) -> QueryRuns {
                 const auto pairs = std::make_shared<DistancePairs>(random_pairs(kind_a, kind_b, gap, count, seed));
-                return {[=] { return run_tumble(pairs->ours, is_warm); }, [=] { return run_box2d(pairs->theirs, is_warm); }};
+                return {[=] { return run_tumble(pairs->ours, is_warm); },
+                        [=] { return run_box2d(pairs->theirs, is_warm); }};
             }};
 }
 
@@ -190,23 +191,25 @@ struct ManifoldPairs {
 QueryCase manifold_case(const std::string& name, Kind kind, double gap, bool is_warm) {
     return {name + (is_warm ? " warm" : " cold"), [=](int count, std::uint64_t seed) -> QueryRuns {
                 const auto pairs = std::make_shared<ManifoldPairs>(random_pairs(kind, kind, gap, count, seed));
-                return {[=] {
-                            double sum = 0.0;
-                            for (Pair& pair : pairs->ours) {
-                                if (!is_warm) pair.cache = {};
-                                sum += collide(pair.a, pair.pose_a, pair.b, pair.pose_b, kSpeculative, pair.cache).point_count;
-                            }
-                            return sum;
-                        },
-                        [=] {
-                            double sum = 0.0;
-                            for (const ManifoldPairs::Query& query : pairs->theirs) {
-                                b2Manifold manifold;
-                                b2CollidePolygons(&manifold, &query.a, query.pose_a, &query.b, query.pose_b);
-                                sum += manifold.pointCount;
-                            }
-                            return sum;
-                        }};
+                return {
+                    [=] {
+                        double sum = 0.0;
+                        for (Pair& pair : pairs->ours) {
+                            if (!is_warm) pair.cache = {};
+                            sum +=
+                                collide(pair.a, pair.pose_a, pair.b, pair.pose_b, kSpeculative, pair.cache).point_count;
+                        }
+                        return sum;
+                    },
+                    [=] {
+                        double sum = 0.0;
+                        for (const ManifoldPairs::Query& query : pairs->theirs) {
+                            b2Manifold manifold;
+                            b2CollidePolygons(&manifold, &query.a, query.pose_a, &query.b, query.pose_b);
+                            sum += manifold.pointCount;
+                        }
+                        return sum;
+                    }};
             }};
 }
 
@@ -258,8 +261,8 @@ QueryCase impact_case(const std::string& name, Kind kind) {
             }};
 }
 
-// From the place of the pair's second shape towards the first one's centre: each ray hits. Each engine's list holds what
-// its query needs and no more, as reading it is a part of a query this short.
+// From the place of the pair's second shape towards the first one's centre: each ray hits. Each engine's list holds
+// what its query needs and no more, as reading it is a part of a query this short.
 template <class B2Shape>
 struct RayQueries {
     struct OurQuery {
@@ -333,7 +336,8 @@ std::vector<QueryCase> query_cases() {
                              {"8-gon overlapping", Kind::octagon, Kind::octagon, kDeep}};
     std::vector<QueryCase> cases;
     for (const Row& row : distances)
-        for (const bool is_warm : {false, true}) cases.push_back(distance_case(row.name, row.a, row.b, row.gap, is_warm));
+        for (const bool is_warm : {false, true})
+            cases.push_back(distance_case(row.name, row.a, row.b, row.gap, is_warm));
     cases.push_back(batch_case("box-box near batch", Kind::box, kNear));
     cases.push_back(batch_case("8-gon near batch", Kind::octagon, kNear));
     for (const bool is_warm : {false, true}) {

@@ -8,7 +8,8 @@
 
 namespace tumble::reference {
 
-// One engine's queries of a case: asks all of them once. The sum of what they answer keeps the compiler from dropping any.
+// One engine's queries of a case: asks all of them once. The sum of what they answer keeps the compiler from dropping
+// any.
 using QueryRun = std::function<double()>;
 
 struct QueryRuns {
@@ -22,7 +23,8 @@ struct QueryCase {
     std::function<QueryRuns(int pairs, std::uint64_t seed)> make;  // the pairs of both engines live as long as the runs
 };
 
-// Distances cold, warm and in batches by kind and nearness, manifolds, times of impact of approaching bodies, rays that hit.
+// Distances cold, warm and in batches by kind and nearness, manifolds, times of impact of approaching bodies, rays that
+// hit.
 std::vector<QueryCase> query_cases();
 
 }  // namespace tumble::reference

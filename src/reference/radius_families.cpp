@@ -12,8 +12,10 @@ namespace {
 PairQuery make_large_radii(Random& random) {
     const int exponent = random.integer(-12, -6);
     const auto radius = [&] { return random.chance(0.3) ? 0.0 : random.magnitude(-3, 1); };
-    PairQuery query{random_polygon(random, 8, exponent, radius()), random_polygon(random, 8, exponent, radius()),
-                    {random.point(4.0), random.rotation()}, {{}, random.rotation()}};
+    PairQuery query{random_polygon(random, 8, exponent, radius()),
+                    random_polygon(random, 8, exponent, radius()),
+                    {random.point(4.0), random.rotation()},
+                    {{}, random.rotation()}};
     const double gap = random.signed_magnitude(-40, 0);
     if (random.chance(0.5)) {
         place_vertex_to_vertex(query, random, gap);
@@ -26,8 +28,8 @@ PairQuery make_large_radii(Random& random) {
 struct Triple {
     int x, y, hypotenuse;
 };
-constexpr std::array kPythagoras{Triple{3, 4, 5}, Triple{5, 12, 13}, Triple{8, 15, 17}, Triple{7, 24, 25},
-                                 Triple{20, 21, 29}, Triple{0, 1, 1}};
+constexpr std::array kPythagoras{Triple{3, 4, 5},   Triple{5, 12, 13},  Triple{8, 15, 17},
+                                 Triple{7, 24, 25}, Triple{20, 21, 29}, Triple{0, 1, 1}};
 
 // Circles whose centres are exactly rA + rB apart, or off that by a few ulps.
 PairQuery make_touching_circles(Random& random) {
@@ -37,7 +39,8 @@ PairQuery make_touching_circles(Random& random) {
     const double radius_b = reach - static_cast<float>(radius_a);
     PairQuery query{Shape::from_raw(std::array{Vec2{}}, static_cast<float>(radius_a)),
                     Shape::from_raw(std::array{Vec2{}}, static_cast<float>(radius_b)),
-                    {{}, random.rotation()}, {{}, random.rotation()}};
+                    {{}, random.rotation()},
+                    {{}, random.rotation()}};
     query.pose_b.position = {random.sign() * triple.x * unit, random.sign() * triple.y * unit};
     if (random.chance(0.5)) query.pose_b.position.y *= 1.0 + random.integer(-3, 3) * 0x1p-52;
     if (random.chance(0.5)) query.pose_b.position = -perp(query.pose_b.position);
@@ -61,7 +64,8 @@ PairQuery make_touching_rounded(Random& random) {
 constexpr std::array kRadiusFamilies{
     PairFamily{"large_radii", "radii up to 10 000 times the core, or none", seeded<make_large_radii>},
     PairFamily{"touching_circles", "circles exactly rA + rB apart, or a few ulps off", seeded<make_touching_circles>},
-    PairFamily{"touching_rounded", "rounded boxes exactly rA + rB apart, or a few ulps off", seeded<make_touching_rounded>},
+    PairFamily{"touching_rounded", "rounded boxes exactly rA + rB apart, or a few ulps off",
+               seeded<make_touching_rounded>},
 };
 
 }  // namespace

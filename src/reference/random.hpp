@@ -1,8 +1,9 @@
 // Random numbers for generators: counter-based, so that any pair of a run can be made again from (seed, index) alone.
 //
-// SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014) and our own mapping to doubles,
-// because those of <random> differ between standard libraries. Where a caller draws twice, it does so in two statements or
-// in one braced list: the order of arguments and operands is the compiler's choice, and a pair must not be.
+// SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014) and our own mapping to
+// doubles, because those of <random> differ between standard libraries. Where a caller draws twice, it does so in two
+// statements or in one braced list: the order of arguments and operands is the compiler's choice, and a pair must not
+// be.
 #pragma once
 
 #include <cmath>

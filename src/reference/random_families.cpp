@@ -11,7 +11,9 @@ namespace {
 PairQuery pair_of(Random& random, int exponent_a, int exponent_b, double reach) {
     const double size = std::ldexp(1.0, std::max(exponent_a, exponent_b));
     const DVec2 origin = random.point(8.0 * size);
-    return {random_shape(random, exponent_a), random_shape(random, exponent_b), {origin, random.rotation()},
+    return {random_shape(random, exponent_a),
+            random_shape(random, exponent_b),
+            {origin, random.rotation()},
             {origin + random.point(reach * size), random.rotation()}};
 }
 
@@ -38,7 +40,8 @@ PairQuery make_random_many_vertices(Random& random) {
 }
 
 constexpr std::array kRandomFamilies{
-    PairFamily{"random", "every kind of shape, near 1 m, about as many overlapping as apart", seeded<make_random>, 30.0},
+    PairFamily{"random", "every kind of shape, near 1 m, about as many overlapping as apart", seeded<make_random>,
+               30.0},
     PairFamily{"random_scale", "sizes from 1 mm to 1 km, up to 16 times apart", seeded<make_random_scale>, 15.0},
     PairFamily{"random_apart", "1 m shapes up to 50 m apart", seeded<make_random_apart>, 10.0},
     PairFamily{"random_many_vertices", "polygons of up to 32 vertices", seeded<make_random_many_vertices>, 0.5},

@@ -61,8 +61,8 @@ std::vector<Vec2> to_vertices(std::span<const GridPoint> points, int x_exponent,
     std::vector<Vec2> vertices;
     vertices.reserve(points.size());
     for (const GridPoint point : points)
-        vertices.push_back({std::ldexp(static_cast<float>(point.x), x_exponent),
-                            std::ldexp(static_cast<float>(point.y), y_exponent)});
+        vertices.push_back(
+            {std::ldexp(static_cast<float>(point.x), x_exponent), std::ldexp(static_cast<float>(point.y), y_exponent)});
     return vertices;
 }
 
@@ -96,7 +96,8 @@ Shape random_shape(Random& random, int exponent) {
     const double radius = size * random.uniform(0.01, 0.5);
     const auto local_point = [&] { return to_float(random.point(size)); };
     switch (random.integer(0, 9)) {
-        case 0: return Shape::from_raw(std::array{random.chance(0.7) ? Vec2{} : local_point()}, static_cast<float>(radius));
+        case 0:
+            return Shape::from_raw(std::array{random.chance(0.7) ? Vec2{} : local_point()}, static_cast<float>(radius));
         case 1: return Shape::from_raw(std::array{local_point(), local_point()}, static_cast<float>(radius));
         case 2: return Shape::from_raw(std::array{local_point(), local_point()}, 0.0f);
         case 3:
@@ -143,7 +144,8 @@ void place_vertex_to_edge(PairQuery& query, Random& random, double gap) {
 void place_edge_to_edge(PairQuery& query, Random& random, double gap, double angle) {
     const WorldEdge on_a = random_edge(query.a, query.pose_a.rotation, random);
     const WorldEdge local_b = random_edge(query.b, {}, random);
-    const double turn = arc_tangent(-on_a.outward.y, -on_a.outward.x) - arc_tangent(local_b.outward.y, local_b.outward.x);
+    const double turn =
+        arc_tangent(-on_a.outward.y, -on_a.outward.x) - arc_tangent(local_b.outward.y, local_b.outward.x);
     query.pose_b.rotation = make_rotation(turn + angle);
     const DVec2 from_b = rotate(query.pose_b.rotation, local_b.from), to_b = rotate(query.pose_b.rotation, local_b.to);
     const DVec2 point_a = on_a.from + random.uniform() * (on_a.to - on_a.from);

@@ -50,11 +50,13 @@ NearestPoint<Dim> johnson_nearest_point(const GjkSimplex<Dim>& simplex) {
             }
             int k = 0;
             while (!member(rest, k)) ++k;
-            const Point<Dim> edge = simplex.points[static_cast<std::size_t>(k)] - simplex.points[static_cast<std::size_t>(j)];
+            const Point<Dim> edge =
+                simplex.points[static_cast<std::size_t>(k)] - simplex.points[static_cast<std::size_t>(j)];
             double sum = 0.0;
             for (int i = 0; i < simplex.count; ++i)
                 if (member(rest, i))
-                    sum += delta[rest][static_cast<std::size_t>(i)] * simplex.points[static_cast<std::size_t>(i)].dot(edge);
+                    sum += delta[rest][static_cast<std::size_t>(i)] *
+                           simplex.points[static_cast<std::size_t>(i)].dot(edge);
             delta[subset][static_cast<std::size_t>(j)] = sum;
         }
     }
@@ -77,7 +79,8 @@ NearestPoint<Dim> johnson_nearest_point(const GjkSimplex<Dim>& simplex) {
             const double weight = delta[subset][static_cast<std::size_t>(i)];
             nearest.point += weight * simplex.points[static_cast<std::size_t>(i)];
             total += weight;
-            nearest.simplex.points[static_cast<std::size_t>(nearest.simplex.count++)] = simplex.points[static_cast<std::size_t>(i)];
+            nearest.simplex.points[static_cast<std::size_t>(nearest.simplex.count++)] =
+                simplex.points[static_cast<std::size_t>(i)];
         }
         nearest.point /= total;
         return nearest;
@@ -99,13 +102,13 @@ NearestPoint<Dim> johnson_nearest_point(const GjkSimplex<Dim>& simplex) {
 
 template <int Dim>
 struct GjkResult {
-    double distance = 0.0;                      // 0 if the sets overlap
-    Point<Dim> nearest = Point<Dim>::Zero();    // the point of A - B nearest to the origin
+    double distance = 0.0;                    // 0 if the sets overlap
+    Point<Dim> nearest = Point<Dim>::Zero();  // the point of A - B nearest to the origin
     int iterations = 0;
 };
 
-// The distance of A - B from the origin. `support(d)` returns a point of A - B farthest in direction d: s_A(d) - s_B(-d).
-// Stops when no support point lies nearer than `tolerance` times the distance (relative; for smooth sets the
+// The distance of A - B from the origin. `support(d)` returns a point of A - B farthest in direction d: s_A(d) -
+// s_B(-d). Stops when no support point lies nearer than `tolerance` times the distance (relative; for smooth sets the
 // convergence is gradual), when the simplex fills the space around the origin, or after `max_iterations`.
 template <int Dim, class Support>
 GjkResult<Dim> reference_gjk(const Support& support, double tolerance = 1e-12, int max_iterations = 1000) {

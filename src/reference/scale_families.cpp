@@ -20,8 +20,10 @@ void place(PairQuery& query, Random& random, double size) {
 
 template <int Metres>
 PairQuery make_far(Random& random) {
-    PairQuery query{random_shape(random, 0), random_shape(random, 0),
-                    {double{Metres} * random.direction(), random.rotation()}, {{}, random.rotation()}};
+    PairQuery query{random_shape(random, 0),
+                    random_shape(random, 0),
+                    {double{Metres} * random.direction(), random.rotation()},
+                    {{}, random.rotation()}};
     place(query, random, 1.0);
     return query;
 }
@@ -33,22 +35,27 @@ PairQuery make_ground(Random& random) {
     const DVec2 up = rotate(query.pose_a.rotation, DVec2{0.0, 1.0});
     const DVec2 on_ground = rotate(query.pose_a.rotation, DVec2{random.uniform(-1.0, 1.0) * half_width, half_height});
     const double gap = random.signed_magnitude(-24, -5);
-    query.pose_b.position = on_ground + (gap + query.b.radius()) * up - support_point(query.b, query.pose_b.rotation, -up);
+    query.pose_b.position =
+        on_ground + (gap + query.b.radius()) * up - support_point(query.b, query.pose_b.rotation, -up);
     return query;
 }
 
 PairQuery make_scales(Random& random) {
     const int exponent = random.integer(-40, 40);
     const double size = std::ldexp(1.0, exponent);
-    PairQuery query{random_shape(random, exponent), random_shape(random, exponent),
-                    {random.point(4.0 * size), random.rotation()}, {{}, random.rotation()}};
+    PairQuery query{random_shape(random, exponent),
+                    random_shape(random, exponent),
+                    {random.point(4.0 * size), random.rotation()},
+                    {{}, random.rotation()}};
     place(query, random, size);
     return query;
 }
 
 PairQuery make_mixed_scales(Random& random) {
     const int exponent = random.integer(-20, 20);
-    PairQuery query{random_shape(random, random.integer(-20, 20)), random_shape(random, exponent), {{}, random.rotation()},
+    PairQuery query{random_shape(random, random.integer(-20, 20)),
+                    random_shape(random, exponent),
+                    {{}, random.rotation()},
                     {{}, random.rotation()}};
     place(query, random, std::ldexp(1.0, exponent));
     return query;
@@ -56,14 +63,14 @@ PairQuery make_mixed_scales(Random& random) {
 
 Rotation drifted(Random& random) {
     const Rotation q = random.rotation();
-    const auto factor = static_cast<float>(random.chance(0.2) ? random.uniform(0.5, 2.0)
-                                                               : 1.0 + random.signed_magnitude(-22, -5));
+    const auto factor =
+        static_cast<float>(random.chance(0.2) ? random.uniform(0.5, 2.0) : 1.0 + random.signed_magnitude(-22, -5));
     return {factor * q.c, factor * q.s};
 }
 
 PairQuery make_drifted(Random& random) {
-    PairQuery query{random_shape(random, 0), random_shape(random, 0), {random.point(4.0), drifted(random)},
-                    {{}, drifted(random)}};
+    PairQuery query{
+        random_shape(random, 0), random_shape(random, 0), {random.point(4.0), drifted(random)}, {{}, drifted(random)}};
     place(query, random, 1.0);
     return query;
 }

@@ -29,7 +29,9 @@ PairQuery mutated(const PairQuery& query, Random& random) {
     switch (random.integer(0, 3)) {
         case 0: next.pose_b.position += random.vector(-52, -1); break;
         case 1: next.pose_b.position.x = std::nextafter(next.pose_b.position.x, random.sign() * HUGE_VAL); break;
-        case 2: next.pose_b.rotation.s = std::nextafterf(next.pose_b.rotation.s, random.chance(0.5) ? 2.0f : -2.0f); break;
+        case 2:
+            next.pose_b.rotation.s = std::nextafterf(next.pose_b.rotation.s, random.chance(0.5) ? 2.0f : -2.0f);
+            break;
         default: next.pose_b.rotation = make_rotation(angle(next.pose_b.rotation) + random.signed_magnitude(-24, -2));
     }
     return next;
@@ -46,7 +48,9 @@ double relative_error(const PairQuery& query) {
 }
 
 PairQuery climb(Random& random, double (*hardness)(const PairQuery&), int tries) {
-    PairQuery worst{random_polygon(random, 8, 0), random_polygon(random, 8, 0), {{}, random.rotation()},
+    PairQuery worst{random_polygon(random, 8, 0),
+                    random_polygon(random, 8, 0),
+                    {{}, random.rotation()},
                     {random.point(2.0), random.rotation()}};
     double hardest = hardness(worst);
     for (int i = 0; i < tries; ++i) {

@@ -15,7 +15,10 @@ struct Shapes {
 
 PairQuery pair_of(Random& random, Shapes shapes, double reach) {
     const DVec2 origin = random.point(4.0);
-    return {std::move(shapes.a), std::move(shapes.b), {origin, random.rotation()}, {origin + random.point(reach), random.rotation()}};
+    return {std::move(shapes.a),
+            std::move(shapes.b),
+            {origin, random.rotation()},
+            {origin + random.point(reach), random.rotation()}};
 }
 
 Shape sliver() { return box(5.0, 0.5e-7); }
@@ -45,8 +48,9 @@ Shape ulp_cornered_square(Random& random) {
 }
 
 PairQuery make_ulp_edges(Random& random) {
-    PairQuery query = pair_of(random, {ulp_cornered_square(random),
-                                       random.chance(0.5) ? ulp_cornered_square(random) : random_shape(random, 0)}, 2.0);
+    PairQuery query = pair_of(
+        random,
+        {ulp_cornered_square(random), random.chance(0.5) ? ulp_cornered_square(random) : random_shape(random, 0)}, 2.0);
     if (random.chance(0.6)) {
         const DVec2 corner = rotate(query.pose_a.rotation, DVec2{std::sqrt(0.5), std::sqrt(0.5)});
         place_vertex_to_vertex(query, corner, random.signed_magnitude(-40, 0));
@@ -66,8 +70,9 @@ Shape with_duplicates(Random& random, const Shape& shape) {
 }
 
 PairQuery make_duplicate_vertices(Random& random) {
-    PairQuery query = pair_of(random, {with_duplicates(random, random_polygon(random, 5, 0)),
-                                       with_duplicates(random, random_shape(random, 0))}, 3.0);
+    PairQuery query = pair_of(
+        random,
+        {with_duplicates(random, random_polygon(random, 5, 0)), with_duplicates(random, random_shape(random, 0))}, 3.0);
     if (random.chance(0.4)) place_vertex_to_vertex(query, random, random.signed_magnitude(-40, -7));
     return query;
 }
@@ -75,7 +80,8 @@ PairQuery make_duplicate_vertices(Random& random) {
 // A polygon with the exact middle of each edge among its vertices.
 Shape with_midpoints(Random& random) {
     std::vector<GridPoint> corners;
-    for (int i = 0; i < 4; ++i) corners.push_back({2 * random.integer(-1000000, 1000000), 2 * random.integer(-1000000, 1000000)});
+    for (int i = 0; i < 4; ++i)
+        corners.push_back({2 * random.integer(-1000000, 1000000), 2 * random.integer(-1000000, 1000000)});
     corners = convex_hull(std::move(corners));
     std::vector<GridPoint> points;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -96,15 +102,17 @@ PairQuery make_collinear_vertices(Random& random) {
 Shape collapsed_polygon(Random& random) {
     const int count = random.integer(2, 8);
     const GridPoint from{random.integer(-1000, 1000), random.integer(-1000, 1000)};
-    const GridPoint step = random.chance(0.4) ? GridPoint{} : GridPoint{random.integer(-300, 300), random.integer(-300, 300)};
+    const GridPoint step =
+        random.chance(0.4) ? GridPoint{} : GridPoint{random.integer(-300, 300), random.integer(-300, 300)};
     std::vector<GridPoint> points;
     for (int i = 0; i < count; ++i) points.push_back({from.x + i * step.x, from.y + i * step.y});
     return Shape::from_raw(to_vertices(points, -10, -10), random.chance(0.3) ? 0.25f : 0.0f);
 }
 
 PairQuery make_collapsed(Random& random) {
-    PairQuery query = pair_of(random, {collapsed_polygon(random),
-                                       random.chance(0.5) ? collapsed_polygon(random) : random_shape(random, 0)}, 2.0);
+    PairQuery query = pair_of(
+        random, {collapsed_polygon(random), random.chance(0.5) ? collapsed_polygon(random) : random_shape(random, 0)},
+        2.0);
     if (random.chance(0.3)) {  // on one line or in one point, exactly
         query.b = query.a;
         query.pose_b = query.pose_a;

@@ -8,7 +8,8 @@ namespace tumble::reference {
 
 namespace {
 
-constexpr std::array kQuarterTurns{Rotation{1.0f, 0.0f}, Rotation{0.0f, 1.0f}, Rotation{-1.0f, 0.0f}, Rotation{0.0f, -1.0f}};
+constexpr std::array kQuarterTurns{Rotation{1.0f, 0.0f}, Rotation{0.0f, 1.0f}, Rotation{-1.0f, 0.0f},
+                                   Rotation{0.0f, -1.0f}};
 
 Rotation quarter_turn(Random& random) { return kQuarterTurns[static_cast<std::size_t>(random.integer(0, 3))]; }
 
@@ -21,7 +22,8 @@ Shape grid_polygon(Random& random, int exponent) {
 }
 
 PairQuery grid_pair(Random& random, int exponent) {
-    return {grid_polygon(random, exponent), grid_polygon(random, exponent),
+    return {grid_polygon(random, exponent),
+            grid_polygon(random, exponent),
             {std::ldexp(1.0, exponent) * DVec2{double(random.integer(-99, 99)), double(random.integer(-99, 99))},
              quarter_turn(random)},
             {{}, quarter_turn(random)}};

@@ -15,9 +15,7 @@ using Real = brute::Real;
 
 constexpr Real kUnit = 0x1p-53L;
 
-Point between(DVec2 from, DVec2 to) {
-    return {static_cast<Real>(to.x) - from.x, static_cast<Real>(to.y) - from.y};
-}
+Point between(DVec2 from, DVec2 to) { return {static_cast<Real>(to.x) - from.x, static_cast<Real>(to.y) - from.y}; }
 
 // When a point that moves from the origin by `way` is first at the distance `reach` from `center`, from outside.
 std::optional<Real> enter_circle(Point center, Point way, Real reach) {
@@ -74,9 +72,9 @@ TrueMotion::Body TrueMotion::body_of(const Shape& shape, const Sweep& sweep, DVe
     return body;
 }
 
-// E: 16 u of the sizes, the offset and the reach for a translation, as the narrow phase derives it; for a time of impact
-// 24 u of the sizes, the offset and the ways, which is less than its worst cases add up to, and 4 u of the angles times the
-// levers.
+// E: 16 u of the sizes, the offset and the reach for a translation, as the narrow phase derives it; for a time of
+// impact 24 u of the sizes, the offset and the ways, which is less than its worst cases add up to, and 4 u of the
+// angles times the levers.
 TrueMotion::TrueMotion(const CastQuery& query) {
     const Real radii = static_cast<Real>(query.a.radius()) + query.b.radius();
     reach_ = radii + query.target;
@@ -97,9 +95,7 @@ TrueMotion::TrueMotion(const CastQuery& query) {
     speed_ = norm(b_.way - a_.way) + std::abs(a_.turn) * a_.extent + std::abs(b_.turn) * b_.extent;
 }
 
-Real TrueMotion::gap(Real fraction) const {
-    return brute::core_distance(a_.at(fraction), b_.at(fraction)) - reach_;
-}
+Real TrueMotion::gap(Real fraction) const { return brute::core_distance(a_.at(fraction), b_.at(fraction)) - reach_; }
 
 // The first fraction after `from` at which the cores are within the reach, outside of which they start: the boundary of
 // all places within it is made of the vertices' circles and the edges moved by it, and none of these lies outside.

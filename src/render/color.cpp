@@ -14,9 +14,7 @@ std::optional<int> hex_digit(char c) {
 
 std::uint8_t to_channel(double value) { return static_cast<std::uint8_t>(std::floor(value + 0.5)); }
 
-std::uint8_t mix_channel(std::uint8_t a, std::uint8_t b, double amount) {
-    return to_channel(a + amount * (b - a));
-}
+std::uint8_t mix_channel(std::uint8_t a, std::uint8_t b, double amount) { return to_channel(a + amount * (b - a)); }
 
 }  // namespace
 

@@ -18,9 +18,7 @@ namespace {
 constexpr double kMarkOpacity = 0.6;
 
 // A body of several shapes shows which way it is turned by itself, unless they are circles.
-bool has_mark(const Shape& shape, std::size_t shape_count) {
-    return shape_count == 1 || shape.vertex_count() == 1;
-}
+bool has_mark(const Shape& shape, std::size_t shape_count) { return shape_count == 1 || shape.vertex_count() == 1; }
 
 void add_chain_bands(std::vector<MeshVertex>& mesh, const View& view, const SceneBody& body, const Pose& pose,
                      Color color) {

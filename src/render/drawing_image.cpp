@@ -63,14 +63,14 @@ public:
         // Outlines of a drawing straddle the edge, those of the canvas lie inside it.
         const double radius = disc.radius + (has_outline ? 0.5 * disc.outline_width : 0.0);
         layer(Kind::circle, disc.outline_width)
-            .circles.push_back({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(radius),
+            .circles.push_back({static_cast<float>(center.x),
+                                static_cast<float>(center.y),
+                                static_cast<float>(radius),
                                 {disc.fill, has_outline ? disc.outline : disc.fill}});
     }
 
     void add(const DrawnText& text) {
-        const double shift = text.anchor == TextAnchor::left     ? 0.0
-                             : text.anchor == TextAnchor::middle ? 0.5
-                                                                 : 1.0;
+        const double shift = text.anchor == TextAnchor::left ? 0.0 : text.anchor == TextAnchor::middle ? 0.5 : 1.0;
         const double left = text.at.x - shift * atlas_.width(text.text, text.size);
         atlas_.layout(text.text, text.size, left, static_cast<int>(std::floor(text.at.y + 0.5)), width_, height_,
                       text.color, layer(Kind::glyph, 0.0).glyphs);

@@ -11,7 +11,8 @@ namespace {
 
 std::string number(double value) {
     std::array<char, 64> buffer{};
-    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, 2);
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, 2);
     if (error != std::errc()) return "0";
     std::string text(buffer.data(), end);
     text.erase(text.find_last_not_of('0') + 1);
@@ -65,13 +66,12 @@ std::string element(const DrawnText& text) {
     constexpr std::array<std::string_view, 3> kAnchors = {"start", "middle", "end"};
     return "<text" + attribute("x", number(text.at.x)) + attribute("y", number(text.at.y)) +
            attribute("font-size", number(text.size)) + paint("fill", text.color) +
-           attribute("text-anchor", kAnchors[static_cast<std::size_t>(text.anchor)]) + ">" + escape_markup(text.text) + "</text>\n";
+           attribute("text-anchor", kAnchors[static_cast<std::size_t>(text.anchor)]) + ">" + escape_markup(text.text) +
+           "</text>\n";
 }
 
 // XML 1.0 has no way to write the other control characters.
-bool is_no_character(char c) {
-    return static_cast<unsigned char>(c) < 0x20u && c != '\t' && c != '\n' && c != '\r';
-}
+bool is_no_character(char c) { return static_cast<unsigned char>(c) < 0x20u && c != '\t' && c != '\n' && c != '\r'; }
 
 }  // namespace
 
@@ -91,10 +91,11 @@ std::string escape_markup(std::string_view text) {
 
 std::string to_svg(const Drawing& drawing) {
     const std::string width = std::to_string(drawing.width), height = std::to_string(drawing.height);
-    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", width) + attribute("height", height) +
-                      attribute("viewBox", "0 0 " + width + " " + height) +
+    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", width) +
+                      attribute("height", height) + attribute("viewBox", "0 0 " + width + " " + height) +
                       attribute("font-family", "DejaVu Sans, Verdana, sans-serif") + ">\n";
-    svg += "<rect" + attribute("width", width) + attribute("height", height) + paint("fill", drawing.background) + "/>\n";
+    svg +=
+        "<rect" + attribute("width", width) + attribute("height", height) + paint("fill", drawing.background) + "/>\n";
     for (const DrawnElement& drawn : drawing.elements)
         svg += std::visit([](const auto& value) { return element(value); }, drawn);
     return svg + "</svg>\n";

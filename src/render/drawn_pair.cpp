@@ -12,8 +12,8 @@ namespace render {
 
 namespace {
 
-void draw_shape(Panel& panel, const std::vector<DVec2>& outline, const std::vector<DVec2>& core, double radius, Color fill,
-                Color line) {
+void draw_shape(Panel& panel, const std::vector<DVec2>& outline, const std::vector<DVec2>& core, double radius,
+                Color fill, Color line) {
     panel.fill(outline, fill, 2.0, line);
     if (radius > 0.0) panel.fill(core, kTransparent, 1.0, line);
 }
@@ -59,9 +59,11 @@ void DrawnPair::draw(Panel& panel, const DistanceResult& result) const {
 
 void draw_pair_panel(Drawing& drawing, PixelRect rect, const DrawnPair& pair, const DistanceResult& result) {
     std::vector<DVec2> all = pair.outline_a(0.0);
-    for (const std::vector<DVec2>& outline : {pair.outline_b(0.0), pair.outline_b(pair.radii()), pair.outline_a(pair.radii())})
+    for (const std::vector<DVec2>& outline :
+         {pair.outline_b(0.0), pair.outline_b(pair.radii()), pair.outline_a(pair.radii())})
         all.insert(all.end(), outline.begin(), outline.end());
-    Panel panel(drawing, draw_frame(drawing, rect, "The shapes, with their closest (or deepest) points and the normal"), all);
+    Panel panel(drawing, draw_frame(drawing, rect, "The shapes, with their closest (or deepest) points and the normal"),
+                all);
     pair.draw(panel, result);
 }
 
@@ -87,7 +89,8 @@ void draw_contact_panel(Drawing& drawing, PixelRect rect, const DrawnPair& pair,
     const double reach = std::max(4.0 * std::abs(result.distance), 1e-3 * pair.smaller_extent());
     const DVec2 middle = 0.5 * (pair.from_world(result.point_a) + pair.from_world(result.point_b));
     const std::array<DVec2, 2> corners = {middle - DVec2{reach, reach}, middle + DVec2{reach, reach}};
-    Panel panel(drawing, draw_frame(drawing, rect, "At the contact, " + short_number(2.0 * reach) + " m high"), corners);
+    Panel panel(drawing, draw_frame(drawing, rect, "At the contact, " + short_number(2.0 * reach) + " m high"),
+                corners);
     pair.draw(panel, result);
     for (const DVec2 ring : rings) panel.ring(pair.from_world(ring), 8.0, ink::kText);
 }

@@ -14,8 +14,11 @@ namespace tumble::render {
 class DrawnPair {
 public:
     DrawnPair(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b)
-        : a_(a), b_(b), pose_a_{{}, world_from_a.rotation},
-          pose_b_{world_from_b.position - world_from_a.position, world_from_b.rotation}, origin_(world_from_a.position) {}
+        : a_(a),
+          b_(b),
+          pose_a_{{}, world_from_a.rotation},
+          pose_b_{world_from_b.position - world_from_a.position, world_from_b.rotation},
+          origin_(world_from_a.position) {}
 
     double radii() const { return double{a_.radius()} + double{b_.radius()}; }
     double smaller_extent() const;

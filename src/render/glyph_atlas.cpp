@@ -27,10 +27,10 @@ std::filesystem::path find_font(std::span<const std::filesystem::path> candidate
 
 std::span<const std::filesystem::path> font_candidates() {
     static const std::filesystem::path files[] = {
-        "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",          // Debian, Ubuntu
-        "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",        // Fedora
-        "/usr/share/fonts/TTF/DejaVuSans.ttf",                      // Arch
-        "/usr/share/fonts/dejavu/DejaVuSans.ttf",                   // Alpine
+        "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",    // Debian, Ubuntu
+        "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",  // Fedora
+        "/usr/share/fonts/TTF/DejaVuSans.ttf",                // Arch
+        "/usr/share/fonts/dejavu/DejaVuSans.ttf",             // Alpine
     };
     return files;
 }

@@ -42,7 +42,7 @@ public:
                 Color color, std::vector<GlyphInstance>& out);
 
     const std::vector<std::uint8_t>& texels() const { return texels_; }  // [kSize][kSize], coverage
-    std::uint64_t revision() const { return revision_; }                // grows whenever the texels change
+    std::uint64_t revision() const { return revision_; }                 // grows whenever the texels change
 
 private:
     struct Font;

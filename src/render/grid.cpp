@@ -66,8 +66,8 @@ std::string to_string(RoundLength length) {
     constexpr Unit kUnits[] = {{"km", 3}, {"m", 0}, {"cm", -2}, {"mm", -3}, {"\u00b5m", -6}, {"nm", -9}};
     for (const Unit& unit : kUnits) {
         if (length.exponent < unit.exponent) continue;
-        return std::to_string(length.mantissa) + std::string(static_cast<std::size_t>(length.exponent - unit.exponent), '0') +
-               " " + unit.name;
+        return std::to_string(length.mantissa) +
+               std::string(static_cast<std::size_t>(length.exponent - unit.exponent), '0') + " " + unit.name;
     }
     return std::to_string(length.mantissa) + "e" + std::to_string(length.exponent) + " m";
 }

@@ -24,9 +24,7 @@ auto key_of(const Edge& edge) {
     return std::pair{std::min(from, to), std::max(from, to)};
 }
 
-bool is_plain(const Shape& shape) {
-    return shape.vertex_count() >= 3 && shape.radius() == 0.0f;
-}
+bool is_plain(const Shape& shape) { return shape.vertex_count() >= 3 && shape.radius() == 0.0f; }
 
 template <class Take>
 std::vector<Edge> sorted_edges(std::span<const Part> parts, Take&& take) {

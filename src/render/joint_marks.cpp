@@ -17,7 +17,9 @@ constexpr double kSmallestAnchor = 0.8;  // pixels; smaller ones are left out
 void add_anchor(Layer& layer, const View& view, DVec2 at) {
     const double radius = std::min(style::kAnchor * view.detail(), kAnchorMetres * view.scale);
     if (radius < kSmallestAnchor || !view.sees(at, radius)) return;
-    layer.circles.push_back({static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(radius),
+    layer.circles.push_back({static_cast<float>(at.x),
+                             static_cast<float>(at.y),
+                             static_cast<float>(radius),
                              {style::kAnchorFill, style::kJoint}});
 }
 
@@ -37,7 +39,8 @@ std::vector<DVec2> path_of(const World& world, JointId id) {
     if (const auto* pulley = std::get_if<PulleyJointDef>(&world.joint(id)))
         return {ends->a, pulley->ground_anchor_a, pulley->ground_anchor_b, ends->b};
     if (const auto* gear = std::get_if<GearJointDef>(&world.joint(id)))
-        return {meshing_point(world, gear->joint_a, ends->a, ends->b), meshing_point(world, gear->joint_b, ends->b, ends->a)};
+        return {meshing_point(world, gear->joint_a, ends->a, ends->b),
+                meshing_point(world, gear->joint_b, ends->b, ends->a)};
     return {ends->a, ends->b};
 }
 

@@ -16,11 +16,12 @@ constexpr int kSmallestHeight = 135;
 constexpr double kPlateOpacity = 0.82;
 constexpr double kPlatePadding = 8.0;  // pixels at 720 rows, as are all lengths below
 constexpr double kLineGap = 3.0;
-constexpr double kAscent = 0.93;  // of a line above its baseline, of the font's size, and of the whole line: DejaVu Sans
+constexpr double kAscent =
+    0.93;  // of a line above its baseline, of the font's size, and of the whole line: DejaVu Sans
 constexpr double kLine = 1.17;
-constexpr double kScaleBar = 70.0;     // the least length of the scale bar
-constexpr double kLegendMark = 18.0;   // width of the marks in a legend
-constexpr double kBarEnd = 6.0;        // height of its ends
+constexpr double kScaleBar = 70.0;    // the least length of the scale bar
+constexpr double kLegendMark = 18.0;  // width of the marks in a legend
+constexpr double kBarEnd = 6.0;       // height of its ends
 
 // Lengths in pixels from the frame's top left corner.
 struct Rectangle {

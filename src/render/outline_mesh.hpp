@@ -14,8 +14,8 @@
 namespace tumble::render {
 
 // Appends the triangles of the shape's part in view.
-void add_outline_mesh(std::vector<MeshVertex>& mesh, const View& view, const Shape& shape,
-                      const Pose& world_from_shape, Paint paint);
+void add_outline_mesh(std::vector<MeshVertex>& mesh, const View& view, const Shape& shape, const Pose& world_from_shape,
+                      Paint paint);
 
 // Appends the triangles of a convex polygon: points in pixels, counter-clockwise, the outline inside its edge.
 void add_convex_mesh(std::vector<MeshVertex>& mesh, std::span<const DVec2> polygon, double outline_width, Paint paint);

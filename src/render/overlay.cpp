@@ -25,7 +25,7 @@ constexpr double kThin = 1.0;
 
 constexpr double kVelocityTime = 0.1;  // s: an arrow is as long as the way made in this time
 constexpr const char* kVelocityLegend = "velocity: the way of 0.1 s";
-constexpr double kAsleep = 0.65;       // share of the background in the colour of an island that sleeps
+constexpr double kAsleep = 0.65;  // share of the background in the colour of an island that sleeps
 
 void add_boxes(Marks& marks, const View& view, const World& world) {
     for (const BodyId body : world.bodies())
@@ -47,7 +47,8 @@ void add_islands(Layer& layer, const View& view, const World& world) {
         const Paint paint{color, mix(awake, style::kInk, style::kOutlineShare)};
         for (const ShapeId shape : world.shapes(body))
             if (!world.is_sensor(shape))
-                add_shape(layer, view, world.shape(shape), world.state(body).pose, paint, style::kSegment * view.detail());
+                add_shape(layer, view, world.shape(shape), world.state(body).pose, paint,
+                          style::kSegment * view.detail());
     }
 }
 
@@ -71,7 +72,8 @@ void add_velocities(Marks& marks, const View& view, const World& world) {
 void add_tie(Marks& marks, const View& view, const World& world, BodyId body, DVec2 anchor) {
     const DVec2 at = view.to_pixels(anchor);
     if (world.type(body) != BodyType::static_body)
-        marks.line(view.to_pixels(transform_point(world.state(body).pose, world.mass(body).center)), at, kMarkWidth, kTie);
+        marks.line(view.to_pixels(transform_point(world.state(body).pose, world.mass(body).center)), at, kMarkWidth,
+                   kTie);
     marks.dot(at, kTie);
 }
 
@@ -79,7 +81,8 @@ void add_ties(Marks& marks, const View& view, const World& world) {
     for (const JointId id : world.joints()) {
         const std::optional<JointAnchors> anchors = world.joint_anchors(id);
         if (!anchors) continue;
-        const auto [a, b] = std::visit([](const auto& joint) { return std::pair(joint.body_a, joint.body_b); }, world.joint(id));
+        const auto [a, b] =
+            std::visit([](const auto& joint) { return std::pair(joint.body_a, joint.body_b); }, world.joint(id));
         add_tie(marks, view, world, a, anchors->a);
         add_tie(marks, view, world, b, anchors->b);
     }

@@ -1,8 +1,8 @@
 // Which colours a scene's bodies have: that of the shape's material if it has one, else by type and name.
 //
 // Moving bodies take the palette's colours in the order in which their names first occur; copies of one body,
-// bodies whose names differ only in digits, and the same body of several copies of a part ("a/arm", "b/arm") share a hue;
-// copies of one body differ a little in lightness.
+// bodies whose names differ only in digits, and the same body of several copies of a part ("a/arm", "b/arm") share a
+// hue; copies of one body differ a little in lightness.
 #pragma once
 
 #include <cstdint>

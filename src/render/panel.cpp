@@ -27,7 +27,8 @@ Panel::Panel(Drawing& drawing, PixelRect rect, std::span<const DVec2> points)
     const DVec2 size = upper - lower;
     const double inner = 1.0 - 2.0 * kMargin;
     const double per_pixel = std::max(size.x / (inner * rect.width), size.y / (inner * rect.height));
-    view_ = {lower + 0.5 * size, per_pixel > 0.0 ? 1.0 / per_pixel : 1.0, static_cast<int>(rect.width), static_cast<int>(rect.height)};
+    view_ = {lower + 0.5 * size, per_pixel > 0.0 ? 1.0 / per_pixel : 1.0, static_cast<int>(rect.width),
+             static_cast<int>(rect.height)};
 }
 
 DVec2 Panel::to_pixels(DVec2 point) const {

@@ -25,8 +25,8 @@ unsigned char* compress_fast(unsigned char* data, int size, int* compressed_size
     const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), static_cast<std::size_t>(size));
     auto* const out = static_cast<unsigned char*>(std::malloc(bound));
     if (!out) return nullptr;
-    *compressed_size = static_cast<int>(
-        libdeflate_zlib_compress(compressor.get(), data, static_cast<std::size_t>(size), out, bound));
+    *compressed_size =
+        static_cast<int>(libdeflate_zlib_compress(compressor.get(), data, static_cast<std::size_t>(size), out, bound));
     return out;
 }
 

@@ -14,9 +14,9 @@ struct BodyWay {
     Box all;
 };
 
-// The ways of all bodies that are not static, those that the timeline makes included. Runs to the scene's end, or for as
-// many steps as its bodies leave of a fixed number of steps of one body: the same for every frame and machine. What cannot
-// be run further is looked at until then; a scene of thousands of bodies is not run, and has no ways.
+// The ways of all bodies that are not static, those that the timeline makes included. Runs to the scene's end, or for
+// as many steps as its bodies leave of a fixed number of steps of one body: the same for every frame and machine. What
+// cannot be run further is looked at until then; a scene of thousands of bodies is not run, and has no ways.
 std::vector<BodyWay> run_ahead(const Scene& scene);
 
 }  // namespace tumble::render

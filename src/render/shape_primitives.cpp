@@ -35,8 +35,8 @@ void add_circle(Layer& layer, const View& view, const Shape& shape, const Pose& 
 void add_box(Layer& layer, const View& view, const Placement& at, Vec2 half, float radius, Paint paint) {
     if (!view.sees(at.center, view.scale * (length(half) + radius))) return;
     layer.boxes.push_back({to_float(at.center.x), to_float(at.center.y), at.axis.x, at.axis.y,
-                           to_float(view.scale * half.x), to_float(view.scale * half.y),
-                           to_float(view.scale * radius), paint});
+                           to_float(view.scale * half.x), to_float(view.scale * half.y), to_float(view.scale * radius),
+                           paint});
 }
 
 void add_capsule(Layer& layer, const View& view, const Shape& shape, const Pose& pose, Paint paint) {
@@ -53,9 +53,15 @@ void add_polygon(Layer& layer, const View& view, const Shape& shape, const Pose&
     if (box.is_exact) return add_box(layer, view, at, box.half, shape.radius(), paint);
     if (!view.sees(at.center, view.scale * (length(box.half) + shape.radius()))) return;
 
-    PolygonInstance polygon{to_float(at.center.x), to_float(at.center.y), at.axis.x, at.axis.y,
-                            to_float(view.scale * box.half.x), to_float(view.scale * box.half.y),
-                            to_float(view.scale * shape.radius()), {}, paint};
+    PolygonInstance polygon{to_float(at.center.x),
+                            to_float(at.center.y),
+                            at.axis.x,
+                            at.axis.y,
+                            to_float(view.scale * box.half.x),
+                            to_float(view.scale * box.half.y),
+                            to_float(view.scale * shape.radius()),
+                            {},
+                            paint};
     for (std::size_t i = 0; i < PolygonInstance::kVertices; ++i) {
         const int vertex = static_cast<int>(i) < shape.vertex_count() ? static_cast<int>(i) : 0;
         const Vec2 offset = shape.vertex(vertex) - box.center;
@@ -124,8 +130,8 @@ BoxInstance make_line(DVec2 from, DVec2 to, double width, Color color) {
     const double size = length(along);
     const DVec2 axis = size > 0.0 ? (1.0 / size) * along : DVec2{1.0, 0.0};
     const DVec2 center = 0.5 * (from + to);
-    return {to_float(center.x), to_float(center.y), to_float(axis.x), to_float(axis.y),
-            to_float(0.5 * size), 0.0f, to_float(0.5 * width), flat(color)};
+    return {to_float(center.x),    to_float(center.y), to_float(axis.x), to_float(axis.y), to_float(0.5 * size), 0.0f,
+            to_float(0.5 * width), flat(color)};
 }
 
 void add_line(Layer& layer, const View& view, DVec2 from, DVec2 to, double width, Color color) {

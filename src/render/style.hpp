@@ -13,7 +13,7 @@ inline constexpr Color kMajorGrid{227, 231, 237};
 
 inline constexpr Color kStatic{203, 209, 218};
 inline constexpr Color kKinematic{136, 149, 171};
-inline constexpr Color kInk{36, 46, 62};         // what fills are mixed with to give their outlines,
+inline constexpr Color kInk{36, 46, 62};        // what fills are mixed with to give their outlines,
 inline constexpr double kOutlineShare = 0.42;   // how much of it,
 inline constexpr double kDarkLuma = 0.4;        // unless they are darker than this: then with the background
 inline constexpr double kInstanceShade = 0.10;  // how much lighter or darker repeated bodies are than each other
@@ -30,18 +30,18 @@ inline constexpr std::array<Color, 8> kBodies{{
     {193, 164, 123},  // sand
 }};
 
-inline constexpr double kOutline = 1.5;       // width
-inline constexpr double kSegment = 2.5;       // width of a shape without area
-inline constexpr double kBand = 22.0;         // of the solid side of a chain,
-inline constexpr double kBandMetres = 0.6;    // but no wider than this in the world
-inline constexpr double kBandOpacity = 0.4;   // at the line
-inline constexpr double kSensorOpacity = 0.3; // of the area of a sensor
-inline constexpr double kSensorEdge = 1.6;    // width of its edge,
-inline constexpr double kDash = 6.0;          // the length of its dashes
-inline constexpr double kDashGap = 5.0;       // and of what lies between them
-inline constexpr double kMark = 1.5;          // width of an orientation mark
-inline constexpr double kSmallestMark = 8.0;  // half the smaller extent of a shape below which it has none
-inline constexpr double kAnchor = 3.2;        // radius of a joint's anchor
+inline constexpr double kOutline = 1.5;        // width
+inline constexpr double kSegment = 2.5;        // width of a shape without area
+inline constexpr double kBand = 22.0;          // of the solid side of a chain,
+inline constexpr double kBandMetres = 0.6;     // but no wider than this in the world
+inline constexpr double kBandOpacity = 0.4;    // at the line
+inline constexpr double kSensorOpacity = 0.3;  // of the area of a sensor
+inline constexpr double kSensorEdge = 1.6;     // width of its edge,
+inline constexpr double kDash = 6.0;           // the length of its dashes
+inline constexpr double kDashGap = 5.0;        // and of what lies between them
+inline constexpr double kMark = 1.5;           // width of an orientation mark
+inline constexpr double kSmallestMark = 8.0;   // half the smaller extent of a shape below which it has none
+inline constexpr double kAnchor = 3.2;         // radius of a joint's anchor
 
 inline constexpr Color kJoint{74, 85, 104};
 inline constexpr Color kAnchorFill{250, 251, 252};

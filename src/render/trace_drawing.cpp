@@ -1,5 +1,5 @@
-// Draws how GJK found a distance: the pair, the Minkowski difference with the support vertices in the order in which they
-// were found, each iteration, and the bounds closing in.
+// Draws how GJK found a distance: the pair, the Minkowski difference with the support vertices in the order in which
+// they were found, each iteration, and the bounds closing in.
 #include <algorithm>
 #include <cmath>
 
@@ -110,9 +110,8 @@ void draw_found_vertices(Panel& panel, const TraceScene& scene) {
     const std::vector<DVec2>& places = scene.found.places();
     for (std::size_t k = 0; k < places.size(); ++k) {
         const DVec2 at = panel.to_pixels(places[k]);
-        const bool is_free = std::none_of(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(k), [&](DVec2 other) {
-            return length(panel.to_pixels(other) - at) < kLegible;
-        });
+        const bool is_free = std::none_of(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(k),
+                                          [&](DVec2 other) { return length(panel.to_pixels(other) - at) < kLegible; });
         if (is_free)
             draw_vertex(panel, scene, places[k], std::to_string(k + 1));
         else
@@ -126,8 +125,11 @@ void draw_difference_panel(Drawing& drawing, PixelRect rect, const TraceScene& s
     const std::vector<DVec2> grown = scene.pair.outline_difference(radius);
     std::vector<DVec2> view = grown;
     view.push_back({});
-    const std::string caption = radius > 0.0 ? "GJK sees the cores; the thin outline adds both radii, " + short_number(radius) + " m" : "";
-    Panel panel(drawing, draw_frame(drawing, rect, "Minkowski difference A - B: as far from the origin as A is from B", caption), view);
+    const std::string caption =
+        radius > 0.0 ? "GJK sees the cores; the thin outline adds both radii, " + short_number(radius) + " m" : "";
+    Panel panel(drawing,
+                draw_frame(drawing, rect, "Minkowski difference A - B: as far from the origin as A is from B", caption),
+                view);
     if (radius > 0.0) panel.fill(grown, kTransparent, 1.0, ink::kFaint);
     panel.fill(scene.core, ink::kDifferenceFill, 2.0, ink::kDifference);
     draw_origin(panel, drawing);
@@ -136,7 +138,8 @@ void draw_difference_panel(Drawing& drawing, PixelRect rect, const TraceScene& s
     panel.line({}, nearest, 2.0, ink::kAnswer);
     draw_found_vertices(panel, scene);
     panel.dot(nearest, 4.5, ink::kAnswer);
-    panel.label({}, {nearest.x > 0.0 ? -28.0 : 28.0, nearest.y > 0.0 ? 20.0 : -12.0}, "origin", kCaptionSize, ink::kText);
+    panel.label({}, {nearest.x > 0.0 ? -28.0 : 28.0, nearest.y > 0.0 ? 20.0 : -12.0}, "origin", kCaptionSize,
+                ink::kText);
 }
 
 // What an iteration did, in one line.
@@ -152,11 +155,12 @@ std::string story(const TraceScene& scene, std::size_t k) {
 
 void draw_step_panel(Drawing& drawing, PixelRect rect, const TraceScene& scene, std::size_t k) {
     const TraceStep& step = scene.trace.steps[k];
-    const std::string title = std::to_string(k + 1) + ":  between " + short_number(std::max(0.0, step.lower)) + " and |v| = " +
-                              short_number(step.upper);
+    const std::string title = std::to_string(k + 1) + ":  between " + short_number(std::max(0.0, step.lower)) +
+                              " and |v| = " + short_number(step.upper);
     Panel panel(drawing, draw_frame(drawing, rect, title, story(scene, k)), scene.view);
     panel.fill(scene.core, ink::kDifferenceFill, 1.0, ink::kDifference);
-    const DVec2 along = (2.0 * larger_side(scene.view) / std::max(length(step.direction), 1e-300)) * perp(step.direction);
+    const DVec2 along =
+        (2.0 * larger_side(scene.view) / std::max(length(step.direction), 1e-300)) * perp(step.direction);
     panel.line(step.support_vertex - along, step.support_vertex + along, 1.0, ink::kText);
     const std::vector<DVec2> simplex(step.vertices.begin(), step.vertices.begin() + step.count);
     panel.fill(simplex, ink::kSimplexFill, 3.0, ink::kSimplex);
@@ -173,7 +177,8 @@ void draw_step_panel(Drawing& drawing, PixelRect rect, const TraceScene& scene, 
 // After the last support of overlapping cores: the simplex that holds the origin.
 void draw_enclosing_panel(Drawing& drawing, PixelRect rect, const TraceScene& scene) {
     const TraceStep& last = scene.trace.steps.back();
-    const PixelRect inner = draw_frame(drawing, rect, "The simplex holds the origin: overlap", "depth: to the nearest face of A - B");
+    const PixelRect inner =
+        draw_frame(drawing, rect, "The simplex holds the origin: overlap", "depth: to the nearest face of A - B");
     Panel panel(drawing, inner, scene.view);
     panel.fill(scene.core, ink::kDifferenceFill, 1.0, ink::kDifference);
     std::vector<DVec2> simplex(last.vertices.begin(), last.vertices.begin() + last.count);
@@ -196,7 +201,9 @@ void draw_bounds_panel(Drawing& drawing, PixelRect rect, const std::vector<Trace
     draw_frame(drawing, rect, "Bounds on the distance of the cores");
     const double left = rect.left + 64.0, right = rect.left + rect.width - 24.0;
     const double base = rect.top + rect.height - 48.0, height = rect.height - 96.0;
-    const auto x = [&](std::size_t k) { return left + (right - left) * static_cast<double>(k) / static_cast<double>(steps.size() - 1); };
+    const auto x = [&](std::size_t k) {
+        return left + (right - left) * static_cast<double>(k) / static_cast<double>(steps.size() - 1);
+    };
     const auto y = [&](double value) { return base - height * std::clamp((value - bottom) / range, 0.0, 1.0); };
     drawing.line({left, base}, {right, base}, 1.0, ink::kFaint);
     drawing.text({left - 8.0, base + 4.0}, short_number(bottom), kCaptionSize, ink::kText, TextAnchor::right);
@@ -217,7 +224,8 @@ void draw_bounds_panel(Drawing& drawing, PixelRect rect, const std::vector<Trace
 
 std::string summary(const DistanceResult& result) {
     if (result.status == DistanceStatus::invalid) return "invalid input";
-    const std::string count = std::to_string(result.iterations) + (result.iterations == 1 ? " support vertex" : " support vertices");
+    const std::string count =
+        std::to_string(result.iterations) + (result.iterations == 1 ? " support vertex" : " support vertices");
     return std::string(to_string(result.status)) + ": signed distance " + short_number(result.distance) +
            " m, normal (" + short_number(result.normal.x) + ", " + short_number(result.normal.y) + "), " + count +
            " computed";
@@ -246,7 +254,8 @@ Drawing draw_trace(const Shape& a, const Pose& world_from_a, const Shape& b, con
     if (steps == 0) return drawing;
 
     drawing.text({kGap, steps_top - 30.0},
-                 "Each iteration: the simplex (green), its point v nearest to the origin (red), the search direction (arrow), and "
+                 "Each iteration: the simplex (green), its point v nearest to the origin (red), the search direction "
+                 "(arrow), and "
                  "the support vertex, farthest along it (ring).",
                  13.0, ink::kText);
     drawing.text({kGap, steps_top - 12.0},
@@ -255,7 +264,8 @@ Drawing draw_trace(const Shape& a, const Pose& world_from_a, const Shape& b, con
                  13.0, ink::kText);
     const double width = (kWidth - (columns + 1) * kGap) / columns;
     for (int k = 0; k < panels; ++k) {
-        const PixelRect rect{kGap + k % columns * (width + kGap), steps_top + k / columns * (kStepHeight + kGap), width, kStepHeight};
+        const PixelRect rect{kGap + k % columns * (width + kGap), steps_top + k / columns * (kStepHeight + kGap), width,
+                             kStepHeight};
         if (k < steps)
             draw_step_panel(drawing, rect, scene, static_cast<std::size_t>(k));
         else if (encloses && k == steps)

@@ -11,7 +11,11 @@ namespace tumble::render {
 inline char32_t take_code_point(std::string_view& text) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t lead = byte(0);
-    const std::size_t size = lead < 0x80 ? 1 : lead >= 0xf0 && lead < 0xf8 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 0;
+    const std::size_t size = lead < 0x80                   ? 1
+                             : lead >= 0xf0 && lead < 0xf8 ? 4
+                             : lead >= 0xe0                ? 3
+                             : lead >= 0xc0                ? 2
+                                                           : 0;
     bool well_formed = size != 0 && lead < 0xf8 && size <= text.size();
     for (std::size_t i = 1; well_formed && i < size; ++i) well_formed = (byte(i) & 0xc0) == 0x80;
     if (!well_formed) {

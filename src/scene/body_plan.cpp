@@ -60,7 +60,9 @@ std::vector<ShapeDef> make_shape_defs(const Scene& scene, const SceneBody& body)
 
 }  // namespace
 
-BodyPlan plan_body(const Scene& scene, const SceneBody& body) { return {make_body_def(body), make_shape_defs(scene, body)}; }
+BodyPlan plan_body(const Scene& scene, const SceneBody& body) {
+    return {make_body_def(body), make_shape_defs(scene, body)};
+}
 
 BodyId create_body(World& world, const BodyPlan& plan, const Pose& pose) {
     BodyDef def = plan.def;

@@ -1,5 +1,5 @@
-// Definitions out of a scene's plain data, in the order of the file: the order of creation is part of the simulation. Only
-// gears come last, as they are made of other joints.
+// Definitions out of a scene's plain data, in the order of the file: the order of creation is part of the simulation.
+// Only gears come last, as they are made of other joints.
 #include <stdexcept>
 
 #include "scene/body_plan.hpp"
@@ -32,7 +32,8 @@ WorldDef make_world_def(const SceneSettings& settings) {
 
 class Builder {
 public:
-    Builder(const Scene& scene, Start start) : scene_(scene), start_(start), result_{World(make_world_def(scene.world)), {}, {}} {}
+    Builder(const Scene& scene, Start start)
+        : scene_(scene), start_(start), result_{World(make_world_def(scene.world)), {}, {}} {}
 
     void add_bodies(std::size_t source) {
         const SceneBody& body = scene_.bodies[source];
@@ -50,8 +51,12 @@ public:
         }
     }
 
-    void add_joints(std::size_t source, const BodyNames& names) { add(source, make_joints(scene_.joints[source], names, placed_)); }
-    void add_gears(std::size_t source, const JointNames& names) { add(source, make_gears(scene_.joints[source], names, joints_)); }
+    void add_joints(std::size_t source, const BodyNames& names) {
+        add(source, make_joints(scene_.joints[source], names, placed_));
+    }
+    void add_gears(std::size_t source, const JointNames& names) {
+        add(source, make_gears(scene_.joints[source], names, joints_));
+    }
 
     SceneWorld take() { return std::move(result_); }
 
@@ -87,7 +92,8 @@ void report_refusal(Diagnostics& diagnostics, const std::string& pointer, const 
 SceneWorld build_world(const Scene& scene, Start start) {
     Diagnostics diagnostics(scene.name.empty() ? "scene" : scene.name, "");
     if (!scene.include.empty())
-        diagnostics.error("/include", "is written only: what it includes is not there", "load the scene without keep_includes");
+        diagnostics.error("/include", "is written only: what it includes is not there",
+                          "load the scene without keep_includes");
     check_scene(scene, sizes_of(scene), diagnostics);
     diagnostics.finish(nullptr);
     std::optional<Builder> builder;

@@ -23,9 +23,7 @@ namespace tumble::scene {
 
 namespace {
 
-std::string at(const std::string& list, std::size_t index) {
-    return list + '/' + std::to_string(index);
-}
+std::string at(const std::string& list, std::size_t index) { return list + '/' + std::to_string(index); }
 
 class Checker {
 public:
@@ -41,7 +39,8 @@ public:
         check_unique(names);
         check_spawned_names(names);
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) check_places(i);
-        for (std::size_t i = 0; i < own_.joints; ++i) check_joint(scene_.joints[i], at("/joints", i), names, references);
+        for (std::size_t i = 0; i < own_.joints; ++i)
+            check_joint(scene_.joints[i], at("/joints", i), names, references);
         for (std::size_t i = 0; i < own_.timeline; ++i)
             check_event(scene_.timeline[i], at("/timeline", i), names, references);
         check_beats();
@@ -63,8 +62,9 @@ private:
                 const std::int64_t count = copy_count(list[i]);
                 total += std::max<std::int64_t>(count, 0);
                 if (count >= 0 && total <= kMaxBodies) continue;
-                error(at("/" + what, i), "makes " + std::to_string(total) + " " + what + " with those before; at most " +
-                                             std::to_string(kMaxBodies) + " are allowed");
+                error(at("/" + what, i), "makes " + std::to_string(total) + " " + what +
+                                             " with those before; at most " + std::to_string(kMaxBodies) +
+                                             " are allowed");
                 return false;
             }
             return true;
@@ -95,8 +95,9 @@ private:
         std::vector<std::string_view> names;
         for (const SceneMaterial& material : scene_.materials) names.push_back(material.name);
         error(pointer + "/material", "there is no material " + quoted(shape.material),
-              names.empty() ? "\"materials\": {" + quoted(shape.material) + ": {\"friction\": 0.9}} beside \"bodies\" declares it"
-                            : suggestion(shape.material, names));
+              names.empty()
+                  ? "\"materials\": {" + quoted(shape.material) + ": {\"friction\": 0.9}} beside \"bodies\" declares it"
+                  : suggestion(shape.material, names));
     }
 
     void report_hull(const PolygonGeometry& polygon, const std::string& pointer) {
@@ -122,7 +123,8 @@ private:
             const std::string pointer = at("/bodies", i) + "/name";
             const std::size_t first = *names.find_source(body.name);
             if (first != i)
-                error(pointer, quoted(body.name) + " is the name of " + diagnostics_.name_of(at("/bodies", first)) + " already",
+                error(pointer,
+                      quoted(body.name) + " is the name of " + diagnostics_.name_of(at("/bodies", first)) + " already",
                       prefix_hint(i, own_.bodies));
             else if (!body.repeat && names.is_copy(body.name))
                 error(pointer, quoted(body.name) + " is the name of a copy of a repeated body");
@@ -185,12 +187,15 @@ private:
         }
     }
 
-    void check_joint(const SceneJoint& joint, const std::string& pointer, const BodyNames& names, const References& references) {
+    void check_joint(const SceneJoint& joint, const std::string& pointer, const BodyNames& names,
+                     const References& references) {
         if (diagnostics_.has_errors_in(pointer)) return;
         check_joint_keys(joint, pointer);
         if (joint.type == SceneJointType::gear) return check_gear(joint, pointer, references);
-        if (joint.body_a.empty() && joint.body_b.empty() && diagnostics_.has_errors_in(pointer)) return;  // it has other keys
-        const auto a = references.body(joint.body_a, pointer, "bodies/0"), b = references.body(joint.body_b, pointer, "bodies/1");
+        if (joint.body_a.empty() && joint.body_b.empty() && diagnostics_.has_errors_in(pointer))
+            return;  // it has other keys
+        const auto a = references.body(joint.body_a, pointer, "bodies/0"),
+                   b = references.body(joint.body_b, pointer, "bodies/1");
         if (!a || !b) return;
         if (*a == *b)
             return error(pointer + "/bodies", "a joint needs two bodies, got " + quoted(joint.body_a) + " twice");
@@ -209,11 +214,13 @@ private:
         if (!a || !b || diagnostics_.has_errors_in(pointer)) return;
         const NamedPlace first = *references.joint_names().find(gear.joint_a),
                          second = *references.joint_names().find(gear.joint_b);
-        if (first == second) error(pointer + "/joints", "a gear needs two joints, got " + quoted(gear.joint_a) + " twice");
+        if (first == second)
+            error(pointer + "/joints", "a gear needs two joints, got " + quoted(gear.joint_a) + " twice");
         if (gear.repeat) check_gear_repeat(gear, pointer + "/repeat", {first, second});
     }
 
-    const SceneJoint* check_geared(const std::string& name, const std::string& pointer, const std::string& key, const References& references) {
+    const SceneJoint* check_geared(const std::string& name, const std::string& pointer, const std::string& key,
+                                   const References& references) {
         const SceneJoint* const joint = references.joint(name, pointer, key);
         if (joint && joint->type != SceneJointType::revolute && joint->type != SceneJointType::prismatic)
             error(pointer + '/' + key, "a gear is on revolute and prismatic joints, and " + quoted(name) + " is none");
@@ -245,12 +252,14 @@ private:
         for (const std::string* body : {&joint.body_a, &joint.body_b}) {
             const std::size_t needed = last_step(joint), there = names.copies_after(*body).value_or(needed);
             if (needed > there)
-                error(pointer, "needs " + std::to_string(needed) + " copies after " + quoted(*body) + ", there are " + std::to_string(there));
+                error(pointer, "needs " + std::to_string(needed) + " copies after " + quoted(*body) + ", there are " +
+                                   std::to_string(there));
         }
     }
 
     void check_joint_keys(const SceneJoint& joint, const std::string& pointer) {
-        const bool is_distance = joint.type == SceneJointType::distance, is_pulley = joint.type == SceneJointType::pulley;
+        const bool is_distance = joint.type == SceneJointType::distance,
+                   is_pulley = joint.type == SceneJointType::pulley;
         const auto refuse = [&](bool present, const std::string& key, const std::string& reason) {
             if (present) error(pointer + '/' + key, reason);
         };
@@ -262,7 +271,8 @@ private:
         refuse(!is_pulley && joint.ratio && *joint.ratio == 0.0, "ratio", "must not be 0");
         if (is_pulley && !joint.ground_anchors)
             error(pointer, "the key 'ground_anchors' is missing: the wheels that the rope runs over");
-        if (is_pulley && !joint.anchors) error(pointer, "the key 'anchors' is missing: the ends of the rope, one in each body");
+        if (is_pulley && !joint.anchors)
+            error(pointer, "the key 'anchors' is missing: the ends of the rope, one in each body");
         if (joint.type == SceneJointType::filter || joint.type == SceneJointType::gear || is_pulley) return;
         if (joint.anchor.has_value() == joint.anchors.has_value())
             error(pointer, "needs one of the keys anchor, anchors");
@@ -285,16 +295,20 @@ private:
         }
     }
 
-    void check_event(const SceneEvent& event, const std::string& pointer, const BodyNames& names, const References& references) {
+    void check_event(const SceneEvent& event, const std::string& pointer, const BodyNames& names,
+                     const References& references) {
         if (diagnostics_.has_errors_in(pointer)) return;
         const bool lasts = event.force || event.torque;
-        const bool on_body = lasts || event.impulse || event.angular_impulse || event.velocity || event.angular_velocity;
+        const bool on_body =
+            lasts || event.impulse || event.angular_impulse || event.velocity || event.angular_velocity;
         const bool on_joint = event.motor_speed || event.target;
         if (event.every && (lasts || !event.despawn.empty() || !event.release.empty()))
             error(pointer + "/every", "belongs to what can happen again: a force lasts, what is gone cannot go again");
         if (event.from && !event.every) error(pointer + "/from", "belongs to events with 'every'");
-        if (event.from && event.until && *event.until < *event.from) error(pointer + "/until", "must not be before 'from'");
-        if (event.until && !event.every && !lasts) error(pointer + "/until", "belongs to events with 'every', and to forces");
+        if (event.from && event.until && *event.until < *event.from)
+            error(pointer + "/until", "must not be before 'from'");
+        if (event.until && !event.every && !lasts)
+            error(pointer + "/until", "belongs to events with 'every', and to forces");
         if (event.until && event.at && *event.until <= *event.at) error(pointer + "/until", "must be after 'at'");
         if (on_body) references.any_body(event.body, pointer, "body");
         if (const SceneBody* body = on_body ? find_definition(scene_, names, event.body) : nullptr)
@@ -311,7 +325,8 @@ private:
     void check_new_velocity(const SceneEvent& event, const std::string& pointer, const SceneBody& body) {
         if (!event.velocity && !event.angular_velocity) return;
         if (body.type == BodyType::static_body)
-            error(pointer + "/body", quoted(event.body) + " is static: it has no velocity", R"("type": "kinematic" moves by its velocity alone)");
+            error(pointer + "/body", quoted(event.body) + " is static: it has no velocity",
+                  R"("type": "kinematic" moves by its velocity alone)");
         else if (!body.enabled)
             error(pointer + "/body", quoted(event.body) + " is not enabled: it has no velocity");
     }
@@ -319,7 +334,8 @@ private:
     void check_joint_event(const SceneEvent& event, const std::string& pointer, const References& references) {
         const SceneJoint* joint = references.joint(event.joint, pointer, "joint");
         if (joint == nullptr) return;
-        if (event.motor_speed && !joint->motor) error(pointer + "/joint", "the joint " + quoted(event.joint) + " has no motor");
+        if (event.motor_speed && !joint->motor)
+            error(pointer + "/joint", "the joint " + quoted(event.joint) + " has no motor");
         if (event.target && joint->type != SceneJointType::mouse)
             error(pointer + "/joint", "only a mouse joint has a target, and " + quoted(event.joint) + " is none");
     }
@@ -346,7 +362,8 @@ private:
 }  // namespace
 
 SceneSizes sizes_of(const Scene& scene) {
-    return {scene.materials.size(), scene.bodies.size(), scene.joints.size(), scene.timeline.size(), scene.expect.size()};
+    return {scene.materials.size(), scene.bodies.size(), scene.joints.size(), scene.timeline.size(),
+            scene.expect.size()};
 }
 
 void check_scene(const Scene& scene, const SceneSizes& own, Diagnostics& diagnostics) {

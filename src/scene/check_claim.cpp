@@ -24,7 +24,8 @@ void check_expectation(const SceneExpectation& claim, const std::string& pointer
     if (!claim.never_touches.empty()) references.body_or_copies(claim.never_touches, pointer, "never_touches");
     if (!claim.joint.empty()) references.joint(claim.joint, pointer, "joint", true);
     refuse(!claim.joint.empty() && !claim.max_joint_error, "joint", "belongs to 'max_joint_error'");
-    if (claim.count && !claim.region) diagnostics.error(pointer, "the key 'region' is missing: where bodies are counted");
+    if (claim.count && !claim.region)
+        diagnostics.error(pointer, "the key 'region' is missing: where bodies are counted");
     refuse(claim.region && !claim.count, "region", "belongs to 'count'");
     refuse(claim.frame && !has_place(claim), "frame", "belongs to claims of places, heights and angles");
     if (claim.event_count && !claim.event) diagnostics.error(pointer, "the key 'event' is missing: what is counted");
@@ -38,14 +39,17 @@ void check_expectation(const SceneExpectation& claim, const std::string& pointer
     const std::string hint = of_state && !claim.at ? R"("when": "always" or "sometime" makes it one)" : "";
     if (claim.from && !over_a_time) diagnostics.error(pointer + "/from", "belongs to claims over a time", hint);
     if (claim.until && !over_a_time) diagnostics.error(pointer + "/until", "belongs to claims over a time", hint);
-    if (claim.from && claim.until && *claim.until < *claim.from) diagnostics.error(pointer + "/until", "must not be before 'from'");
-    for (const auto& [box, key] : {std::pair{&claim.inside, "inside"}, {&claim.outside, "outside"}, {&claim.region, "region"}}) {
+    if (claim.from && claim.until && *claim.until < *claim.from)
+        diagnostics.error(pointer + "/until", "must not be before 'from'");
+    for (const auto& [box, key] :
+         {std::pair{&claim.inside, "inside"}, {&claim.outside, "outside"}, {&claim.region, "region"}}) {
         if (!*box) continue;
         const auto& [lower, upper] = **box;
         if (lower.x > upper.x || lower.y > upper.y)
             diagnostics.error(pointer + '/' + key, "must be the lower left and the upper right corner of a box");
     }
-    const bool is_hash = claim.state_hash.size() == 16 && claim.state_hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+    const bool is_hash =
+        claim.state_hash.size() == 16 && claim.state_hash.find_first_not_of("0123456789abcdef") == std::string::npos;
     refuse(!claim.state_hash.empty() && !is_hash, "state_hash", "must be 16 digits 0-9 and a-f");
 }
 

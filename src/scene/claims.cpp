@@ -18,10 +18,13 @@ std::string between(const SceneInterval& allowed) {
     return "between " + number_text(allowed.lower) + " and " + number_text(allowed.upper);
 }
 // "exactly 4".
-std::string amount(const SceneInterval& allowed) { return (is_one_value(allowed) ? "exactly " : "") + between(allowed); }
+std::string amount(const SceneInterval& allowed) {
+    return (is_one_value(allowed) ? "exactly " : "") + between(allowed);
+}
 
 // "the height of 'crate' is between 1 and 2 m".
-std::string measure_text(const char* what, const SceneExpectation& claim, const SceneInterval& allowed, const char* unit) {
+std::string measure_text(const char* what, const SceneExpectation& claim, const SceneInterval& allowed,
+                         const char* unit) {
     return std::string("the ") + what + " of '" + claim.body + "' is " + between(allowed) + " " + unit;
 }
 std::string box_text(const SceneBox& box) { return brief(box.first) + " to " + brief(box.second); }
@@ -29,7 +32,8 @@ std::string box_text(const SceneBox& box) { return brief(box.first) + " to " + b
 // "in the frame at [1, 2] turned by 30 degrees".
 std::string frame_text(const SceneExpectation& claim) {
     if (!claim.frame) return "";
-    const std::string turn = claim.frame->angle == 0.0 ? "" : " turned by " + number_text(claim.frame->angle) + " degrees";
+    const std::string turn =
+        claim.frame->angle == 0.0 ? "" : " turned by " + number_text(claim.frame->angle) + " degrees";
     return " in the frame at " + brief(claim.frame->position) + turn;
 }
 
@@ -80,14 +84,16 @@ std::string claim_text(const SceneExpectation& claim) {
     if (claim.at_rest_by) return "everything is at rest from " + number_text(*claim.at_rest_by) + " s on";
     if (claim.max_penetration) return "no overlap is deeper than " + number_text(*claim.max_penetration) + " m";
     if (claim.max_joint_error)
-        return "the anchors of " + (claim.joint.empty() ? "no joint" : "'" + claim.joint + "' do not") + " part by more than " +
-               number_text(*claim.max_joint_error) + " m";
-    if (claim.max_energy_gain) return "the energy does not grow by more than " + number_text(*claim.max_energy_gain) + " J";
+        return "the anchors of " + (claim.joint.empty() ? "no joint" : "'" + claim.joint + "' do not") +
+               " part by more than " + number_text(*claim.max_joint_error) + " m";
+    if (claim.max_energy_gain)
+        return "the energy does not grow by more than " + number_text(*claim.max_energy_gain) + " J";
     if (claim.inside) return body + " is inside " + box_text(*claim.inside) + frame_text(claim) + time_text(claim);
     if (claim.outside) return body + " is outside " + box_text(*claim.outside) + frame_text(claim) + time_text(claim);
     if (claim.height) return measure_text("height", claim, *claim.height, "m") + frame_text(claim) + time_text(claim);
     if (claim.speed) return measure_text("speed", claim, *claim.speed, "m/s") + time_text(claim);
-    if (claim.angle) return measure_text("angle", claim, *claim.angle, "degrees") + frame_text(claim) + time_text(claim);
+    if (claim.angle)
+        return measure_text("angle", claim, *claim.angle, "degrees") + frame_text(claim) + time_text(claim);
     if (!claim.touches.empty()) return body + " touches '" + claim.touches + "'";
     if (!claim.never_touches.empty()) return body + " never touches '" + claim.never_touches + "'";
     if (claim.count) return count_text(claim) + frame_text(claim) + time_text(claim);

@@ -23,8 +23,8 @@ public:
     // 0 where the claim holds in this state, which was followed, else how far it is from holding.
     virtual double excess(const SceneWorld& built) = 0;
 
-    // What was seen in the state that excess() looked at last; `margin` is how near to failing it was, for claims that hold
-    // with room: larger is nearer.
+    // What was seen in the state that excess() looked at last; `margin` is how near to failing it was, for claims that
+    // hold with room: larger is nearer.
     virtual std::string finding(const SceneWorld& built) const = 0;
     virtual double margin() const { return 0.0; }
 };

@@ -53,7 +53,9 @@ Pose seen_from(const Pose& frame, const Pose& pose) {
 class OfBody : public Claim {
 public:
     OfBody(const SceneExpectation& claim, bool of_copies)
-        : bodies_(claim.body, of_copies), of_copies_(of_copies), frame_(make_frame(claim)),
+        : bodies_(claim.body, of_copies),
+          of_copies_(of_copies),
+          frame_(make_frame(claim)),
           waits_(of_copies && claim.when == SceneMoment::always && !claim.at) {}
 
     void follow(const SceneWorld& built) override { bodies_.update(built); }
@@ -111,13 +113,15 @@ private:
 // A number of a body's state, between two bounds.
 class Measure final : public OfBody {
 public:
-    Measure(const SceneExpectation& claim, bool of_copies, const SceneInterval& allowed, double (*measure)(const BodyState&),
-            const char* before, const char* unit)
+    Measure(const SceneExpectation& claim, bool of_copies, const SceneInterval& allowed,
+            double (*measure)(const BodyState&), const char* before, const char* unit)
         : OfBody(claim, of_copies), allowed_(allowed), measure_(measure), before_(before), unit_(unit) {}
 
 private:
     double excess_of_state(const BodyState& state) const override { return excess_of(measure_(state), allowed_); }
-    std::string seen(const BodyState& state) const override { return before_ + (" " + brief(measure_(state))) + " " + unit_; }
+    std::string seen(const BodyState& state) const override {
+        return before_ + (" " + brief(measure_(state))) + " " + unit_;
+    }
 
     SceneInterval allowed_;
     double (*measure_)(const BodyState&);
@@ -132,7 +136,9 @@ double gap_between(const World& world, BodyId a, BodyId b) {
     for (const ShapeId one : world.shapes(a))
         for (const ShapeId other : world.shapes(b))
             if (world.is_sensor(one) != world.is_sensor(other))
-                gap = std::min(gap, tumble::distance(world.shape(one), world.state(a).pose, world.shape(other), world.state(b).pose).distance);
+                gap = std::min(gap, tumble::distance(world.shape(one), world.state(a).pose, world.shape(other),
+                                                     world.state(b).pose)
+                                        .distance);
     return std::max(gap, 0.0);
 }
 
@@ -145,7 +151,9 @@ public:
         a_.update(built);
         b_.update(built);
         const World& world = built.world;
-        std::erase_if(touching_, [&](const auto& pair) { return !world.is_valid(pair.first.first) || !world.is_valid(pair.first.second); });
+        std::erase_if(touching_, [&](const auto& pair) {
+            return !world.is_valid(pair.first.first) || !world.is_valid(pair.first.second);
+        });
         met_ = false;
         if (world.step_count() == 0) return;
         const auto add = [&](ShapeId one, ShapeId other, int change) {
@@ -174,7 +182,8 @@ public:
     }
     std::string finding(const SceneWorld& built) const override {
         if (is_touching()) return touching_text(built);
-        if (a_.members().empty() || b_.members().empty()) return "'" + (a_.members().empty() ? a_ : b_).name() + "'" + " is not there";
+        if (a_.members().empty() || b_.members().empty())
+            return "'" + (a_.members().empty() ? a_ : b_).name() + "'" + " is not there";
         return gap_ == kGone ? "they do not touch" : "they are " + brief(gap_) + " m apart";
     }
 
@@ -194,7 +203,8 @@ private:
     std::string touching_text(const SceneWorld& built) const {
         const auto& [first, second] = touching_.empty() ? who_met_ : touching_.begin()->first;
         const bool are_single = a_.members().size() == 1 && b_.members().size() == 1;
-        return are_single ? "they touch" : display_name(built, first) + " and " + display_name(built, second) + " touch";
+        return are_single ? "they touch"
+                          : display_name(built, first) + " and " + display_name(built, second) + " touch";
     }
 
     BodyGroup a_, b_;
@@ -218,7 +228,8 @@ public:
     double excess(const SceneWorld& built) override {
         count_ = 0;
         for (const SceneInstance& body : built.bodies)
-            if (built.world.is_valid(body.id) && is_one_of(of_, body) && built.world.type(body.id) != BodyType::static_body)
+            if (built.world.is_valid(body.id) && is_one_of(of_, body) &&
+                built.world.type(body.id) != BodyType::static_body)
                 count_ += holds(region_, inverse_transform_point(frame_, built.world.state(body.id).pose.position));
         return excess_of(count_, allowed_);
     }
@@ -234,7 +245,8 @@ private:
 
 class EventCount final : public Claim {
 public:
-    EventCount(SceneEventKind kind, const std::string& of, const SceneInterval& allowed) : kind_(kind), of_(of), allowed_(allowed) {}
+    EventCount(SceneEventKind kind, const std::string& of, const SceneInterval& allowed)
+        : kind_(kind), of_(of), allowed_(allowed) {}
 
     void follow(const SceneWorld& built) override {
         if (built.world.step_count() > 0) count_ += count_in_step(built);
@@ -246,20 +258,29 @@ private:
     std::uint64_t count_in_step(const SceneWorld& built) const {
         const StepEvents& events = built.world.events();
         switch (kind_) {
-            case SceneEventKind::contact_begin: return count(events.contact_begins, built, &ContactBegin::shape_a, &ContactBegin::shape_b);
-            case SceneEventKind::contact_end: return count(events.contact_ends, built, &ContactEnd::shape_a, &ContactEnd::shape_b);
-            case SceneEventKind::contact_hit: return count(events.contact_hits, built, &ContactHit::shape_a, &ContactHit::shape_b);
-            case SceneEventKind::sensor_begin: return count(events.sensor_begins, built, &SensorEvent::sensor, &SensorEvent::visitor);
-            case SceneEventKind::sensor_end: return count(events.sensor_ends, built, &SensorEvent::sensor, &SensorEvent::visitor);
+            case SceneEventKind::contact_begin:
+                return count(events.contact_begins, built, &ContactBegin::shape_a, &ContactBegin::shape_b);
+            case SceneEventKind::contact_end:
+                return count(events.contact_ends, built, &ContactEnd::shape_a, &ContactEnd::shape_b);
+            case SceneEventKind::contact_hit:
+                return count(events.contact_hits, built, &ContactHit::shape_a, &ContactHit::shape_b);
+            case SceneEventKind::sensor_begin:
+                return count(events.sensor_begins, built, &SensorEvent::sensor, &SensorEvent::visitor);
+            case SceneEventKind::sensor_end:
+                return count(events.sensor_ends, built, &SensorEvent::sensor, &SensorEvent::visitor);
             case SceneEventKind::joint_broke: return events.broken_joints.size();
             case SceneEventKind::fell_asleep: break;
         }
-        return static_cast<std::uint64_t>(std::ranges::count_if(events.fell_asleep, [&](BodyId id) { return is_ours(built, id); }));
+        return static_cast<std::uint64_t>(
+            std::ranges::count_if(events.fell_asleep, [&](BodyId id) { return is_ours(built, id); }));
     }
 
     template <class Event>
-    std::uint64_t count(const std::vector<Event>& events, const SceneWorld& built, ShapeId Event::*a, ShapeId Event::*b) const {
-        const auto is_of = [&](ShapeId shape) { return built.world.is_valid(shape) && is_ours(built, built.world.body(shape)); };
+    std::uint64_t count(const std::vector<Event>& events, const SceneWorld& built, ShapeId Event::*a,
+                        ShapeId Event::*b) const {
+        const auto is_of = [&](ShapeId shape) {
+            return built.world.is_valid(shape) && is_ours(built, built.world.body(shape));
+        };
         return static_cast<std::uint64_t>(std::ranges::count_if(
             events, [&](const Event& event) { return of_.empty() || is_of(event.*a) || is_of(event.*b); }));
     }
@@ -287,11 +308,14 @@ std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& claim, const
     const auto group = [&](const std::string& name) { return BodyGroup(name, names.is_shared(name)); };
     if (claim.inside) return std::make_unique<BodyPlace>(claim, of_copies, *claim.inside, true);
     if (claim.outside) return std::make_unique<BodyPlace>(claim, of_copies, *claim.outside, false);
-    if (claim.height) return std::make_unique<Measure>(claim, of_copies, *claim.height, height_of, "its height is", "m");
+    if (claim.height)
+        return std::make_unique<Measure>(claim, of_copies, *claim.height, height_of, "its height is", "m");
     if (claim.speed) return std::make_unique<Measure>(claim, of_copies, *claim.speed, speed_of, "its speed is", "m/s");
-    if (claim.angle) return std::make_unique<Measure>(claim, of_copies, *claim.angle, degrees_of, "its angle is", "degrees");
+    if (claim.angle)
+        return std::make_unique<Measure>(claim, of_copies, *claim.angle, degrees_of, "its angle is", "degrees");
     if (!claim.touches.empty()) return std::make_unique<Touching>(group(claim.body), group(claim.touches), true);
-    if (!claim.never_touches.empty()) return std::make_unique<Touching>(group(claim.body), group(claim.never_touches), false);
+    if (!claim.never_touches.empty())
+        return std::make_unique<Touching>(group(claim.body), group(claim.never_touches), false);
     if (claim.count) return std::make_unique<Count>(claim);
     return std::make_unique<EventCount>(claim.event.value(), claim.body, *claim.event_count);
 }

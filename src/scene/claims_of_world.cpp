@@ -22,7 +22,9 @@ public:
         for (std::size_t i = 0; i < built.bodies.size(); ++i) {
             const BodyId id = built.bodies[i].id;
             if (i == reach_.size()) reach_.push_back(reach_of(built.world, id));
-            if (!built.world.is_valid(id) || built.world.type(id) != BodyType::dynamic_body || !built.world.is_awake(id)) continue;
+            if (!built.world.is_valid(id) || built.world.type(id) != BodyType::dynamic_body ||
+                !built.world.is_awake(id))
+                continue;
             const BodyState state = built.world.state(id);
             const double speed = length(state.velocity) + std::abs(double{state.angular_velocity}) * reach_[i];
             if (speed <= fastest_) continue;
@@ -135,7 +137,8 @@ private:
             if (world.type(id) != BodyType::dynamic_body) continue;
             const BodyMass own = world.mass(id);
             const BodyState state = world.state(id);
-            const double speed_sq = double{state.velocity.x} * state.velocity.x + double{state.velocity.y} * state.velocity.y;
+            const double speed_sq =
+                double{state.velocity.x} * state.velocity.x + double{state.velocity.y} * state.velocity.y;
             const double turn = double{state.angular_velocity};
             energy += 0.5 * double{own.mass} * speed_sq + 0.5 * double{own.inertia} * turn * turn -
                       double{own.mass} * dot(gravity, transform_point(state.pose, own.center));

@@ -14,14 +14,10 @@ namespace {
 // A caret under a column of a long line is shown with this much of the line on each side, in bytes.
 constexpr std::size_t kExcerptSide = 60;
 
-bool is_continuation_byte(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
-}
+bool is_continuation_byte(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
 
 // What a terminal would obey.
-bool is_control_byte(char c) {
-    return (static_cast<unsigned char>(c) < 0x20u && c != '\t') || c == '\x7f';
-}
+bool is_control_byte(char c) { return (static_cast<unsigned char>(c) < 0x20u && c != '\t') || c == '\x7f'; }
 
 struct Excerpt {
     std::string line;
@@ -101,7 +97,8 @@ void Diagnostics::error_at_offset(std::size_t offset, std::string message, std::
 bool Diagnostics::has_errors_in(std::string_view pointer) const {
     return overflowed_ ||
            std::ranges::any_of(errors_, [&](const Entry& entry) { return is_within(entry.pointer, pointer); }) ||
-           std::ranges::any_of(adopted_errors_, [&](const Adopted& entry) { return is_within(entry.include, pointer); });
+           std::ranges::any_of(adopted_errors_,
+                               [&](const Adopted& entry) { return is_within(entry.include, pointer); });
 }
 
 void Diagnostics::adopt(const std::vector<Diagnostic>& found, const std::string& include) {
@@ -149,8 +146,8 @@ std::vector<Diagnostic> Diagnostics::locate_all(const std::vector<Entry>& entrie
         if (located.size() >= kMaxDiagnostics) break;
         const Diagnostic by = locate({.pointer = entry.include, .message = {}, .hint = {}}, severity);
         located.push_back(entry.diagnostic);
-        located.back().included_by.push_back(by.line > 0 ? by.file + ':' + std::to_string(by.line) + ':' + std::to_string(by.column)
-                                                         : by.file);
+        located.back().included_by.push_back(
+            by.line > 0 ? by.file + ':' + std::to_string(by.line) + ':' + std::to_string(by.column) : by.file);
     }
     return located;
 }

@@ -15,13 +15,9 @@ std::string quoted_name(const std::vector<Instance>& instances, std::size_t inde
 
 }  // namespace
 
-std::string display_name(const SceneWorld& built, std::size_t body) {
-    return quoted_name(built.bodies, body);
-}
+std::string display_name(const SceneWorld& built, std::size_t body) { return quoted_name(built.bodies, body); }
 
-std::string display_joint_name(const SceneWorld& built, std::size_t joint) {
-    return quoted_name(built.joints, joint);
-}
+std::string display_joint_name(const SceneWorld& built, std::size_t joint) { return quoted_name(built.joints, joint); }
 
 std::string display_name(const SceneWorld& built, BodyId id) {
     const auto found = std::ranges::find(built.bodies, id, &SceneInstance::id);

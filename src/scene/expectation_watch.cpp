@@ -1,5 +1,5 @@
-// When a claim is looked at, and which moment decides it: that of the worst state for what must hold always, of the best
-// one for what must hold sometime. The finding keeps that moment, so that a report can say how near it came.
+// When a claim is looked at, and which moment decides it: that of the worst state for what must hold always, of the
+// best one for what must hold sometime. The finding keeps that moment, so that a report can say how near it came.
 #include <limits>
 #include <memory>
 
@@ -16,7 +16,8 @@ constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
 
 // What is claimed of single states holds `when` it says; the rest has a moment of its own.
 SceneMoment moment_of(const SceneExpectation& claim) {
-    if (claim.at_rest_by || claim.max_penetration || claim.max_joint_error || claim.max_energy_gain || !claim.never_touches.empty())
+    if (claim.at_rest_by || claim.max_penetration || claim.max_joint_error || claim.max_energy_gain ||
+        !claim.never_touches.empty())
         return SceneMoment::always;
     if (!claim.touches.empty()) return SceneMoment::sometime;
     return claim.when;
@@ -30,7 +31,7 @@ struct Watched {
     std::uint64_t to = kForever;  // the last one
     bool reached = false;         // whether the run came to a step that counts
     bool seen = false;            // and to one that the claim applies to
-    double excess = 0.0;  // of the moment that decides so far
+    double excess = 0.0;          // of the moment that decides so far
     double margin = 0.0;
     std::string finding;
     std::uint64_t step = 0;
@@ -100,7 +101,8 @@ std::vector<ExpectationResult> ExpectationWatch::results() const {
     for (const Watched& watched : impl_->watched) {
         const bool passed = watched.seen && watched.excess == 0.0;
         const std::uint64_t step = watched.seen ? watched.step : impl_->last_step;
-        results.push_back({passed, watched.text, watched.finding_text(), step, static_cast<double>(step) / impl_->rate});
+        results.push_back(
+            {passed, watched.text, watched.finding_text(), step, static_cast<double>(step) / impl_->rate});
     }
     return results;
 }

@@ -39,19 +39,25 @@ void visit_fields(V& v, Type<SceneSettings>) {
 template <class V>
 void visit_fields(V& v, Type<SceneCamera>) {
     v.field({"center",
-             "World point in the middle of the frame; left out: chosen so that all is in view that moves, its way as far as it "
-             "stays near, the ground below and what stands near. With follow: where the middle is when the body is first seen.",
+             "World point in the middle of the frame; left out: chosen so that all is in view that moves, its way as "
+             "far as it "
+             "stays near, the ground below and what stands near. With follow: where the middle is when the body is "
+             "first seen.",
              "m", kPosition},
             &SceneCamera::center);
-    v.field({"height",
-             "Height of the world in the frame; left out: as for center. With follow: five times the body's larger side.", "m",
-             {0.0, kFarthest, true}},
-            &SceneCamera::height);
-    v.field({.name = "follow",
-             .description = "Name of a body that the frame moves with: it stays in the middle, or where center puts it. A body of the "
-                            "timeline is followed from when it is made.",
-             .text = Text::name},
-            &SceneCamera::follow);
+    v.field(
+        {"height",
+         "Height of the world in the frame; left out: as for center. With follow: five times the body's larger side.",
+         "m",
+         {0.0, kFarthest, true}},
+        &SceneCamera::height);
+    v.field(
+        {.name = "follow",
+         .description =
+             "Name of a body that the frame moves with: it stays in the middle, or where center puts it. A body of the "
+             "timeline is followed from when it is made.",
+         .text = Text::name},
+        &SceneCamera::follow);
 }
 
 template <class V>
@@ -74,11 +80,15 @@ void visit_fields(V& v, Type<SceneMaterial>) {
 
 template <class V>
 void visit_fields(V& v, Type<SceneInclude>) {
-    v.field({.name = "file", .description = "Path of a scene file, from the folder of this one.", .required = true, .text = Text::name},
+    v.field({.name = "file",
+             .description = "Path of a scene file, from the folder of this one.",
+             .required = true,
+             .text = Text::name},
             &SceneInclude::file);
     v.field({"position", "Where the origin of that scene comes to lie.", "m", kPosition}, &SceneInclude::position);
     v.field({"angle", "Turn of that scene about its origin.", "degrees"}, &SceneInclude::angle);
-    v.field({"prefix", "Put before each of its names, so that a file can be included twice: \"car1/\"."}, &SceneInclude::prefix);
+    v.field({"prefix", "Put before each of its names, so that a file can be included twice: \"car1/\"."},
+            &SceneInclude::prefix);
 }
 
 template <class V>
@@ -89,11 +99,13 @@ void visit_fields(V& v, Type<Scene>) {
     v.field({"description", "What there is to see."}, &Scene::description);
     v.field({"world", "The world and its run."}, &Scene::world);
     v.field({"camera", "What the frames show."}, &Scene::camera);
-    v.field({.name = "include",
-             .description = "Other scenes, placed in this one: their bodies, joints, materials, events and claims. Their world and "
-                            "camera, changes of gravity and claims of the whole world stay behind.",
-             .max_items = 10000},
-            &Scene::include);
+    v.field(
+        {.name = "include",
+         .description =
+             "Other scenes, placed in this one: their bodies, joints, materials, events and claims. Their world and "
+             "camera, changes of gravity and claims of the whole world stay behind.",
+         .max_items = 10000},
+        &Scene::include);
     v.named({"materials", "Surfaces, by name."}, &Scene::materials);
     v.field({.name = "bodies", .description = "The bodies.", .max_items = 1000000}, &Scene::bodies);
     v.field({.name = "joints", .description = "What ties bodies together.", .max_items = 1000000}, &Scene::joints);

@@ -21,7 +21,8 @@ inline constexpr std::array<std::pair<SceneJointType, std::string_view>, 10> kEn
      {SceneJointType::pulley, "pulley"},
      {SceneJointType::gear, "gear"}}};
 
-inline constexpr Field kPatternAngle{"angle", "Turn of the whole pattern about the position; the copies keep their own angle.", "degrees"};
+inline constexpr Field kPatternAngle{
+    "angle", "Turn of the whole pattern about the position; the copies keep their own angle.", "degrees"};
 
 template <class V>
 void visit_fields(V& v, Type<GridRepeat>) {
@@ -107,8 +108,10 @@ void visit_fields(V& v, Type<SceneBody>) {
 
 template <class V>
 void visit_fields(V& v, Type<SceneJointMotor>) {
-    v.field({"speed", "Speed that the motor tries to reach: degrees/s if it turns, m/s if it slides. Counter-clockwise is positive: a "
-                      "wheel that shall roll to the right turns at a negative speed."},
+    v.field({"speed",
+             "Speed that the motor tries to reach: degrees/s if it turns, m/s if it slides. Counter-clockwise is "
+             "positive: a "
+             "wheel that shall roll to the right turns at a negative speed."},
             &SceneJointMotor::speed);
     v.field({"max_torque", "Most that it may use where it turns.", "N m", kStrength}, &SceneJointMotor::max_torque);
     v.field({"max_force", "Most that it may use where it slides.", "N", kStrength}, &SceneJointMotor::max_force);
@@ -124,23 +127,28 @@ void visit_fields(V& v, Type<SceneJointSpring>) {
 
 template <class V>
 void visit_fields(V& v, Type<JointRepeat>) {
-    v.field({"columns", "Copies in a row: each ties the copies of the bodies next to those that the one before ties.", "", kCount},
+    v.field({"columns", "Copies in a row: each ties the copies of the bodies next to those that the one before ties.",
+             "", kCount},
             &JointRepeat::columns);
     v.field({"rows", "Rows of copies.", "", kCount}, &JointRepeat::rows);
-    v.field({"row_step", "Copies of the bodies from one row to the next.", "", {0.0, kCount.max}}, &JointRepeat::row_step);
+    v.field({"row_step", "Copies of the bodies from one row to the next.", "", {0.0, kCount.max}},
+            &JointRepeat::row_step);
 }
 
 template <class V>
 void visit_fields(V& v, Type<SceneJoint>) {
-    v.field({.name = "type",
-             .description = "revolute: a hinge; distance: a rod, spring or rope; prismatic: a slider; weld: glue; wheel: a "
-                            "hinge on a suspension; motor: drives or brakes, as seen from above; mouse: a spring that "
-                            "pulls; filter: keeps the bodies from touching; pulley: a rope over two fixed wheels; gear: "
-                            "ties the motions of two joints together.",
-             .required = true},
-            &SceneJoint::type);
+    v.field(
+        {.name = "type",
+         .description = "revolute: a hinge; distance: a rod, spring or rope; prismatic: a slider; weld: glue; wheel: a "
+                        "hinge on a suspension; motor: drives or brakes, as seen from above; mouse: a spring that "
+                        "pulls; filter: keeps the bodies from touching; pulley: a rope over two fixed wheels; gear: "
+                        "ties the motions of two joints together.",
+         .required = true},
+        &SceneJoint::type);
     v.field({.name = "name", .description = "Unique.", .text = Text::name}, &SceneJoint::name);
-    v.pair({.name = "bodies", .description = "Names of the two bodies; a gear has those of its joints.", .text = Text::name},
+    v.pair({.name = "bodies",
+            .description = "Names of the two bodies; a gear has those of its joints.",
+            .text = Text::name},
            &SceneJoint::body_a, &SceneJoint::body_b);
     v.pair({.name = "joints",
             .description = "Names of the two joints that a gear is on, each revolute or prismatic.",
@@ -152,8 +160,9 @@ void visit_fields(V& v, Type<SceneJoint>) {
     v.field({"anchors", "The points that it acts on, each in the coordinates of its body.", "m", kCoordinate},
             &SceneJoint::anchors);
     v.at_most_one("anchor", "anchors");
-    v.field({"ground_anchors", "World points, at load, of the wheels that the rope of a pulley runs over.", "m", kPosition},
-            &SceneJoint::ground_anchors);
+    v.field(
+        {"ground_anchors", "World points, at load, of the wheels that the rope of a pulley runs over.", "m", kPosition},
+        &SceneJoint::ground_anchors);
     v.field({"axis",
              "Direction of the free motion: of the world at load, or of the first body if its anchors are its own. "
              "Prismatic and wheel joints.",
@@ -164,24 +173,28 @@ void visit_fields(V& v, Type<SceneJoint>) {
              "are at load. Revolute, prismatic, weld and motor joints.",
              "degrees"},
             &SceneJoint::reference_angle);
-    v.field({"length",
-             "Of the rod of a distance joint; of the rope of a pulley: from the first body to its wheel, and 'ratio' times "
-             "from the second body to its own. Left out: as at load.",
-             "m", kLength},
-            &SceneJoint::length);
-    v.field({"ratio",
-             "Of a pulley: the second body moves by so much less than the first, and is pulled by so much more. Of a gear: "
-             "the motion of the first joint (radians or m) and 'ratio' times that of the second make a sum that stays; "
-             "meshing wheels have the second radius over the first, a pinion and its rack 1 over the radius, or -1. Left "
-             "out: 1."},
-            &SceneJoint::ratio);
+    v.field(
+        {"length",
+         "Of the rod of a distance joint; of the rope of a pulley: from the first body to its wheel, and 'ratio' times "
+         "from the second body to its own. Left out: as at load.",
+         "m", kLength},
+        &SceneJoint::length);
+    v.field(
+        {"ratio",
+         "Of a pulley: the second body moves by so much less than the first, and is pulled by so much more. Of a gear: "
+         "the motion of the first joint (radians or m) and 'ratio' times that of the second make a sum that stays; "
+         "meshing wheels have the second radius over the first, a pinion and its rack 1 over the radius, or -1. Left "
+         "out: 1."},
+        &SceneJoint::ratio);
     v.field({"limits", "Least and greatest joint angle (degrees, revolute), distance or way along the axis (m)."},
             &SceneJoint::limits);
-    v.field({"motor", "Drives the second body against the first: turns it (revolute, wheel) or slides it (prismatic, "
-                      "distance)."},
+    v.field({"motor",
+             "Drives the second body against the first: turns it (revolute, wheel) or slides it (prismatic, "
+             "distance)."},
             &SceneJoint::motor);
-    v.field({"spring", "Pulls the free motion to 0, or to the length; softens the point of a weld, motor or mouse joint."},
-            &SceneJoint::spring);
+    v.field(
+        {"spring", "Pulls the free motion to 0, or to the length; softens the point of a weld, motor or mouse joint."},
+        &SceneJoint::spring);
     v.field({"angular_spring", "Softens the angle of a weld."}, &SceneJoint::angular_spring);
     v.field({"velocity", "Of the second body's anchor against the first's, that a motor joint drives at.", "m/s"},
             &SceneJoint::velocity);
@@ -194,7 +207,8 @@ void visit_fields(V& v, Type<SceneJoint>) {
     v.field({"break_torque", "Torque at which the joint is destroyed.", "N m", {0.0, 1e12, true}},
             &SceneJoint::break_torque);
     v.field({"collide_connected", "Whether the two bodies touch each other."}, &SceneJoint::collide_connected);
-    v.field({"repeat", "Makes a joint for each of many copies of its bodies, or of the joints of a gear."}, &SceneJoint::repeat);
+    v.field({"repeat", "Makes a joint for each of many copies of its bodies, or of the joints of a gear."},
+            &SceneJoint::repeat);
     v.json({"custom", "Anything a user wants to keep."}, &SceneJoint::custom);
 }
 

@@ -43,7 +43,8 @@ void visit_fields(V& v, Type<SegmentGeometry>) {
 template <class V>
 void visit_fields(V& v, Type<ChainGeometry>) {
     v.field({"points",
-             "Corners, one after the other. On the left of this direction is the inside, which things pass through unhindered: "
+             "Corners, one after the other. On the left of this direction is the inside, which things pass through "
+             "unhindered: "
              "a ground to stand on goes from right to left, the inside of a bowl or room clockwise.",
              "m", kCoordinate, true, 2},
             &ChainGeometry::points);
@@ -74,9 +75,11 @@ void visit_fields(V& v, Type<SceneFilter>) {
     v.field({"category", "Bits of what the shape is.", "", kBits}, &SceneFilter::category);
     v.field({"mask", "Bits of what it meets: each of two shapes must have one of the other's category.", "", kBits},
             &SceneFilter::mask);
-    v.field({"group", "Of two shapes with the same one other than 0, this alone counts: positive ones meet, negative "
-                      "ones do not.",
-             "", {-1e6, 1e6}},
+    v.field({"group",
+             "Of two shapes with the same one other than 0, this alone counts: positive ones meet, negative "
+             "ones do not.",
+             "",
+             {-1e6, 1e6}},
             &SceneFilter::group);
 }
 

@@ -15,13 +15,9 @@ namespace scene {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) {
-    throw std::invalid_argument(message);
-}
+[[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
-std::string text(DVec2 v) {
-    return compact_text(Json::array({v.x, v.y}));
-}
+std::string text(DVec2 v) { return compact_text(Json::array({v.x, v.y})); }
 
 std::vector<Vec2> to_float_points(const std::vector<DVec2>& points) {
     std::vector<Vec2> result;
@@ -104,8 +100,6 @@ SurfaceMaterial make_surface(const SceneMaterial& material) {
 
 }  // namespace scene
 
-std::vector<Shape> make_shapes(const ShapeGeometry& geometry) {
-    return std::visit(scene::ShapeMaker{}, geometry);
-}
+std::vector<Shape> make_shapes(const ShapeGeometry& geometry) { return std::visit(scene::ShapeMaker{}, geometry); }
 
 }  // namespace tumble

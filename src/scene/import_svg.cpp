@@ -20,10 +20,10 @@ namespace scene {
 
 namespace {
 
-constexpr int kMostDepth = 100;               // of groups and references: a cycle of references ends here
-constexpr int kMostElements = 200000;         // visited, references followed
+constexpr int kMostDepth = 100;                    // of groups and references: a cycle of references ends here
+constexpr int kMostElements = 200000;              // visited, references followed
 constexpr std::size_t kMostPointsOfAll = 4000000;  // of all figures
-constexpr std::size_t kLongestName = 200;    // bytes; longer ones are left out, and a number still fits behind
+constexpr std::size_t kLongestName = 200;          // bytes; longer ones are left out, and a number still fits behind
 
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::ranges::find(words, word) != words.end();
@@ -82,7 +82,8 @@ private:
         }
         if (const std::string_view id = element.attribute("id").value(); !id.empty()) by_id_.emplace(id, element);
         if (std::string_view(element.name()) == "style")
-            result_notes_["style rules with other selectors than a tag, class or id"] += sheet_.add(element.text().get());
+            result_notes_["style rules with other selectors than a tag, class or id"] +=
+                sheet_.add(element.text().get());
         for (const pugi::xml_node child : element.children())
             if (child.type() == pugi::node_element) index(child, depth + 1);
     }
@@ -114,8 +115,10 @@ private:
     }
 
     void visit(const pugi::xml_node& element, const Affine& around, const SvgStyle& style_around, int depth) {
-        if (depth > kMostDepth) throw SvgError("references are nested deeper than " + std::to_string(kMostDepth) + ", or in a circle");
-        if (++elements_ > kMostElements) throw SvgError("the drawing has more than " + std::to_string(kMostElements) + " elements");
+        if (depth > kMostDepth)
+            throw SvgError("references are nested deeper than " + std::to_string(kMostDepth) + ", or in a circle");
+        if (++elements_ > kMostElements)
+            throw SvgError("the drawing has more than " + std::to_string(kMostElements) + " elements");
         const std::string_view tag = element.name();
         if (!is_drawn(tag)) return note(tag);
         if (find_property(element, sheet_, "display") == "none") return count("hidden elements");
@@ -130,7 +133,9 @@ private:
             visit_children(element, tag == "svg" ? shifted(element, map) : map, style, depth);
     }
 
-    static bool is_drawn(std::string_view tag) { return is_figure(tag) || is_one_of(tag, {"g", "a", "svg", "switch", "use"}); }
+    static bool is_drawn(std::string_view tag) {
+        return is_figure(tag) || is_one_of(tag, {"g", "a", "svg", "switch", "use"});
+    }
 
     void note(std::string_view tag) {
         if (tag == "text") count("texts");
@@ -161,7 +166,8 @@ private:
             return attribute ? parse_length(attribute.value(), whole) : 0.0;
         };
         if (element.attribute("viewBox")) count("viewBoxes of inner drawings");
-        return compose(map, {{1.0, 0.0}, {0.0, 1.0}, {length_of("x", viewport_.size.x), length_of("y", viewport_.size.y)}});
+        return compose(map,
+                       {{1.0, 0.0}, {0.0, 1.0}, {length_of("x", viewport_.size.x), length_of("y", viewport_.size.y)}});
     }
 
     void follow(const pugi::xml_node& use, const Affine& map, const SvgStyle& style, int depth) {
@@ -182,7 +188,8 @@ private:
         if (!is_painted && !style.type) return count("hidden elements");
         if (figure.contours.empty()) return count("elements without extent");
         for (const Contour& contour : figure.contours) points_ += contour.points.size();
-        if (points_ > kMostPointsOfAll) throw SvgError("the drawing has more than " + std::to_string(kMostPointsOfAll) + " points");
+        if (points_ > kMostPointsOfAll)
+            throw SvgError("the drawing has more than " + std::to_string(kMostPointsOfAll) + " points");
         const double scale = std::sqrt(std::abs(cross(map.x_axis, map.y_axis)));
         SceneBody body = make_svg_body(figure, style, scale, result_notes_);
         if (body.shapes.empty()) return;
@@ -235,7 +242,8 @@ private:
 
 void require_positive(const char* what, double value) {
     if (!(std::isfinite(value) && value > 0.0))
-        throw std::invalid_argument(std::string(what) + " must be finite and greater than 0, got " + std::to_string(value));
+        throw std::invalid_argument(std::string(what) + " must be finite and greater than 0, got " +
+                                    std::to_string(value));
 }
 
 }  // namespace
@@ -246,7 +254,8 @@ ImportedScene parse_svg(std::string_view text, const std::string& file_name, con
     scene::require_positive("metres_per_unit", options.metres_per_unit);
     scene::require_positive("tolerance", options.tolerance);
     text = scene::without_byte_order_mark(text);
-    if (text.size() > scene::kMaxFileBytes) throw FileError(file_name, "is larger than " + std::to_string(scene::kMaxFileBytes >> 20) + " MiB");
+    if (text.size() > scene::kMaxFileBytes)
+        throw FileError(file_name, "is larger than " + std::to_string(scene::kMaxFileBytes >> 20) + " MiB");
     return scene::SvgImport(text, file_name, options).run();
 }
 

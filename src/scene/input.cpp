@@ -108,7 +108,8 @@ private:
 
     std::string hint(std::size_t offset, const std::string& why) const {
         const bool wants_end = why.ends_with("expected '}'") || why.ends_with("expected ']'");
-        const bool begins_value = why.find("literal; expected") != std::string::npos || why.find("unexpected '{'") != std::string::npos ||
+        const bool begins_value = why.find("literal; expected") != std::string::npos ||
+                                  why.find("unexpected '{'") != std::string::npos ||
                                   why.find("unexpected '['") != std::string::npos;
         if (wants_end && begins_value) return "a comma is missing before it";
         const char c = offset < text_.size() ? text_[offset] : '\0';

@@ -10,9 +10,9 @@
 
 namespace tumble::scene {
 
-inline constexpr std::size_t kMaxFileBytes = 32u << 20;   // 20 times as much in memory if it is all numbers
-inline constexpr std::size_t kMaxDepth = 64;           // of nested arrays and objects; later passes recurse
-inline constexpr std::size_t kMaxKeysInObject = 4096;  // looking up a key is linear
+inline constexpr std::size_t kMaxFileBytes = 32u << 20;  // 20 times as much in memory if it is all numbers
+inline constexpr std::size_t kMaxDepth = 64;             // of nested arrays and objects; later passes recurse
+inline constexpr std::size_t kMaxKeysInObject = 4096;    // looking up a key is linear
 
 // Leaves out a UTF-8 byte-order mark: no column counts it.
 std::string_view without_byte_order_mark(std::string_view text);

@@ -12,7 +12,8 @@ SceneJoint moved(const SceneJoint& joint, const PlacedBody& from, const PlacedBo
     };
     if (joint.anchor) move(*copy.anchor);
     if (joint.ground_anchors) move(copy.ground_anchors->first), move(copy.ground_anchors->second);
-    if (joint.axis && !joint.anchors) copy.axis = rotate(to.pose.rotation, inverse_rotate(from.pose.rotation, *joint.axis));
+    if (joint.axis && !joint.anchors)
+        copy.axis = rotate(to.pose.rotation, inverse_rotate(from.pose.rotation, *joint.axis));
     return copy;
 }
 
@@ -43,19 +44,23 @@ std::vector<JointDef> make_joints(const SceneJoint& joint, const BodyNames& name
     std::vector<JointDef> joints;
     for (const std::size_t step : steps_of(joint)) {
         const PlacedBody &own_a = placed[moves_a ? a + step : a], &own_b = placed[moves_b ? b + step : b];
-        const SceneJoint copy = step == 0 ? joint : moves_a ? moved(joint, placed[a], own_a) : moved(joint, placed[b], own_b);
+        const SceneJoint copy = step == 0 ? joint
+                                : moves_a ? moved(joint, placed[a], own_a)
+                                          : moved(joint, placed[b], own_b);
         joints.push_back(make_joint(copy, own_a, own_b));
     }
     return joints;
 }
 
-std::vector<JointDef> make_gears(const SceneJoint& gear, const JointNames& names, const std::vector<std::vector<JointId>>& built) {
+std::vector<JointDef> make_gears(const SceneJoint& gear, const JointNames& names,
+                                 const std::vector<std::vector<JointId>>& built) {
     const NamedPlace a = names.find(gear.joint_a).value(), b = names.find(gear.joint_b).value();
     const auto joint_at = [&](const NamedPlace& place, std::size_t step) {
         return built[place.source].at(place.is_copy ? place.copy + step : 0);
     };
     std::vector<JointDef> gears;
-    for (const std::size_t step : steps_of(gear)) gears.push_back(make_gear(gear, joint_at(a, step), joint_at(b, step)));
+    for (const std::size_t step : steps_of(gear))
+        gears.push_back(make_gear(gear, joint_at(a, step), joint_at(b, step)));
     return gears;
 }
 

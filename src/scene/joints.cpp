@@ -156,26 +156,16 @@ private:
 JointDef make_joint(const SceneJoint& joint, const PlacedBody& a, const PlacedBody& b) {
     const JointMaker maker(joint, a, b);
     switch (joint.type) {
-        case SceneJointType::revolute:
-            return maker.revolute();
-        case SceneJointType::distance:
-            return maker.distance();
-        case SceneJointType::prismatic:
-            return maker.prismatic();
-        case SceneJointType::weld:
-            return maker.weld();
-        case SceneJointType::wheel:
-            return maker.wheel();
-        case SceneJointType::motor:
-            return maker.motor();
-        case SceneJointType::mouse:
-            return maker.mouse();
-        case SceneJointType::pulley:
-            return maker.pulley();
-        case SceneJointType::filter:
-            return FilterJointDef{a.id, b.id};
-        case SceneJointType::gear:
-            break;
+        case SceneJointType::revolute: return maker.revolute();
+        case SceneJointType::distance: return maker.distance();
+        case SceneJointType::prismatic: return maker.prismatic();
+        case SceneJointType::weld: return maker.weld();
+        case SceneJointType::wheel: return maker.wheel();
+        case SceneJointType::motor: return maker.motor();
+        case SceneJointType::mouse: return maker.mouse();
+        case SceneJointType::pulley: return maker.pulley();
+        case SceneJointType::filter: return FilterJointDef{a.id, b.id};
+        case SceneJointType::gear: break;
     }
     throw std::invalid_argument("a gear is made of joints");
 }

@@ -107,9 +107,7 @@ std::string number_text(double value) {
     return {digits, end.ptr};
 }
 
-std::string quoted(const std::string& text) {
-    return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string quoted(const std::string& text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 std::string compact_text(const Json& value) {
     std::string out;

@@ -12,8 +12,9 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kSliver = 0.01;                       // of its length
-constexpr double kSmallestBody = 0.005, kLargestBody = 100.0;  // m, in a world of scale 1: where the solver's constants are tried
+constexpr double kSliver = 0.01;  // of its length
+constexpr double kSmallestBody = 0.005,
+                 kLargestBody = 100.0;  // m, in a world of scale 1: where the solver's constants are tried
 
 class BodyLinter {
 public:
@@ -37,9 +38,13 @@ public:
             return !shape.sensor && !std::holds_alternative<SegmentGeometry>(shape.geometry) &&
                    !std::holds_alternative<ChainGeometry>(shape.geometry);
         };
-        if (body.type != BodyType::dynamic_body || body.mass || body.shapes.empty() || std::ranges::any_of(body.shapes, weighs)) return;
-        diagnostics_.warning(pointer, "is made of segments, chains and sensors, which weigh nothing: it counts as 1 kg that does not turn",
-                             R"(give it a "mass", or a shape with an inside)");
+        if (body.type != BodyType::dynamic_body || body.mass || body.shapes.empty() ||
+            std::ranges::any_of(body.shapes, weighs))
+            return;
+        diagnostics_.warning(
+            pointer,
+            "is made of segments, chains and sensors, which weigh nothing: it counts as 1 kg that does not turn",
+            R"(give it a "mass", or a shape with an inside)");
     }
 
     void check_motion(const SceneBody& body, const std::string& pointer) {
@@ -52,14 +57,15 @@ public:
 private:
     void check_size(const std::string& pointer, double width, double size) {
         if (width > 0.0 && width < kSliver * size)
-            diagnostics_.warning(pointer, "is a sliver, " + brief(size) + " m long and " + brief(width) +
-                                              " m thin: it has next to no inertia about its length, and its contacts rattle",
+            diagnostics_.warning(pointer,
+                                 "is a sliver, " + brief(size) + " m long and " + brief(width) +
+                                     " m thin: it has next to no inertia about its length, and its contacts rattle",
                                  "make it thicker, or a capsule, whose ends are round");
         const double scale = scene_.world.scale;
         if (size < scale * kSmallestBody || size > scale * kLargestBody)
             diagnostics_.warning(pointer,
-                                 "is " + brief(size) + " m large: moving bodies behave best between " + brief(scale * kSmallestBody) +
-                                     " m and " + brief(scale * kLargestBody) + " m",
+                                 "is " + brief(size) + " m large: moving bodies behave best between " +
+                                     brief(scale * kSmallestBody) + " m and " + brief(scale * kLargestBody) + " m",
                                  R"(give the world a "scale", the size of a typical body)");
     }
 

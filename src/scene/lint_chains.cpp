@@ -1,5 +1,6 @@
-// A chain is solid on the left of its direction, and grounds drawn the wrong way round are fallen through without a sound.
-// Whoever starts above a ground sees it first along gravity: if what is seen is its solid side, it is the wrong one.
+// A chain is solid on the left of its direction, and grounds drawn the wrong way round are fallen through without a
+// sound. Whoever starts above a ground sees it first along gravity: if what is seen is its solid side, it is the wrong
+// one.
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -45,11 +46,14 @@ public:
     void check(const SceneInstance& body) {
         const World& world = built_.world;
         const SceneBody& source = scene_.bodies[body.source];
-        if (source.type != BodyType::dynamic_body || !source.enabled || !(source.gravity_scale > 0.0) || source.shapes.empty()) return;
+        if (source.type != BodyType::dynamic_body || !source.enabled || !(source.gravity_scale > 0.0) ||
+            source.shapes.empty())
+            return;
         const DVec2 center = transform_point(world.state(body.id).pose, world.mass(body.id).center);
         const DVec2 down = (scene_.world.scale * kDeep / length(scene_.world.gravity)) * scene_.world.gravity;
         QueryFilter filter{.except = body.id};
-        if (const std::optional<SceneFilter>& own = source.shapes.front().filter) filter.shape = {own->category, own->mask, own->group};
+        if (const std::optional<SceneFilter>& own = source.shapes.front().filter)
+            filter.shape = {own->category, own->mask, own->group};
         for (const CastHit& hit : world.cast_ray_all(center, down, filter)) {
             if (world.type(hit.body) == BodyType::dynamic_body) continue;
             check_ground(body, hit);
@@ -68,10 +72,12 @@ private:
         const DVec2 along = rotate(world.state(hit.body).pose.rotation, DVec2(segment.vertex(1) - segment.vertex(0)));
         const bool is_behind = cross(along, hit.normal) > 0.0;  // the normal is on the side that the ray came from
         if (!is_behind || !said_.insert({ground->source, index}).second) return;
-        diagnostics_.warning("/bodies/" + std::to_string(ground->source) + "/shapes/" + std::to_string(index) + "/chain/points",
-                             display_name(built_, body.id) + " is on the side from which it is open, and falls through: a chain is "
-                                                             "solid on the left of its direction",
-                             R"(list the points the other way round, of a ground from right to left, or "two_sided": true)");
+        diagnostics_.warning(
+            "/bodies/" + std::to_string(ground->source) + "/shapes/" + std::to_string(index) + "/chain/points",
+            display_name(built_, body.id) +
+                " is on the side from which it is open, and falls through: a chain is "
+                "solid on the left of its direction",
+            R"(list the points the other way round, of a ground from right to left, or "two_sided": true)");
     }
 
     const Scene& scene_;

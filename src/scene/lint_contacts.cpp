@@ -14,10 +14,10 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kOverlap = 0.02;      // of the smaller extent: twice the overlap that contacts keep at rest, and
-constexpr double kOverlapLimit = 0.01; // m, in a world of scale 1: never more
-constexpr double kAcross = 0.5;        // cosine: steeper contacts carry no weight
-constexpr double kVisibleSag = 0.05;   // of the smaller extent of the body that sinks
+constexpr double kOverlap = 0.02;       // of the smaller extent: twice the overlap that contacts keep at rest, and
+constexpr double kOverlapLimit = 0.01;  // m, in a world of scale 1: never more
+constexpr double kAcross = 0.5;         // cosine: steeper contacts carry no weight
+constexpr double kVisibleSag = 0.05;    // of the smaller extent of the body that sinks
 
 // All points between two bodies, as one.
 struct Touch {
@@ -40,7 +40,11 @@ double smallest_extent(const World& world, BodyId body) {
 class ContactLinter {
 public:
     ContactLinter(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics)
-        : scene_(scene), built_(started), diagnostics_(diagnostics), limits_(world_limits(started.world.def())), up_(-1.0 * scene.world.gravity) {
+        : scene_(scene),
+          built_(started),
+          diagnostics_(diagnostics),
+          limits_(world_limits(started.world.def())),
+          up_(-1.0 * scene.world.gravity) {
         for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
             index_[built_.bodies[i].id.index] = i;
             extents_.push_back(smallest_extent(built_.world, id(i)));
@@ -63,10 +67,12 @@ public:
     void check_overlaps() {
         std::set<std::pair<std::size_t, std::size_t>> said;
         for (const Touch& touch : touches_) {
-            const double allowed = std::min(kOverlap * std::min(extent_of(touch.a), extent_of(touch.b)), scene_.world.scale * kOverlapLimit);
+            const double allowed = std::min(kOverlap * std::min(extent_of(touch.a), extent_of(touch.b)),
+                                            scene_.world.scale * kOverlapLimit);
             if (touch.separation >= -allowed || !said.insert({source(touch.a), source(touch.b)}).second) continue;
-            warn(touch.b, name(touch.b) + " starts " + brief(-touch.separation) + " m inside " + name(touch.a) +
-                              ": they are pushed apart, by up to " + brief(double{limits_.push_out_speed}) + " m/s",
+            warn(touch.b,
+                 name(touch.b) + " starts " + brief(-touch.separation) + " m inside " + name(touch.a) +
+                     ": they are pushed apart, by up to " + brief(double{limits_.push_out_speed}) + " m/s",
                  "move one of them, or keep them from meeting by a filter");
         }
     }
@@ -77,8 +83,9 @@ public:
             if (!is_dynamic(touch.a) || !is_dynamic(touch.b)) continue;
             const double ratio = mass_ratio(built_.world, id(touch.a), id(touch.b));
             if (ratio <= kLargeMassRatio || !said.insert({source(touch.a), source(touch.b)}).second) continue;
-            warn(touch.b, name(touch.a) + " of " + brief(mass(touch.a)) + " kg touches " + name(touch.b) + " of " +
-                              brief(mass(touch.b)) + " kg: what is over 100 times lighter is squeezed",
+            warn(touch.b,
+                 name(touch.a) + " of " + brief(mass(touch.a)) + " kg touches " + name(touch.b) + " of " +
+                     brief(mass(touch.b)) + " kg: what is over 100 times lighter is squeezed",
                  "bring the densities nearer to each other, or give the world more substeps");
         }
     }
@@ -87,8 +94,11 @@ public:
         std::set<std::size_t> held;  // by a contact or a joint
         for (const Touch& touch : touches_) held.insert({touch.a, touch.b});
         for (const JointId joint : built_.world.joints())
-            std::visit([&](const auto& def) { held.insert({index_.at(def.body_a.index), index_.at(def.body_b.index)}); },
-                       built_.world.joint(joint));
+            std::visit(
+                [&](const auto& def) {
+                    held.insert({index_.at(def.body_a.index), index_.at(def.body_b.index)});
+                },
+                built_.world.joint(joint));
         std::set<std::size_t> said;
         for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
             const SceneBody& body = scene_.bodies[source(i)];
@@ -165,11 +175,13 @@ private:
             return sinking.sunk[i] > extent_of(i) ? "more than its size" : "about " + brief(sinking.sunk[i]) + " m";
         };
         const std::size_t worst = tops.front();
-        std::string text = "what " + name(worst) + " stands on (" + name(sinking.softest[worst]) + ") will sink by " + depth(worst) + " under its weight";
+        std::string text = "what " + name(worst) + " stands on (" + name(sinking.softest[worst]) + ") will sink by " +
+                           depth(worst) + " under its weight";
         std::set<std::size_t> said{source(worst)};
         for (const std::size_t i : tops)
             if (said.insert(source(i)).second) text += ", what " + name(i) + " stands on by " + depth(i);
-        warn(worst, text, "contacts give a little each: fewer or lighter bodies on top of each other, or lower gravity");
+        warn(worst, text,
+             "contacts give a little each: fewer or lighter bodies on top of each other, or lower gravity");
     }
 
     void warn(std::size_t body, const std::string& message, const std::string& hint) {
@@ -198,10 +210,10 @@ private:
     const SceneWorld& built_;
     Diagnostics& diagnostics_;
     WorldLimits limits_;
-    DVec2 up_;                                     // gravity, the other way round (m/s^2)
-    std::map<std::uint32_t, std::size_t> index_;   // of BodyId::index
-    std::vector<double> extents_;                  // [built bodies] m: the smallest
-    std::vector<Touch> touches_;                   // in the order of the bodies
+    DVec2 up_;                                    // gravity, the other way round (m/s^2)
+    std::map<std::uint32_t, std::size_t> index_;  // of BodyId::index
+    std::vector<double> extents_;                 // [built bodies] m: the smallest
+    std::vector<Touch> touches_;                  // in the order of the bodies
 };
 
 }  // namespace

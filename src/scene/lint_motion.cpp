@@ -1,5 +1,5 @@
-// Tunnelling: continuous collision keeps bodies from passing through what is static or kinematic, and bullets through each
-// other too. What it looks at is the way of a step, so that the thickness of a body is the measure.
+// Tunnelling: continuous collision keeps bodies from passing through what is static or kinematic, and bullets through
+// each other too. What it looks at is the way of a step, so that the thickness of a body is the measure.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -44,7 +44,9 @@ public:
           diagnostics_(diagnostics),
           names_(scene),
           limits_(world_limits(built.world.def())) {
-        const auto is_dynamic = [&](const SceneInstance& body) { return built.world.type(body.id) == BodyType::dynamic_body; };
+        const auto is_dynamic = [&](const SceneInstance& body) {
+            return built.world.type(body.id) == BodyType::dynamic_body;
+        };
         const auto comes = [](const SceneEvent& event) {
             return event.spawn && event.spawn->type == BodyType::dynamic_body;
         };
@@ -173,9 +175,11 @@ private:
 
 void add_motion_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics) {
     MotionLinter linter(scene, built, diagnostics);
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) linter.check_body(scene.bodies[i], "/bodies/" + std::to_string(i));
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        linter.check_body(scene.bodies[i], "/bodies/" + std::to_string(i));
     for (const SceneJointInstance& joint : built.joints) linter.note_joint(joint);
-    for (std::size_t i = 0; i < scene.timeline.size(); ++i) linter.check_event(scene.timeline[i], "/timeline/" + std::to_string(i));
+    for (std::size_t i = 0; i < scene.timeline.size(); ++i)
+        linter.check_event(scene.timeline[i], "/timeline/" + std::to_string(i));
     linter.check_drives();
 }
 

@@ -47,8 +47,10 @@ private:
         const bool pushes = event.impulse || event.angular_impulse || event.force || event.torque;
         if (!pushes || body == nullptr || body->type == BodyType::dynamic_body) return;
         const bool is_static = body->type == BodyType::static_body;
-        diagnostics_.warning(pointer + "/body", quoted(event.body) + " is " + (is_static ? "static" : "kinematic") + ": no force and no impulse moves it",
-                             is_static ? R"("type": "dynamic" is pushed about)" : R"(set its "velocity", or make it "dynamic")");
+        diagnostics_.warning(
+            pointer + "/body",
+            quoted(event.body) + " is " + (is_static ? "static" : "kinematic") + ": no force and no impulse moves it",
+            is_static ? R"("type": "dynamic" is pushed about)" : R"(set its "velocity", or make it "dynamic")");
     }
 
     // Of the body or joint of that name, which something that `goes` takes away for good.
@@ -72,8 +74,10 @@ private:
 
 void add_run_lints(const Scene& scene, Diagnostics& diagnostics) {
     RunLinter linter(scene, diagnostics);
-    for (std::size_t i = 0; i < scene.timeline.size(); ++i) linter.check_event(scene.timeline[i], "/timeline/" + std::to_string(i));
-    for (std::size_t i = 0; i < scene.expect.size(); ++i) linter.check_claim(scene.expect[i], "/expect/" + std::to_string(i));
+    for (std::size_t i = 0; i < scene.timeline.size(); ++i)
+        linter.check_event(scene.timeline[i], "/timeline/" + std::to_string(i));
+    for (std::size_t i = 0; i < scene.expect.size(); ++i)
+        linter.check_claim(scene.expect[i], "/expect/" + std::to_string(i));
 }
 
 }  // namespace tumble::scene

@@ -87,7 +87,8 @@ private:
     std::map<std::string, Spawned, std::less<>> spawned_;
 };
 
-// The body that has a name in the end: an entry of Scene::bodies, repeated or not, or what an event spawns. Null if none.
+// The body that has a name in the end: an entry of Scene::bodies, repeated or not, or what an event spawns. Null if
+// none.
 const SceneBody* find_definition(const Scene& scene, const BodyNames& names, std::string_view name);
 
 class JointNames {

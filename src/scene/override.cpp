@@ -13,8 +13,8 @@ namespace tumble::scene {
 
 namespace {
 
-// The index of the element that a step of a pointer means: its number, or its name, as bodies and joints have one. "-" is
-// the one after the last, which is made.
+// The index of the element that a step of a pointer means: its number, or its name, as bodies and joints have one. "-"
+// is the one after the last, which is made.
 std::optional<std::size_t> find_element(Json& array, const std::string& step) {
     if (step == "-") {
         array.emplace_back();
@@ -59,8 +59,9 @@ Json* find_or_create(Json& scene, const std::string& pointer, Diagnostics& diagn
         if (value->is_array()) {
             const std::optional<std::size_t> index = find_element(*value, step);
             if (!index) {
-                diagnostics.error(pointer, "the " + here + " is no index and no name in an array of " + std::to_string(value->size()),
-                                  names_hint(step, *value));
+                diagnostics.error(
+                    pointer, "the " + here + " is no index and no name in an array of " + std::to_string(value->size()),
+                    names_hint(step, *value));
                 return nullptr;
             }
             value = &(*value)[*index];

@@ -1,5 +1,5 @@
-// Points are moved, vectors turned, angles added; what is said in a body's own coordinates stays. Adding 0 turns -0, which
-// no file can hold, into 0.
+// Points are moved, vectors turned, angles added; what is said in a body's own coordinates stays. Adding 0 turns -0,
+// which no file can hold, into 0.
 #include "scene/place_part.hpp"
 
 #include <cmath>
@@ -29,7 +29,8 @@ public:
     }
 
     void place(SceneJoint& joint) const {
-        for (std::string* name : {&joint.name, &joint.body_a, &joint.body_b, &joint.joint_a, &joint.joint_b}) rename(*name);
+        for (std::string* name : {&joint.name, &joint.body_a, &joint.body_b, &joint.joint_a, &joint.joint_b})
+            rename(*name);
         if (joint.anchor) move(*joint.anchor);
         if (joint.ground_anchors) move(joint.ground_anchors->first), move(joint.ground_anchors->second);
         if (joint.axis && !joint.anchors) turn(*joint.axis);
@@ -59,7 +60,8 @@ private:
         if (name.empty()) return;
         name.insert(0, include_.prefix);
         if (name.size() > kMaxNameBytes)
-            throw std::invalid_argument("the name '" + name + "' is longer than " + std::to_string(kMaxNameBytes) + " bytes");
+            throw std::invalid_argument("the name '" + name + "' is longer than " + std::to_string(kMaxNameBytes) +
+                                        " bytes");
     }
 
     void move(DVec2& point) const {

@@ -16,12 +16,8 @@ struct Place {
     std::size_t index = 0;  // of an array, if key.data() is null
 };
 
-inline Place child(const Place& parent, std::string_view key) {
-    return {&parent, key, 0};
-}
-inline Place child(const Place& parent, std::size_t index) {
-    return {&parent, {}, index};
-}
+inline Place child(const Place& parent, std::string_view key) { return {&parent, key, 0}; }
+inline Place child(const Place& parent, std::size_t index) { return {&parent, {}, index}; }
 
 // "" for the root, "/bodies/3/name"; ~ and / in keys are escaped as ~0 and ~1.
 std::string pointer_to(const Place& place);

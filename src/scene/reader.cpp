@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t kLongestQuote = 40;
 
-// What other programs write, where this format has another word or form: the hint that says which. It is given where `beside`
-// is a key.
+// What other programs write, where this format has another word or form: the hint that says which. It is given where
+// `beside` is a key.
 struct Habit {
     std::string_view key, beside, hint;
 };
@@ -41,7 +41,7 @@ constexpr Habit kHabits[] = {
 
 // What the kinds of joints are called elsewhere.
 constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
-    {"hinge", "revolute"}, {"pin", "revolute"},   {"slider", "prismatic"}, {"rope", "distance"},
+    {"hinge", "revolute"}, {"pin", "revolute"},    {"slider", "prismatic"}, {"rope", "distance"},
     {"rod", "distance"},   {"spring", "distance"}, {"fixed", "weld"},
 };
 
@@ -87,7 +87,8 @@ public:
         out = value.get<std::string>();
         if (field.text == Text::name && (out.empty() || out.size() > kMaxNameBytes))
             wrong(place, "a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes", value);
-        if (field.text == Text::color && !is_color(out)) wrong(place, "a colour, \"#rgb\" or \"#rrggbb\"", value, "for example \"#d33\"");
+        if (field.text == Text::color && !is_color(out))
+            wrong(place, "a colour, \"#rgb\" or \"#rrggbb\"", value, "for example \"#d33\"");
     }
 
     template <class Enum>
@@ -161,7 +162,8 @@ public:
     // Not known to the table: "did you mean" without the list, which the message has.
     static std::string did_you_mean(const std::string& text, const std::vector<std::string_view>& names) {
         for (const auto& [other, name] : kOtherNames)
-            if (text == other && std::ranges::find(names, name) != names.end()) return "here it is called '" + std::string(name) + "'";
+            if (text == other && std::ranges::find(names, name) != names.end())
+                return "here it is called '" + std::string(name) + "'";
         return nearest_word(text, names).empty() ? "" : suggestion(text, names);
     }
 
@@ -309,7 +311,8 @@ private:
     // What was meant, or where the key belongs.
     std::string hint_for(const std::string& key) const {
         for (const Habit& habit : kHabits)
-            if (habit.key == key && std::ranges::find(known_, habit.beside) != known_.end()) return std::string(habit.hint);
+            if (habit.key == key && std::ranges::find(known_, habit.beside) != known_.end())
+                return std::string(habit.hint);
         if (!nearest_word(key, known_).empty()) return suggestion(key, known_);
         if (has_field<SceneMaterial>(key)) return quoted(key) + " belongs to a material, and the material to a shape";
         if (has_field<SceneBody>(key)) return quoted(key) + " belongs to a body";

@@ -42,7 +42,8 @@ void append_materials(Scene& scene, const std::vector<SceneMaterial>& more) {
 
 }  // namespace
 
-Scene Reading::read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes, Diagnostics& diagnostics) {
+Scene Reading::read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
+                    Diagnostics& diagnostics) {
     std::optional<Json> value = parse_json(text, diagnostics, R"(the least scene is {"format": 1})");
     if (!value) return {};
     apply_overrides(changes, *value, diagnostics);
@@ -93,13 +94,15 @@ void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagn
     diagnostics.set_included(std::move(places));
 }
 
-const Scene* Reading::find_part(const std::filesystem::path& file, const std::string& include, Diagnostics& diagnostics) {
+const Scene* Reading::find_part(const std::filesystem::path& file, const std::string& include,
+                                Diagnostics& diagnostics) {
     auto part = parts_.find(file);
     if (part == parts_.end()) part = parts_.emplace(file, read_part(file, include, diagnostics)).first;
     return part->second ? &*part->second : nullptr;  // who included it first has its errors
 }
 
-std::optional<Scene> Reading::read_part(const std::filesystem::path& file, const std::string& include, Diagnostics& diagnostics) {
+std::optional<Scene> Reading::read_part(const std::filesystem::path& file, const std::string& include,
+                                        Diagnostics& diagnostics) {
     const auto refuse = [&](const std::string& message, const std::string& hint = "") {
         diagnostics.error(include + "/file", message, hint);
         return std::nullopt;

@@ -4,7 +4,8 @@
 
 namespace tumble::scene {
 
-std::optional<std::size_t> References::body(const std::string& name, const std::string& pointer, const std::string& key) const {
+std::optional<std::size_t> References::body(const std::string& name, const std::string& pointer,
+                                            const std::string& key) const {
     const std::optional<std::size_t> found = names_.find(name);
     if (found || bodies_unread_) return found;
     if (name.empty())
@@ -22,9 +23,11 @@ void References::body_or_copies(const std::string& name, const std::string& poin
     if (!names_.is_shared(name)) any_body(name, pointer, key);
 }
 
-const SceneJoint* References::joint(const std::string& name, const std::string& pointer, const std::string& key, bool or_all) const {
+const SceneJoint* References::joint(const std::string& name, const std::string& pointer, const std::string& key,
+                                    bool or_all) const {
     if (const std::optional<NamedPlace> place = joint_names_.find(name)) return &scene_.joints[place->source];
-    if (const std::optional<std::size_t> all = joint_names_.find_source(name); or_all && all) return &scene_.joints[*all];
+    if (const std::optional<std::size_t> all = joint_names_.find_source(name); or_all && all)
+        return &scene_.joints[*all];
     if (diagnostics_.has_errors_in("/joints")) return nullptr;
     if (name.empty()) {
         diagnostics_.error(pointer, "the key " + quoted(key) + " is missing: the name of a joint");

@@ -27,7 +27,8 @@ public:
     void body_or_copies(const std::string& name, const std::string& pointer, const std::string& key) const;
 
     // Of repeated joints a copy; where all are meant, `or_all`, their common name too. Null if there is none.
-    const SceneJoint* joint(const std::string& name, const std::string& pointer, const std::string& key, bool or_all = false) const;
+    const SceneJoint* joint(const std::string& name, const std::string& pointer, const std::string& key,
+                            bool or_all = false) const;
 
     const JointNames& joint_names() const { return joint_names_; }
 

@@ -121,13 +121,12 @@ struct CopyCount {
 
 }  // namespace
 
-std::int64_t copy_count(const SceneBody& body) {
-    return body.repeat ? std::visit(CopyCount{}, *body.repeat) : 1;
-}
+std::int64_t copy_count(const SceneBody& body) { return body.repeat ? std::visit(CopyCount{}, *body.repeat) : 1; }
 
 std::vector<CopyPlace> copy_places(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
     std::vector<CopyPlace> result = pattern(body, seed, stream);
-    const double degrees = body.repeat ? std::visit([](const auto& repeat) { return repeat.angle; }, *body.repeat) : 0.0;
+    const double degrees =
+        body.repeat ? std::visit([](const auto& repeat) { return repeat.angle; }, *body.repeat) : 0.0;
     if (degrees == 0.0) return result;  // with the bits of the formulas
     for (CopyPlace& place : result)
         place.position = body.position + turned(place.position - body.position, sin_cos_degrees(degrees));

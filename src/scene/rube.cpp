@@ -92,7 +92,8 @@ private:
         read_name(body, result);
         for (const RubeObject& fixture : body.list("fixture"))
             if (const std::optional<RubeFixture> read = read_rube_fixture(fixture, notes_))
-                result.shapes.push_back({read->geometry, material_of(read->surface), read->custom, read->filter, read->sensor});
+                result.shapes.push_back(
+                    {read->geometry, material_of(read->surface), read->custom, read->filter, read->sensor});
         read_behaviour(body, result);
         body.note_unread("body", notes_);
         scene_.bodies.push_back(std::move(result));
@@ -126,8 +127,8 @@ private:
         if (differs(mass, result)) result.mass = mass;
     }
 
-    // As Box2D takes mass data: no mass is 1 kg, and the inertia, about the body's origin in files, counts only where it is
-    // positive and the body may turn.
+    // As Box2D takes mass data: no mass is 1 kg, and the inertia, about the body's origin in files, counts only where
+    // it is positive and the body may turn.
     static SceneMass read_mass(RubeObject& body, bool fixed) {
         const double mass = body.number("massData-mass"), inertia = body.number("massData-I");
         SceneMass result{mass > 0.0 ? mass : 1.0, body.vector("massData-center"), 0.0};
@@ -209,7 +210,8 @@ private:
         return &scene_.joints[index];
     }
 
-    static std::string name(std::string& own, const std::string& kind, std::size_t index, std::set<std::string>& names) {
+    static std::string name(std::string& own, const std::string& kind, std::size_t index,
+                            std::set<std::string>& names) {
         for (int number = 0; own.empty(); ++number) {
             std::string candidate = kind + std::to_string(index) + (number > 0 ? "_" + std::to_string(number) : "");
             if (names.insert(candidate).second) own = candidate;

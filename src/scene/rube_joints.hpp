@@ -14,8 +14,8 @@ struct RubeBody {
     Pose pose;
 };
 
-// Any type of joint but a gear, between bodies found by `body_at` (an index into the export's bodies); nothing, with a note or an error,
-// if the scene has no such joint.
+// Any type of joint but a gear, between bodies found by `body_at` (an index into the export's bodies); nothing, with a
+// note or an error, if the scene has no such joint.
 std::optional<SceneJoint> read_rube_joint(RubeObject joint, const std::string& type, std::size_t body_count,
                                           const std::function<RubeBody(std::size_t)>& body_at, RubeNotes& notes);
 

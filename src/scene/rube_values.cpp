@@ -45,9 +45,7 @@ RubeObject::RubeObject(const Json& value, std::string pointer, Diagnostics& diag
     if (!value.is_object()) error(pointer_, "an object", value);
 }
 
-std::string RubeObject::pointer_to(std::string_view key) const {
-    return append_key(pointer_, key);
-}
+std::string RubeObject::pointer_to(std::string_view key) const { return append_key(pointer_, key); }
 
 double RubeObject::number(std::string_view key, double missing) {
     const Json* value = find(key);
@@ -134,9 +132,7 @@ int RubeObject::index(std::string_view key, std::size_t end) {
     return -1;
 }
 
-void RubeObject::skip(std::initializer_list<std::string_view> keys) {
-    read_.insert(keys.begin(), keys.end());
-}
+void RubeObject::skip(std::initializer_list<std::string_view> keys) { read_.insert(keys.begin(), keys.end()); }
 
 void RubeObject::note_unread(const std::string& owner, RubeNotes& notes) const {
     for (const auto& [key, value] : value_.items())

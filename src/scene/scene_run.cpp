@@ -21,12 +21,12 @@ namespace {
 // One entry of the timeline with what it needs at hand.
 struct Happening {
     SceneEvent event;
-    std::size_t index = 0;          // in the timeline
-    scene::BodyLookup body;         // that it acts on, or that goes
+    std::size_t index = 0;   // in the timeline
+    scene::BodyLookup body;  // that it acts on, or that goes
     std::optional<JointId> joint;
     std::optional<scene::BodyPlan> plan;  // of the body that it makes
-    std::uint64_t count = 0;    // how often it has happened
-    std::size_t spawned = 0;    // how many bodies it has made
+    std::uint64_t count = 0;              // how often it has happened
+    std::size_t spawned = 0;              // how many bodies it has made
 
     bool lasts() const { return event.force || event.torque; }
 };
@@ -51,7 +51,8 @@ DVec2 center_of(const World& world, BodyId body) {
 }  // namespace
 
 struct SceneRun::Impl {
-    explicit Impl(const Scene& scene) : built(build_world(scene)), name(scene.name), seed(scene.world.seed), bodies_of_file(scene.bodies.size()) {
+    explicit Impl(const Scene& scene)
+        : built(build_world(scene)), name(scene.name), seed(scene.world.seed), bodies_of_file(scene.bodies.size()) {
         for (std::size_t i = 0; i < scene.timeline.size(); ++i) {
             const SceneEvent& event = scene.timeline[i];
             Happening& happening = happenings.emplace_back();
@@ -123,7 +124,8 @@ struct SceneRun::Impl {
                                             std::to_string(scene::kMaxBodies) + " are allowed");
             for (const scene::PlacedBody& place : scene::place_copies(body, seed + happening.count, source)) {
                 const BodyId id = scene::create_body(built.world, *happening.plan, place.pose);
-                built.bodies.push_back({id, source, is_one ? body.name : scene::copy_name(body.name, happening.spawned++)});
+                built.bodies.push_back(
+                    {id, source, is_one ? body.name : scene::copy_name(body.name, happening.spawned++)});
             }
         } catch (const std::invalid_argument& refusal) {
             scene::Diagnostics diagnostics(name.empty() ? "scene" : name, "");
@@ -134,7 +136,7 @@ struct SceneRun::Impl {
 
     SceneWorld built;
     std::vector<Happening> happenings;
-    std::string name;                // of the scene, for errors
+    std::string name;  // of the scene, for errors
     std::uint64_t seed = 0;
     std::size_t bodies_of_file = 0;  // how many entries Scene::bodies has
 };
@@ -158,9 +160,7 @@ void SceneRun::step() {
     impl_->built.world.step();
 }
 
-double SceneRun::time() const {
-    return impl_->built.world.time();
-}
+double SceneRun::time() const { return impl_->built.world.time(); }
 
 const SceneWorld& SceneRun::built() const noexcept { return impl_->built; }
 

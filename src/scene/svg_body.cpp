@@ -110,7 +110,8 @@ private:
             const bool is_convex = decompose_outline(rounded).size() == 1;
             is_convex ? add(PolygonGeometry{points, 0.0}) : add(OutlineGeometry{points});
         } catch (const std::invalid_argument&) {
-            if (make_polygon(rounded).vertex_count() > 2) ++notes_["outlines that cross themselves, whose hull is taken"];
+            if (make_polygon(rounded).vertex_count() > 2)
+                ++notes_["outlines that cross themselves, whose hull is taken"];
             add(PolygonGeometry{points, 0.0});
         }
     }
@@ -126,7 +127,8 @@ private:
             ++notes_["moving lines without a width"];
             return;
         }
-        for (std::size_t i = 0; i + 1 < points.size(); ++i) add(CapsuleGeometry{points[i], points[i + 1], stroke_radius_});
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            add(CapsuleGeometry{points[i], points[i + 1], stroke_radius_});
     }
 
     const SvgFigure& figure_;

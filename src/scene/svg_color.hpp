@@ -7,8 +7,8 @@
 
 namespace tumble::scene {
 
-// "#rrggbb" for #rgb, #rrggbb, either with alpha (which is dropped), rgb() and rgba(), and the names of CSS; nothing for
-// anything else.
+// "#rrggbb" for #rgb, #rrggbb, either with alpha (which is dropped), rgb() and rgba(), and the names of CSS; nothing
+// for anything else.
 std::optional<std::string> parse_color(std::string_view text);
 
 }  // namespace tumble::scene

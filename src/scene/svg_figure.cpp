@@ -137,7 +137,8 @@ private:
 }  // namespace
 
 bool is_figure(std::string_view tag) {
-    static constexpr std::array<std::string_view, 7> kTags{"circle", "ellipse", "line", "path", "polygon", "polyline", "rect"};
+    static constexpr std::array<std::string_view, 7> kTags{"circle",  "ellipse",  "line", "path",
+                                                           "polygon", "polyline", "rect"};
     return std::ranges::find(kTags, tag) != kTags.end();
 }
 

@@ -1,6 +1,6 @@
 // Equal steps of the parameter, as many as the second derivative asks for: a chord over a step h is never farther from
-// the curve than h^2 / 8 times the largest second derivative. Affine maps keep Bezier curves and ellipses what they are,
-// so that curves are mapped first and the tolerance holds in the world.
+// the curve than h^2 / 8 times the largest second derivative. Affine maps keep Bezier curves and ellipses what they
+// are, so that curves are mapped first and the tolerance holds in the world.
 #include "scene/svg_flatten.hpp"
 
 #include <algorithm>
@@ -59,7 +59,8 @@ void Flattener::cubic_to(DVec2 control, DVec2 other_control, DVec2 point) {
 }
 
 void Flattener::arc_to(const EllipseArc& arc, DVec2 point) {
-    const DVec2 center = apply(map_, arc.center), u = apply_linear(map_, arc.x_axis), v = apply_linear(map_, arc.y_axis);
+    const DVec2 center = apply(map_, arc.center), u = apply_linear(map_, arc.x_axis),
+                v = apply_linear(map_, arc.y_axis);
     // The second derivative by the angle is no longer than the longest half axis; an eighth of a turn at the most.
     const double step = std::min(std::sqrt(8.0 * tolerance_ / longest_half_axis(u, v)), kPi / 4.0);
     const std::size_t chords = chord_count(std::abs(arc.turn) / step);

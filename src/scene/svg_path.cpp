@@ -43,11 +43,17 @@ private:
     void step(char command) {
         if (command != 'm') begin_contour();
         switch (command) {
-            case 'm': current_ = start_ = point(); open_ = false; break;
+            case 'm':
+                current_ = start_ = point();
+                open_ = false;
+                break;
             case 'l': line_to(point()); break;
             case 'h': line_to({base_.x + scanner_.number(), current_.y}); break;
             case 'v': line_to({current_.x, base_.y + scanner_.number()}); break;
-            case 'c': control_ = point(); cubic_to(control_); break;
+            case 'c':
+                control_ = point();
+                cubic_to(control_);
+                break;
             case 's': cubic_to(mirrored('c', 's')); break;
             case 'q': quadratic_to(point()); break;
             case 't': quadratic_to(mirrored('q', 't')); break;
@@ -110,7 +116,7 @@ private:
 
     SvgScanner scanner_;
     Flattener& out_;
-    DVec2 base_;     // what arguments are relative to
+    DVec2 base_;  // what arguments are relative to
     DVec2 current_;
     DVec2 start_;    // of the contour
     DVec2 control_;  // the last one

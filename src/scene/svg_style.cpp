@@ -14,9 +14,8 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, BodyType>, 3> kTypeWords{{{"static", BodyType::static_body},
-                                                                       {"kinematic", BodyType::kinematic_body},
-                                                                       {"dynamic", BodyType::dynamic_body}}};
+constexpr std::array<std::pair<std::string_view, BodyType>, 3> kTypeWords{
+    {{"static", BodyType::static_body}, {"kinematic", BodyType::kinematic_body}, {"dynamic", BodyType::dynamic_body}}};
 
 // Of the page, in a stroke width of so many percent: no drawing program writes that.
 constexpr double kUnknownSize = std::numeric_limits<double>::quiet_NaN();
@@ -54,7 +53,8 @@ std::string without_comments(std::string_view text) {
 }
 
 bool is_simple_selector(std::string_view selector) {
-    return selector.find_first_of(" \t\r\n>+~:[*@", 0) == std::string_view::npos && selector.find_first_of(".#", 1) == std::string_view::npos;
+    return selector.find_first_of(" \t\r\n>+~:[*@", 0) == std::string_view::npos &&
+           selector.find_first_of(".#", 1) == std::string_view::npos;
 }
 
 SvgPaint make_paint(std::string_view value, const SvgPaint& around, int& gradients) {
@@ -100,9 +100,10 @@ int SvgSheet::add(std::string_view given) {
                 ++left_out;
                 return;
             }
-            visit_declarations(text.substr(open + 1, close - open - 1), [&](std::string_view name, std::string_view value) {
-                rules_[std::string(selector)][std::string(name)] = value;
-            });
+            visit_declarations(text.substr(open + 1, close - open - 1),
+                               [&](std::string_view name, std::string_view value) {
+                                   rules_[std::string(selector)][std::string(name)] = value;
+                               });
         });
         text.remove_prefix(std::min(close + 1, text.size()));
     }
@@ -137,7 +138,8 @@ SvgStyle read_style(const pugi::xml_node& element, const SvgSheet& sheet, const 
     SvgStyle style = around;
     style.fill = make_paint(property("fill"), around.fill, gradients);
     style.stroke = make_paint(property("stroke"), around.stroke, gradients);
-    if (const auto width = property("stroke-width"); !width.empty() && width != "inherit") style.stroke_width = parse_length(width, kUnknownSize);
+    if (const auto width = property("stroke-width"); !width.empty() && width != "inherit")
+        style.stroke_width = parse_length(width, kUnknownSize);
     if (const auto rule = property("fill-rule"); !rule.empty() && rule != "inherit") style.even_odd = rule == "evenodd";
     const std::string_view visibility = property("visibility");
     if (visibility == "visible") style.visible = true;

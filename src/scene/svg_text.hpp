@@ -17,7 +17,7 @@ class SvgScanner {
 public:
     explicit SvgScanner(std::string_view text) : text_(text) {}
 
-    bool at_end();         // skips separators
+    bool at_end();  // skips separators
     char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
     bool at_number() const;
     char take() { return text_[at_++]; }
@@ -25,8 +25,8 @@ public:
 
     // Throw SvgError, with what stands there instead.
     double number();
-    bool flag();                  // 0 or 1, which the next number may follow at once
-    std::string_view word();      // letters, digits, '-' and '_'
+    bool flag();              // 0 or 1, which the next number may follow at once
+    std::string_view word();  // letters, digits, '-' and '_'
     void expect(char wanted);
 
     [[noreturn]] void refuse(std::string_view expected);

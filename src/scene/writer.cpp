@@ -11,9 +11,7 @@ namespace tumble {
 
 namespace scene {
 
-Json write_scene(const Scene& scene, bool with_defaults) {
-    return Writer(with_defaults).write(scene);
-}
+Json write_scene(const Scene& scene, bool with_defaults) { return Writer(with_defaults).write(scene); }
 
 namespace {
 
@@ -38,9 +36,7 @@ Scene simulated_part(Scene scene) {
 
 }  // namespace scene
 
-std::string to_json(const Scene& scene) {
-    return scene::pretty_text(scene::write_scene(scene));
-}
+std::string to_json(const Scene& scene) { return scene::pretty_text(scene::write_scene(scene)); }
 
 std::uint64_t scene_hash(const Scene& scene) {
     const std::string text = scene::compact_text(scene::write_scene(scene::simulated_part(scene)));

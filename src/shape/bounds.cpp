@@ -55,7 +55,8 @@ Extent extent(const Shape& shape) {
     const auto [x_min, x_max] = std::ranges::minmax(shape.x());
     const auto [y_min, y_max] = std::ranges::minmax(shape.y());
     const double grown = 2.0 * shape.radius();
-    const double width = static_cast<double>(x_max) - x_min + grown, height = static_cast<double>(y_max) - y_min + grown;
+    const double width = static_cast<double>(x_max) - x_min + grown,
+                 height = static_cast<double>(y_max) - y_min + grown;
     return {static_cast<float>(std::max(width, height)), static_cast<float>(std::min(width, height))};
 }
 

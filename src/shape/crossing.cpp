@@ -27,7 +27,8 @@ bool segments_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 class CrossingSearch {
 public:
-    explicit CrossingSearch(const Ring& ring) : ring_(ring), edges_(SweepOrder(ring)), places_(ring.size(), edges_.end()) {}
+    explicit CrossingSearch(const Ring& ring)
+        : ring_(ring), edges_(SweepOrder(ring)), places_(ring.size(), edges_.end()) {}
 
     std::optional<EdgePair> run() {
         for (std::size_t corner = 0; corner < ring_.size() && !found_; ++corner) check_spike(corner);
@@ -47,7 +48,8 @@ private:
     // Neighbours along the ring meet in more than their corner if they turn back on one line.
     void check_spike(std::size_t corner) {
         const Vec2 before = ring_[ring_.previous(corner)], at = ring_[corner], after = ring_[ring_.next(corner)];
-        if (ring_.turn(corner) == 0 && is_before(before, at) != is_before(at, after)) report(ring_.previous(corner), corner);
+        if (ring_.turn(corner) == 0 && is_before(before, at) != is_before(at, after))
+            report(ring_.previous(corner), corner);
     }
 
     void visit(std::size_t corner) {
@@ -72,7 +74,8 @@ private:
 
     void check(std::size_t edge, std::size_t other) {
         if (ring_.next(edge) == other || ring_.next(other) == edge) return;
-        if (segments_meet(ring_[edge], ring_[ring_.next(edge)], ring_[other], ring_[ring_.next(other)])) report(edge, other);
+        if (segments_meet(ring_[edge], ring_[ring_.next(edge)], ring_[other], ring_[ring_.next(other)]))
+            report(edge, other);
     }
 
     void report(std::size_t edge, std::size_t other) {

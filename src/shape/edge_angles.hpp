@@ -8,8 +8,8 @@
 
 namespace tumble {
 
-// Grows with the angle of a direction from the x axis, from 0 to 4, without trigonometry: where the ray leaves the square
-// |x| + |y| = 1. Wrong by a few ulp.
+// Grows with the angle of a direction from the x axis, from 0 to 4, without trigonometry: where the ray leaves the
+// square |x| + |y| = 1. Wrong by a few ulp.
 inline double square_angle(DVec2 direction) {
     const double share = direction.x / (std::abs(direction.x) + std::abs(direction.y));
     return direction.y >= 0.0 ? 1.0 - share : 3.0 + share;
@@ -21,7 +21,8 @@ inline std::size_t sector_of(double angle, std::size_t sectors) {
     return at < static_cast<double>(sectors) ? static_cast<std::size_t>(at) : sectors - 1;
 }
 
-// Fills in `edge_angles`, `edges_before` and `first_edge` if the outline is strictly convex, counter-clockwise and goes round once.
+// Fills in `edge_angles`, `edges_before` and `first_edge` if the outline is strictly convex, counter-clockwise and goes
+// round once.
 void sort_edges(LargePolygon& polygon);
 
 }  // namespace tumble

@@ -60,8 +60,7 @@ Shape make_box(Vec2 size, float radius, Vec2 center, double angle) {
     const auto corner = [&](double x, double y) {
         return to_float(DVec2(center) + DVec2(q.cos * x - q.sin * y, q.sin * x + q.cos * y));
     };
-    if (half.x == 0.0 || half.y == 0.0)
-        return make_capsule(corner(-half.x, -half.y), corner(half.x, half.y), radius);
+    if (half.x == 0.0 || half.y == 0.0) return make_capsule(corner(-half.x, -half.y), corner(half.x, half.y), radius);
     const std::array<Vec2, 4> corners = {corner(-half.x, -half.y), corner(half.x, -half.y), corner(half.x, half.y),
                                          corner(-half.x, half.y)};
     if (!is_strictly_convex(corners)) {

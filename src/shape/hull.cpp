@@ -1,4 +1,5 @@
-// Hull by the monotone chain of Andrew 1979 with exact turns, then a greedy walk that replaces runs of vertices by chords.
+// Hull by the monotone chain of Andrew 1979 with exact turns, then a greedy walk that replaces runs of vertices by
+// chords.
 #include "shape/hull.hpp"
 
 #include <algorithm>
@@ -12,12 +13,14 @@ namespace {
 
 bool is_left_of(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-// Appends the chain that turns counter-clockwise only, over points sorted along it; its last point is left to the other.
+// Appends the chain that turns counter-clockwise only, over points sorted along it; its last point is left to the
+// other.
 template <typename Iterator>
 void append_chain(std::vector<Vec2>& hull, Iterator begin, Iterator end) {
     const std::size_t first = hull.size();
     for (Iterator point = begin; point != end; ++point) {
-        while (hull.size() >= first + 2 && orientation(hull[hull.size() - 2], hull.back(), *point) <= 0) hull.pop_back();
+        while (hull.size() >= first + 2 && orientation(hull[hull.size() - 2], hull.back(), *point) <= 0)
+            hull.pop_back();
         hull.push_back(*point);
     }
     hull.pop_back();

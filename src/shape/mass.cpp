@@ -38,7 +38,8 @@ void add_edge_strip(Moments& moments, DVec2 from, DVec2 to, DVec2 normal, double
 
 // The sector about `corner` from one normal to the next: its first moment is the integral of r^2 / 3 times the outward
 // direction along the arc, which is a quarter turn of the normals' difference.
-void add_corner_sector(Moments& moments, DVec2 corner, DVec2 from_normal, DVec2 to_normal, double angle, double radius) {
+void add_corner_sector(Moments& moments, DVec2 corner, DVec2 from_normal, DVec2 to_normal, double angle,
+                       double radius) {
     const double radius_sq = radius * radius;
     const double area = radius_sq * angle / 2.0;
     const DVec2 first = -(radius_sq * radius / 3.0) * perp(to_normal - from_normal);

@@ -57,7 +57,8 @@ void require_simple(const Ring& points, std::span<const std::size_t> kept) {
     bool has_area = false;
     for (std::size_t i = 0; i < ring.size() && !has_area; ++i) has_area = ring.turn(i) != 0;
     if (!has_area) throw std::invalid_argument("an outline must have an area: all its points lie on one line");
-    if (const auto crossing = find_crossing(ring)) refuse_crossing(points, kept[crossing->first], kept[crossing->second]);
+    if (const auto crossing = find_crossing(ring))
+        refuse_crossing(points, kept[crossing->first], kept[crossing->second]);
 }
 
 // A leftmost corner is convex, so its turn is the winding.

@@ -135,7 +135,9 @@ private:
 
     Place interval_below(std::size_t corner) { return std::prev(intervals_.upper_bound(ring_[corner])); }
 
-    void insert(std::size_t edge, const Interval& interval) { places_[edge] = intervals_.emplace(edge, interval).first; }
+    void insert(std::size_t edge, const Interval& interval) {
+        places_[edge] = intervals_.emplace(edge, interval).first;
+    }
 
     Interval take(std::size_t edge) {
         const Interval interval = places_[edge]->second;

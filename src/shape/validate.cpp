@@ -47,7 +47,8 @@ void require_points(std::span<const Vec2> points, std::size_t at_least) {
 }
 
 void require_box(Vec2 size, float radius) {
-    require(is_finite(size) && size.x > 0.0f && size.y > 0.0f, "box size must be finite and greater than 0, got ", size);
+    require(is_finite(size) && size.x > 0.0f && size.y > 0.0f, "box size must be finite and greater than 0, got ",
+            size);
     require_radius(radius);
     require(radius <= 0.5f * std::min(size.x, size.y), "box radius must be at most half the smaller side of ", size,
             ", got ", radius);

@@ -1,7 +1,8 @@
 // Four or eight double lanes, for what is computed about all vertices of a small shape at once.
 //
-// On the compilers' vector types, whose + - * / are packed on every instruction set and round as the scalars do. The order
-// of sums does not depend on a register's width, and the largest of all lanes does not either: comparing rounds nothing.
+// On the compilers' vector types, whose + - * / are packed on every instruction set and round as the scalars do. The
+// order of sums does not depend on a register's width, and the largest of all lanes does not either: comparing rounds
+// nothing.
 #pragma once
 
 #include <cmath>
@@ -26,7 +27,8 @@ struct DoubleLanes {
 
     [[gnu::always_inline]] double operator[](int lane) const {
         double value;
-        std::memcpy(&value, reinterpret_cast<const char*>(part) + sizeof(double) * static_cast<unsigned>(lane), sizeof value);
+        std::memcpy(&value, reinterpret_cast<const char*>(part) + sizeof(double) * static_cast<unsigned>(lane),
+                    sizeof value);
         return value;
     }
 
@@ -118,18 +120,20 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> select(const MaskLanes<N>& mask, const Doubl
 template <int N>
 TUMBLE_LANE_FUNCTION unsigned bits_of(const MaskLanes<N>& mask) {
     unsigned bits = 0;
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) bits |= simd::bits_of(mask.part[i]) << (DoubleLanes<N>::kWidth * i);
+    for (int i = 0; i < DoubleLanes<N>::kParts; ++i)
+        bits |= simd::bits_of(mask.part[i]) << (DoubleLanes<N>::kWidth * i);
     return bits & ((1u << N) - 1u);
 }
 
-// number(i) in lane i, put together in registers: a wide load of what was just stored by single numbers waits for all of them.
+// number(i) in lane i, put together in registers: a wide load of what was just stored by single numbers waits for all
+// of them.
 template <int N, typename Number>
 TUMBLE_LANE_FUNCTION DoubleLanes<N> gather_lanes(const Number& number) {
     DoubleLanes<N> lanes;
     for (int i = 0; i < DoubleLanes<N>::kParts; ++i) {
         const int k = DoubleLanes<N>::kWidth * i;
         if constexpr (DoubleLanes<N>::kWidth == 8)
-            lanes.part[i] = typename DoubleLanes<N>::Part{number(k), number(k + 1), number(k + 2), number(k + 3),
+            lanes.part[i] = typename DoubleLanes<N>::Part{number(k),     number(k + 1), number(k + 2), number(k + 3),
                                                           number(k + 4), number(k + 5), number(k + 6), number(k + 7)};
         else
             lanes.part[i] = typename DoubleLanes<N>::Part{number(k), number(k + 1), number(k + 2), number(k + 3)};
@@ -141,7 +145,8 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> gather_lanes(const Number& number) {
 template <int N>
 TUMBLE_LANE_FUNCTION DoubleLanes<N> load_widened(const float* values) {
     DoubleLanes<N> result;
-    for (int i = 0; i < DoubleLanes<N>::kParts; ++i) simd::load_widened(result.part[i], values + DoubleLanes<N>::kWidth * i);
+    for (int i = 0; i < DoubleLanes<N>::kParts; ++i)
+        simd::load_widened(result.part[i], values + DoubleLanes<N>::kWidth * i);
     return result;
 }
 

@@ -1,4 +1,5 @@
-// One register of double lanes, four or eight wide, by the compilers' vector types and by intrinsics where these are slow.
+// One register of double lanes, four or eight wide, by the compilers' vector types and by intrinsics where these are
+// slow.
 //
 // Results of baseline functions are parameters: without AVX clang refuses to return a wide register by value.
 #pragma once
@@ -32,8 +33,7 @@ struct Register {
 using Double8 = double __attribute__((vector_size(64)));
 
 template <int N>
-    requires(N % 8 == 0)
-struct Register<N> {
+requires(N % 8 == 0) struct Register<N> {
     using Double = Double8;
     using Mask = __mmask8;
     static constexpr int kWidth = 8;
@@ -44,10 +44,16 @@ inline constexpr __mmask8 kAll = 0xff;
 
 TUMBLE_LANE_FUNCTION void take_larger(Double8& a, const Double8& b) { a = _mm512_maskz_max_pd(kAll, a, b); }
 TUMBLE_LANE_FUNCTION void take_smaller(Double8& a, const Double8& b) { a = _mm512_maskz_min_pd(kAll, a, b); }
-TUMBLE_LANE_FUNCTION void take_less(__mmask8& mask, const Double8& a, const Double8& b) { mask = _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
-TUMBLE_LANE_FUNCTION void take_equal(__mmask8& mask, const Double8& a, const Double8& b) { mask = _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ); }
+TUMBLE_LANE_FUNCTION void take_less(__mmask8& mask, const Double8& a, const Double8& b) {
+    mask = _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
+}
+TUMBLE_LANE_FUNCTION void take_equal(__mmask8& mask, const Double8& a, const Double8& b) {
+    mask = _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ);
+}
 TUMBLE_LANE_FUNCTION unsigned bits_of(__mmask8 mask) { return mask; }
-TUMBLE_LANE_FUNCTION void replace(Double8& where, __mmask8 mask, const Double8& by) { where = _mm512_mask_mov_pd(where, mask, by); }
+TUMBLE_LANE_FUNCTION void replace(Double8& where, __mmask8 mask, const Double8& by) {
+    where = _mm512_mask_mov_pd(where, mask, by);
+}
 TUMBLE_LANE_FUNCTION void load_widened(Double8& part, const float* values) {
     part = _mm512_maskz_cvtps_pd(kAll, _mm256_loadu_ps(values));
 }
@@ -56,10 +62,12 @@ TUMBLE_LANE_FUNCTION void widen(Double8& part, const Float4& low, const Float4& 
 }
 TUMBLE_LANE_FUNCTION void take_root(Double8& part) { part = _mm512_maskz_sqrt_pd(kAll, part); }
 TUMBLE_LANE_FUNCTION Double4 larger_halves(const Double8& part) {
-    return _mm256_max_pd(__builtin_shufflevector(part, part, 0, 1, 2, 3), __builtin_shufflevector(part, part, 4, 5, 6, 7));
+    return _mm256_max_pd(__builtin_shufflevector(part, part, 0, 1, 2, 3),
+                         __builtin_shufflevector(part, part, 4, 5, 6, 7));
 }
 TUMBLE_LANE_FUNCTION Double4 smaller_halves(const Double8& part) {
-    return _mm256_min_pd(__builtin_shufflevector(part, part, 0, 1, 2, 3), __builtin_shufflevector(part, part, 4, 5, 6, 7));
+    return _mm256_min_pd(__builtin_shufflevector(part, part, 0, 1, 2, 3),
+                         __builtin_shufflevector(part, part, 4, 5, 6, 7));
 }
 #endif
 
@@ -79,8 +87,8 @@ TUMBLE_LANE_FUNCTION void take_smaller(Double4& a, const Double4& b) {
 #endif
 }
 
-// By intrinsics where there are any: of the compiler's own comparison g++ makes a mask register with AVX-512, and of that the
-// lanes that blending and bits_of() need.
+// By intrinsics where there are any: of the compiler's own comparison g++ makes a mask register with AVX-512, and of
+// that the lanes that blending and bits_of() need.
 TUMBLE_LANE_FUNCTION void take_less(Mask4& mask, const Double4& a, const Double4& b) {
 #if defined(__AVX__)
     mask = reinterpret_cast<Mask4>(_mm256_cmp_pd(a, b, _CMP_LT_OQ));

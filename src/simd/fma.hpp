@@ -6,12 +6,8 @@
 
 namespace tumble {
 
-inline float fused_multiply_add(float a, float b, float c) {
-    return std::fma(a, b, c);
-}
-inline double fused_multiply_add(double a, double b, double c) {
-    return std::fma(a, b, c);
-}
+inline float fused_multiply_add(float a, float b, float c) { return std::fma(a, b, c); }
+inline double fused_multiply_add(double a, double b, double c) { return std::fma(a, b, c); }
 
 // a * b - c * d within 1.5 ulp, by Kahan's algorithm [Jeannerod, Louvet, Muller 2013].
 inline double difference_of_products(double a, double b, double c, double d) {

@@ -1,7 +1,7 @@
 // The fields of plain structs, found by the compiler: what is written or counted field by field cannot forget one.
 //
-// The number of fields is that of the values which braces accept. A C array would count as its elements, so that structs
-// with one name their members themselves (see visit_members.hpp); a wrong count does not compile.
+// The number of fields is that of the values which braces accept. A C array would count as its elements, so that
+// structs with one name their members themselves (see visit_members.hpp); a wrong count does not compile.
 #pragma once
 
 #include <cstddef>

@@ -77,14 +77,8 @@ void check_velocity(Vec2 velocity, float angular_velocity) {
     require(std::isfinite(angular_velocity), "body angular_velocity", "finite", angular_velocity);
 }
 
-void check_action(Vec2 action, const char* what) {
-    require(is_finite(action), what, "finite", action);
-}
-void check_action(float action, const char* what) {
-    require(std::isfinite(action), what, "finite", action);
-}
-void check_point(DVec2 point) {
-    require(is_finite(point), "point", "finite", point);
-}
+void check_action(Vec2 action, const char* what) { require(is_finite(action), what, "finite", action); }
+void check_action(float action, const char* what) { require(std::isfinite(action), what, "finite", action); }
+void check_point(DVec2 point) { require(is_finite(point), "point", "finite", point); }
 
 }  // namespace tumble

@@ -43,8 +43,6 @@ private:
 
 }  // namespace
 
-std::vector<int> find_island_numbers(const Simulation& simulation) {
-    return IslandNumbers(simulation).number();
-}
+std::vector<int> find_island_numbers(const Simulation& simulation) { return IslandNumbers(simulation).number(); }
 
 }  // namespace tumble

@@ -41,9 +41,7 @@ void check_axis(Vec2 axis) {
 }
 
 // Strength that may be infinite.
-void check_strength(float value, const char* what) {
-    require(value > 0.0f, what, "greater than 0", value);
-}
+void check_strength(float value, const char* what) { require(value > 0.0f, what, "greater than 0", value); }
 
 void check_anchors(Vec2 a, Vec2 b) {
     require(is_finite(a), "joint anchor_a", "finite", a);
@@ -105,8 +103,6 @@ struct Checker {
 
 }  // namespace
 
-void check(const JointDef& def) {
-    std::visit(Checker{}, def);
-}
+void check(const JointDef& def) { std::visit(Checker{}, def); }
 
 }  // namespace tumble

@@ -15,9 +15,10 @@ namespace {
 constexpr double kBoxTolerance = 1e-12;
 
 double room_for_rounding(const Aabb& box, DVec2 from) {
-    const double largest = std::max({std::abs(static_cast<double>(box.lower.x)), std::abs(static_cast<double>(box.lower.y)),
-                                     std::abs(static_cast<double>(box.upper.x)), std::abs(static_cast<double>(box.upper.y)),
-                                     std::abs(from.x), std::abs(from.y)});
+    const double largest =
+        std::max({std::abs(static_cast<double>(box.lower.x)), std::abs(static_cast<double>(box.lower.y)),
+                  std::abs(static_cast<double>(box.upper.x)), std::abs(static_cast<double>(box.upper.y)),
+                  std::abs(from.x), std::abs(from.y)});
     return kBoxTolerance * largest;
 }
 
@@ -31,16 +32,14 @@ const Pose& pose_of(const Simulation& simulation, std::uint32_t shape) {
     return simulation.bodies.frames[simulation.shapes[shape].body].pose;
 }
 
-ShapeId shape_id(const Simulation& simulation, std::uint32_t shape) {
-    return simulation.shapes.ids.at(shape);
-}
+ShapeId shape_id(const Simulation& simulation, std::uint32_t shape) { return simulation.shapes.ids.at(shape); }
 
 BodyId body_id(const Simulation& simulation, std::uint32_t shape) {
     return simulation.bodies.ids.at(simulation.shapes[shape].body);
 }
 
-// The boxes that a box meets on its way: those that the way of a point meets when they are grown by it. Clips the way to
-// a slab an axis.
+// The boxes that a box meets on its way: those that the way of a point meets when they are grown by it. Clips the way
+// to a slab an axis.
 class SweptBox {
 public:
     SweptBox(DVec2 from, DVec2 way, DVec2 half) : from_(from), way_(way), half_(half) {}
@@ -80,11 +79,11 @@ std::optional<CastHit> meet_by_ray(const Simulation& simulation, std::uint32_t s
 
 std::optional<CastHit> meet_by_shape(const Simulation& simulation, std::uint32_t other, const Shape& shape,
                                      const Pose& pose, DVec2 way) {
-    const CastResult cast =
-        cast_shape(simulation.shapes[other].shape, pose_of(simulation, other), shape, pose, way);
+    const CastResult cast = cast_shape(simulation.shapes[other].shape, pose_of(simulation, other), shape, pose, way);
     const bool inside = cast.status == CastStatus::overlapping;
     if (!inside && cast.status != CastStatus::hit) return std::nullopt;
-    CastHit hit{shape_id(simulation, other), body_id(simulation, other), cast.fraction, cast.point, cast.normal, inside};
+    CastHit hit{
+        shape_id(simulation, other), body_id(simulation, other), cast.fraction, cast.point, cast.normal, inside};
     if (inside) hit.fraction = 0.0;
     return hit;
 }
@@ -110,9 +109,8 @@ std::optional<CastHit> find_first(const Simulation& simulation, const SweptBox& 
 
 std::optional<CastHit> find_ray_hit(const Simulation& simulation, DVec2 origin, DVec2 translation,
                                     const QueryFilter& filter) {
-    return find_first(simulation, SweptBox(origin, translation, {}), filter, [&](std::uint32_t shape) {
-        return meet_by_ray(simulation, shape, origin, translation);
-    });
+    return find_first(simulation, SweptBox(origin, translation, {}), filter,
+                      [&](std::uint32_t shape) { return meet_by_ray(simulation, shape, origin, translation); });
 }
 
 std::vector<CastHit> find_ray_hits(const Simulation& simulation, DVec2 origin, DVec2 translation,
@@ -134,9 +132,8 @@ std::optional<CastHit> find_shape_hit(const Simulation& simulation, const Shape&
     const Aabb box = bounds(shape, pose);
     const DVec2 lower(box.lower), upper(box.upper);
     const SweptBox swept(0.5 * (lower + upper), translation, 0.5 * (upper - lower));
-    return find_first(simulation, swept, filter, [&](std::uint32_t other) {
-        return meet_by_shape(simulation, other, shape, pose, translation);
-    });
+    return find_first(simulation, swept, filter,
+                      [&](std::uint32_t other) { return meet_by_shape(simulation, other, shape, pose, translation); });
 }
 
 std::vector<ShapeId> find_overlaps(const Simulation& simulation, const Shape& shape, const Pose& pose,
@@ -159,7 +156,8 @@ std::vector<ShapeId> find_overlaps(const Simulation& simulation, DVec2 lower, DV
     };
     std::vector<ShapeId> found;
     simulation.broad.search(meets, [&](std::uint32_t shape) {
-        if (is_seen(simulation, shape, filter) && meets(bounds(simulation.shapes[shape].shape, pose_of(simulation, shape))))
+        if (is_seen(simulation, shape, filter) &&
+            meets(bounds(simulation.shapes[shape].shape, pose_of(simulation, shape))))
             found.push_back(shape_id(simulation, shape));
     });
     std::sort(found.begin(), found.end());
@@ -180,7 +178,8 @@ std::optional<ClosestHit> find_closest(const Simulation& simulation, DVec2 point
     };
     simulation.broad.search(may_hold, [&](std::uint32_t shape) {
         if (!is_seen(simulation, shape, filter)) return;
-        const DistanceResult gap = distance(simulation.shapes[shape].shape, pose_of(simulation, shape), probe, at_point);
+        const DistanceResult gap =
+            distance(simulation.shapes[shape].shape, pose_of(simulation, shape), probe, at_point);
         if (gap.status == DistanceStatus::invalid || gap.distance > limit) return;
         const ShapeId id = shape_id(simulation, shape);
         if (best && gap.distance == limit && best->shape < id) return;
@@ -200,8 +199,8 @@ BodyDistance find_distance(const Simulation& simulation, BodyId a, BodyId b) {
                 shapes[side].push_back(simulation.shapes[id.index].shape);
                 ids[side].push_back(id);
             }
-    const CompoundDistance found =
-        compound_distance(shapes[0], simulation.bodies.frames[a.index].pose, shapes[1], simulation.bodies.frames[b.index].pose);
+    const CompoundDistance found = compound_distance(shapes[0], simulation.bodies.frames[a.index].pose, shapes[1],
+                                                     simulation.bodies.frames[b.index].pose);
     BodyDistance result{found.nearest, {}, {}};
     if (found.part_a < 0) return result;
     result.shape_a = ids[0][static_cast<std::size_t>(found.part_a)];

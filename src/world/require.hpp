@@ -23,12 +23,8 @@ inline std::string print(float value) {
     return {text, end};
 }
 
-inline std::string print(Vec2 v) {
-    return "(" + print(v.x) + ", " + print(v.y) + ")";
-}
-inline std::string print(DVec2 v) {
-    return "(" + print(v.x) + ", " + print(v.y) + ")";
-}
+inline std::string print(Vec2 v) { return "(" + print(v.x) + ", " + print(v.y) + ")"; }
+inline std::string print(DVec2 v) { return "(" + print(v.x) + ", " + print(v.y) + ")"; }
 
 template <class Value>
 void require(bool holds, const char* what, const char* expected, Value value) {
@@ -39,9 +35,7 @@ inline void require_not_negative(float value, const char* what) {
     require(std::isfinite(value) && value >= 0.0f, what, "finite and not negative", value);
 }
 
-inline void require_finite(float value, const char* what) {
-    require(std::isfinite(value), what, "finite", value);
-}
+inline void require_finite(float value, const char* what) { require(std::isfinite(value), what, "finite", value); }
 
 inline void require_positive(float value, const char* what) {
     require(std::isfinite(value) && value > 0.0f, what, "finite and greater than 0", value);

@@ -29,8 +29,8 @@ template <class Parts, class Visit>
 void visit_state(Parts& parts, Visit&& visit) {
     auto& simulation = parts.simulation;
     visit(parts.def, parts.step_count, parts.diverged_body, simulation.bodies, simulation.shapes, simulation.joints,
-          simulation.broad, simulation.contacts, simulation.sleeping, simulation.events,
-          simulation.contact_counts, simulation.passes, simulation.filters_changed);
+          simulation.broad, simulation.contacts, simulation.sleeping, simulation.events, simulation.contact_counts,
+          simulation.passes, simulation.filters_changed);
 }
 
 class Writer {

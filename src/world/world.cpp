@@ -71,7 +71,7 @@ StepCounters World::Impl::count() const {
 }
 
 void World::Impl::apply_settings() {
-    simulation.settings = {def.gravity, 1.0f / def.steps_per_second, def.substeps, def.sleeping,
+    simulation.settings = {def.gravity,    1.0f / def.steps_per_second, def.substeps, def.sleeping,
                            def.continuous, make_tuning(def.scale)};
 }
 
@@ -187,29 +187,17 @@ void World::step() {
         throw SimulationDiverged(simulation.bodies.ids.at(impl_->diverged_body), impl_->step_count);
 }
 
-std::uint64_t World::step_count() const noexcept {
-    return impl_->step_count;
-}
+std::uint64_t World::step_count() const noexcept { return impl_->step_count; }
 double World::time() const noexcept {
     return static_cast<double>(impl_->step_count) / double{impl_->def.steps_per_second};
 }
-const WorldDef& World::def() const noexcept {
-    return impl_->def;
-}
+const WorldDef& World::def() const noexcept { return impl_->def; }
 
-bool World::is_valid(BodyId id) const noexcept {
-    return impl_->simulation.bodies.ids.is_live(id);
-}
-bool World::is_valid(ShapeId id) const noexcept {
-    return impl_->simulation.shapes.ids.is_live(id);
-}
-bool World::is_valid(JointId id) const noexcept {
-    return impl_->simulation.joints.ids.is_live(id);
-}
+bool World::is_valid(BodyId id) const noexcept { return impl_->simulation.bodies.ids.is_live(id); }
+bool World::is_valid(ShapeId id) const noexcept { return impl_->simulation.shapes.ids.is_live(id); }
+bool World::is_valid(JointId id) const noexcept { return impl_->simulation.joints.ids.is_live(id); }
 
-std::span<const BodyId> World::bodies() const noexcept {
-    return impl_->simulation.bodies.ids.live();
-}
+std::span<const BodyId> World::bodies() const noexcept { return impl_->simulation.bodies.ids.live(); }
 std::vector<BodyId> World::awake_bodies() const {
     const BodyStore& bodies = impl_->simulation.bodies;
     std::vector<BodyId> awake;
@@ -218,13 +206,9 @@ std::vector<BodyId> World::awake_bodies() const {
     return awake;
 }
 
-std::vector<int> World::islands() const {
-    return find_island_numbers(impl_->simulation);
-}
+std::vector<int> World::islands() const { return find_island_numbers(impl_->simulation); }
 
-std::span<const JointId> World::joints() const noexcept {
-    return impl_->simulation.joints.ids.live();
-}
+std::span<const JointId> World::joints() const noexcept { return impl_->simulation.joints.ids.live(); }
 
 std::span<const JointId> World::joints(BodyId id) const {
     impl_->require(id);
@@ -261,34 +245,22 @@ BodyId World::body(ShapeId id) const {
     return impl_->simulation.bodies.ids.at(impl_->simulation.shapes[id.index].body);
 }
 
-const StepEvents& World::events() const noexcept {
-    return impl_->simulation.events;
-}
+const StepEvents& World::events() const noexcept { return impl_->simulation.events; }
 
-std::vector<ContactPoint> World::contacts() const {
-    return report_contacts(impl_->simulation, kNoBody);
-}
+std::vector<ContactPoint> World::contacts() const { return report_contacts(impl_->simulation, kNoBody); }
 
 std::vector<ContactPoint> World::contacts(BodyId id) const {
     impl_->require(id);
     return report_contacts(impl_->simulation, id.index);
 }
 
-std::vector<ShapePair> World::candidate_pairs() const {
-    return report_pairs(impl_->simulation);
-}
+std::vector<ShapePair> World::candidate_pairs() const { return report_pairs(impl_->simulation); }
 
-std::uint64_t World::state_hash() const {
-    return hash_bodies(impl_->simulation.bodies);
-}
+std::uint64_t World::state_hash() const { return hash_bodies(impl_->simulation.bodies); }
 
-const StepCounters& World::counters() const noexcept {
-    return impl_->counters;
-}
+const StepCounters& World::counters() const noexcept { return impl_->counters; }
 
-WorldMemory World::memory() const {
-    return count_memory(impl_->simulation);
-}
+WorldMemory World::memory() const { return count_memory(impl_->simulation); }
 
 std::vector<std::byte> World::save() const {
     return write_snapshot({impl_->def, impl_->simulation, impl_->step_count, impl_->diverged_body});
@@ -303,9 +275,7 @@ World World::load(std::span<const std::byte> snapshot) {
     return world;
 }
 
-void World::validate() const {
-    tumble::validate(impl_->simulation);
-}
+void World::validate() const { tumble::validate(impl_->simulation); }
 
 SimulationDiverged::SimulationDiverged(BodyId body_, std::uint64_t step_)
     : std::runtime_error("the simulation diverged in step " + std::to_string(step_) + ": body " +

@@ -23,12 +23,12 @@ struct World::Impl {
     void require(ShapeId id) const { require_live(simulation.shapes.ids, id, "shape"); }
     void require(JointId id) const { require_live(simulation.joints.ids, id, "joint"); }
 
-    JointDef complete(const JointDef& joint) const;     // a gear with its bodies; throws if it has no two joints
-    std::vector<JointId> gears_on(JointId id) const;  // in order of creation
-    void remove_joint(JointId id);                    // with its gears
+    JointDef complete(const JointDef& joint) const;      // a gear with its bodies; throws if it has no two joints
+    std::vector<JointId> gears_on(JointId id) const;     // in order of creation
+    void remove_joint(JointId id);                       // with its gears
     ShapeId attach(BodyId body, const ShapeDef& shape);  // without its mass
     void touch_shapes(BodyId id);
-    void place_shapes(BodyId id);     // proxies where the body is, of its type; none if it is disabled
+    void place_shapes(BodyId id);  // proxies where the body is, of its type; none if it is disabled
     void displace_shapes(BodyId id);
     void update_mass(BodyId id);
     void tie(JointId id);

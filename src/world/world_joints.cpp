@@ -24,11 +24,12 @@ JointDef World::Impl::complete(const JointDef& joint) const {
     for (const JointId geared : {gear.joint_a, gear.joint_b}) {
         require(geared);
         if (!can_be_geared(simulation.joints.def(geared)))
-            throw std::invalid_argument("gear needs revolute or prismatic joints: joint " + std::to_string(geared.index) +
-                                        " is neither");
+            throw std::invalid_argument("gear needs revolute or prismatic joints: joint " +
+                                        std::to_string(geared.index) + " is neither");
     }
     if (gear.joint_a == gear.joint_b)
-        throw std::invalid_argument("gear needs two joints, got joint " + std::to_string(gear.joint_a.index) + " twice");
+        throw std::invalid_argument("gear needs two joints, got joint " + std::to_string(gear.joint_a.index) +
+                                    " twice");
     gear.body_a = joint_body_b(simulation.joints.def(gear.joint_a));
     gear.body_b = joint_body_b(simulation.joints.def(gear.joint_b));
     return gear;
@@ -103,7 +104,8 @@ void World::set_joint(JointId id, const JointDef& def) {
     const JointDef joint = impl_->complete(def);
     if (joint.index() != old.index() || joint_body_a(joint) != joint_body_a(old) ||
         joint_body_b(joint) != joint_body_b(old) || !is_on_same_joints(joint, old))
-        throw std::invalid_argument("joint " + std::to_string(id.index) + " must keep its kind, its bodies and its joints");
+        throw std::invalid_argument("joint " + std::to_string(id.index) +
+                                    " must keep its kind, its bodies and its joints");
     check(joint);
     for (const BodyId body : simulation.joints.bodies(id)) {
         wake(simulation, body.index);
@@ -111,7 +113,8 @@ void World::set_joint(JointId id, const JointDef& def) {
     }
     simulation.filters_changed |= !collides_connected(joint);
     simulation.joints.redefine(id, joint);
-    for (const JointId gear : impl_->gears_on(id)) simulation.joints.redefine(gear, JointDef(simulation.joints.def(gear)));
+    for (const JointId gear : impl_->gears_on(id))
+        simulation.joints.redefine(gear, JointDef(simulation.joints.def(gear)));
 }
 
 void World::destroy_joint(JointId id) {

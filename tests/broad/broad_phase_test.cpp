@@ -71,9 +71,7 @@ std::set<ProxyPair> all_overlaps(const std::map<std::uint32_t, Proxy>& proxies) 
     return pairs;
 }
 
-bool accept_all(ProxyPair) {
-    return true;
-}
+bool accept_all(ProxyPair) { return true; }
 
 }  // namespace
 

@@ -146,8 +146,8 @@ TEST_CASE("a soft contact gets the impulse of the closed form") {
     CHECK(bodies.solver_bodies[1].velocity.y == doctest::Approx(-0.5 + impulse / 2.0).epsilon(1e-5));
 }
 
-// As above without a bias: of its impulse x0 a contact keeps 1 - p a3, a3 = 1 / (1 + a2), with a part p of 0.5 of what it
-// carried into the step, and of 4 of what has come since.
+// As above without a bias: of its impulse x0 a contact keeps 1 - p a3, a3 = 1 / (1 + a2), with a part p of 0.5 of what
+// it carried into the step, and of 4 of what has come since.
 TEST_CASE("a soft contact takes back less of what it carried and more of what is new") {
     const double omega = 2.0 * kPi * 60.0, h = 1.0 / 240.0;
     const double a2 = h * omega * (2.0 * 10.0 + h * omega), a3 = 1.0 / (1.0 + a2), before = 3.0;

@@ -100,8 +100,8 @@ TEST_CASE("a disk without room is an error with the reason, and keeps the old fi
     {
         const SmallFiles limit(4096);
         OutputFile output(file);
-        CHECK_THROWS_WITH_AS(output.write(std::string(1 << 20, 'x')), (file.string() + ": cannot write: File too large").c_str(),
-                             FileError);
+        CHECK_THROWS_WITH_AS(output.write(std::string(1 << 20, 'x')),
+                             (file.string() + ": cannot write: File too large").c_str(), FileError);
         OutputFile at_close(file);
         at_close.write(std::string(8192, 'x'));
         CHECK_THROWS_AS(at_close.commit(), FileError);

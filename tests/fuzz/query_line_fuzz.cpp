@@ -1,5 +1,5 @@
-// libFuzzer target over a line of `tumble distance --stdin`: any text is answered by a result or by a located error, and
-// what the quick reader takes, the strict one reads the same.
+// libFuzzer target over a line of `tumble distance --stdin`: any text is answered by a result or by a located error,
+// and what the quick reader takes, the strict one reads the same.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "tumble/scene_file.hpp"
-#include "tumble/scene_world.hpp"
 #include "tumble/scene_import.hpp"
+#include "tumble/scene_world.hpp"
 
 using namespace tumble;
 

@@ -1,5 +1,5 @@
-// libFuzzer target over the scene reader: any text is a scene that writes itself, reads itself back, builds and steps, or
-// an error. All that it includes is one part, which has something of everything that is placed.
+// libFuzzer target over the scene reader: any text is a scene that writes itself, reads itself back, builds and steps,
+// or an error. All that it includes is one part, which has something of everything that is placed.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -7,8 +7,8 @@
 
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
-#include "tumble/scene_world.hpp"
 #include "tumble/scene_run.hpp"
+#include "tumble/scene_world.hpp"
 
 using namespace tumble;
 

@@ -81,8 +81,8 @@ const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"narrow", {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp"}},
     {"broad", {"math.hpp"}},
     {"dynamics",
-     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp", "id.hpp", "body.hpp",
-      "joint.hpp", "events.hpp", "counters.hpp"}},
+     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp", "id.hpp",
+      "body.hpp", "joint.hpp", "events.hpp", "counters.hpp"}},
 };
 
 // Third-party headers by their first folder or whole name, and the rooms that may include them.

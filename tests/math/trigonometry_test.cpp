@@ -36,8 +36,10 @@ TEST_CASE("an angle turned on is within 6e-16 of its start's error, and not chan
             const double angle = angles(random), turn = turns(random);
             const SinCos start = sin_cos(angle), v = turned(start, turn);
             // By the sum formulas: the sum of the angles would round.
-            const long double sin_a = std::sin(static_cast<long double>(angle)), cos_a = std::cos(static_cast<long double>(angle));
-            const long double sin_t = std::sin(static_cast<long double>(turn)), cos_t = std::cos(static_cast<long double>(turn));
+            const long double sin_a = std::sin(static_cast<long double>(angle)),
+                              cos_a = std::cos(static_cast<long double>(angle));
+            const long double sin_t = std::sin(static_cast<long double>(turn)),
+                              cos_t = std::cos(static_cast<long double>(turn));
             const double of_start = static_cast<double>(std::hypot(start.sin - sin_a, start.cos - cos_a));
             worst = std::max(worst, static_cast<double>(std::abs(v.sin - (sin_a * cos_t + cos_a * sin_t))) - of_start);
             worst = std::max(worst, static_cast<double>(std::abs(v.cos - (cos_a * cos_t - sin_a * sin_t))) - of_start);
@@ -51,7 +53,8 @@ TEST_CASE("an angle turned on is within 6e-16 of its start's error, and not chan
 }
 
 TEST_CASE("sine keeps its relative accuracy near zero") {
-    for (const double x : {1e-300, 1e-12, 1e-5, -1e-5}) CHECK(sin_cos(x).sin == doctest::Approx(std::sin(x)).epsilon(1e-15));
+    for (const double x : {1e-300, 1e-12, 1e-5, -1e-5})
+        CHECK(sin_cos(x).sin == doctest::Approx(std::sin(x)).epsilon(1e-15));
     CHECK(sin_cos(0.0).sin == 0.0);
     CHECK(sin_cos(0.0).cos == 1.0);
 }

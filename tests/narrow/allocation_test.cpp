@@ -36,7 +36,8 @@ TEST_CASE("distance, by any way, and collide do not allocate") {
         tumble::SimplexCache cache;
         const long before = allocations;
         sum += measure(pair, &cache).distance;
-        for (const auto by : {tumble::SubAlgorithm::voronoi, tumble::SubAlgorithm::johnson, tumble::SubAlgorithm::signed_volumes})
+        for (const auto by :
+             {tumble::SubAlgorithm::voronoi, tumble::SubAlgorithm::johnson, tumble::SubAlgorithm::signed_volumes})
             sum += tumble::gjk_distance(pair.a, pair.pose_a, pair.b, pair.pose_b, by, &cache).distance;
         sum += tumble::collide(pair.a, pair.pose_a, pair.b, pair.pose_b, 0.02, cache).point_count;
         CHECK(allocations == before);

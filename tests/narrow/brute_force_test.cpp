@@ -105,7 +105,8 @@ TEST_CASE("edges of one ulp") {
     const float ulp = 0x1p-23f;
     for (int sample = 0; sample < 20000; ++sample) {
         // A pentagon whose top is cut by an edge of one ulp, seen from above.
-        const std::array<Vec2, 5> cut = {{{0, 0}, {2, 0}, {1 + ulp, 1}, {1, 1 + (source.coin() ? 0 : ulp)}, {0.5f, 0.9f}}};
+        const std::array<Vec2, 5> cut = {
+            {{0, 0}, {2, 0}, {1 + ulp, 1}, {1, 1 + (source.coin() ? 0 : ulp)}, {0.5f, 0.9f}}};
         Pair pair{Shape::from_raw(cut, 0), source.pose(1), source.shape(1), source.pose(2)};
         PairSource::move_to_gap(pair, (source.coin() ? 1 : -1) * std::pow(10.0, source.uniform(-12, -2)));
         tally.judge(pair);
@@ -131,7 +132,8 @@ TEST_CASE("boxes touching exactly on a dyadic grid, in every quarter turn") {
     int touching = 0, separated = 0;
     for (int sample = 0; sample < 20000; ++sample) {
         const auto grid = [&] { return (source.below(17) - 8) / 4.0; };
-        const Pair pair{box, {{grid(), grid()}, make_rotation_degrees(90 * source.below(4))},
+        const Pair pair{box,
+                        {{grid(), grid()}, make_rotation_degrees(90 * source.below(4))},
                         source.below(3) ? box : make_segment({-0.5f, -0.25f}, {0.5f, 0.25f}),
                         {{grid(), grid()}, make_rotation_degrees(90 * source.below(4))}};
         const DistanceResult found = measure(pair);

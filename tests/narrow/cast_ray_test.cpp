@@ -76,7 +76,8 @@ TEST_CASE("rays meet a box and a ball where the arithmetic says") {
 }
 
 TEST_CASE("a ray from inside overlaps, one that leaves a surface misses, one that enters there hits at 0") {
-    for (const Shape& shape : {make_box({2, 2}), make_circle(1), make_capsule({-0.5f, 0}, {0.5f, 0}, 0.5f), make_box({2, 2}, 0.1f)}) {
+    for (const Shape& shape :
+         {make_box({2, 2}), make_circle(1), make_capsule({-0.5f, 0}, {0.5f, 0}, 0.5f), make_box({2, 2}, 0.1f)}) {
         CHECK(cast_ray(shape, {}, {0.25, 0.125}, {5, 0}).status == CastStatus::overlapping);
         CHECK(cast_ray(shape, {}, {1, 0}, {5, 1}).status == CastStatus::miss);
         CHECK(cast_ray(shape, {}, {1, 0}, {-5, 1}).status == CastStatus::hit);

@@ -31,8 +31,9 @@ struct Query {
 
 // The stated error bound, 16 u times the sizes and offsets involved.
 Real error_of(const Query& query) {
-    return 16 * 0x1p-53L * (query.a.core_radius() + query.b.core_radius() + query.a.radius() + query.b.radius() +
-                            length(query.pose_b.position - query.pose_a.position) + query.target);
+    return 16 * 0x1p-53L *
+           (query.a.core_radius() + query.b.core_radius() + query.a.radius() + query.b.radius() +
+            length(query.pose_b.position - query.pose_a.position) + query.target);
 }
 
 // Signed distance less the target, as a function of the fraction.
@@ -232,7 +233,8 @@ TEST_CASE("the target distance is where the cast stops") {
 
 // As box3d #32 reported a hit.
 TEST_CASE("a cast that starts at or near a surface and recedes or slides is a miss") {
-    const Shape box = make_box({2, 2}), ball = make_circle(0.5f), triangle = make_polygon(std::vector<Vec2>{{0, 0}, {1, -1}, {1, 1}});
+    const Shape box = make_box({2, 2}), ball = make_circle(0.5f),
+                triangle = make_polygon(std::vector<Vec2>{{0, 0}, {1, -1}, {1, 1}});
     for (const Shape& mover : {box, ball, triangle})
         for (const double gap : {0.0, 1e-17, 1e-12, 1e-6}) {
             const double touching = 1.0 + (mover == box ? 1.0 : mover == ball ? 0.5 : 0.0);

@@ -24,7 +24,8 @@ struct Chain {
         std::vector<Manifold> found;
         for (std::size_t i = 0; i < segments.size(); ++i) {
             SimplexCache cache;
-            const Manifold manifold = collide_link(segments[i], links[i], world_from_chain, shape, pose, kSpeculative, cache);
+            const Manifold manifold =
+                collide_link(segments[i], links[i], world_from_chain, shape, pose, kSpeculative, cache);
             if (manifold.point_count > 0) found.push_back(manifold);
         }
         return found;
@@ -41,8 +42,8 @@ double deepest(const std::vector<Manifold>& manifolds) {
 const std::vector<Vec2> kFlat = {{4, 0}, {2.5f, 0}, {1, 0}, {0, 0}, {-1, 0}, {-4, 0}};  // its right is up
 
 std::vector<Shape> sliders() {
-    return {make_box({1, 0.5f}), make_circle(0.25f), make_capsule({-0.25f, 0}, {0.25f, 0}, 0.25f), make_box({1, 0.5f}, 0.1f),
-            make_polygon(std::vector<Vec2>{{-0.5f, -0.25f}, {0.5f, -0.25f}, {0, 0.5f}})};
+    return {make_box({1, 0.5f}), make_circle(0.25f), make_capsule({-0.25f, 0}, {0.25f, 0}, 0.25f),
+            make_box({1, 0.5f}, 0.1f), make_polygon(std::vector<Vec2>{{-0.5f, -0.25f}, {0.5f, -0.25f}, {0, 0.5f}})};
 }
 
 }  // namespace
@@ -135,7 +136,8 @@ TEST_CASE("an open end is met from all around") {
     CHECK(wall.collide(ball, {{0, -0.24}, {}}).front().normal == Vec2{0, -1});
     CHECK(wall.collide(ball, {{0.24, 1}, {}}).front().normal == Vec2{1, 0});
     CHECK(wall.collide(ball, {{-0.24, 1}, {}}).front().normal == Vec2{-1, 0});
-    CHECK(wall.collide(make_box({4, 0.5f}), {{0.01, 2.24}, {}}).front().normal == Vec2{0, 1});  // a plank across the top
+    CHECK(wall.collide(make_box({4, 0.5f}), {{0.01, 2.24}, {}}).front().normal ==
+          Vec2{0, 1});  // a plank across the top
 }
 
 TEST_CASE("over random hills no normal leaves the cone of the neighbours, and nothing on the surface falls through") {
@@ -145,11 +147,13 @@ TEST_CASE("over random hills no normal leaves the cone of the neighbours, and no
         Random random(3, index);
         std::vector<Vec2> points;
         for (int i = 0; i < 12; ++i)
-            points.push_back({static_cast<float>(6 - i + random.uniform(-0.2, 0.2)), static_cast<float>(random.uniform(0.0, 0.5))});
+            points.push_back(
+                {static_cast<float>(6 - i + random.uniform(-0.2, 0.2)), static_cast<float>(random.uniform(0.0, 0.5))});
         const Chain chain(points, false, random.chance(0.5));
         double steepest = 0.0;
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
-            steepest = std::max(steepest, std::abs(double{points[i].y} - points[i + 1].y) / (double{points[i].x} - points[i + 1].x));
+            steepest = std::max(
+                steepest, std::abs(double{points[i].y} - points[i + 1].y) / (double{points[i].x} - points[i + 1].x));
         const std::vector<Shape> shapes = sliders();
         const Shape& shape = shapes[index % shapes.size()];
         const Pose world_from_chain{random.point(100.0), make_rotation(random.uniform(-3.0, 3.0))};
@@ -158,7 +162,8 @@ TEST_CASE("over random hills no normal leaves the cone of the neighbours, and no
             Pose local{{random.uniform(-4.0, 4.0), 2.0}, make_rotation(random.uniform(-0.5, 0.5))};
             const auto gap = [&] {
                 double nearest = 1e9;
-                for (const Shape& segment : chain.segments) nearest = std::min(nearest, distance(segment, {}, shape, local).distance);
+                for (const Shape& segment : chain.segments)
+                    nearest = std::min(nearest, distance(segment, {}, shape, local).distance);
                 return nearest;
             };
             for (int round = 0; round < 60 && gap() > 0.0; ++round) local.position.y -= std::max(gap(), 1e-4);
@@ -183,7 +188,8 @@ TEST_CASE("over random hills no normal leaves the cone of the neighbours, and no
 
 TEST_CASE("links know the points beside each segment") {
     const std::vector<Vec2> points = {{0, 0}, {1, 0}, {2, 1}};
-    const std::vector<ChainLink> open = make_chain_links(points, false, true), closed = make_chain_links(points, true, false);
+    const std::vector<ChainLink> open = make_chain_links(points, false, true),
+                                 closed = make_chain_links(points, true, false);
     REQUIRE(open.size() == 2);
     CHECK(open[0] == ChainLink{{}, {2, 1}, false, true, true});
     CHECK(open[1] == ChainLink{{0, 0}, {}, true, false, true});

@@ -60,7 +60,8 @@ Pose random_pose(double reach, std::mt19937_64& random) {
 }  // namespace
 
 TEST_CASE("the nearest of three circles to two") {
-    // Circle 2 at x = 4 and circle 0 of the other compound at x = 8: 8 - 4 - 1 - 1 = 2; every other pair is farther apart.
+    // Circle 2 at x = 4 and circle 0 of the other compound at x = 8: 8 - 4 - 1 - 1 = 2; every other pair is farther
+    // apart.
     const Parts a = {make_circle(1, {0, 0}), make_circle(1, {2, 5}), make_circle(1, {4, 0})};
     const Parts b = {make_circle(1, {0, 0}), make_circle(1, {3, 0})};
     const CompoundDistance result = compound_distance(a, {}, b, {{8, 0}, {}});
@@ -115,7 +116,8 @@ TEST_CASE("random compounds: the same bits as over all pairs, with few queries")
             pose_a.position += DVec2(1e6, -3e5);
             pose_b.position += DVec2(1e6, -3e5);
         }
-        const CompoundDistance found = compound_distance(a, pose_a, b, pose_b), all = by_brute_force(a, pose_a, b, pose_b);
+        const CompoundDistance found = compound_distance(a, pose_a, b, pose_b),
+                               all = by_brute_force(a, pose_a, b, pose_b);
         REQUIRE(found.nearest.distance == all.nearest.distance);
         REQUIRE(found.part_a == all.part_a);
         REQUIRE(found.part_b == all.part_b);
@@ -143,10 +145,12 @@ TEST_CASE("flush parts on large ones: ties are not lost to rounding of the bound
     std::mt19937_64 random(12);
     Parts ground, crates;
     for (int i = -3; i < 3; ++i) ground.push_back(make_box({2000, 100}, 0, {2000.0f * static_cast<float>(i), -50}));
-    for (int i = 0; i < 20; ++i) crates.push_back(make_box({0.01f, 0.01f}, 0, {static_cast<float>(i - 10) * 313.7f, 0.005f}));
+    for (int i = 0; i < 20; ++i)
+        crates.push_back(make_box({0.01f, 0.01f}, 0, {static_cast<float>(i - 10) * 313.7f, 0.005f}));
     for (int sample = 0; sample < 200; ++sample) {
         const Pose pose{{0.1 * static_cast<double>(sample), 1e-12 * static_cast<double>(sample % 3)}, {}};
-        const CompoundDistance found = compound_distance(ground, {}, crates, pose), all = by_brute_force(ground, {}, crates, pose);
+        const CompoundDistance found = compound_distance(ground, {}, crates, pose),
+                               all = by_brute_force(ground, {}, crates, pose);
         REQUIRE(found.nearest.distance == all.nearest.distance);
         REQUIRE(found.part_a == all.part_a);
         REQUIRE(found.part_b == all.part_b);
@@ -158,7 +162,8 @@ TEST_CASE("swapping the compounds swaps the answer") {
     for (int sample = 0; sample < 300; ++sample) {
         const Parts a = random_parts(6, random), b = random_parts(9, random);
         const Pose pose_a = random_pose(3.0, random), pose_b = random_pose(3.0, random);
-        const CompoundDistance ab = compound_distance(a, pose_a, b, pose_b), ba = compound_distance(b, pose_b, a, pose_a);
+        const CompoundDistance ab = compound_distance(a, pose_a, b, pose_b),
+                               ba = compound_distance(b, pose_b, a, pose_a);
         CHECK(ab.nearest.distance == ba.nearest.distance);
         CHECK(ab.lower == ba.lower);
         CHECK(ab.upper == ba.upper);
@@ -248,7 +253,8 @@ TEST_CASE("casts of compounds give the bits of the first of all pairs, from fewe
                           return cast_shape(a[i], pose_a, b[j], pose_b, way, target);
                       }));
         const Sweep sweep_a{{0.5f, 0.25f}, pose_a.position, pose_a.position + 0.1 * way, angle(pose_a.rotation), 0.5};
-        const Sweep sweep_b{{-0.5f, 1.0f}, pose_b.position, pose_b.position + way, angle(pose_b.rotation), sample % 2 ? -1.5 : 0.0};
+        const Sweep sweep_b{
+            {-0.5f, 1.0f}, pose_b.position, pose_b.position + way, angle(pose_b.rotation), sample % 2 ? -1.5 : 0.0};
         impacts.compare(compound_time_of_impact(a, sweep_a, b, sweep_b, target),
                         first_by_brute_force(a.size(), b.size(), [&](std::size_t i, std::size_t j) {
                             return time_of_impact(a[i], sweep_a, b[j], sweep_b, target);

@@ -81,7 +81,8 @@ TEST_CASE("what is invalid stays in its lane") {
 TEST_CASE("batches of any length, of one kind of pair, and none") {
     const std::vector<Pair> pairs = random_pairs(105, 40);
     const std::vector<PosedPair> all = posed(pairs);
-    for (std::size_t count = 0; count <= all.size(); ++count) check_as_alone({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)});
+    for (std::size_t count = 0; count <= all.size(); ++count)
+        check_as_alone({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)});
     for (const PosedPair& pair : all) check_as_alone(std::vector<PosedPair>(17, pair));
 }
 

@@ -22,7 +22,8 @@ void check_consistent(const DistanceResult& r) {
     CHECK(r.lower <= r.distance);
     CHECK(r.distance <= r.upper);
     CHECK(length(r.normal) == doctest::Approx(1.0).epsilon(1e-15));
-    CHECK(length((r.point_b - r.point_a) - r.distance * r.normal) <= 1e-14 * (1.0 + length(r.point_a) + length(r.point_b)));
+    CHECK(length((r.point_b - r.point_a) - r.distance * r.normal) <=
+          1e-14 * (1.0 + length(r.point_a) + length(r.point_b)));
 }
 
 const Shape kBox = make_box({2, 2});
@@ -128,7 +129,8 @@ TEST_CASE("collinear capsules: apart, end to end, one in the other") {
 
 TEST_CASE("crossing segments overlap by nothing lengthwise: the way out is to the nearer end") {
     // A from -1 to 1 on x, B from y = -0.25 to 4 at x = 0.5: lift B by 0.25.
-    const DistanceResult r = distance(make_segment({-1, 0}, {1, 0}), at(0, 0), make_segment({0, -0.25f}, {0, 4}), at(0.5, 0));
+    const DistanceResult r =
+        distance(make_segment({-1, 0}, {1, 0}), at(0, 0), make_segment({0, -0.25f}, {0, 4}), at(0.5, 0));
     CHECK(r.distance == -0.25);
     check_point(r.normal, 0, 1);
     check_consistent(r);
@@ -147,7 +149,8 @@ TEST_CASE("a point on a segment, and a point in a box") {
 TEST_CASE("degenerate polygons answer like what they are: duplicate and collinear vertices, zero area") {
     const Shape spot = Shape::from_raw(std::array<Vec2, 4>{{{1, 2}, {1, 2}, {1, 2}, {1, 2}}}, 0);
     const Shape line = Shape::from_raw(std::array<Vec2, 3>{{{-1, 0}, {0, 0}, {1, 0}}}, 0);
-    const Shape padded = Shape::from_raw(std::array<Vec2, 6>{{{-1, -1}, {0, -1}, {1, -1}, {1, -1}, {1, 1}, {-1, 1}}}, 0);
+    const Shape padded =
+        Shape::from_raw(std::array<Vec2, 6>{{{-1, -1}, {0, -1}, {1, -1}, {1, -1}, {1, 1}, {-1, 1}}}, 0);
     CHECK(distance(spot, at(0, 0), spot, at(3, 4)).distance == 5.0);
     CHECK(distance(spot, at(0, 0), spot, at(0, 0)).distance == 0.0);
     CHECK(distance(line, at(0, 0), line, at(0.5, 0)).distance == 0.0);
@@ -158,9 +161,12 @@ TEST_CASE("degenerate polygons answer like what they are: duplicate and collinea
 }
 
 TEST_CASE("the distance of vertices in any order is that of their hull") {
-    const Shape box = Shape::from_raw(std::array<Vec2, 4>{{{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}}}, 0);
-    const Shape clockwise = Shape::from_raw(std::array<Vec2, 4>{{{-0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, -0.5f}, {-0.5f, -0.5f}}}, 0);
-    const Shape bow_tie = Shape::from_raw(std::array<Vec2, 4>{{{-0.5f, -0.5f}, {0.5f, 0.5f}, {0.5f, -0.5f}, {-0.5f, 0.5f}}}, 0);
+    const Shape box =
+        Shape::from_raw(std::array<Vec2, 4>{{{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}}}, 0);
+    const Shape clockwise =
+        Shape::from_raw(std::array<Vec2, 4>{{{-0.5f, 0.5f}, {0.5f, 0.5f}, {0.5f, -0.5f}, {-0.5f, -0.5f}}}, 0);
+    const Shape bow_tie =
+        Shape::from_raw(std::array<Vec2, 4>{{{-0.5f, -0.5f}, {0.5f, 0.5f}, {0.5f, -0.5f}, {-0.5f, 0.5f}}}, 0);
     for (const Pose& pose : {at(2, 0.25, 10), at(-1, 1.25, 33), at(0.5, -1.25, 80)}) {
         const double expected = distance(box, at(0, 0), box, pose).distance;
         REQUIRE(expected > 0.0);
@@ -249,7 +255,8 @@ TEST_CASE("1 cm against 10 km") {
 }
 
 TEST_CASE("the trace is GJK to the same answer: bounds that close, supports that get nearer, each iteration counted") {
-    const Shape a = make_box({2, 1}), b = make_polygon(std::array<Vec2, 5>{{{0, 0}, {2, 0.5f}, {2.5f, 2}, {1, 3}, {-1, 1}}});
+    const Shape a = make_box({2, 1}),
+                b = make_polygon(std::array<Vec2, 5>{{{0, 0}, {2, 0.5f}, {2.5f, 2}, {1, 3}, {-1, 1}}});
     const Pose pa = at(0, 0, 10), pb = at(2.5, 1, -20);
     const DistanceTrace trace = trace_distance(a, pa, b, pb);
     const DistanceResult plain = distance(a, pa, b, pb);

@@ -72,12 +72,15 @@ TEST_CASE("the deepest face of large overlapping polygons is the deepest of all,
     for (int sample = 0; sample < 300; ++sample) {
         const int count = 9 + source.below(120);
         const Shape a = source.ellipse(count, 1, source.uniform(0.01, 1.0));
-        const Shape b = sample % 3 ? source.ellipse(9 + source.below(120), 0.5, 0.3) : make_segment({-0.4f, 0.1f}, {0.5f, 0.2f});
+        const Shape b =
+            sample % 3 ? source.ellipse(9 + source.below(120), 0.5, 0.3) : make_segment({-0.4f, 0.1f}, {0.5f, 0.2f});
         const Pose pose_a = source.pose(0.2), pose_b = source.pose(0.2);
         const CorePair pair = make_core_pair(a, pose_a, b, pose_b);
         double deepest = -1e300;
-        for (int edge = 0; edge < a.vertex_count(); ++edge) deepest = std::max(deepest, face_of_a(pair, edge).face.separation);
-        for (int edge = 0; edge < b.vertex_count(); ++edge) deepest = std::max(deepest, face_of_b(pair, edge).face.separation);
+        for (int edge = 0; edge < a.vertex_count(); ++edge)
+            deepest = std::max(deepest, face_of_a(pair, edge).face.separation);
+        for (int edge = 0; edge < b.vertex_count(); ++edge)
+            deepest = std::max(deepest, face_of_b(pair, edge).face.separation);
         // Supports of equal height may be another vertex, whose height rounds otherwise.
         CHECK(std::abs(deepest_face(pair).face.separation - deepest) <= error_bound(pair));
     }

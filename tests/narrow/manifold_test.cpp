@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kSpeculative = 0.02;
 
-Manifold collide_cold(const Shape& a, const Pose& pa, const Shape& b, const Pose& pb, double speculative = kSpeculative) {
+Manifold collide_cold(const Shape& a, const Pose& pa, const Shape& b, const Pose& pb,
+                      double speculative = kSpeculative) {
     SimplexCache cache;
     return collide(a, pa, b, pb, speculative, cache);
 }
@@ -53,7 +54,7 @@ TEST_CASE("a box on the ground touches in its two lower corners") {
             CHECK(point.separation == doctest::Approx(-0.01).epsilon(1e-6));
             const Vec2 from_box = ground_first ? point.anchor_b : point.anchor_a;
             const Vec2 from_ground = ground_first ? point.anchor_a : point.anchor_b;
-            CHECK(from_box.y == doctest::Approx(-0.495));    // between the surfaces at y = -0.005
+            CHECK(from_box.y == doctest::Approx(-0.495));  // between the surfaces at y = -0.005
             CHECK(from_ground.y == doctest::Approx(0.495));
             CHECK(from_ground.x == doctest::Approx(3 + from_box.x));
             xs.insert(from_box.x);
@@ -168,7 +169,8 @@ TEST_CASE("random manifolds: the deepest point agrees with the signed distance, 
     for (int sample = 0; sample < 20000; ++sample) {
         const auto polygon = [&](int count) {
             std::vector<Vec2> points;
-            for (int i = 0; i < count; ++i) points.push_back({static_cast<float>(unit(random)), static_cast<float>(unit(random))});
+            for (int i = 0; i < count; ++i)
+                points.push_back({static_cast<float>(unit(random)), static_cast<float>(unit(random))});
             return make_polygon(points, sample % 3 ? 0.0f : 0.1f);
         };
         const Shape a = polygon(1 + sample % 9), b = polygon(1 + sample / 9 % 12);
@@ -193,8 +195,8 @@ TEST_CASE("random manifolds: the deepest point agrees with the signed distance, 
             const DVec2 on_a = pa.position + DVec2(point.anchor_a), on_b = pb.position + DVec2(point.anchor_b);
             CHECK(length(on_a - on_b) < 1e-5);  // anchors are floats of size 4
         }
-        // Corners that meet squarely or nearly touch are judged by a face, and cut at its end: the tolerance of a fiftieth
-        // of the speculative distance either way, and 1e-6 m for floats.
+        // Corners that meet squarely or nearly touch are judged by a face, and cut at its end: the tolerance of a
+        // fiftieth of the speculative distance either way, and 1e-6 m for floats.
         CHECK(std::abs(deepest - sd.distance) < 0.02 * kSpeculative + 1e-6);
     }
     CHECK(touching > 10000);
@@ -229,7 +231,8 @@ TEST_CASE("swapping the shapes gives the same contact seen from the other one") 
     CHECK(two_points > 500);
 }
 
-TEST_CASE("a manifold at a scale of 2^k is the manifold scaled, bit for bit, from a nanometre to a million kilometres") {
+TEST_CASE(
+    "a manifold at a scale of 2^k is the manifold scaled, bit for bit, from a nanometre to a million kilometres") {
     tumble_test::PairSource source(43);
     int compared = 0;
     for (int sample = 0; sample < 20000; ++sample) {
@@ -239,8 +242,9 @@ TEST_CASE("a manifold at a scale of 2^k is the manifold scaled, bit for bit, fro
             return Pose{{std::ldexp(pose.position.x, exponent), std::ldexp(pose.position.y, exponent)}, pose.rotation};
         };
         const Manifold found = collide_cold(pair.a, pair.pose_a, pair.b, pair.pose_b);
-        const Manifold other = collide_cold(tumble_test::scaled(pair.a, exponent), scaled(pair.pose_a), tumble_test::scaled(pair.b, exponent),
-                                            scaled(pair.pose_b), std::ldexp(kSpeculative, exponent));
+        const Manifold other = collide_cold(tumble_test::scaled(pair.a, exponent), scaled(pair.pose_a),
+                                            tumble_test::scaled(pair.b, exponent), scaled(pair.pose_b),
+                                            std::ldexp(kSpeculative, exponent));
         INFO("sample ", sample, " exponent ", exponent);
         REQUIRE(found.point_count == other.point_count);
         REQUIRE((found.normal == other.normal || found.point_count == 0));

@@ -144,7 +144,8 @@ TEST_CASE("mirrored shapes are as far apart") {
     };
     for (int sample = 0; sample < kPairs; ++sample) {
         const Pair pair = source.near_pair();
-        const Pair mirror{mirrored_shape(pair.a), mirrored_pose(pair.pose_a), mirrored_shape(pair.b), mirrored_pose(pair.pose_b)};
+        const Pair mirror{mirrored_shape(pair.a), mirrored_pose(pair.pose_a), mirrored_shape(pair.b),
+                          mirrored_pose(pair.pose_b)};
         const DistanceResult one = measure(pair), other = measure(mirror);
         CHECK(one.status == other.status);
         CHECK(std::max(one.lower, other.lower) <= std::min(one.upper, other.upper));

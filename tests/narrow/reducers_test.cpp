@@ -35,7 +35,8 @@ double brute_distance_sq(const Simplex& simplex) {
     const double sides[3] = {cross(v[0].w, v[1].w), cross(v[1].w, v[2].w), cross(v[2].w, v[0].w)};
     const auto [low, high] = std::minmax({sides[0], sides[1], sides[2]});
     if (low > 0.0 || high < 0.0) return 0.0;
-    return std::min({segment_distance_sq(v[0].w, v[1].w), segment_distance_sq(v[1].w, v[2].w), segment_distance_sq(v[2].w, v[0].w)});
+    return std::min({segment_distance_sq(v[0].w, v[1].w), segment_distance_sq(v[1].w, v[2].w),
+                     segment_distance_sq(v[2].w, v[0].w)});
 }
 
 struct Outcomes {
@@ -73,7 +74,8 @@ Outcomes check_reducer() {
         REQUIRE(reduced.count >= 1);
         REQUIRE(reduced.count <= 2);
         const DVec2 first = reduced.vertices[0].w, last = reduced.vertices[reduced.count - 1].w;
-        CHECK((reduced.count == 1 ? length_sq(first) : segment_distance_sq(first, last)) == doctest::Approx(expected).epsilon(1e-9));
+        CHECK((reduced.count == 1 ? length_sq(first) : segment_distance_sq(first, last)) ==
+              doctest::Approx(expected).epsilon(1e-9));
         ++(reduced.count == 1 ? outcomes.vertex : outcomes.edge);
     }
     return outcomes;

@@ -18,7 +18,8 @@ struct Expected {
 Expected deepest_one_by_one(const CorePair& pair) {
     Expected best;
     const auto consider = [&](const FoundFace& found, bool is_of_b) {
-        if (found.exists && (!best.found.exists || found.face.separation > best.found.face.separation)) best = {found, is_of_b};
+        if (found.exists && (!best.found.exists || found.face.separation > best.found.face.separation))
+            best = {found, is_of_b};
     };
     for (int edge = 0; edge < pair.a.count && pair.a.count > 1; ++edge) consider(face_of_a(pair, edge), false);
     for (int edge = 0; edge < pair.b.count && pair.b.count > 1; ++edge) consider(face_of_b(pair, edge), true);
@@ -37,7 +38,8 @@ bool check_against_one_by_one(const CorePair& pair) {
     // A single face turns the direction into the other core's frame, lanes turn the vertices: both round.
     CHECK(std::abs(face.seen.separation - expected.found.face.separation) <= error_bound(pair));
     if (face.is_b != static_cast<unsigned>(expected.is_of_b)) return expected.is_of_b;
-    const DVec2 direction = expected.is_of_b ? DVec2{-face.seen.outward_x, -face.seen.outward_y} : DVec2{face.seen.outward_x, face.seen.outward_y};
+    const DVec2 direction = expected.is_of_b ? DVec2{-face.seen.outward_x, -face.seen.outward_y}
+                                             : DVec2{face.seen.outward_x, face.seen.outward_y};
     if (direction == expected.found.face.direction) {
         CHECK(pair_of_owner(face.is_b, face.from, face.nearest) == expected.found.face.pairs[0]);
         CHECK(pair_of_owner(face.is_b, face.to, face.nearest) == expected.found.face.pairs[1]);

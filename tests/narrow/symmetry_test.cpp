@@ -80,7 +80,8 @@ TEST_CASE("scaling by a power of two scales every length, bit for bit") {
         const Pair pair = rounded_pair(source, sample);
         const double factor = std::ldexp(1.0, source.below(161) - 80);
         const float f = static_cast<float>(factor);
-        const Pair grown{scaled(pair.a, f), scaled(pair.pose_a, factor), scaled(pair.b, f), scaled(pair.pose_b, factor)};
+        const Pair grown{scaled(pair.a, f), scaled(pair.pose_a, factor), scaled(pair.b, f),
+                         scaled(pair.pose_b, factor)};
         const DistanceResult one = measure(pair), other = measure(grown);
         CHECK(factor * one.distance == other.distance);
         CHECK(factor * one.lower == other.lower);
@@ -112,8 +113,10 @@ TEST_CASE("warm as cold: caches that fit, are stale, random or out of range") {
         const DistanceResult cold = measure(pair);
         SimplexCache cache;
         for (VertexPair& index : cache.pairs) {
-            index.a = static_cast<std::uint16_t>(source.coin() ? source.below(pair.a.vertex_count()) : source.below(65536));
-            index.b = static_cast<std::uint16_t>(source.coin() ? source.below(pair.b.vertex_count()) : source.below(65536));
+            index.a =
+                static_cast<std::uint16_t>(source.coin() ? source.below(pair.a.vertex_count()) : source.below(65536));
+            index.b =
+                static_cast<std::uint16_t>(source.coin() ? source.below(pair.b.vertex_count()) : source.below(65536));
         }
         cache.count = static_cast<std::uint8_t>(source.coin() ? source.below(4) : source.below(256));
         const DistanceResult wrong = measure(pair, &cache);

@@ -1,5 +1,5 @@
-// Time of impact against the distance of exactly moved shapes in long double: between samples the distance cannot change
-// faster than the shapes move, so that an interval is proved free by subdividing it.
+// Time of impact against the distance of exactly moved shapes in long double: between samples the distance cannot
+// change faster than the shapes move, so that an interval is proved free by subdividing it.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -27,10 +27,12 @@ struct Query {
     CastResult impact() const { return time_of_impact(a, sweep_a, b, sweep_b, target); }
 };
 
-Real extent_of(const Shape& shape, const Sweep& sweep) { return shape.core_radius() + length(DVec2(sweep.local_center)); }
+Real extent_of(const Shape& shape, const Sweep& sweep) {
+    return shape.core_radius() + length(DVec2(sweep.local_center));
+}
 
-// The error that is held against it: 24 u of the sizes and ways, less than its own worst cases add up to, and 4 u of the angles
-// times the levers.
+// The error that is held against it: 24 u of the sizes and ways, less than its own worst cases add up to, and 4 u of
+// the angles times the levers.
 Real error_of(const Query& query) {
     const Real e_a = extent_of(query.a, query.sweep_a), e_b = extent_of(query.b, query.sweep_b);
     const Real ways = length(query.sweep_a.end - query.sweep_a.start) + length(query.sweep_b.end - query.sweep_b.start);
@@ -60,7 +62,8 @@ Real gap_at(const Query& query, Real fraction) {
     const DVec2 origin = query.sweep_a.start;
     const Real reach = static_cast<Real>(query.a.radius()) + query.b.radius() + query.target;
     return tumble_test::core_distance(moved(query.a, query.sweep_a, origin, fraction),
-                                      moved(query.b, query.sweep_b, origin, fraction)) - reach;
+                                      moved(query.b, query.sweep_b, origin, fraction)) -
+           reach;
 }
 
 // No point moves faster relative to one of the other shape (m a whole motion).
@@ -94,7 +97,8 @@ bool holds(const Query& query, Tally& tally) {
         case CastStatus::hit: break;
     }
     ++tally.hits;
-    if (!(0.0 <= result.lower && result.lower <= result.fraction && result.fraction <= result.upper && result.upper <= 1.0))
+    if (!(0.0 <= result.lower && result.lower <= result.fraction && result.fraction <= result.upper &&
+          result.upper <= 1.0))
         return false;
     if (!is_free(query, speed, 0, result.lower, -4 * error)) return false;
     if (result.reached_cap) return true;
@@ -117,7 +121,8 @@ Query random_query(Random& random, double turn) {
     const DVec2 place = random.point(random.chance(0.2) ? 1e4 : 1.0);
     query.sweep_a = random_sweep(random, place, place + random.point(0.5), random.chance(0.3) ? 0.0 : turn);
     const DVec2 from = place + random.point(4.0), aim = place + random.point(1.5);
-    query.sweep_b = random_sweep(random, from, from + random.uniform(0.0, 2.0) * (aim - from), random.chance(0.3) ? 0.0 : turn);
+    query.sweep_b =
+        random_sweep(random, from, from + random.uniform(0.0, 2.0) * (aim - from), random.chance(0.3) ? 0.0 : turn);
     if (random.chance(0.3)) query.target = random.uniform(0.0, 0.3);
     return query;
 }

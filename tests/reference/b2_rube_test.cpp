@@ -1,5 +1,5 @@
-// Imports of R.U.B.E. exports beside Box2D, on a small file of our own and, where TUMBLE_RUBE_DATA names a folder, on exports
-// of others.
+// Imports of R.U.B.E. exports beside Box2D, on a small file of our own and, where TUMBLE_RUBE_DATA names a folder, on
+// exports of others.
 #include "reference/b2_rube.hpp"
 #include "tumble/scene_import.hpp"
 

@@ -16,10 +16,12 @@ using namespace tumble::reference;
 namespace {
 
 Scene scene_of(const char* bodies, const char* more = "") {
-    return parse_scene(std::string(R"({"format": 1, "name": "test", "bodies": [)") + bodies + "]" + more + "}", "test.json");
+    return parse_scene(std::string(R"({"format": 1, "name": "test", "bodies": [)") + bodies + "]" + more + "}",
+                       "test.json");
 }
 
-constexpr const char* kGround = R"({"name": "ground", "type": "static", "position": [0, -1], "shapes": [{"box": {"size": [40, 2]}}]},)";
+constexpr const char* kGround =
+    R"({"name": "ground", "type": "static", "position": [0, -1], "shapes": [{"box": {"size": [40, 2]}}]},)";
 
 void run(B2World& world, int steps) {
     for (int step = 0; step < steps; ++step) world.step();
@@ -28,7 +30,8 @@ void run(B2World& world, int steps) {
 }  // namespace
 
 TEST_CASE("a free body falls as the integrator has it") {
-    B2World world(scene_of(R"({"name": "ball", "position": [1, 5], "velocity": [2, 0], "shapes": [{"circle": {"radius": 0.5}}]})"));
+    B2World world(scene_of(
+        R"({"name": "ball", "position": [1, 5], "velocity": [2, 0], "shapes": [{"circle": {"radius": 0.5}}]})"));
     REQUIRE(world.body_count() == 1);
     CHECK(world.pose(0).position == DVec2{1.0, 5.0});
     run(world, 60);
@@ -71,10 +74,11 @@ TEST_CASE("every kind of shape comes to rest on the ground") {
 }
 
 TEST_CASE("joints hold") {
-    B2World world(scene_of(R"({"name": "post", "type": "static", "position": [0, 4], "shapes": [{"circle": {"radius": 0.1}}]},
+    B2World world(scene_of(
+        R"({"name": "post", "type": "static", "position": [0, 4], "shapes": [{"circle": {"radius": 0.1}}]},
                               {"name": "bob", "position": [2, 4], "shapes": [{"circle": {"radius": 0.2}}]},
                               {"name": "door", "position": [1, 9], "shapes": [{"box": {"size": [2, 0.2]}}]})",
-                           R"(, "joints": [{"type": "distance", "bodies": ["post", "bob"], "anchors": [[0, 0], [0, 0]], "length": 2},
+        R"(, "joints": [{"type": "distance", "bodies": ["post", "bob"], "anchors": [[0, 0], [0, 0]], "length": 2},
                                            {"type": "revolute", "bodies": ["post", "door"], "anchor": [0, 9]}])"));
     run(world, 45);
     CHECK(length(world.pose(1).position - DVec2{0.0, 4.0}) == doctest::Approx(2.0).epsilon(0.01));
@@ -83,8 +87,9 @@ TEST_CASE("joints hold") {
 }
 
 TEST_CASE("what Box2D does not have is said") {
-    B2World world(scene_of(R"({"name": "belt", "type": "static", "shapes": [{"box": {"size": [4, 1]}, "material": "belt"}]})",
-                           R"(, "materials": {"belt": {"tangent_speed": 2, "rolling_resistance": 0.1}})"));
+    B2World world(
+        scene_of(R"({"name": "belt", "type": "static", "shapes": [{"box": {"size": [4, 1]}, "material": "belt"}]})",
+                 R"(, "materials": {"belt": {"tangent_speed": 2, "rolling_resistance": 0.1}})"));
     CHECK(world.notes().size() == 2);
 }
 

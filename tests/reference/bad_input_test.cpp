@@ -1,5 +1,5 @@
-// Outlines that Shape::from_raw() takes and no factory makes: clockwise, self-crossing, repeated, at random. The answer may
-// be wrong, but it is decided, finite, and there after a bounded number of iterations.
+// Outlines that Shape::from_raw() takes and no factory makes: clockwise, self-crossing, repeated, at random. The answer
+// may be wrong, but it is decided, finite, and there after a bounded number of iterations.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,7 +16,9 @@ using namespace tumble::reference;
 namespace {
 
 // A loop of GJK for n vertices in all: its cap of 32 + 4 ceil(log2(n / 8)), and the first support.
-int iteration_limit(int vertices) { return 33 + 4 * std::max(0, static_cast<int>(std::ceil(std::log2(vertices / 8.0)))); }
+int iteration_limit(int vertices) {
+    return 33 + 4 * std::max(0, static_cast<int>(std::ceil(std::log2(vertices / 8.0))));
+}
 
 void check_decided(const PairQuery& q) {
     SimplexCache cache;
@@ -52,7 +54,9 @@ TEST_CASE("clockwise outlines are as far apart as their counter-clockwise twins"
     int separated = 0;
     for (std::uint64_t index = 0; index < 2000; ++index) {
         Random random(5, index);
-        const PairQuery query{random_polygon(random, 8, 0), random_polygon(random, 8, 0), {{}, random.rotation()},
+        const PairQuery query{random_polygon(random, 8, 0),
+                              random_polygon(random, 8, 0),
+                              {{}, random.rotation()},
                               {random.point(2.5), random.rotation()}};
         PairQuery clockwise = query;
         clockwise.a = reversed(query.a);
@@ -72,7 +76,8 @@ TEST_CASE("a bow tie, a star and a needle end with a decided answer") {
     const std::array<Vec2, 4> bow_tie{{{-1, -1}, {1, 1}, {1, -1}, {-1, 1}}};
     const std::array<Vec2, 5> star{{{0, 1}, {0.6f, -0.8f}, {-1, 0.3f}, {1, 0.3f}, {-0.6f, -0.8f}}};
     const std::array<Vec2, 6> needle{{{0, 0}, {1, 0}, {2, 0}, {1, 0}, {0, 0}, {0, 0}}};
-    const std::array shapes{Shape::from_raw(bow_tie, 0.0f), Shape::from_raw(star, 0.0f), Shape::from_raw(needle, 0.25f)};
+    const std::array shapes{Shape::from_raw(bow_tie, 0.0f), Shape::from_raw(star, 0.0f),
+                            Shape::from_raw(needle, 0.25f)};
     for (const Shape& a : shapes)
         for (const Shape& b : shapes)
             for (const double x : {0.0, 0.5, 1.0, 2.0, 3.0}) check_decided({a, b, {}, {{x, 0.25 * x}, {}}});
@@ -81,7 +86,9 @@ TEST_CASE("a bow tie, a star and a needle end with a decided answer") {
 TEST_CASE("points at random end with a decided answer") {
     for (std::uint64_t index = 0; index < 5000; ++index) {
         Random random(6, index);
-        const PairQuery query{scattered(random), scattered(random), {random.point(1.0), random.rotation()},
+        const PairQuery query{scattered(random),
+                              scattered(random),
+                              {random.point(1.0), random.rotation()},
                               {random.point(2.0), random.rotation()}};
         CAPTURE(index);
         check_decided(query);

@@ -73,7 +73,8 @@ long double signed_distance_of_origin(const std::vector<LongPoint>& hull) {
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const LongPoint p = hull[i], q = hull[(i + 1) % hull.size()], edge{q.x - p.x, q.y - p.y};
         const long double length_sq = edge.x * edge.x + edge.y * edge.y;
-        const long double t = length_sq > 0.0L ? std::clamp(-(p.x * edge.x + p.y * edge.y) / length_sq, 0.0L, 1.0L) : 0.0L;
+        const long double t =
+            length_sq > 0.0L ? std::clamp(-(p.x * edge.x + p.y * edge.y) / length_sq, 0.0L, 1.0L) : 0.0L;
         const LongPoint near{p.x + t * edge.x, p.y + t * edge.y};
         outside_sq = std::min(outside_sq, near.x * near.x + near.y * near.y);
         if (length_sq > 0.0L) inside = std::max(inside, cross(p, {}, q) / std::sqrt(length_sq));
@@ -82,7 +83,9 @@ long double signed_distance_of_origin(const std::vector<LongPoint>& hull) {
 }
 
 PairQuery random_query(Random& random) {
-    PairQuery query{random_shape(random, 0), random_shape(random, 0), at(0.0, 0.0, random.rotation()),
+    PairQuery query{random_shape(random, 0),
+                    random_shape(random, 0),
+                    at(0.0, 0.0, random.rotation()),
                     {random.point(2.0), random.rotation()}};
     if (random.chance(0.2)) query.a = random_polygon(random, 20, 0);
     if (random.chance(0.2)) place_vertex_to_edge(query, random, random.signed_magnitude(-40, 0));
@@ -110,7 +113,9 @@ TEST_CASE("overlapping shapes by hand") {
     // Concentric: out through the thinner way, 1 + 1/4.
     check_equal({box(3.0, 1.0), box(0.25, 0.25), at(0.0, 0.0), at(0.0, 0.0)}, -1.25);
     // Crossing segments: the difference is the square [-1, 1]^2 about (-1/4, -1/2).
-    check_equal({segment({-1.0f, 0.0f}, {1.0f, 0.0f}), segment({0.0f, -1.0f}, {0.0f, 1.0f}), at(0.0, 0.0), at(0.25, 0.5)}, -0.5);
+    check_equal(
+        {segment({-1.0f, 0.0f}, {1.0f, 0.0f}), segment({0.0f, -1.0f}, {0.0f, 1.0f}), at(0.0, 0.0), at(0.25, 0.5)},
+        -0.5);
     // Rotated by a quarter turn about the origin of B: the corner (2, -1) of B goes to (1, 2).
     check_equal({box(1.0, 1.0), box(2.0, 1.0), at(0.0, 0.0), at(0.0, 2.5, {0.0f, 1.0f})}, -0.5);
 }
@@ -141,7 +146,8 @@ TEST_CASE("the range of float and double is covered") {
     check_equal({point_shape(), point_shape(), at(0.0, 0.0), at(0x1p-1074, 0.0)}, 0x1p-1074);
     check_equal({point_shape(), point_shape(), at(-0x1p1000, 0.0), at(0x1p1000, 0.0)}, 0x1p1001);
     const float tiny = 0x1p-149f;
-    check_equal({point_shape(tiny), segment({4.0f * tiny, 1.0f}, {4.0f * tiny, -1.0f}), at(0.0, 0.0), at(0.0, 0.0)}, 3.0 * tiny);
+    check_equal({point_shape(tiny), segment({4.0f * tiny, 1.0f}, {4.0f * tiny, -1.0f}), at(0.0, 0.0), at(0.0, 0.0)},
+                3.0 * tiny);
     // 2^100 away less a radius of 2^-100: the radius is seen.
     const ExactDistance far({point_shape(0x1p-100f), point_shape(), at(0.0, 0.0), at(0x1p100, 0.0)});
     CHECK(far.compare(0x1p100) == -1);

@@ -1,6 +1,6 @@
 // Every hard family against the oracle and the checker: bounds, status, certificates, and perturbed certificates.
-// The environment variable TUMBLE_PAIRS sets the pairs of each family (10 000); families of large polygons take a fiftieth.
-// TUMBLE_FAMILY names the only one to try.
+// The environment variable TUMBLE_PAIRS sets the pairs of each family (10 000); families of large polygons take a
+// fiftieth. TUMBLE_FAMILY names the only one to try.
 #include "reference/pair_families.hpp"
 
 #include <doctest/doctest.h>
@@ -30,14 +30,16 @@ constexpr std::uint64_t kUsualPairs = 10000;
 
 // What went wrong in a family, as counts with the first example; merged in the order of the pairs.
 struct Tally {
-    std::uint64_t bounds_wrong = 0, bounds_loose = 0, status_wrong = 0, rejected = 0, accepted_perturbed = 0, warm_wrong = 0;
+    std::uint64_t bounds_wrong = 0, bounds_loose = 0, status_wrong = 0, rejected = 0, accepted_perturbed = 0,
+                  warm_wrong = 0;
     std::uint64_t perturbed = 0, separated = 0, overlapping = 0, touching = 0, reached_cap = 0;
     double largest_error = 0.0;  // of the bare cores, in units of u (RA + RB + |p|)
     int most_iterations = 0;
     std::string example;
 
     void note(std::uint64_t& count, const char* what, const PairQuery& query, std::uint64_t index) {
-        if (count++ == 0 && example.empty()) example = std::string(what) + " at " + std::to_string(index) + ": " + to_hex(query);
+        if (count++ == 0 && example.empty())
+            example = std::string(what) + " at " + std::to_string(index) + ": " + to_hex(query);
     }
     void merge(const Tally& later) {
         bounds_wrong += later.bounds_wrong;
@@ -70,7 +72,8 @@ LongPoint turned(const Shape& shape, Rotation q, int i) {
 }
 
 LongPoint minkowski_vertex(const PairQuery& query, VertexPair pair) {
-    const LongPoint a = turned(query.a, query.pose_a.rotation, pair.a), b = turned(query.b, query.pose_b.rotation, pair.b);
+    const LongPoint a = turned(query.a, query.pose_a.rotation, pair.a),
+                    b = turned(query.b, query.pose_b.rotation, pair.b);
     const DVec2 pa = query.pose_a.position, pb = query.pose_b.position;
     return {a.x - b.x - (static_cast<long double>(pb.x) - pa.x), a.y - b.y - (static_cast<long double>(pb.y) - pa.y)};
 }
@@ -84,7 +87,8 @@ long double claimed_distance(const PairQuery& query, const Certificate& certific
     const long double edge_sq = dot(edge, edge);
     if (certificate.cores_overlap) {
         if (edge_sq == 0.0L) return -length(p);
-        const long double side = certificate.direction.x * edge.y - certificate.direction.y * edge.x < 0.0L ? -1.0L : 1.0L;
+        const long double side =
+            certificate.direction.x * edge.y - certificate.direction.y * edge.x < 0.0L ? -1.0L : 1.0L;
         return side * (p.y * edge.x - p.x * edge.y) / std::sqrt(edge_sq);
     }
     const long double t = edge_sq > 0.0L ? std::clamp(-dot(p, edge) / edge_sq, 0.0L, 1.0L) : 0.0L;
@@ -105,12 +109,15 @@ long double claimed_lower(const PairQuery& query, DVec2 direction) {
     return -(highest_a - lowest_b - dot(d, offset)) / length(d);
 }
 
-// Replaces one index, and turns the direction; expects a rejection if what they prove moved by more than 2 E: each claim
-// is within E of what was computed from it, and each bound E from that. (And a thousandth, for the long double here.)
-void check_perturbed(Tally& tally, const PairQuery& query, const DistanceResult& answer, Random& random, std::uint64_t index) {
+// Replaces one index, and turns the direction; expects a rejection if what they prove moved by more than 2 E: each
+// claim is within E of what was computed from it, and each bound E from that. (And a thousandth, for the long double
+// here.)
+void check_perturbed(Tally& tally, const PairQuery& query, const DistanceResult& answer, Random& random,
+                     std::uint64_t index) {
     const long double bound = 2.002L * core_error_bound(query);
     DistanceResult forged = answer;
-    VertexPair& pair = forged.certificate.pairs[static_cast<std::size_t>(random.integer(0, answer.certificate.pair_count - 1))];
+    VertexPair& pair =
+        forged.certificate.pairs[static_cast<std::size_t>(random.integer(0, answer.certificate.pair_count - 1))];
     if (random.chance(0.5)) {
         pair.a = static_cast<std::uint16_t>(random.integer(0, query.a.vertex_count() - 1));
     } else {
@@ -152,11 +159,16 @@ SimplexCache random_cache(Random& random, const PairQuery& query) {
 
 constexpr std::uint64_t kPairsPerLooseOne = 100000;  // of bounds that are looser than usual, once in 40 million pairs
 
-void check_exact(Tally& tally, const PairQuery& query, const DistanceResult& answer, const ExactDistance& exact, std::uint64_t index) {
+void check_exact(Tally& tally, const PairQuery& query, const DistanceResult& answer, const ExactDistance& exact,
+                 std::uint64_t index) {
     switch (fit_of(query, answer, exact)) {
         case BoundsFit::near: break;
-        case BoundsFit::loose: tally.note(tally.bounds_loose, "bounds far from the exact distance", query, index); break;
-        case BoundsFit::wrong: tally.note(tally.bounds_wrong, "not a tight bracket of the exact distance", query, index); break;
+        case BoundsFit::loose:
+            tally.note(tally.bounds_loose, "bounds far from the exact distance", query, index);
+            break;
+        case BoundsFit::wrong:
+            tally.note(tally.bounds_wrong, "not a tight bracket of the exact distance", query, index);
+            break;
     }
     if (!is_status_right(answer.status, exact.sign())) tally.note(tally.status_wrong, "status", query, index);
 }
@@ -192,20 +204,22 @@ void check_pair(Tally& tally, const PairFamily& family, std::uint64_t index) {
 Tally check_family(const PairFamily& family) {
     Tally tally;
     const std::uint64_t pairs = pairs_of(family, kUsualPairs);
-    run_blocks<Tally>(
-        (pairs + kBlock - 1) / kBlock, 0,
-        [&](std::size_t block) {
-            Tally part;
-            for (std::uint64_t i = block * kBlock; i < std::min((block + 1) * kBlock, pairs); ++i) check_pair(part, family, i);
-            return part;
-        },
-        [&](std::size_t, const Tally& part) { tally.merge(part); });
+    run_blocks<Tally>((pairs + kBlock - 1) / kBlock, 0,
+                      [&](std::size_t block) {
+                          Tally part;
+                          for (std::uint64_t i = block * kBlock; i < std::min((block + 1) * kBlock, pairs); ++i)
+                              check_pair(part, family, i);
+                          return part;
+                      },
+                      [&](std::size_t, const Tally& part) { tally.merge(part); });
     return tally;
 }
 
 }  // namespace
 
-TEST_CASE("every family: the exact distance is in the bounds and near them, the status is right, certificates hold and forgeries do not") {
+TEST_CASE(
+    "every family: the exact distance is in the bounds and near them, the status is right, certificates hold and "
+    "forgeries do not") {
     double largest_error = 0.0;
     std::uint64_t pairs = 0, forgeries = 0;
     for (const PairFamily& family : pair_families()) {
@@ -221,10 +235,11 @@ TEST_CASE("every family: the exact distance is in the bounds and near them, the 
         largest_error = std::max(largest_error, tally.largest_error);
         pairs += pairs_of(family, kUsualPairs);
         forgeries += tally.perturbed;
-        MESSAGE(family.name << ": " << pairs_of(family, kUsualPairs) << " pairs, " << tally.separated << " separated, " << tally.overlapping
-                            << " overlapping, " << tally.touching << " touching, " << tally.perturbed
-                            << " forgeries, largest error " << tally.largest_error << " u (RA + RB + |p|), at most "
-                            << tally.most_iterations << " iterations, " << tally.reached_cap << " at the cap");
+        MESSAGE(family.name << ": " << pairs_of(family, kUsualPairs) << " pairs, " << tally.separated << " separated, "
+                            << tally.overlapping << " overlapping, " << tally.touching << " touching, "
+                            << tally.perturbed << " forgeries, largest error " << tally.largest_error
+                            << " u (RA + RB + |p|), at most " << tally.most_iterations << " iterations, "
+                            << tally.reached_cap << " at the cap");
     }
     CHECK(largest_error < 16.0);
     CHECK(largest_error > 0.5);  // the oracle sees rounding
@@ -272,8 +287,8 @@ TEST_CASE("the regression list") {
 }
 
 TEST_CASE("a certificate proves the upper bound also where rounding leaves open whether the cores overlap") {
-    // 10 km against 1 mm, 1.01 E deep by exact arithmetic and 0.998 E by ours: no overlap is claimed, and the face is farther
-    // from the origin than E.
+    // 10 km against 1 mm, 1.01 E deep by exact arithmetic and 0.998 E by ours: no overlap is claimed, and the face is
+    // farther from the origin than E.
     const PairQuery query = find_pair_family("mixed_scales")->generate(20261121, 127616);
     const DistanceResult answer = distance(query.a, query.pose_a, query.b, query.pose_b);
     const double bound = core_error_bound(query);
@@ -288,10 +303,12 @@ TEST_CASE("families of touching pairs touch, and of gaps have gaps") {
         const PairFamily* family = find_pair_family(name);
         REQUIRE(family != nullptr);
         int matching = 0;
-        for (std::uint64_t index = 0; index < 500; ++index) matching += ExactDistance(family->generate(3, index)).sign() == sign;
+        for (std::uint64_t index = 0; index < 500; ++index)
+            matching += ExactDistance(family->generate(3, index)).sign() == sign;
         return matching;
     };
-    for (const char* name : {"touching_vertices", "touching_vertex_edge", "touching_edges"}) CHECK(count(name, 0) == 500);
+    for (const char* name : {"touching_vertices", "touching_vertex_edge", "touching_edges"})
+        CHECK(count(name, 0) == 500);
     CHECK(count("near_gap", 1) > 450);  // an edge turned to another in float may cut a corner
     CHECK(count("near_overlap", -1) > 490);
     CHECK(count("random", -1) > 150);

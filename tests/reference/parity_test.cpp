@@ -36,7 +36,8 @@ TEST_SUITE("parity") {
         const ParityResult result = run_parity(options);
         for (const ParityRow& row : result.families) {
             INFO(row.name);
-            if (!row.ours_failures.empty()) INFO(row.ours_failures[0].reason << ": " << to_hex(row.ours_failures[0].query));
+            if (!row.ours_failures.empty())
+                INFO(row.ours_failures[0].reason << ": " << to_hex(row.ours_failures[0].query));
             CHECK(row.ours_wrong == 0);
             CHECK(row.ours_witness_wrong == 0);
         }
@@ -48,8 +49,8 @@ TEST_SUITE("parity") {
         const ParityRow& ordinary = result.families[0];
         CHECK(ordinary.box2d_wrong_distance == 0);
         CHECK(ordinary.max_error_box2d_eps < kParityTolerance);
-        MESSAGE(total.pairs << " pairs, ours wrong " << total.ours_wrong << ", Box2D wrong " << total.box2d_wrong << ", "
-                            << result.seconds << " s");
+        MESSAGE(total.pairs << " pairs, ours wrong " << total.ours_wrong << ", Box2D wrong " << total.box2d_wrong
+                            << ", " << result.seconds << " s");
     }
 
     TEST_CASE("the result does not depend on the number of threads") {
@@ -70,7 +71,8 @@ TEST_SUITE("parity") {
             CHECK(x.max_error_box2d_m == y.max_error_box2d_m);
             CHECK(x.histogram_box2d.counts == y.histogram_box2d.counts);
             REQUIRE(x.worst_box2d.size() == y.worst_box2d.size());
-            for (std::size_t k = 0; k < x.worst_box2d.size(); ++k) CHECK(x.worst_box2d[k].index == y.worst_box2d[k].index);
+            for (std::size_t k = 0; k < x.worst_box2d.size(); ++k)
+                CHECK(x.worst_box2d[k].index == y.worst_box2d[k].index);
         }
     }
 

@@ -1,6 +1,6 @@
 // Every hard family by each of the distance subalgorithms, and by looking at all: as strictly as distance() itself.
-// The environment variable TUMBLE_PAIRS sets the pairs of each family (10 000); families of large polygons take a fiftieth.
-// TUMBLE_FAMILY names the only one to try.
+// The environment variable TUMBLE_PAIRS sets the pairs of each family (10 000); families of large polygons take a
+// fiftieth. TUMBLE_FAMILY names the only one to try.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -90,7 +90,8 @@ void check_pair(Counts& counts, const PairFamily& family, std::uint64_t index) {
             continue;
         }
         if (exact && !is_right(query, other, *exact)) counts.note(counts.wrong, method.name, query);
-        if (check_certificate(query, other) != CertificateVerdict::accepted) counts.note(counts.rejected, method.name, query);
+        if (check_certificate(query, other) != CertificateVerdict::accepted)
+            counts.note(counts.rejected, method.name, query);
         if (!(std::max(one.lower, other.lower) <= std::min(one.upper, other.upper)))
             counts.note(counts.disagreeing, method.name, query);
         counts.same += one.distance == other.distance && one.normal == other.normal;
@@ -101,19 +102,19 @@ void check_pair(Counts& counts, const PairFamily& family, std::uint64_t index) {
 Counts check_family(const PairFamily& family) {
     const std::uint64_t pairs = pairs_of(family, kUsualPairs);
     Counts counts;
-    run_blocks<Counts>(
-        (pairs + kBlock - 1) / kBlock, 0,
-        [&](std::size_t block) {
-            Counts part;
-            for (std::uint64_t i = block * kBlock; i < std::min((block + 1) * kBlock, pairs); ++i) check_pair(part, family, i);
-            return part;
-        },
-        [&](std::size_t, const Counts& part) { counts.merge(part); });
+    run_blocks<Counts>((pairs + kBlock - 1) / kBlock, 0,
+                       [&](std::size_t block) {
+                           Counts part;
+                           for (std::uint64_t i = block * kBlock; i < std::min((block + 1) * kBlock, pairs); ++i)
+                               check_pair(part, family, i);
+                           return part;
+                       },
+                       [&](std::size_t, const Counts& part) { counts.merge(part); });
     return counts;
 }
 
-// A polygon of four equal quarters: its edges are the first so many vectors of coprime whole numbers, by their sum and then by
-// their angle. Its coordinates are whole, below 2^24.
+// A polygon of four equal quarters: its edges are the first so many vectors of coprime whole numbers, by their sum and
+// then by their angle. Its coordinates are whole, below 2^24.
 std::vector<Vec2> lattice_polygon(std::size_t edges_in_quarter) {
     std::vector<std::array<int, 2>> edges;
     for (int sum = 2; edges.size() < edges_in_quarter; ++sum)
@@ -191,7 +192,8 @@ TEST_CASE("strictly convex outlines of 65 532 vertices by every subalgorithm and
         Random random(kSeed, static_cast<std::uint64_t>(sample));
         const DVec2 direction = random.direction();
         const double gap = sample % 3 == 0 ? -1000.0 : 1e-3;
-        PairQuery query{large, sample % 3 == 2 ? box : large, {{}, random.rotation()}, {1e7 * direction, random.rotation()}};
+        PairQuery query{
+            large, sample % 3 == 2 ? box : large, {{}, random.rotation()}, {1e7 * direction, random.rotation()}};
         DistanceResult one = distance(query.a, query.pose_a, query.b, query.pose_b);
         for (int approach = 0; approach < 20; ++approach) {
             query.pose_b.position += (gap - one.distance) * one.normal;

@@ -24,7 +24,9 @@ Point<Dim> farthest(const Cloud<Dim>& points, const Point<Dim>& direction) {
 
 template <int Dim>
 double cloud_distance(const Cloud<Dim>& a, const Cloud<Dim>& b) {
-    const auto support = [&](const Point<Dim>& d) -> Point<Dim> { return farthest<Dim>(a, d) - farthest<Dim>(b, Point<Dim>(-d)); };
+    const auto support = [&](const Point<Dim>& d) -> Point<Dim> {
+        return farthest<Dim>(a, d) - farthest<Dim>(b, Point<Dim>(-d));
+    };
     return reference_gjk<Dim>(support).distance;
 }
 
@@ -119,7 +121,8 @@ TEST_CASE("tetrahedra in space agree with brute force") { compare_with_brute_for
 TEST_CASE("axis-aligned boxes have the distance of their gaps") {
     using P2 = Point<2>;
     using P3 = Point<3>;
-    CHECK(cloud_distance<2>(box<2>(P2(0, 0), P2(1, 1)), box<2>(P2(4, 5), P2(6, 6))) == doctest::Approx(5.0).epsilon(1e-14));
+    CHECK(cloud_distance<2>(box<2>(P2(0, 0), P2(1, 1)), box<2>(P2(4, 5), P2(6, 6))) ==
+          doctest::Approx(5.0).epsilon(1e-14));
     // Gaps of 2, 3 and 6 along the axes: sqrt(4 + 9 + 36) = 7.
     CHECK(cloud_distance<3>(box<3>(P3(0, 0, 0), P3(1, 1, 1)), box<3>(P3(3, 4, 7), P3(5, 5, 8))) ==
           doctest::Approx(7.0).epsilon(1e-14));

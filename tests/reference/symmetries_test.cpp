@@ -1,4 +1,5 @@
-// What must hold bit for bit on the hard families too: swap, powers of two, exact translations, quarter turns, warm starts.
+// What must hold bit for bit on the hard families too: swap, powers of two, exact translations, quarter turns, warm
+// starts.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -24,7 +25,8 @@ DistanceResult measure(const PairQuery& q, SimplexCache* cache = nullptr) {
 }
 
 bool same_numbers(const DistanceResult& one, const DistanceResult& other) {
-    return one.distance == other.distance && one.lower == other.lower && one.upper == other.upper && one.status == other.status;
+    return one.distance == other.distance && one.lower == other.lower && one.upper == other.upper &&
+           one.status == other.status;
 }
 
 // Calls check(query, answer, random) for pairs of every family that has answers.
@@ -48,7 +50,8 @@ PairQuery quarter_turned(PairQuery q) {
     return q;
 }
 
-// Whether 2^exponent times the number is exact, and stays where products of four such lengths neither overflow nor vanish.
+// Whether 2^exponent times the number is exact, and stays where products of four such lengths neither overflow nor
+// vanish.
 bool scales_exactly(double number, int exponent) {
     const double scaled = std::ldexp(number, exponent);
     return number == 0.0 || (std::abs(scaled) > 0x1p-200 && std::abs(scaled) < 0x1p200 && std::abs(number) > 0x1p-200);
@@ -78,14 +81,16 @@ double snap_to_grid(PairQuery& q) {
                                      std::abs(q.pose_b.position.x), std::abs(q.pose_b.position.y), 0x1p-900});
     const double step = std::ldexp(1.0, std::ilogb(largest) - 30);
     for (Pose* pose : {&q.pose_a, &q.pose_b})
-        pose->position = {std::nearbyint(pose->position.x / step) * step, std::nearbyint(pose->position.y / step) * step};
+        pose->position = {std::nearbyint(pose->position.x / step) * step,
+                          std::nearbyint(pose->position.y / step) * step};
     return step;
 }
 
 // Families of pairs whose features are never within rounding of each other, so that one of them is the closest.
 constexpr std::array<std::string_view, 13> kClearFamilies{
-    "random", "random_scale", "random_apart", "random_many_vertices", "near_gap", "near_overlap", "far_1km", "far_16km",
-    "far_100km", "drifted_rotations", "scales", "touching_circles", "trajectory"};
+    "random",    "random_scale", "random_apart", "random_many_vertices", "near_gap", "near_overlap",
+    "far_1km",   "far_16km",     "far_100km",    "drifted_rotations",    "scales",   "touching_circles",
+    "trajectory"};
 
 }  // namespace
 
@@ -109,7 +114,9 @@ TEST_CASE("on every family, powers of two scale every length bit for bit") {
         for (const DVec2 position : {query.pose_a.position, query.pose_b.position})
             if (!scales_exactly(position.x, k) || !scales_exactly(position.y, k)) return;
         ++scaled_pairs;
-        const DistanceResult grown = measure({scaled(query.a, k), scaled(query.b, k), {scaled(query.pose_a.position, k), query.pose_a.rotation},
+        const DistanceResult grown = measure({scaled(query.a, k),
+                                              scaled(query.b, k),
+                                              {scaled(query.pose_a.position, k), query.pose_a.rotation},
                                               {scaled(query.pose_b.position, k), query.pose_b.rotation}});
         CHECK(std::ldexp(answer.distance, k) == grown.distance);
         CHECK(std::ldexp(answer.lower, k) == grown.lower);
@@ -134,7 +141,8 @@ TEST_CASE("on every family, exact translations change no number") {
     });
 }
 
-TEST_CASE("warm answers have the bits of cold ones where one closest pair stands out: stale, random and foreign caches") {
+TEST_CASE(
+    "warm answers have the bits of cold ones where one closest pair stands out: stale, random and foreign caches") {
     int unique = 0;
     for (const std::string_view name : kClearFamilies) {
         const PairFamily* family = find_pair_family(name);

@@ -188,5 +188,6 @@ TEST_CASE("a camera is widened to what is marked, unless that is too far away") 
     const Framing frame(widened({.bodies = {far, near}}), kAspect);
     CHECK(frame.holds({-7.0, -4.0}, {9.5, 4.0}));
     CHECK(frame.bottom > -20.0);
-    CHECK(Framing(widened({.regions = {{DVec2{0.0, 6.0}, {2.0, 6.0}, {2.0, 9.0}, {0.0, 9.0}}}}), kAspect).holds({0.0, 0.0}, {2.0, 9.0}));
+    CHECK(Framing(widened({.regions = {{DVec2{0.0, 6.0}, {2.0, 6.0}, {2.0, 9.0}, {0.0, 9.0}}}}), kAspect)
+              .holds({0.0, 0.0}, {2.0, 9.0}));
 }

@@ -28,9 +28,9 @@ std::vector<Vec2> regular_polygon(int count, float radius) {
     return points;
 }
 
-// Half a pixel on either side of the edge is blended linearly. Along a smooth edge that keeps the area up to pi / 12 of a
-// pixel, at a right corner up to 1 / 12, at sharper ones a little more; each blended pixel is rounded by 1/510 at most,
-// without bias. For the shapes below, of 4000 pixels and more, that is well within 0.05 %.
+// Half a pixel on either side of the edge is blended linearly. Along a smooth edge that keeps the area up to pi / 12 of
+// a pixel, at a right corner up to 1 / 12, at sharper ones a little more; each blended pixel is rounded by 1/510 at
+// most, without bias. For the shapes below, of 4000 pixels and more, that is well within 0.05 %.
 constexpr double kAreaTolerance = 0.0005;
 
 void check_area(PixelCanvas& canvas, const Shape& shape, double scale) {
@@ -39,8 +39,8 @@ void check_area(PixelCanvas& canvas, const Shape& shape, double scale) {
     for (const double angle : {0.0, 0.3, 1.0, 2.5}) {
         const Pose pose{{0.0131, -0.0077}, make_rotation(angle)};
         const double drawn = coverage(canvas.draw_shape(shape, pose, scale));
-        CHECK_MESSAGE(std::abs(drawn - exact) <= kAreaTolerance * exact, "angle " << angle << ": " << drawn
-                                                                                 << " pixels instead of " << exact);
+        CHECK_MESSAGE(std::abs(drawn - exact) <= kAreaTolerance * exact,
+                      "angle " << angle << ": " << drawn << " pixels instead of " << exact);
     }
 }
 
@@ -160,8 +160,8 @@ TEST_CASE("text is drawn in its colour, whole pixels apart from its atlas positi
     CHECK(stem > 1.5);
     CHECK(stem < 3.5);
     for (int row = 0; row < 60; ++row) CHECK(pixel(first, 8, row) == kBlack);
-    CHECK(pixel(first, 13, 45) == kBlack);           // the I ends at the baseline
-    draw_text("other glyphs between");               // moves the next ones elsewhere in the atlas
+    CHECK(pixel(first, 13, 45) == kBlack);  // the I ends at the baseline
+    draw_text("other glyphs between");      // moves the next ones elsewhere in the atlas
     CHECK(draw_text("Ig").rgba == first.rgba);
     PixelCanvas other(160, 60);
     Layer layer;

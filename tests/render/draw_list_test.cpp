@@ -171,7 +171,8 @@ TEST_CASE("a rope is drawn over its wheels, a gear from its axle to where it mee
     const DrawList pulley = build(s);
     CHECK(pulley.details.circles.size() == 4);
     REQUIRE(pulley.details.boxes.size() == 3);
-    for (const BoxInstance& line : pulley.details.boxes) CHECK(std::max(line.half_x, line.half_y) == doctest::Approx(20.0));
+    for (const BoxInstance& line : pulley.details.boxes)
+        CHECK(std::max(line.half_x, line.half_y) == doctest::Approx(20.0));
     CHECK(pulley.details.circles[1].y == doctest::Approx(40.0));
 
     const BodyId wall = s.add_dynamic("wall", {100.0, 42.0}, make_circle(0.2f));
@@ -275,7 +276,8 @@ TEST_CASE("a marking outlines what is in view and points at what is not") {
     add_marking(layer, kView, s.built.world, {.bodies = {seen}});
     CHECK(layer.boxes.size() == 4);
     layer.clear();
-    add_marking(layer, kView, s.built.world, {.regions = {{DVec2{90.0, 45.0}, {95.0, 45.0}, {95.0, 48.0}, {90.0, 48.0}}}});
+    add_marking(layer, kView, s.built.world,
+                {.regions = {{DVec2{90.0, 45.0}, {95.0, 45.0}, {95.0, 48.0}, {90.0, 48.0}}}});
     REQUIRE(layer.boxes.size() == 4);
     CHECK(layer.boxes[0].x == doctest::Approx(-75.0));  // the lower edge, from -10 m to -5 m of the middle
     CHECK(layer.boxes[0].y == doctest::Approx(-50.0));

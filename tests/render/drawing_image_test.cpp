@@ -73,7 +73,8 @@ TEST_CASE("polygons cover their area, convex or not, in either order of their po
 TEST_CASE("a point given again does not fade what its polygon covers") {
     for (const DVec2 again : {DVec2{10.0, 10.0}, DVec2{10.0, 10.001}}) {
         Drawing drawing = on_black(100, 100);
-        drawing.polygon({{10.0, 10.0}, {90.0, 10.0}, {90.0, 90.0}, {90.0, 90.0}, {10.0, 90.0}, again}, {255, 255, 255, 102}, 0.0, {});
+        drawing.polygon({{10.0, 10.0}, {90.0, 10.0}, {90.0, 90.0}, {90.0, 90.0}, {10.0, 90.0}, again},
+                        {255, 255, 255, 102}, 0.0, {});
         const Image image = draw_image(drawing);
         CHECK(pixel(image, 50, 50).r == doctest::Approx(102).epsilon(0.01));  // 40 % of white, all over
         CHECK(coverage(image) == doctest::Approx(0.4 * 6400.0).epsilon(0.01));

@@ -25,7 +25,8 @@ struct HandMadeScene {
     Scene scene;
     SceneWorld built;
 
-    BodyId add(std::string name, BodyType type, DVec2 position, const std::vector<Shape>& shapes, double degrees = 0.0) {
+    BodyId add(std::string name, BodyType type, DVec2 position, const std::vector<Shape>& shapes,
+               double degrees = 0.0) {
         SceneBody body;
         body.name = name;
         body.type = type;

@@ -98,10 +98,9 @@ TEST_CASE("each built shape finds the material of the scene's shape it came from
     scene.materials.push_back({.name = "b", .color = "#00bb00"});
     scene.materials.push_back({.name = "c", .color = "#0000cc"});
     const std::vector<DVec2> points{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}};
-    scene.bodies.push_back(body("mixed", BodyType::dynamic_body,
-                                {{ChainGeometry{points, false, false}, "a", ""},
-                                 {OutlineGeometry{points}, "b", ""},
-                                 circle("c")}));
+    scene.bodies.push_back(
+        body("mixed", BodyType::dynamic_body,
+             {{ChainGeometry{points, false, false}, "a", ""}, {OutlineGeometry{points}, "b", ""}, circle("c")}));
     // A chain of four points gives three segments; of six shapes the outline must be two.
     std::array<Paint, 6> paints;
     Palette(scene).paint_body(0, 0, paints);

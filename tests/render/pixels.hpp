@@ -47,8 +47,8 @@ private:
 };
 
 inline Color pixel(const Image& image, int column, int row) {
-    const std::size_t at = 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-                                static_cast<std::size_t>(column));
+    const std::size_t at =
+        4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column));
     return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2], image.rgba[at + 3]};
 }
 

@@ -19,9 +19,7 @@ std::uint64_t hash_after(const Scene& scene, int steps) {
     return built.world.state_hash();
 }
 
-Scene reread(const Scene& scene) {
-    return parse_scene(to_json(scene), "written.json");
-}
+Scene reread(const Scene& scene) { return parse_scene(to_json(scene), "written.json"); }
 
 }  // namespace
 
@@ -169,16 +167,20 @@ TEST_CASE("a scene made by a program is checked as a file is") {
 TEST_CASE("the segments of a chain become neighbours, open on the right of its direction or on both sides") {
     const auto falls_to = [](const std::string& chain, double from, double speed) {
         const Scene scene = parse_scene(R"({"format": 1, "bodies": [
-            {"type": "static", "shapes": [{"chain": )" + chain + R"(, "material": "ice"}]},
-            {"position": [-4, )" + std::to_string(from) + R"(], "velocity": [)" + std::to_string(speed) + R"(, 0],
+            {"type": "static", "shapes": [{"chain": )" +
+                                            chain + R"(, "material": "ice"}]},
+            {"position": [-4, )" + std::to_string(from) +
+                                            R"(], "velocity": [)" + std::to_string(speed) + R"(, 0],
              "shapes": [{"box": {"size": [0.5, 0.5]}, "material": "ice"}]}],
-            "materials": {"ice": {"friction": 0}}})", "");
+            "materials": {"ice": {"friction": 0}}})",
+                                        "");
         SceneWorld built = build_world(scene);
         for (int step = 0; step < 60; ++step) built.world.step();
         return built.world.state(built.bodies[1].id).pose;
     };
     const std::string points = R"([[9, 0], [4.3, 0], [2, 0], [0.1, 0], [-1.9, 0], [-3.1, 0], [-9, 0]])";
-    const std::string one_sided = "{\"points\": " + points + "}", two_sided = "{\"points\": " + points + ", \"two_sided\": true}";
+    const std::string one_sided = "{\"points\": " + points + "}",
+                      two_sided = "{\"points\": " + points + ", \"two_sided\": true}";
     const Pose slid = falls_to(one_sided, 0.25, 8.0);  // its right is up
     CHECK(slid.position.x == doctest::Approx(4.0).epsilon(1e-5));
     CHECK(slid.position.y == doctest::Approx(0.25).epsilon(1e-3));

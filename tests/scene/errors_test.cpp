@@ -177,20 +177,28 @@ TEST_CASE("hints suggest what was meant") {
 
 TEST_CASE("of what is repeated or comes later the hints know the names") {
     const auto hint_of = [](const std::string& more) {
-        return error_of(R"({"format": 1, "bodies": [{"name": "plank", "repeat": {"grid": {"columns": 4, "spacing": [2, 1]}}}], "joints": [{"type": "revolute",
-            "name": "hinge", "bodies": ["plank[0]", "plank[1]"], "anchor": [1, 0], "repeat": {"columns": 3}})" + more + "]}").hint;
+        return error_of(
+                   R"({"format": 1, "bodies": [{"name": "plank", "repeat": {"grid": {"columns": 4, "spacing": [2, 1]}}}], "joints": [{"type": "revolute",
+            "name": "hinge", "bodies": ["plank[0]", "plank[1]"], "anchor": [1, 0], "repeat": {"columns": 3}})" +
+                   more + "]}")
+            .hint;
     };
-    const auto hint_of_release = [&](const std::string& name) { return hint_of(R"(], "timeline": [{"at": 1, "release": ")" + name + "\"}"); };
+    const auto hint_of_release = [&](const std::string& name) {
+        return hint_of(R"(], "timeline": [{"at": 1, "release": ")" + name + "\"}");
+    };
     CHECK(hint_of_release("hinge") == "the copies are called hinge[0] to hinge[2]");
     CHECK(hint_of_release("hinge[3]") == "the copies are called hinge[0] to hinge[2]");
     CHECK(hint_of_release("hing") == "did you mean 'hinge'? the copies are called hinge[0] to hinge[2]");
     const auto hint_of_despawn = [&](const std::string& name) {
-        return hint_of(R"(], "timeline": [{"every": 1, "spawn": {"name": "drop"}}, {"at": 1, "despawn": ")" + name + "\"}");
+        return hint_of(R"(], "timeline": [{"every": 1, "spawn": {"name": "drop"}}, {"at": 1, "despawn": ")" + name +
+                       "\"}");
     };
     CHECK(hint_of_despawn("plonk[1]") == "did you mean 'plank'? the copies are called plank[0] to plank[3]");
     CHECK(hint_of_despawn("drop") == "the copies are called drop[0], drop[1] and so on");
-    CHECK(hint_of(R"(, {"type": "weld", "bodies": ["plank[0]", "late"], "anchor": [0, 0]}], "timeline": [{"at": 1, "spawn": {"name": "late"}})") ==
-          "the timeline makes it: it is not there from the start");
+    CHECK(
+        hint_of(
+            R"(, {"type": "weld", "bodies": ["plank[0]", "late"], "anchor": [0, 0]}], "timeline": [{"at": 1, "spawn": {"name": "late"}})") ==
+        "the timeline makes it: it is not there from the start");
 }
 
 TEST_CASE("hints translate the habits of other engines") {
@@ -199,17 +207,23 @@ TEST_CASE("hints translate the habits of other engines") {
     CHECK(hint_of(before + R"("x": 3)" + after) == "\"position\": [x, y]");
     CHECK(hint_of(before + R"("rotation": 3)" + after).starts_with("\"angle\""));
     CHECK(hint_of(before + R"("position": {"x": 1, "y": 2.5})" + after) == "[1, 2.5]");
-    CHECK(hint_of(test::with_shape(R"({"type": "circle", "circle": {"radius": 1}})")).find(R"({"circle": {"radius": 1}})") != std::string::npos);
+    CHECK(hint_of(test::with_shape(R"({"type": "circle", "circle": {"radius": 1}})"))
+              .find(R"({"circle": {"radius": 1}})") != std::string::npos);
     CHECK(hint_of(test::with_shape(R"({"box": {"width": 2, "size": [1, 1]}})")) == "\"size\": [width, height]");
-    CHECK(hint_of(test::with_shape(R"({"circle": {"radius": 1}, "material": "rubber"})")).starts_with(R"("materials": {"rubber": )"));
-    CHECK(hint_of(test::with_joint(R"("type": "revolute", "bodyA": "a", "bodies": ["a", "b"], "anchor": [0, 0])")).starts_with("\"bodies\""));
-    CHECK(hint_of(test::with_joint(R"("type": "hinge", "bodies": ["a", "b"], "anchor": [0, 0])")) == "here it is called 'revolute'");
+    CHECK(hint_of(test::with_shape(R"({"circle": {"radius": 1}, "material": "rubber"})"))
+              .starts_with(R"("materials": {"rubber": )"));
+    CHECK(hint_of(test::with_joint(R"("type": "revolute", "bodyA": "a", "bodies": ["a", "b"], "anchor": [0, 0])"))
+              .starts_with("\"bodies\""));
+    CHECK(hint_of(test::with_joint(R"("type": "hinge", "bodies": ["a", "b"], "anchor": [0, 0])")) ==
+          "here it is called 'revolute'");
     CHECK(hint_of(R"({"format": 1, "world": {"gravity": -10}})") == "a number for x and one for y: [0, -10]");
     CHECK(hint_of(R"({"format": 1, "materials": {"m": {"color": "red"}}})") == "for example \"#d33\"");
     CHECK(hint_of(R"({"format": 1, "expect": [{"count": 3, "region": [[0, 0], [1, 1]]}]})") == "[3, 3] for exactly 3");
-    CHECK(hint_of(R"({"format": 1, "bodies": [{"name": "a"}], "expect": [{"body": "a", "height": [0, 1], "from": 1}]})") ==
+    CHECK(hint_of(
+              R"({"format": 1, "bodies": [{"name": "a"}], "expect": [{"body": "a", "height": [0, 1], "from": 1}]})") ==
           R"("when": "always" or "sometime" makes it one)");
-    CHECK(hint_of(R"({"format": 1, "timeline": [{"at": 1, "joint": "j", "motor_speed": 3}]})") == "no joint has a \"name\"");
+    CHECK(hint_of(R"({"format": 1, "timeline": [{"at": 1, "joint": "j", "motor_speed": 3}]})") ==
+          "no joint has a \"name\"");
 }
 
 TEST_CASE("an unreadable file is a FileError with path and reason") {

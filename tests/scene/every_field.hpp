@@ -11,10 +11,12 @@ inline std::vector<std::string> scenes_with_every_field() {
         R"("bodies": [{"name": "ground", "type": "static", "shapes": [{"box": {"size": [40, 1]}}]}, {"name": "a", "position": [0, 5], "shapes": [{"circle": {"radius": 1}}]}], )";
     const std::string joint = bodies + R"("joints": [{"bodies": ["ground", "a"], )";
     const std::string event =
-        bodies + R"("joints": [{"type": "mouse", "name": "pull", "bodies": ["ground", "a"], "anchor": [0, 5], "max_force": 10},
+        bodies +
+        R"("joints": [{"type": "mouse", "name": "pull", "bodies": ["ground", "a"], "anchor": [0, 5], "max_force": 10},
                      {"type": "wheel", "name": "wheel", "bodies": ["ground", "a"], "anchor": [0, 5], "axis": [0, 1], "motor": {"speed": 1, "max_torque": 2}}], "timeline": [{"at": 1, )";
     const std::string claim_start =
-        bodies + R"("joints": [{"type": "weld", "name": "weld", "bodies": ["ground", "a"], "anchor": [0, 5]}], "expect": [{)";
+        bodies +
+        R"("joints": [{"type": "weld", "name": "weld", "bodies": ["ground", "a"], "anchor": [0, 5]}], "expect": [{)";
     const std::string shape = R"("bodies": [{"shapes": [{)";
     std::vector<std::string> scenes = {
         R"("$schema": "scene.schema.json", "name": "all", "description": "Everything.",
@@ -43,25 +45,33 @@ inline std::vector<std::string> scenes_with_every_field() {
         joint + R"("name": "j", "type": "revolute", "anchor": [0, 5], "reference_angle": 0, "limits": [-10, 10],
                    "motor": {"speed": 5, "max_torque": 2}, "spring": {"hertz": 2, "damping_ratio": 0.5}, "break_force": 100, "break_torque": 100,
                    "collide_connected": true, "custom": 1}])",
-        joint + R"("type": "distance", "anchors": [[0, 0], [0, 0]], "length": 5, "limits": [1, 9], "motor": {"speed": 5, "max_force": 2}}])",
+        joint +
+            R"("type": "distance", "anchors": [[0, 0], [0, 0]], "length": 5, "limits": [1, 9], "motor": {"speed": 5, "max_force": 2}}])",
         joint + R"("type": "prismatic", "anchor": [0, 5], "axis": [1, 0]}])",
         joint + R"("type": "weld", "anchor": [0, 5], "angular_spring": {"hertz": 2, "damping_ratio": 0.5}}])",
-        joint + R"("type": "pulley", "anchors": [[0, 2], [0, 0]], "ground_anchors": [[0, 9], [1, 9]], "length": 12, "ratio": 2}])",
-        joint + R"("type": "revolute", "name": "hinge", "anchor": [0, 5]}, {"bodies": ["ground", "a"], "type": "prismatic", "name": "rail", "anchor": [0, 5], "axis": [0, 1]},
+        joint +
+            R"("type": "pulley", "anchors": [[0, 2], [0, 0]], "ground_anchors": [[0, 9], [1, 9]], "length": 12, "ratio": 2}])",
+        joint +
+            R"("type": "revolute", "name": "hinge", "anchor": [0, 5]}, {"bodies": ["ground", "a"], "type": "prismatic", "name": "rail", "anchor": [0, 5], "axis": [0, 1]},
                    {"type": "gear", "joints": ["hinge", "rail"], "ratio": -0.5, "break_torque": 3, "collide_connected": true}])",
-        joint + R"("type": "motor", "anchor": [0, 5], "velocity": [1, 0], "angular_velocity": 3, "max_force": 10, "max_torque": 10}])",
-        bodies + R"("timeline": [{"every": 0.5, "from": 1, "until": 2, "spawn": {"name": "drop", "position": [9, 9]}}, {"at": 1, "gravity": [0, 1]}])",
+        joint +
+            R"("type": "motor", "anchor": [0, 5], "velocity": [1, 0], "angular_velocity": 3, "max_force": 10, "max_torque": 10}])",
+        bodies +
+            R"("timeline": [{"every": 0.5, "from": 1, "until": 2, "spawn": {"name": "drop", "position": [9, 9]}}, {"at": 1, "gravity": [0, 1]}])",
     };
-    for (const char* action :
-         {R"("body": "a", "impulse": [1, 0])", R"("body": "a", "angular_impulse": 1)", R"("body": "a", "force": [1, 0], "until": 2)",
-          R"("body": "a", "torque": 1)", R"("body": "a", "velocity": [1, 0])", R"("body": "a", "angular_velocity": 1)",
-          R"("joint": "wheel", "motor_speed": 3)", R"("joint": "pull", "target": [1, 1])", R"("despawn": "a")", R"("release": "pull")"})
+    for (const char* action : {R"("body": "a", "impulse": [1, 0])", R"("body": "a", "angular_impulse": 1)",
+                               R"("body": "a", "force": [1, 0], "until": 2)", R"("body": "a", "torque": 1)",
+                               R"("body": "a", "velocity": [1, 0])", R"("body": "a", "angular_velocity": 1)",
+                               R"("joint": "wheel", "motor_speed": 3)", R"("joint": "pull", "target": [1, 1])",
+                               R"("despawn": "a")", R"("release": "pull")"})
         scenes.push_back(event + action + "}]");
     for (const char* claim :
-         {R"("at_rest_by": 2)", R"("max_penetration": 0.1)", R"("max_joint_error": 0.1, "joint": "weld", "from": 1, "until": 2)", R"("max_energy_gain": 5)",
-          R"("body": "a", "inside": [[0, 0], [1, 1]], "frame": {"position": [1, 2], "angle": 30})", R"("body": "a", "outside": [[0, 0], [1, 1]], "when": "always")",
-          R"("body": "a", "height": [0, 1], "at": 1)", R"("body": "a", "speed": [0, 1])", R"("body": "a", "angle": [-5, 5])",
-          R"("body": "a", "touches": "ground")", R"("body": "a", "never_touches": "ground")", R"("count": [0, 1], "region": [[0, 0], [1, 1]])",
+         {R"("at_rest_by": 2)", R"("max_penetration": 0.1)",
+          R"("max_joint_error": 0.1, "joint": "weld", "from": 1, "until": 2)", R"("max_energy_gain": 5)",
+          R"("body": "a", "inside": [[0, 0], [1, 1]], "frame": {"position": [1, 2], "angle": 30})",
+          R"("body": "a", "outside": [[0, 0], [1, 1]], "when": "always")", R"("body": "a", "height": [0, 1], "at": 1)",
+          R"("body": "a", "speed": [0, 1])", R"("body": "a", "angle": [-5, 5])", R"("body": "a", "touches": "ground")",
+          R"("body": "a", "never_touches": "ground")", R"("count": [0, 1], "region": [[0, 0], [1, 1]])",
           R"("event_count": [0, 9], "event": "contact_begin")", R"("state_hash": "0123456789abcdef")"})
         scenes.push_back(claim_start + claim + "}]");
     for (std::string& scene : scenes) scene = R"({"format": 1, )" + scene + "}";

@@ -69,13 +69,16 @@ TEST_CASE("a depth is judged by the deepest overlap of the run") {
 TEST_CASE("a place is looked at at its time, or at the end; what is never reached has failed") {
     const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
     // 1 m/s: at 0.5 m after half a second, at 1.5 m at the end.
-    CHECK(judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[0.49, -1], [0.51, 1]], "at": 0.5}])"), 90).passed);
+    CHECK(
+        judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[0.49, -1], [0.51, 1]], "at": 0.5}])"), 90).passed);
     CHECK(judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[1.49, -1], [1.51, 1]]}])"), 90).passed);
-    const ExpectationResult missed = judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[0, 0.1], [9, 1]]}])"), 90);
+    const ExpectationResult missed =
+        judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[0, 0.1], [9, 1]]}])"), 90);
     CHECK_FALSE(missed.passed);
     CHECK(missed.finding == "it is at [1.5, 0]");
     CHECK(missed.step == 90);
-    const ExpectationResult never = judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[-9, -9], [9, 9]], "at": 2}])"), 90);
+    const ExpectationResult never =
+        judge(make_disc_scene(kick + R"({"body": "disc", "inside": [[-9, -9], [9, 9]], "at": 2}])"), 90);
     CHECK_FALSE(never.passed);
     CHECK(never.finding == "the run ends before that");
     CHECK(never.step == 90);
@@ -85,24 +88,36 @@ TEST_CASE("a place is looked at at its time, or at the end; what is never reache
 TEST_CASE("a place can be claimed always, sometime, within a time, and from outside") {
     // 1 m/s from the origin: inside the box from 0.5 s to 1 s.
     const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
-    const std::string box = R"("body": "disc", "inside": [[0.5, -1], [1, 1]])", not_box = R"("body": "disc", "outside": [[0.5, -1], [1, 1]])";
+    const std::string box = R"("body": "disc", "inside": [[0.5, -1], [1, 1]])",
+                      not_box = R"("body": "disc", "outside": [[0.5, -1], [1, 1]])";
     CHECK(judge(make_disc_scene(kick + "{" + box + R"(, "when": "sometime"}])"), 120).passed);
     CHECK_FALSE(judge(make_disc_scene(kick + "{" + box + R"(, "when": "always"}])"), 120).passed);
-    CHECK(judge(make_disc_scene(kick + "{" + box + R"(, "when": "always", "from": 0.52, "until": 0.98}])"), 120).passed);
+    CHECK(
+        judge(make_disc_scene(kick + "{" + box + R"(, "when": "always", "from": 0.52, "until": 0.98}])"), 120).passed);
     CHECK_FALSE(judge(make_disc_scene(kick + "{" + box + R"(, "when": "sometime", "from": 1.1}])"), 120).passed);
     CHECK_FALSE(judge(make_disc_scene(kick + "{" + not_box + R"(, "when": "always"}])"), 120).passed);
     CHECK(judge(make_disc_scene(kick + "{" + not_box + R"(, "when": "always", "from": 1.02}])"), 120).passed);
     CHECK(judge(make_disc_scene(kick + "{" + not_box + "}]"), 120).passed);
     // The worst moment is that of the end: 2 m.
-    const ExpectationResult worst = judge(make_disc_scene(kick + R"({"body": "disc", "height": [0, 0]}, {"body": "disc", "inside": [[0, -1], [1, 1]], "when": "always"}])"), 120);
+    const ExpectationResult worst = judge(
+        make_disc_scene(
+            kick +
+            R"({"body": "disc", "height": [0, 0]}, {"body": "disc", "inside": [[0, -1], [1, 1]], "when": "always"}])"),
+        120);
     CHECK(worst.passed);
 }
 
 TEST_CASE("height, speed and angle lie between bounds") {
-    // Free fall for 1 s at -10 m/s^2: 10 m/s; in sub-steps of h = 1/240 s, 5 + 5 h m deep. 90 degrees/s: a quarter turn.
+    // Free fall for 1 s at -10 m/s^2: 10 m/s; in sub-steps of h = 1/240 s, 5 + 5 h m deep. 90 degrees/s: a quarter
+    // turn.
     const auto falling = [](const std::string& claim) {
-        return judge(parse_scene(R"({"format": 1, "bodies": [{"name": "disc", "angular_velocity": 90, "shapes": [{"circle": {"radius": 0.5}}]}],
-            "expect": [)" + claim + "]}", ""), 60);
+        return judge(
+            parse_scene(
+                R"({"format": 1, "bodies": [{"name": "disc", "angular_velocity": 90, "shapes": [{"circle": {"radius": 0.5}}]}],
+            "expect": [)" +
+                    claim + "]}",
+                ""),
+            60);
     };
     CHECK(falling(R"({"body": "disc", "height": [-5.03, -5.01], "at": 1})").passed);
     CHECK_FALSE(falling(R"({"body": "disc", "height": [-5, 0], "at": 1})").passed);
@@ -119,8 +134,12 @@ TEST_CASE("touching is known by contacts and sensors, and by who") {
     const auto thrown = [](const std::string& claim, const char* sensor) {
         return judge(parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
             {"name": "ball", "velocity": [4, 0], "shapes": [{"circle": {"radius": 0.5}}]},
-            {"name": "wall", "type": "static", "position": [3, 0], "shapes": [{"box": {"size": [1, 4]}, "sensor": )" + std::string(sensor) + R"(}]},
-            {"name": "other", "type": "static", "position": [0, 9], "shapes": [{"box": {"size": [1, 1]}}]}], "expect": [)" + claim + "]}", ""), 60);
+            {"name": "wall", "type": "static", "position": [3, 0], "shapes": [{"box": {"size": [1, 4]}, "sensor": )" +
+                                     std::string(sensor) + R"(}]},
+            {"name": "other", "type": "static", "position": [0, 9], "shapes": [{"box": {"size": [1, 1]}}]}], "expect": [)" +
+                                     claim + "]}",
+                                 ""),
+                     60);
     };
     for (const char* const sensor : {"false", "true"}) {
         CAPTURE(sensor);
@@ -148,7 +167,9 @@ TEST_CASE("who flies through a thin sensor within a step touches it in that step
         return judge(parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
             {"name": "ball", "velocity": [100, 0], "shapes": [{"circle": {"radius": 0.1}}]},
             {"name": "gate", "type": "static", "position": [4.175, 0], "shapes": [{"box": {"size": [0.05, 4]}, "sensor": true}]}],
-            "expect": [)" + claim + "]}", ""), 60);
+            "expect": [)" + claim + "]}",
+                                 ""),
+                     60);
     };
     CHECK(shot(R"({"body": "ball", "touches": "gate"})").passed);
     const ExpectationResult passed = shot(R"({"body": "ball", "never_touches": "gate"})");
@@ -157,14 +178,17 @@ TEST_CASE("who flies through a thin sensor within a step touches it in that step
     CHECK(passed.finding == "they touch");
 }
 
-TEST_CASE("a touch of a sensor that is missed says by how much, and one of a body that never comes that it is not there") {
+TEST_CASE(
+    "a touch of a sensor that is missed says by how much, and one of a body that never comes that it is not there") {
     const std::string scene = R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
         {"name": "ball", "velocity": [4, 0], "shapes": [{"circle": {"radius": 0.5}}]},
         {"name": "gate", "type": "static", "position": [9, 0], "shapes": [{"box": {"size": [1, 4]}, "sensor": true}]}],
         "timeline": [{"at": 8, "spawn": {"name": "late", "shapes": [{"circle": {"radius": 1}}]}}], "expect": [)";
     // A gap of 8 m, 4 m of which are behind it after a second.
-    CHECK(judge(parse_scene(scene + R"({"body": "ball", "touches": "gate"}]})", ""), 60).finding == "they are 4 m apart");
-    CHECK(judge(parse_scene(scene + R"({"body": "ball", "touches": "late"}]})", ""), 60).finding == "'late' is not there");
+    CHECK(judge(parse_scene(scene + R"({"body": "ball", "touches": "gate"}]})", ""), 60).finding ==
+          "they are 4 m apart");
+    CHECK(judge(parse_scene(scene + R"({"body": "ball", "touches": "late"}]})", ""), 60).finding ==
+          "'late' is not there");
 }
 
 TEST_CASE("the common name of copies claims of each where they are, and of any what they touch") {
@@ -174,7 +198,9 @@ TEST_CASE("the common name of copies claims of each where they are, and of any w
             {"name": "ball", "type": "kinematic", "position": [3, 0.9], "shapes": [{"circle": {"radius": 0.5}}]},
             {"name": "drop", "repeat": {"grid": {"columns": 3, "spacing": [3, 1]}}, "shapes": [{"circle": {"radius": 0.5}}]}],
             "timeline": [{"every": 0.25, "from": 0.5, "spawn": {"name": "late", "position": [20, 0], "shapes": [{"circle": {"radius": 0.5}}]}}],
-            "expect": [)" + claim + "]}", ""), 60);
+            "expect": [)" + claim + "]}",
+                                 ""),
+                     60);
     };
     CHECK(fall(R"({"body": "drop", "height": [-9, 1], "when": "always"})").passed);
     const ExpectationResult outside = fall(R"({"body": "drop", "inside": [[-1, -9], [4, 9]]})");
@@ -199,17 +225,24 @@ TEST_CASE("a claim reads as a sentence") {
         return judge(make_disc_scene("\"expect\": [" + claim + "]"), 1).claim;
     };
     CHECK(text(R"({"event_count": [1, 1], "event": "sensor_begin"})") == "exactly 1 'sensor_begin' happens by the end");
-    CHECK(text(R"({"event_count": [2, 3], "event": "contact_end", "body": "disc", "at": 2})") == "between 2 and 3 'contact_end' of 'disc' happen by 2 s");
-    CHECK(text(R"({"count": [0, 0], "region": [[0, 0], [1, 1]]})") == "exactly 0 bodies are in [0, 0] to [1, 1] at the end");
+    CHECK(text(R"({"event_count": [2, 3], "event": "contact_end", "body": "disc", "at": 2})") ==
+          "between 2 and 3 'contact_end' of 'disc' happen by 2 s");
+    CHECK(text(R"({"count": [0, 0], "region": [[0, 0], [1, 1]]})") ==
+          "exactly 0 bodies are in [0, 0] to [1, 1] at the end");
     CHECK(text(R"({"body": "disc", "height": [1, 2]})") == "the height of 'disc' is between 1 and 2 m at the end");
     CHECK(text(R"({"body": "disc", "angle": [0, 0]})") == "the angle of 'disc' is 0 degrees at the end");
 }
 
 TEST_CASE("bodies are counted where they are, and events as they happen") {
     const auto count = [](const std::string& claim) {
-        return judge(parse_scene(R"({"format": 1, "bodies": [{"type": "static", "position": [0, -0.5], "shapes": [{"box": {"size": [90, 1]}}]},
+        return judge(
+            parse_scene(
+                R"({"format": 1, "bodies": [{"type": "static", "position": [0, -0.5], "shapes": [{"box": {"size": [90, 1]}}]},
             {"name": "crate", "position": [0, 0.5], "repeat": {"grid": {"columns": 3, "spacing": [3, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]},
-            {"name": "ball", "position": [20, 5], "shapes": [{"circle": {"radius": 0.5}}]}], "expect": [)" + claim + "]}", ""), 90);
+            {"name": "ball", "position": [20, 5], "shapes": [{"circle": {"radius": 0.5}}]}], "expect": [)" +
+                    claim + "]}",
+                ""),
+            90);
     };
     CHECK(count(R"({"count": [3, 3], "region": [[-1, 0], [7, 1]]})").passed);
     CHECK(count(R"({"count": [4, 4], "region": [[-1, 0], [30, 9]]})").passed);
@@ -217,7 +250,8 @@ TEST_CASE("bodies are counted where they are, and events as they happen") {
     CHECK_FALSE(count(R"({"count": [4, 4], "body": "crate", "region": [[-1, 0], [30, 9]]})").passed);
     CHECK(count(R"({"count": [2, 2], "region": [[2, 0], [7, 1]]})").passed);
     CHECK(count(R"({"event_count": [4, 4], "event": "contact_begin"})").passed);
-    CHECK(count(R"({"event_count": [3, 3], "event": "contact_begin", "at": 0.5})").passed);  // the ball falls for 0.95 s
+    CHECK(
+        count(R"({"event_count": [3, 3], "event": "contact_begin", "at": 0.5})").passed);  // the ball falls for 0.95 s
     CHECK(count(R"({"event_count": [1, 1], "event": "contact_begin", "body": "ball"})").passed);
     CHECK(count(R"({"event_count": [0, 0], "event": "joint_broke"})").passed);
     const ExpectationResult wrong = count(R"({"event_count": [9, 9], "event": "contact_begin"})");
@@ -229,12 +263,17 @@ TEST_CASE("joints keep together, energy does not grow, and the hash is the one")
     const auto swing = [](const std::string& claim, const std::string& more = "") {
         return judge(parse_scene(R"({"format": 1, "bodies": [{"name": "pivot", "type": "static"},
             {"name": "bob", "position": [1, 0], "shapes": [{"circle": {"radius": 0.2}}]}],
-            "joints": [{"type": "revolute", "name": "hinge", "bodies": ["pivot", "bob"], "anchor": [0, 0]}], )" + more + R"("expect": [)" + claim + "]}", ""), 60);
+            "joints": [{"type": "revolute", "name": "hinge", "bodies": ["pivot", "bob"], "anchor": [0, 0]}], )" +
+                                     more + R"("expect": [)" + claim + "]}",
+                                 ""),
+                     60);
     };
     CHECK(swing(R"({"max_joint_error": 0.01})").passed);
     CHECK(swing(R"({"max_joint_error": 0.01, "joint": "hinge"})").passed);
-    // 1000 N on 0.126 kg open the soft hinge by more than F / (m w^2), w = 2 pi 60: 56 mm, and more as it swings faster.
-    const ExpectationResult torn = swing(R"({"max_joint_error": 0.01})", R"("timeline": [{"at": 0, "body": "bob", "force": [0, -1000]}], )");
+    // 1000 N on 0.126 kg open the soft hinge by more than F / (m w^2), w = 2 pi 60: 56 mm, and more as it swings
+    // faster.
+    const ExpectationResult torn =
+        swing(R"({"max_joint_error": 0.01})", R"("timeline": [{"at": 0, "body": "bob", "force": [0, -1000]}], )");
     CHECK_FALSE(torn.passed);
     CHECK(torn.finding.starts_with("the anchors of 'hinge' are "));
     CHECK(swing(R"({"max_energy_gain": 0.01})").passed);

@@ -7,8 +7,8 @@
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
-#include "tumble/scene_world.hpp"
 #include "tumble/scene_import.hpp"
+#include "tumble/scene_world.hpp"
 
 using namespace tumble;
 
@@ -182,7 +182,8 @@ TEST_CASE("what is filled moves, what is a line stands, and a word decides other
 
 TEST_CASE("circles and boxes survive similar maps only") {
     const auto only_body = [](const std::string& content) { return import_text(content).scene.bodies.at(0); };
-    const SceneBody box = only_body("<rect x='-2' y='-1' width='4' height='2' transform='translate(50 50) rotate(30) scale(3)'/>");
+    const SceneBody box =
+        only_body("<rect x='-2' y='-1' width='4' height='2' transform='translate(50 50) rotate(30) scale(3)'/>");
     CHECK(near(only_shape<BoxGeometry>(box).size, {0.12, 0.06}));
     CHECK(only_shape<BoxGeometry>(box).angle == doctest::Approx(-30.0));  // clockwise, as y is turned
     CHECK(near(box.position, {0.5, 0.5}));
@@ -192,13 +193,15 @@ TEST_CASE("circles and boxes survive similar maps only") {
     CHECK(area_of(sheared) == doctest::Approx(0.01));  // a shear keeps the area
     CHECK(only_shape<PolygonGeometry>(sheared).vertices.size() == 4);
     const SceneBody uneven = only_body("<rect width='40' height='20' rx='10' ry='5'/>");
-    // Four quarter ellipses are missing in full squares: 2 a b (4 - pi) / 2 in area, chords within 5 mm of 0.5 m of arcs.
+    // Four quarter ellipses are missing in full squares: 2 a b (4 - pi) / 2 in area, chords within 5 mm of 0.5 m of
+    // arcs.
     CHECK(std::abs(area_of(uneven) - (0.08 - 0.1 * 0.05 * (4.0 - kPi))) < 0.005 * 0.5);
 }
 
 TEST_CASE("units, percentages and the scale of the world") {
     const auto width_of = [](const std::string& width) {
-        return only_shape<BoxGeometry>(import_text("<rect height='1' width='" + width + "'/>").scene.bodies.at(0)).size.x;
+        return only_shape<BoxGeometry>(import_text("<rect height='1' width='" + width + "'/>").scene.bodies.at(0))
+            .size.x;
     };
     CHECK(width_of("96px") == doctest::Approx(0.96));
     CHECK(width_of("1in") == doctest::Approx(0.96));
@@ -220,7 +223,8 @@ TEST_CASE("holes by both fill rules") {
         CHECK(area_of(imported.scene.bodies.at(0)) == doctest::Approx(0.09));
         return notes_of(imported);
     };
-    const std::map<std::string, int> hole = {{"holes, which are filled in", 1}}, joined = {{"areas within areas, which are joined", 1}};
+    const std::map<std::string, int> hole = {{"holes, which are filled in", 1}},
+                                     joined = {{"areas within areas, which are joined", 1}};
     CHECK(notes(outer + same, "evenodd") == hole);
     CHECK(notes(outer + opposite, "evenodd") == hole);
     CHECK(notes(outer + same, "nonzero") == joined);
@@ -233,14 +237,16 @@ TEST_CASE("holes by both fill rules") {
 TEST_CASE("errors name the line, the column and what was expected") {
     CHECK(error_of("<svg>\n  <rect width='2' height='x'/>\n</svg>")
               .starts_with("test.svg:2:4: <rect>: height: expected a number at character 1, got \"x\""));
-    CHECK(error_of("<svg>\n<path d='M0 0 L1'/>\n<circle r='-1'/></svg>").find("test.svg:3:2: <circle>: r must not be negative") !=
-          std::string::npos);
+    CHECK(error_of("<svg>\n<path d='M0 0 L1'/>\n<circle r='-1'/></svg>")
+              .find("test.svg:3:2: <circle>: r must not be negative") != std::string::npos);
     CHECK(error_of("<svg>\n <g>\n</svg>").starts_with("test.svg:3:"));
     CHECK(error_of("<html/>").find("expected an <svg> element, got \"html\"") != std::string::npos);
     CHECK(error_of("").find("test.svg") == 0);
-    CHECK(error_of("<svg><rect data-type='heavy'/></svg>").find("data-type must be static, kinematic or dynamic") != std::string::npos);
+    CHECK(error_of("<svg><rect data-type='heavy'/></svg>").find("data-type must be static, kinematic or dynamic") !=
+          std::string::npos);
     CHECK(error_of("<svg><rect width='50%' height='1'/></svg>").find("width: a percentage needs") != std::string::npos);
-    CHECK(error_of("<svg><g id='a'><use href='#a'/></g></svg>").find("references are nested deeper than 100") != std::string::npos);
+    CHECK(error_of("<svg><g id='a'><use href='#a'/></g></svg>").find("references are nested deeper than 100") !=
+          std::string::npos);
     CHECK_THROWS_AS(import_svg(kData / "missing.svg"), FileError);
     std::string deep;
     for (int i = 0; i < 100000; ++i) deep += "<g>";

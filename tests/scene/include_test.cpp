@@ -8,8 +8,8 @@
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
-#include "tumble/scene_world.hpp"
 #include "tumble/scene_run.hpp"
+#include "tumble/scene_world.hpp"
 
 using namespace tumble;
 
@@ -148,8 +148,11 @@ TEST_CASE("the copies of a repeated body turn with the part") {
 
 TEST_CASE("a part at any angle moves as it does alone, seen from its place") {
     // In a world without gravity nothing tells a turned part from an upright one.
-    Files files = {{"part.json", kPart},
-                   {"main.json", scene_text(R"("world": {"gravity": [0, 0]}, "include": [{"file": "part.json", "position": [3, 8], "angle": 37}])")}};
+    Files files = {
+        {"part.json", kPart},
+        {"main.json",
+         scene_text(
+             R"("world": {"gravity": [0, 0]}, "include": [{"file": "part.json", "position": [3, 8], "angle": 37}])")}};
     const Scene placed = load(files);
     files["main.json"] = scene_text(R"("world": {"gravity": [0, 0]}, "include": [{"file": "part.json"}])");
     const Scene alone = load(files);
@@ -164,7 +167,8 @@ TEST_CASE("a part at any angle moves as it does alone, seen from its place") {
             const DVec2 p = a.world().state(a.built().bodies[i].id).pose.position;
             const double c = std::cos(37 * kPi / 180), s = std::sin(37 * kPi / 180);
             const DVec2 there(3 + c * p.x - s * p.y, 8 + s * p.x + c * p.y);
-            CHECK_MESSAGE(length(b.world().state(b.built().bodies[i].id).pose.position - there) < kRounding, step, " ", b.built().bodies[i].name);
+            CHECK_MESSAGE(length(b.world().state(b.built().bodies[i].id).pose.position - there) < kRounding, step, " ",
+                          b.built().bodies[i].name);
         }
     }
 }
@@ -172,21 +176,24 @@ TEST_CASE("a part at any angle moves as it does alone, seen from its place") {
 TEST_CASE("claims of a part are measured in its frame") {
     for (const double angle : {0.0, 90.0, 37.0, -120.0}) {
         Files files = kQuarterTurn;
-        files["main.json"] = scene_text(R"("world": {"gravity": [0, 0], "duration": 0.1}, "include": [{"file": "parts/arm.json", "position": [10, -4], "angle": )" +
-                                        std::to_string(angle) + "}]");
+        files["main.json"] = scene_text(
+            R"("world": {"gravity": [0, 0], "duration": 0.1}, "include": [{"file": "parts/arm.json", "position": [10, -4], "angle": )" +
+            std::to_string(angle) + "}]");
         const Scene scene = load(files);
         SceneRun run(scene);
         ExpectationWatch watch(scene, run.built());
         watch.observe(run.built());
         const std::vector<ExpectationResult> results = watch.results();
         REQUIRE(results.size() == 5);
-        for (const std::size_t of_place : {0u, 1u, 2u}) CHECK_MESSAGE(results[of_place].passed, results[of_place].claim);
+        for (const std::size_t of_place : {0u, 1u, 2u})
+            CHECK_MESSAGE(results[of_place].passed, results[of_place].claim);
     }
 }
 
 TEST_CASE("a frame moves and turns what a claim measures") {
     // The ball is at (3, 4); seen from a frame at (1, 4) turned by 90 degrees it is at (0, -2), and its angle is -60.
-    const std::string start = R"("world": {"gravity": [0, 0]}, "bodies": [{"name": "ball", "position": [3, 4], "angle": 30, "shapes": [{"circle": {"radius": 0.1}}]}], "expect": [{"body": "ball", "at": 0, "frame": {"position": [1, 4], "angle": 90}, )";
+    const std::string start =
+        R"("world": {"gravity": [0, 0]}, "bodies": [{"name": "ball", "position": [3, 4], "angle": 30, "shapes": [{"circle": {"radius": 0.1}}]}], "expect": [{"body": "ball", "at": 0, "frame": {"position": [1, 4], "angle": 90}, )";
     struct Case {
         const char* claim;
         bool holds;
@@ -210,9 +217,7 @@ TEST_CASE("a frame moves and turns what a claim measures") {
 }
 
 TEST_CASE("one file can be included twice, and the scene's own joints reach both") {
-    const Scene scene = load(
-        {{"parts/arm.json", kPart},
-         {"main.json", scene_text(R"(
+    const Scene scene = load({{"parts/arm.json", kPart}, {"main.json", scene_text(R"(
             "include": [{"file": "parts/arm.json", "prefix": "a/"}, {"file": "parts/arm.json", "position": [20, 0], "prefix": "b/"}],
             "bodies": [{"name": "hub"}],
             "joints": [{"type": "weld", "bodies": ["a/arm", "b/row[3]"], "anchor": [0, 0]}])")}});
@@ -225,9 +230,11 @@ TEST_CASE("one file can be included twice, and the scene's own joints reach both
 
 TEST_CASE("includes nest: places and prefixes add up") {
     // wheel at (1, 0) in the axle; the axle at (2, 0), turned by 90, in the car; the car at (0, 5): wheel at (2, 6).
-    const Files files = {{"main.json", includes(R"({"file": "cars/car.json", "position": [0, 5], "prefix": "car/"})")},
-                         {"cars/car.json", includes(R"({"file": "../parts/axle.json", "position": [2, 0], "angle": 90, "prefix": "front/"})")},
-                         {"parts/axle.json", scene_text(R"("bodies": [{"name": "wheel", "position": [1, 0], "angle": 10}])")}};
+    const Files files = {
+        {"main.json", includes(R"({"file": "cars/car.json", "position": [0, 5], "prefix": "car/"})")},
+        {"cars/car.json",
+         includes(R"({"file": "../parts/axle.json", "position": [2, 0], "angle": 90, "prefix": "front/"})")},
+        {"parts/axle.json", scene_text(R"("bodies": [{"name": "wheel", "position": [1, 0], "angle": 10}])")}};
     const Scene scene = load(files);
     REQUIRE(scene.bodies.size() == 1);
     CHECK(scene.bodies[0].name == "car/front/wheel");
@@ -269,9 +276,10 @@ TEST_CASE("a scene file includes from its own folder, and is written as it was")
 }
 
 TEST_CASE("an included error is shown in its own file, with who included it") {
-    const std::vector<Diagnostic> errors = errors_of({{"main.json", "{\"format\": 1,\n \"include\": [{\"file\": \"a/car.json\"}]}"},
-                                                      {"a/car.json", "{\"format\": 1, \"include\": [\n{\"file\": \"wheel.json\"}]}"},
-                                                      {"a/wheel.json", "{\"format\": 1,\n \"bodies\": [{\"angel\": 3}]}"}});
+    const std::vector<Diagnostic> errors =
+        errors_of({{"main.json", "{\"format\": 1,\n \"include\": [{\"file\": \"a/car.json\"}]}"},
+                   {"a/car.json", "{\"format\": 1, \"include\": [\n{\"file\": \"wheel.json\"}]}"},
+                   {"a/wheel.json", "{\"format\": 1,\n \"bodies\": [{\"angel\": 3}]}"}});
     REQUIRE(errors.size() == 1);
     CHECK(to_string(errors[0]) ==
           "a/wheel.json:2:14: /bodies/0/angel: unknown key \"angel\"\n"
@@ -286,8 +294,8 @@ TEST_CASE("errors of several parts are together at most 20") {
     std::string bodies = R"("bodies": [{"angle": null})";
     for (int i = 1; i < 15; ++i) bodies += R"(, {"angle": null})";
     const std::string bad = scene_text(bodies + "]");
-    const std::vector<Diagnostic> errors =
-        errors_of({{"a.json", bad}, {"b.json", bad}, {"main.json", includes(R"({"file": "a.json"}, {"file": "b.json"})")}});
+    const std::vector<Diagnostic> errors = errors_of(
+        {{"a.json", bad}, {"b.json", bad}, {"main.json", includes(R"({"file": "a.json"}, {"file": "b.json"})")}});
     REQUIRE(errors.size() == 20);
     CHECK(errors[14].file == "a.json");
     CHECK(errors[15].file == "b.json");
@@ -295,8 +303,9 @@ TEST_CASE("errors of several parts are together at most 20") {
 }
 
 TEST_CASE("a misspelt include hides the errors of no other") {
-    const std::vector<Diagnostic> errors = errors_of({{"bad.json", scene_text(R"("bodies": [{"angle": null}])")},
-                                                      {"main.json", includes(R"({"file": "no.json"}, {"path": "x"}, {"file": "bad.json"})")}});
+    const std::vector<Diagnostic> errors =
+        errors_of({{"bad.json", scene_text(R"("bodies": [{"angle": null}])")},
+                   {"main.json", includes(R"({"file": "no.json"}, {"path": "x"}, {"file": "bad.json"})")}});
     REQUIRE(errors.size() == 4);
     CHECK(errors[0].pointer == "/include/0/file");
     CHECK(errors[1].pointer == "/include/1");
@@ -305,8 +314,10 @@ TEST_CASE("a misspelt include hides the errors of no other") {
 }
 
 TEST_CASE("warnings of a part come once, however often it is included") {
-    const std::string hull = scene_text(R"("bodies": [{"shapes": [{"polygon": {"vertices": [[0, 0], [2, 0], [2, 2], [1, 0.5], [0, 2]]}}]}])");
-    const Files files = {{"main.json", includes(R"({"file": "hull.json"}, {"file": "hull.json", "position": [9, 9]})")}, {"hull.json", hull}};
+    const std::string hull = scene_text(
+        R"("bodies": [{"shapes": [{"polygon": {"vertices": [[0, 0], [2, 0], [2, 2], [1, 0.5], [0, 2]]}}]}])");
+    const Files files = {{"main.json", includes(R"({"file": "hull.json"}, {"file": "hull.json", "position": [9, 9]})")},
+                         {"hull.json", hull}};
     std::vector<Diagnostic> warnings;
     parse_scene(files.at("main.json"), "main.json", with_files(files), &warnings);
     REQUIRE(warnings.size() == 1);
@@ -315,7 +326,8 @@ TEST_CASE("warnings of a part come once, however often it is included") {
 }
 
 TEST_CASE("an include that cannot be is refused at its place") {
-    const std::string body = scene_text(R"("bodies": [{"name": "a", "shapes": [{"circle": {"radius": 1}}]}], "materials": {"m": {"friction": 0.1}})");
+    const std::string body = scene_text(
+        R"("bodies": [{"name": "a", "shapes": [{"circle": {"radius": 1}}]}], "materials": {"m": {"friction": 0.1}})");
     struct Case {
         Files files;
         std::string pointer, message, hint;
@@ -326,30 +338,45 @@ TEST_CASE("an include that cannot be is refused at its place") {
         return files;
     };
     const std::string long_prefix(300, 'p');
-    for (const Case& c : {
-             Case{with_main({}, includes(R"({"file": "no.json"})")), "/include/0/file", "no.json: No such file or directory", "folder"},
-             Case{with_main({}, includes(R"({"file": "main.json"})")), "/include/0/file", "includes itself: main.json > main.json", ""},
-             Case{with_main({}, includes(R"({"file": "./x/../main.json"})")), "/include/0/file", "includes itself", ""},
-             Case{with_main({{"b.json", includes(R"({"file": "c.json"})")}, {"c.json", includes(R"({"file": "b.json"})")}},
-                            includes(R"({"file": "b.json"})")),
-                  "/include/0/file", "includes itself: main.json > b.json > c.json > b.json", ""},
-             Case{with_main(bodies, includes(R"({"file": "a.json"}, {"file": "a.json"})")), "/include/1",
-                  R"(/bodies/0/name of a.json: "a" is the name of /bodies/0 of a.json already)", "prefix"},
-             Case{with_main(bodies, scene_text(R"("bodies": [{"name": "a"}], "include": [{"file": "a.json"}])")), "/include/0",
-                  R"("a" is the name of /bodies/0 already)", "prefix"},
-             Case{with_main(bodies, scene_text(R"("materials": {"m": {}}, "include": [{"file": "a.json"}])")), "/include/0",
-                  R"(has another material "m")", ""},
-             Case{with_main(bodies, includes(R"({"file": "a.json", "prefix": ")" + long_prefix + R"("})")), "/include/0", "longer than 256 bytes", ""},
-             Case{with_main(bodies, includes(R"({"file": "a.json", "position": [1e9, 0]}, {"file": "b.json", "position": [1e9, 0], "prefix": "b"})")),
-                  "/include/1/file", "b.json", ""},
-             Case{with_main({{"far.json", scene_text(R"("bodies": [{"position": [1e9, 0]}])")}}, includes(R"({"file": "far.json", "position": [1, 0]})")),
-                  "/include/0", "a position out of range", ""},
-             Case{with_main({{"fast.json", scene_text(R"("world": {"steps_per_second": 240}, "timeline": [{"every": 0.005, "spawn": {}}])")}},
-                            includes(R"({"file": "fast.json"})")),
-                  "/include/0", "/timeline/0/every of fast.json: is shorter than a step", ""},
-             Case{with_main(bodies, includes(R"({"position": [1, 0]})")), "/include/0", "the key \"file\" is missing", ""},
-             Case{with_main(bodies, includes(R"({"file": "a.json", "angel": 1})")), "/include/0/angel", "unknown key", "angle"},
-         }) {
+    for (
+        const Case& c : {
+            Case{with_main({}, includes(R"({"file": "no.json"})")), "/include/0/file",
+                 "no.json: No such file or directory", "folder"},
+            Case{with_main({}, includes(R"({"file": "main.json"})")), "/include/0/file",
+                 "includes itself: main.json > main.json", ""},
+            Case{with_main({}, includes(R"({"file": "./x/../main.json"})")), "/include/0/file", "includes itself", ""},
+            Case{with_main(
+                     {{"b.json", includes(R"({"file": "c.json"})")}, {"c.json", includes(R"({"file": "b.json"})")}},
+                     includes(R"({"file": "b.json"})")),
+                 "/include/0/file", "includes itself: main.json > b.json > c.json > b.json", ""},
+            Case{with_main(bodies, includes(R"({"file": "a.json"}, {"file": "a.json"})")), "/include/1",
+                 R"(/bodies/0/name of a.json: "a" is the name of /bodies/0 of a.json already)", "prefix"},
+            Case{with_main(bodies, scene_text(R"("bodies": [{"name": "a"}], "include": [{"file": "a.json"}])")),
+                 "/include/0", R"("a" is the name of /bodies/0 already)", "prefix"},
+            Case{with_main(bodies, scene_text(R"("materials": {"m": {}}, "include": [{"file": "a.json"}])")),
+                 "/include/0", R"(has another material "m")", ""},
+            Case{with_main(bodies, includes(R"({"file": "a.json", "prefix": ")" + long_prefix + R"("})")), "/include/0",
+                 "longer than 256 bytes", ""},
+            Case{
+                with_main(
+                    bodies,
+                    includes(
+                        R"({"file": "a.json", "position": [1e9, 0]}, {"file": "b.json", "position": [1e9, 0], "prefix": "b"})")),
+                "/include/1/file", "b.json", ""},
+            Case{with_main({{"far.json", scene_text(R"("bodies": [{"position": [1e9, 0]}])")}},
+                           includes(R"({"file": "far.json", "position": [1, 0]})")),
+                 "/include/0", "a position out of range", ""},
+            Case{
+                with_main({{"fast.json",
+                            scene_text(
+                                R"("world": {"steps_per_second": 240}, "timeline": [{"every": 0.005, "spawn": {}}])")}},
+                          includes(R"({"file": "fast.json"})")),
+                "/include/0", "/timeline/0/every of fast.json: is shorter than a step", ""},
+            Case{with_main(bodies, includes(R"({"position": [1, 0]})")), "/include/0", "the key \"file\" is missing",
+                 ""},
+            Case{with_main(bodies, includes(R"({"file": "a.json", "angel": 1})")), "/include/0/angel", "unknown key",
+                 "angle"},
+        }) {
         CAPTURE(c.files.at("main.json"));
         const std::vector<Diagnostic> errors = errors_of(c.files);
         REQUIRE(errors.size() >= 1);
@@ -363,13 +390,16 @@ TEST_CASE("an include that cannot be is refused at its place") {
 
 TEST_CASE("equal materials of several files are one") {
     const std::string with_material = scene_text(R"("materials": {"m": {"friction": 0.1}})");
-    const Scene scene = load({{"a.json", with_material}, {"b.json", with_material}, {"main.json", includes(R"({"file": "a.json"}, {"file": "b.json"})")}});
+    const Scene scene = load({{"a.json", with_material},
+                              {"b.json", with_material},
+                              {"main.json", includes(R"({"file": "a.json"}, {"file": "b.json"})")}});
     CHECK(scene.materials.size() == 1);
 }
 
 TEST_CASE("files that include each other deeply, or double each other, end") {
     Files deep = {{"main.json", includes(R"({"file": "0.json"})")}};
-    for (int i = 0; i < 30; ++i) deep[std::to_string(i) + ".json"] = includes("{\"file\": \"" + std::to_string(i + 1) + ".json\"}");
+    for (int i = 0; i < 30; ++i)
+        deep[std::to_string(i) + ".json"] = includes("{\"file\": \"" + std::to_string(i + 1) + ".json\"}");
     const std::vector<Diagnostic> too_deep = errors_of(deep);
     REQUIRE(too_deep.size() == 1);
     CHECK(too_deep[0].message.find("more than 16 files deep") != std::string::npos);
@@ -388,5 +418,6 @@ TEST_CASE("files that include each other deeply, or double each other, end") {
 }
 
 TEST_CASE("a text that is no file includes nothing") {
-    CHECK_THROWS_WITH_AS(parse_scene(includes(R"({"file": "a.json"})"), "text"), doctest::Contains("a text that is no file"), SceneError);
+    CHECK_THROWS_WITH_AS(parse_scene(includes(R"({"file": "a.json"})"), "text"),
+                         doctest::Contains("a text that is no file"), SceneError);
 }

@@ -119,7 +119,7 @@ TEST_CASE("a gear may stand before its joints, and has their second bodies") {
         {"type": "gear", "name": "teeth", "joints": ["hinge", "rail"], "ratio": -0.25, "break_torque": 7},
         {"type": "prismatic", "name": "rail", "bodies": ["wall", "b"], "anchor": [5, 0], "axis": [0, 1]},
         {"type": "revolute", "name": "hinge", "bodies": ["wall", "a"], "anchor": [1, 0]}]})",
-                                                    "gear.json"));
+                                                     "gear.json"));
     REQUIRE(built.joints.size() == 3);
     CHECK(built.joints[2].name == "teeth");
     CHECK(built.joints[2].source == 0);
@@ -140,7 +140,8 @@ TEST_CASE("a repeated gear goes through copy after copy of its joints, a repeate
         {"name": "weight", "position": [0, -5], "repeat": {"grid": {"columns": 4, "spacing": [3, 0]}}}],
         "joints": [
         {"type": "revolute", "name": "axle", "bodies": ["wall", "wheel[0]"], "anchor": [0, 0], "repeat": {"columns": 4}},
-        {"type": "gear", "name": "train", "joints": ["axle[0]", "axle[1]"], "repeat": {"columns": )" + columns + R"(}},
+        {"type": "gear", "name": "train", "joints": ["axle[0]", "axle[1]"], "repeat": {"columns": )" +
+               columns + R"(}},
         {"type": "pulley", "bodies": ["weight[0]", "weight[1]"], "anchors": [[0, 0], [0, 0]],
          "ground_anchors": [[0, -1], [3, -1]], "repeat": {"columns": 3}}]})";
     };
@@ -169,7 +170,7 @@ TEST_CASE("a repeated joint ties copy after copy, its anchor at the same place i
         "joints": [
         {"type": "revolute", "name": "link", "bodies": ["plank[0]", "plank[1]"], "anchor": [5, 1], "repeat": {"columns": 3}},
         {"type": "prismatic", "name": "rail", "bodies": ["post", "plank[1]"], "anchor": [0, 5], "axis": [0, 1], "repeat": {"columns": 3}}]})",
-                                                    "ring.json"));
+                                                     "ring.json"));
     REQUIRE(built.joints.size() == 6);
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& link = std::get<RevoluteJointDef>(built.world.joint(built.joints[i].id));
@@ -193,7 +194,7 @@ TEST_CASE("rows of a repeated joint start row_step copies on") {
         {"name": "ball", "repeat": {"grid": {"columns": 3, "rows": 2}}, "shapes": [{"circle": {"radius": 0.4}}]}],
         "joints": [{"type": "revolute", "bodies": ["ball[0]", "ball[1]"], "anchors": [[0.5, 0], [-0.5, 0]],
                     "repeat": {"columns": 2, "rows": 2, "row_step": 3}}]})",
-                                                    "net.json"));
+                                                     "net.json"));
     REQUIRE(built.joints.size() == 4);
     const std::size_t firsts[] = {0, 1, 3, 4};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -207,7 +208,8 @@ TEST_CASE("a repeated joint is refused where copies are missing or tied twice") 
     const auto error_of = [](const std::string& repeat) -> std::string {
         try {
             parse_scene(R"({"format": 1, "bodies": [{"name": "ball", "repeat": {"grid": {"columns": 3, "rows": 2}}}],
-                "joints": [{"type": "filter", "bodies": ["ball[0]", "ball[1]"], "repeat": )" + repeat + "}]}",
+                "joints": [{"type": "filter", "bodies": ["ball[0]", "ball[1]"], "repeat": )" +
+                            repeat + "}]}",
                         "net.json");
         } catch (const SceneError& error) {
             return error.diagnostics.front().pointer + ": " + error.diagnostics.front().message;
@@ -217,5 +219,6 @@ TEST_CASE("a repeated joint is refused where copies are missing or tied twice") 
     CHECK(error_of(R"({"columns": 5})").empty());
     CHECK(error_of(R"({"columns": 6})") == "/joints/0/repeat: needs 5 copies after \"ball[1]\", there are 4");
     CHECK(error_of(R"({"columns": 2, "rows": 2})") == "/joints/0/repeat: has rows that tie the same copies again");
-    CHECK(error_of(R"({"columns": 1000000, "rows": 1000000, "row_step": 1000000})").starts_with("/joints/0: makes 1000000000000 joints"));
+    CHECK(error_of(R"({"columns": 1000000, "rows": 1000000, "row_step": 1000000})")
+              .starts_with("/joints/0: makes 1000000000000 joints"));
 }

@@ -1,5 +1,5 @@
-// What `validate` warns of: each lint at its place with its reason, by the smallest scene that earns it, and by one beside
-// it that does not.
+// What `validate` warns of: each lint at its place with its reason, by the smallest scene that earns it, and by one
+// beside it that does not.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace {
 
 std::vector<Diagnostic> warnings_of(const std::string& bodies, const std::string& rest = "") {
     std::vector<Diagnostic> warnings;
-    parse_scene(R"({"format": 1, "bodies": [)" + bodies + "]" + rest + "}", "scene.json", {.overrides = {}, .seed = {}, .lint = true},
-                &warnings);
+    parse_scene(R"({"format": 1, "bodies": [)" + bodies + "]" + rest + "}", "scene.json",
+                {.overrides = {}, .seed = {}, .lint = true}, &warnings);
     return warnings;
 }
 
@@ -29,14 +29,17 @@ Diagnostic warning_of(const std::string& bodies, const std::string& rest = "") {
     return warnings[0];
 }
 
-bool says(const Diagnostic& warning, const std::string& part) { return warning.message.find(part) != std::string::npos; }
+bool says(const Diagnostic& warning, const std::string& part) {
+    return warning.message.find(part) != std::string::npos;
+}
 
 const std::string kGround = R"({"type": "static", "position": [0, -0.5], "shapes": [{"box": {"size": [90, 1]}}]}, )";
 
 }  // namespace
 
 TEST_CASE("slivers and sizes out of range are warned of, on bodies that move") {
-    const Diagnostic thin = warning_of(R"({"position": [0, 5], "shapes": [{"polygon": {"vertices": [[0, 0], [3, 1], [3, 1.02]]}}]})");
+    const Diagnostic thin =
+        warning_of(R"({"position": [0, 5], "shapes": [{"polygon": {"vertices": [[0, 0], [3, 1], [3, 1.02]]}}]})");
     CHECK(thin.pointer == "/bodies/0/shapes/0");
     CHECK(says(thin, "sliver"));
     CHECK(warnings_of(R"({"shapes": [{"box": {"size": [3, 0.04]}}]})").empty());
@@ -54,19 +57,25 @@ TEST_CASE("a body that moves farther in a step than it is thick is warned of, un
     CHECK(says(fast, "is 1 m in a step, and the body is 0.5 m thick: it may pass through other moving bodies"));
     CHECK(warnings_of(target + ball + R"(, "bullet": true})").empty());
     CHECK(warnings_of(target + ball + "}", R"(, "world": {"steps_per_second": 240})").empty());
-    const Diagnostic unswept = warning_of(target + ball + R"(, "bullet": true})", R"(, "world": {"continuous": false})");
+    const Diagnostic unswept =
+        warning_of(target + ball + R"(, "bullet": true})", R"(, "world": {"continuous": false})");
     CHECK(says(unswept, "whatever is in its way, as the world is not continuous"));
     CHECK(unswept.hint.find(R"("continuous": true)") != std::string::npos);
     // No body is faster than 400 m/s: 6.67 m a step.
-    CHECK(says(warning_of(target + R"({"velocity": [0, 90000], "shapes": [{"circle": {"radius": 0.25}}]})"), "is 6.67 m in a step"));
+    CHECK(says(warning_of(target + R"({"velocity": [0, 90000], "shapes": [{"circle": {"radius": 0.25}}]})"),
+               "is 6.67 m in a step"));
 }
 
-TEST_CASE("a body whose ends turn farther in a step than it is thick is warned of, one that is round or does not turn is not") {
+TEST_CASE(
+    "a body whose ends turn farther in a step than it is thick is warned of, one that is round or does not turn is "
+    "not") {
     // 1200 degrees/s at 60 Hz: 0.349 rad; the ends are 2.0025 m from the centre of mass, the blade is 0.2 m thick.
     const auto blade = [](const std::string& more) {
-        return R"({"position": [50, 0], "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "blade", "shapes": [{"box": {"size": [4, 0.2], "center": [7, 0]}}])" + more + "}";
+        return R"({"position": [50, 0], "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "blade", "shapes": [{"box": {"size": [4, 0.2], "center": [7, 0]}}])" +
+               more + "}";
     };
-    const std::string spin = R"(, "angular_velocity": -1200)", later = R"(, "timeline": [{"at": 1, "body": "blade", "angular_velocity": 1200}])";
+    const std::string spin = R"(, "angular_velocity": -1200)",
+                      later = R"(, "timeline": [{"at": 1, "body": "blade", "angular_velocity": 1200}])";
     const Diagnostic spinning = warning_of(blade(spin));
     CHECK(spinning.pointer == "/bodies/1/angular_velocity");
     CHECK(says(spinning, "moves its ends by up to 0.699 m in a step, and the body is 0.2 m thick"));
@@ -78,31 +87,39 @@ TEST_CASE("a body whose ends turn farther in a step than it is thick is warned o
     CHECK(says(warning_of(blade(R"(, "angular_velocity": 90000)")), "by up to 1.57 m"));
     CHECK(says(warning_of(blade(R"(, "angular_velocity": 9000, "allow_fast_rotation": true)")), "by up to 5.24 m"));
     // A mass of its own far outside: the farthest corner is 9.0006 m from there.
-    CHECK(says(warning_of(blade(spin + R"(, "mass": {"mass": 1, "center": [0, 0], "inertia": 1})")), "by up to 3.14 m"));
-    const std::string wheel = R"({"position": [50, 0], "shapes": [{"circle": {"radius": 0.5}}]}, {"shapes": [{"circle": {"radius": 0.5, "center": [3, 0]}}], "allow_fast_rotation": true, "angular_velocity": 90000})";
+    CHECK(
+        says(warning_of(blade(spin + R"(, "mass": {"mass": 1, "center": [0, 0], "inertia": 1})")), "by up to 3.14 m"));
+    const std::string wheel =
+        R"({"position": [50, 0], "shapes": [{"circle": {"radius": 0.5}}]}, {"shapes": [{"circle": {"radius": 0.5, "center": [3, 0]}}], "allow_fast_rotation": true, "angular_velocity": 90000})";
     CHECK(warnings_of(wheel).empty());
 }
 
 TEST_CASE("an arm that a motor swings farther in a step than it is thick is warned of, at the fastest speed") {
     // 900 degrees/s of a tip 2 m away at 60 Hz: 15.7 x 2 / 60 = 0.524 m; the arm is 0.2 m thick.
-    const std::string bodies = R"({"name": "wall", "type": "static", "position": [-1, 0]}, {"name": "ball", "position": [0, 5], "shapes": [{"circle": {"radius": 0.5}}]},
+    const std::string bodies =
+        R"({"name": "wall", "type": "static", "position": [-1, 0]}, {"name": "ball", "position": [0, 5], "shapes": [{"circle": {"radius": 0.5}}]},
         {"name": "arm", "shapes": [{"box": {"size": [2, 0.2]}}])";
     const auto joint = [](const std::string& speed, const std::string& events) {
-        return R"(, "joints": [{"type": "revolute", "name": "hinge", "bodies": ["wall", "arm"], "anchor": [-1, 0], "motor": {"speed": )" + speed +
-               R"(, "max_torque": 100}}], "timeline": [)" + events + "]";
+        return R"(, "joints": [{"type": "revolute", "name": "hinge", "bodies": ["wall", "arm"], "anchor": [-1, 0], "motor": {"speed": )" +
+               speed + R"(, "max_torque": 100}}], "timeline": [)" + events + "]";
     };
     const Diagnostic fast = warning_of(bodies + "}", joint("900", ""));
     CHECK(fast.pointer == "/joints/0/motor");
     CHECK(says(fast, "moves 'arm' by up to 0.524 m in a step, and the body is 0.2 m thick"));
-    CHECK(warning_of(bodies + "}", joint("0", R"({"at": 1, "joint": "hinge", "motor_speed": -900})")).pointer == "/timeline/0/motor_speed");
-    CHECK(warning_of(bodies + "}", joint("900", R"({"at": 1, "joint": "hinge", "motor_speed": -800})")).pointer == "/joints/0/motor");
+    CHECK(warning_of(bodies + "}", joint("0", R"({"at": 1, "joint": "hinge", "motor_speed": -900})")).pointer ==
+          "/timeline/0/motor_speed");
+    CHECK(warning_of(bodies + "}", joint("900", R"({"at": 1, "joint": "hinge", "motor_speed": -800})")).pointer ==
+          "/joints/0/motor");
     CHECK(warnings_of(bodies + R"(, "bullet": true})", joint("900", "")).empty());
-    CHECK(says(warning_of(bodies + R"(, "bullet": true})", joint("900", "") + R"(, "world": {"continuous": false})"), "not continuous"));
+    CHECK(says(warning_of(bodies + R"(, "bullet": true})", joint("900", "") + R"(, "world": {"continuous": false})"),
+               "not continuous"));
     CHECK(warnings_of(bodies + "}", joint("300", "")).empty());
-    CHECK(says(warning_of(bodies + "}", joint("0", R"({"at": 1, "body": "ball", "velocity": [90, 0]})")), "is 1.5 m in a step"));
+    CHECK(says(warning_of(bodies + "}", joint("0", R"({"at": 1, "body": "ball", "velocity": [90, 0]})")),
+               "is 1.5 m in a step"));
     // A motor joint drives by velocities of its own: 30 / 60 m, and 1800 degrees/s of the tip.
     const auto drive = [](const std::string& velocity) {
-        return R"(, "joints": [{"type": "motor", "bodies": ["wall", "arm"], "anchor": [-1, 0], "max_force": 1, "max_torque": 1, )" + velocity + "}]";
+        return R"(, "joints": [{"type": "motor", "bodies": ["wall", "arm"], "anchor": [-1, 0], "max_force": 1, "max_torque": 1, )" +
+               velocity + "}]";
     };
     CHECK(says(warning_of(bodies + "}", drive(R"("velocity": [18, 24])")), "moves 'arm' by up to 0.5 m in a step"));
     const Diagnostic turned = warning_of(bodies + "}", drive(R"("velocity": [0, 9], "angular_velocity": 1800)"));
@@ -112,8 +129,9 @@ TEST_CASE("an arm that a motor swings farther in a step than it is thick is warn
 
 TEST_CASE("a chain that bodies start behind is warned of, one that they stand on is not") {
     const auto on_chain = [](const std::string& points, const std::string& more = "") {
-        return warnings_of(R"({"name": "hills", "type": "static", "shapes": [{"circle": {"radius": 0.1}}, {"chain": {"points": )" + points + more +
-                           R"(}}]}, {"name": "car", "position": [2, 3], "shapes": [{"circle": {"radius": 0.5}}]})");
+        return warnings_of(
+            R"({"name": "hills", "type": "static", "shapes": [{"circle": {"radius": 0.1}}, {"chain": {"points": )" +
+            points + more + R"(}}]}, {"name": "car", "position": [2, 3], "shapes": [{"circle": {"radius": 0.5}}]})");
     };
     const std::string to_the_right = "[[-9, 0], [0, 0], [9, 1]]", to_the_left = "[[9, 1], [0, 0], [-9, 0]]";
     const std::vector<Diagnostic> wrong = on_chain(to_the_right);
@@ -127,21 +145,26 @@ TEST_CASE("a chain that bodies start behind is warned of, one that they stand on
     CHECK(on_chain("[[0, 0], [0, 9], [4, 9], [4, 0]]", R"(, "loop": true)").empty());
     CHECK(on_chain("[[0, 0], [4, 0], [4, 9], [0, 9]]", R"(, "loop": true)").size() == 1);
     // Held up by something nearer.
-    CHECK(warnings_of(R"({"name": "hills", "type": "static", "shapes": [{"chain": {"points": )" + to_the_right + R"(}}, {"box": {"size": [9, 1], "center": [0, 1.5]}}]},
-        {"name": "car", "position": [2, 3], "shapes": [{"circle": {"radius": 0.5}}]})").empty());
+    CHECK(warnings_of(R"({"name": "hills", "type": "static", "shapes": [{"chain": {"points": )" + to_the_right +
+                      R"(}}, {"box": {"size": [9, 1], "center": [0, 1.5]}}]},
+        {"name": "car", "position": [2, 3], "shapes": [{"circle": {"radius": 0.5}}]})")
+              .empty());
 }
 
 TEST_CASE("joints that start apart or act far away, and springs too stiff for the steps are warned of") {
-    const std::string bodies = R"({"name": "a", "shapes": [{"box": {"size": [1, 1]}}]}, {"name": "b", "position": [8, 0], "shapes": [{"box": {"size": [1, 1]}}]})";
+    const std::string bodies =
+        R"({"name": "a", "shapes": [{"box": {"size": [1, 1]}}]}, {"name": "b", "position": [8, 0], "shapes": [{"box": {"size": [1, 1]}}]})";
     const auto tied = [](const std::string& joint) {
         return R"(, "world": {"gravity": [0, 0]}, "joints": [{"bodies": ["a", "b"], )" + joint + "}]";
     };
     const std::string rod = R"("type": "distance", "anchors": [[0, 0], [0, 0]])";
-    CHECK(says(warning_of(bodies, tied(rod + R"(, "length": 30)")), "starts 22 m apart from where it holds 'a' and 'b'"));
+    CHECK(
+        says(warning_of(bodies, tied(rod + R"(, "length": 30)")), "starts 22 m apart from where it holds 'a' and 'b'"));
     CHECK(warnings_of(bodies, tied(rod + R"(, "length": 8.05)")).empty());
     CHECK(warnings_of(bodies, tied(rod + R"(, "limits": [0, 9])")).empty());
     CHECK(warnings_of(bodies, tied(rod + R"(, "length": 30, "spring": {"hertz": 2})")).empty());
-    CHECK(says(warning_of(bodies, tied(R"("type": "revolute", "anchor": [50, 50])")), "acts at [50, 50], far away from both 'a' and 'b'"));
+    CHECK(says(warning_of(bodies, tied(R"("type": "revolute", "anchor": [50, 50])")),
+               "acts at [50, 50], far away from both 'a' and 'b'"));
     CHECK(warnings_of(bodies, tied(R"("type": "revolute", "anchor": [0, -9])")).empty());
     // 0.15 of 240 sub-steps a second.
     const Diagnostic stiff = warning_of(bodies, tied(rod + R"(, "spring": {"hertz": 36.5})"));
@@ -151,10 +174,15 @@ TEST_CASE("joints that start apart or act far away, and springs too stiff for th
 }
 
 TEST_CASE("what the run never comes to, and what nothing obeys, is warned of") {
-    const std::string bodies = R"({"name": "ball", "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "wall", "type": "static", "position": [9, 0]},
+    const std::string bodies =
+        R"({"name": "ball", "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "wall", "type": "static", "position": [9, 0]},
         {"name": "lift", "type": "kinematic", "position": [-9, 0], "shapes": [{"box": {"size": [1, 1]}}]})";
-    const auto event = [](const std::string& text) { return R"(, "world": {"duration": 3}, "timeline": [)" + text + "]"; };
-    const auto claim = [](const std::string& text) { return R"(, "world": {"duration": 3}, "expect": [)" + text + "]"; };
+    const auto event = [](const std::string& text) {
+        return R"(, "world": {"duration": 3}, "timeline": [)" + text + "]";
+    };
+    const auto claim = [](const std::string& text) {
+        return R"(, "world": {"duration": 3}, "expect": [)" + text + "]";
+    };
     CHECK(says(warning_of(bodies, event(R"({"at": 3, "gravity": [0, 0]})")), "the run ends at 3 s: it never happens"));
     CHECK(warnings_of(bodies, event(R"({"at": 2.98, "gravity": [0, 0]})")).empty());
     CHECK(warning_of(bodies, event(R"({"every": 1, "from": 4, "gravity": [0, 0]})")).pointer == "/timeline/0/from");
@@ -163,90 +191,123 @@ TEST_CASE("what the run never comes to, and what nothing obeys, is warned of") {
     CHECK(warning_of(bodies, claim(R"({"body": "ball", "height": [0, 1], "at": 8})")).pointer == "/expect/0/at");
     CHECK(says(warning_of(bodies, event(R"({"at": 1, "body": "wall", "impulse": [1, 0]})")), "is static"));
     CHECK(says(warning_of(bodies, event(R"({"at": 1, "body": "lift", "torque": 1})")), "is kinematic"));
-    CHECK(warnings_of(bodies, event(R"({"at": 1, "body": "lift", "velocity": [1, 0]}, {"at": 1, "body": "ball", "torque": 1})")).empty());
-    const Diagnostic gone = warning_of(bodies, event(R"({"at": 2, "body": "ball", "impulse": [1, 0]}, {"at": 1, "despawn": "ball"})"));
+    CHECK(warnings_of(bodies,
+                      event(R"({"at": 1, "body": "lift", "velocity": [1, 0]}, {"at": 1, "body": "ball", "torque": 1})"))
+              .empty());
+    const Diagnostic gone =
+        warning_of(bodies, event(R"({"at": 2, "body": "ball", "impulse": [1, 0]}, {"at": 1, "despawn": "ball"})"));
     CHECK(gone.pointer == "/timeline/0/body");
     CHECK(says(gone, "goes at 1 s"));
-    // What is called alike, a body that comes and a joint that goes, are two things; a body that comes again has not gone.
+    // What is called alike, a body that comes and a joint that goes, are two things; a body that comes again has not
+    // gone.
     const std::string late = R"({"at": 0.5, "spawn": {"name": "hinge", "position": [0, 9]}}, {"at": 1, )";
     const auto hinged = [&](const std::string& end) {
         return R"(, "joints": [{"type": "revolute", "name": "hinge", "bodies": ["wall", "ball"], "anchor": [9, 0], "motor": {"speed": 1, "max_torque": 1}}])" +
                event(late + end);
     };
-    CHECK(warning_of(bodies, hinged(R"("release": "hinge"}, {"at": 2, "joint": "hinge", "motor_speed": 0})")).pointer == "/timeline/2/joint");
+    CHECK(warning_of(bodies, hinged(R"("release": "hinge"}, {"at": 2, "joint": "hinge", "motor_speed": 0})")).pointer ==
+          "/timeline/2/joint");
     CHECK(warnings_of(bodies, hinged(R"("despawn": "hinge"}, {"at": 2, "body": "hinge", "impulse": [1, 0]})")).empty());
 }
 
 TEST_CASE("bodies of segments and sensors alone are warned of, as they weigh nothing") {
-    CHECK(says(warning_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})"), "counts as 1 kg that does not turn"));
+    CHECK(says(warning_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})"),
+               "counts as 1 kg that does not turn"));
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 1}, "sensor": true}]})"), "weigh nothing"));
-    CHECK(warnings_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}], "mass": {"mass": 2, "inertia": 1}})").empty());
-    CHECK(warnings_of(R"({"name": "pin"}, {"type": "static", "shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})").empty());
+    CHECK(warnings_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}], "mass": {"mass": 2, "inertia": 1}})")
+              .empty());
+    CHECK(warnings_of(R"({"name": "pin"}, {"type": "static", "shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})")
+              .empty());
 }
 
 TEST_CASE("a static body with a velocity is warned of") {
-    CHECK(says(warning_of(R"({"type": "static", "velocity": [1, 0], "shapes": [{"circle": {"radius": 1}}]})"), "it does not move"));
+    CHECK(says(warning_of(R"({"type": "static", "velocity": [1, 0], "shapes": [{"circle": {"radius": 1}}]})"),
+               "it does not move"));
     CHECK(warnings_of(R"({"type": "kinematic", "velocity": [1, 0], "shapes": [{"circle": {"radius": 1}}]})").empty());
 }
 
 TEST_CASE("masses that differ by more than a hundred are warned of where they touch or are tied") {
     const std::string light = R"({"name": "light", "position": [0, 0.5], "shapes": [{"box": {"size": [1, 1]}}]}, )";
     // 1 kg under 4 x 4 x 10 = 160 kg.
-    const std::string heavy = R"({"name": "heavy", "position": [0, 3], "shapes": [{"box": {"size": [4, 4]}, "material": "lead"}]})";
+    const std::string heavy =
+        R"({"name": "heavy", "position": [0, 3], "shapes": [{"box": {"size": [4, 4]}, "material": "lead"}]})";
     const std::string lead = R"(, "materials": {"lead": {"density": 10}}, "world": {"gravity": [0, 0]})";
     const Diagnostic touching = warning_of(kGround + light + heavy, lead);
     CHECK(says(touching, "of 1 kg touches 'heavy' of 160 kg"));
-    CHECK(warnings_of(kGround + light + heavy, R"(, "materials": {"lead": {"density": 6}}, "world": {"gravity": [0, 0]})").empty());
-    const std::string far = R"({"name": "heavy", "position": [20, 3], "shapes": [{"box": {"size": [4, 4]}, "material": "lead"}]})";
+    CHECK(
+        warnings_of(kGround + light + heavy, R"(, "materials": {"lead": {"density": 6}}, "world": {"gravity": [0, 0]})")
+            .empty());
+    const std::string far =
+        R"({"name": "heavy", "position": [20, 3], "shapes": [{"box": {"size": [4, 4]}, "material": "lead"}]})";
     CHECK(warnings_of(kGround + light + far, lead).empty());
     const Diagnostic tied =
-        warning_of(kGround + light + far, lead + R"(, "joints": [{"type": "revolute", "bodies": ["light", "heavy"], "anchor": [10, 1]}])");
+        warning_of(kGround + light + far,
+                   lead + R"(, "joints": [{"type": "revolute", "bodies": ["light", "heavy"], "anchor": [10, 1]}])");
     CHECK(tied.pointer == "/joints/0");
     CHECK(says(tied, "1 kg and 160 kg"));
 }
 
 TEST_CASE("bodies that start inside each other are warned of once for all copies") {
-    const Diagnostic deep =
-        warning_of(R"({"name": "crate", "position": [0, 5], "repeat": {"grid": {"columns": 4, "spacing": [0.9, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]})");
+    const Diagnostic deep = warning_of(
+        R"({"name": "crate", "position": [0, 5], "repeat": {"grid": {"columns": 4, "spacing": [0.9, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]})");
     CHECK(deep.pointer == "/bodies/0");
     CHECK(says(deep, "'crate[1]' starts 0.1 m inside 'crate[0]'"));
-    CHECK(warnings_of(R"({"repeat": {"grid": {"columns": 4, "spacing": [0.995, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]})").empty());
+    CHECK(warnings_of(
+              R"({"repeat": {"grid": {"columns": 4, "spacing": [0.995, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]})")
+              .empty());
 }
 
 TEST_CASE("a body asleep in the air is warned of, one that is held or where nothing falls is not") {
-    const std::string sleeper = R"({"name": "lamp", "position": [0, HEIGHT], "awake": false, "shapes": [{"box": {"size": [1, 1]}}]})";
-    const auto at = [&](const std::string& height) { return std::string(sleeper).replace(sleeper.find("HEIGHT"), 6, height); };
+    const std::string sleeper =
+        R"({"name": "lamp", "position": [0, HEIGHT], "awake": false, "shapes": [{"box": {"size": [1, 1]}}]})";
+    const auto at = [&](const std::string& height) {
+        return std::string(sleeper).replace(sleeper.find("HEIGHT"), 6, height);
+    };
     CHECK(says(warning_of(kGround + at("3")), "'lamp' sleeps in the air"));
     CHECK(warnings_of(kGround + at("0.5")).empty());
     CHECK(warnings_of(kGround + at("3"), R"(, "world": {"gravity": [0, 0]})").empty());
 }
 
 TEST_CASE("a stack is said to sink by half of what the contact springs would give") {
-    // Twenty unit boxes: sum over k < 20 of 2.5 k g / w^2 + 1.25 20 g / (4 w^2) = (475 + 6.25) g / w^2, w = 2 pi 30, by half: 0.0677 m.
-    const Diagnostic stack =
-        warning_of(kGround + R"({"name": "box", "position": [0, 0.5], "repeat": {"grid": {"rows": 20}}, "shapes": [{"box": {"size": [1, 1]}}]})");
+    // Twenty unit boxes: sum over k < 20 of 2.5 k g / w^2 + 1.25 20 g / (4 w^2) = (475 + 6.25) g / w^2, w = 2 pi 30, by
+    // half: 0.0677 m.
+    const Diagnostic stack = warning_of(
+        kGround +
+        R"({"name": "box", "position": [0, 0.5], "repeat": {"grid": {"rows": 20}}, "shapes": [{"box": {"size": [1, 1]}}]})");
     CHECK(stack.pointer == "/bodies/1");
     CHECK(says(stack, "'box[19]' stands on ('box[18]') will sink by about 0.0677 m"));
     // Other piles are named too, of those that are alike one.
     const auto pile = [](const std::string& name, const std::string& at) {
-        return R"(, {"name": ")" + name + R"(", "position": [)" + at + R"(, 0.5], "repeat": {"grid": {"columns": 2, "rows": 20, "spacing": [3, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]})";
+        return R"(, {"name": ")" + name + R"(", "position": [)" + at +
+               R"(, 0.5], "repeat": {"grid": {"columns": 2, "rows": 20, "spacing": [3, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]})";
     };
-    CHECK(says(warning_of(kGround.substr(0, kGround.rfind(',')) + pile("a", "0") + pile("b", "9")), "by about 0.0677 m under its weight, what 'b[38]' stands on by about 0.0677 m"));
+    CHECK(says(warning_of(kGround.substr(0, kGround.rfind(',')) + pile("a", "0") + pile("b", "9")),
+               "by about 0.0677 m under its weight, what 'b[38]' stands on by about 0.0677 m"));
     // 1 kg on a feather of 2.5 g: 400 times its load.
-    const std::string feather = R"({"name": "feather", "position": [0, 0.25], "shapes": [{"box": {"size": [0.5, 0.5]}, "material": "f"}]}, )";
-    const std::vector<Diagnostic> crushed = warnings_of(kGround + feather + R"({"name": "anvil", "position": [0, 1], "shapes": [{"box": {"size": [1, 1]}, "material": "a"}]})",
-                                                        R"(, "materials": {"f": {"density": 0.01}, "a": {"density": 5000}})");
-    CHECK(std::ranges::any_of(crushed, [](const Diagnostic& warning) { return says(warning, "'anvil' stands on ('feather') will sink by more than its size"); }));
-    CHECK(warnings_of(kGround + R"({"position": [0, 0.5], "repeat": {"grid": {"rows": 6}}, "shapes": [{"box": {"size": [1, 1]}}]})").empty());
+    const std::string feather =
+        R"({"name": "feather", "position": [0, 0.25], "shapes": [{"box": {"size": [0.5, 0.5]}, "material": "f"}]}, )";
+    const std::vector<Diagnostic> crushed = warnings_of(
+        kGround + feather +
+            R"({"name": "anvil", "position": [0, 1], "shapes": [{"box": {"size": [1, 1]}, "material": "a"}]})",
+        R"(, "materials": {"f": {"density": 0.01}, "a": {"density": 5000}})");
+    CHECK(std::ranges::any_of(crushed, [](const Diagnostic& warning) {
+        return says(warning, "'anvil' stands on ('feather') will sink by more than its size");
+    }));
+    CHECK(
+        warnings_of(kGround +
+                    R"({"position": [0, 0.5], "repeat": {"grid": {"rows": 6}}, "shapes": [{"box": {"size": [1, 1]}}]})")
+            .empty());
 }
 
 TEST_CASE("in a world of marbles sizes and sinking are those of marbles") {
     const std::string small = R"(, "world": {"scale": 0.02})";
     CHECK(warnings_of(R"({"shapes": [{"circle": {"radius": 0.002}}]})", small).empty());
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 2}}]})", small), "between 0.0001 m and 2 m"));
-    // At the step rate of the scale, 60 / sqrt(0.02), frequencies follow its inverse root, so that 20 boxes of 2 cm sink by a
-    // fiftieth of 0.0677 m. At the usual rate they stay at an eighth of the sub-steps', 30 Hz, and all of the 0.0677 m is left, three boxes high.
-    const std::string ground = R"({"type": "static", "position": [0, -0.01], "shapes": [{"box": {"size": [1.8, 0.02]}}]}, )";
+    // At the step rate of the scale, 60 / sqrt(0.02), frequencies follow its inverse root, so that 20 boxes of 2 cm
+    // sink by a fiftieth of 0.0677 m. At the usual rate they stay at an eighth of the sub-steps', 30 Hz, and all of the
+    // 0.0677 m is left, three boxes high.
+    const std::string ground =
+        R"({"type": "static", "position": [0, -0.01], "shapes": [{"box": {"size": [1.8, 0.02]}}]}, )";
     const std::string tower =
         R"({"position": [0, 0.01], "repeat": {"grid": {"rows": 20, "spacing": [1, 0.02]}}, "shapes": [{"box": {"size": [0.02, 0.02]}}]})";
     const std::string quick = R"(, "world": {"scale": 0.02, "steps_per_second": 424.264})";

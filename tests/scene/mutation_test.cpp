@@ -1,5 +1,5 @@
-// The reader and the published schema, held against each other from both sides: each field of each object, made wrong in
-// every way that its description rules out, is refused by both; the ends of its range are allowed by both.
+// The reader and the published schema, held against each other from both sides: each field of each object, made wrong
+// in every way that its description rules out, is refused by both; the ends of its range are allowed by both.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -99,7 +99,8 @@ private:
         if (whole) add_value(1.5);
         if (max >= 0x1p64) return;  // the largest seed is no double
         add(right, place_.pointer, place_.pointer, whole ? json(static_cast<std::int64_t>(max)) : json(max));
-        if (!is_open) add(right, place_.pointer, place_.pointer, whole ? json(static_cast<std::int64_t>(min)) : json(min));
+        if (!is_open)
+            add(right, place_.pointer, place_.pointer, whole ? json(static_cast<std::int64_t>(min)) : json(min));
     }
 
     void add_objects() {
@@ -116,7 +117,8 @@ private:
     void add_arrays() {
         add_values({json::object(), "x", 1, nullptr});
         const json& value = document_.at(json::json_pointer(place_.pointer));
-        const std::size_t least = schema_.value("minItems", std::size_t{0}), most = schema_.value("maxItems", std::size_t{65535});
+        const std::size_t least = schema_.value("minItems", std::size_t{0}),
+                          most = schema_.value("maxItems", std::size_t{65535});
         json changed = value;
         if (least > 0) {
             while (changed.size() >= least) changed.erase(changed.size() - 1);
@@ -148,7 +150,8 @@ std::vector<Diagnostic> errors_of(const std::string& text) {
 }
 
 bool is_said_at(const std::vector<Diagnostic>& errors, const std::string& pointer) {
-    return std::ranges::any_of(errors, [&](const Diagnostic& error) { return error.pointer == pointer && error.line > 0; });
+    return std::ranges::any_of(errors,
+                               [&](const Diagnostic& error) { return error.pointer == pointer && error.line > 0; });
 }
 
 // The names of all that the schema describes.
@@ -160,7 +163,8 @@ void collect_names(const json& schema, const std::string& name, std::set<std::st
         collect_names(property, name + "/properties/" + key, names);
     }
     for (const char* inner : {"items", "additionalProperties"})
-        if (schema.contains(inner) && schema[inner].is_object()) collect_names(schema[inner], name + "/" + inner, names);
+        if (schema.contains(inner) && schema[inner].is_object())
+            collect_names(schema[inner], name + "/" + inner, names);
 }
 
 }  // namespace
@@ -181,7 +185,8 @@ TEST_CASE("each field made wrong is refused at its place by the reader, and by t
             for (const Mutation& mutation : mutator.wrong) {
                 const std::string bad = mutation.document.dump();
                 CHECK_MESSAGE(!schema.accepts(mutation.document), "the schema accepts ", bad);
-                CHECK_MESSAGE(is_said_at(errors_of(bad), mutation.pointer), mutation.pointer, " is not refused in ", bad);
+                CHECK_MESSAGE(is_said_at(errors_of(bad), mutation.pointer), mutation.pointer, " is not refused in ",
+                              bad);
                 ++wrong;
             }
             for (const Mutation& mutation : mutator.right) {

@@ -38,7 +38,8 @@ TEST_CASE("a camera may follow a body that the timeline makes, or a copy of one 
     const auto follows = [](const std::string& name) {
         return parse_scene(R"({"format": 1, "camera": {"follow": ")" + name + R"("}, "timeline": [
             {"at": 1, "spawn": {"name": "late", "shapes": [{"circle": {"radius": 1}}]}},
-            {"every": 1, "spawn": {"name": "drop", "shapes": [{"circle": {"radius": 1}}]}}]})", "follow.json");
+            {"every": 1, "spawn": {"name": "drop", "shapes": [{"circle": {"radius": 1}}]}}]})",
+                           "follow.json");
     };
     CHECK(follows("late").camera.follow == "late");
     CHECK(follows("drop[3]").camera.follow == "drop[3]");

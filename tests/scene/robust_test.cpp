@@ -51,14 +51,9 @@ TEST_CASE("scenes with random bytes changed, removed or doubled are read or refu
         for (std::uint64_t change = 0; change <= changes; ++change) {
             const std::size_t at = random() % text.size();
             switch (random() % 3) {
-                case 0:
-                    text[at] = interesting[random() % interesting.size()];
-                    break;
-                case 1:
-                    text.erase(at, 1 + random() % 8);
-                    break;
-                default:
-                    text.insert(at, text.substr(at, 1 + random() % 30));
+                case 0: text[at] = interesting[random() % interesting.size()]; break;
+                case 1: text.erase(at, 1 + random() % 8); break;
+                default: text.insert(at, text.substr(at, 1 + random() % 30));
             }
         }
         if (survives(text)) ++accepted;

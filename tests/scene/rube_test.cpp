@@ -6,8 +6,8 @@
 
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
-#include "tumble/scene_world.hpp"
 #include "tumble/scene_import.hpp"
+#include "tumble/scene_world.hpp"
 
 using namespace tumble;
 
@@ -190,8 +190,10 @@ TEST_CASE("wrong values are errors at their place") {
 }
 
 TEST_CASE("a body asleep arrives without its velocity, which no scene gives it") {
-    const ImportedScene imported = parse_rube(R"({"body": [{"type": 2, "linearVelocity": {"x": 1, "y": 0}, "angularVelocity": 2},
-        {"type": 2, "awake": true, "linearVelocity": {"x": 1, "y": 0}}, {"type": 1, "linearVelocity": {"x": 1, "y": 0}}]})", "asleep.json");
+    const ImportedScene imported =
+        parse_rube(R"({"body": [{"type": 2, "linearVelocity": {"x": 1, "y": 0}, "angularVelocity": 2},
+        {"type": 2, "awake": true, "linearVelocity": {"x": 1, "y": 0}}, {"type": 1, "linearVelocity": {"x": 1, "y": 0}}]})",
+                   "asleep.json");
     CHECK(imported.scene.bodies.at(0).velocity == DVec2{});
     CHECK(imported.scene.bodies.at(0).angular_velocity == 0.0);
     CHECK(imported.scene.bodies.at(1).velocity == DVec2{1.0, 0.0});

@@ -36,8 +36,8 @@ TEST_CASE("an impulse happens before the first step that begins at its time or l
 }
 
 TEST_CASE("what repeats from a time on begins then and keeps its beat") {
-    const Scene scene =
-        make_disc_scene(R"("timeline": [{"every": 0.1, "from": 0.25, "until": 0.4, "body": "disc", "impulse": [1, 0]}])");
+    const Scene scene = make_disc_scene(
+        R"("timeline": [{"every": 0.1, "from": 0.25, "until": 0.4, "body": "disc", "impulse": [1, 0]}])");
     // At 15 and 21 steps; 27 is past the end.
     for (const auto& [steps, impulses] : {std::pair{15, 0}, {16, 1}, {21, 1}, {22, 2}, {100, 2}})
         CHECK(speed_after(scene, steps) == doctest::Approx(static_cast<float>(impulses) / kMass).epsilon(1e-5));
@@ -73,16 +73,19 @@ TEST_CASE("a force acts in each step from its time until its end, and an angular
     CHECK(speed_after(pushed, 45) == doctest::Approx(0.5f / kMass).epsilon(1e-4));
     CHECK(speed_after(pushed, 90) == doctest::Approx(1.0f / kMass).epsilon(1e-4));
     // I = m r^2 / 2 = 0.0981748 kg m^2.
-    for (const char* const event : {R"({"at": 0, "body": "disc", "angular_impulse": 0.1})", R"({"at": 0, "until": 0.5, "body": "disc", "torque": 0.2})"}) {
+    for (const char* const event : {R"({"at": 0, "body": "disc", "angular_impulse": 0.1})",
+                                    R"({"at": 0, "until": 0.5, "body": "disc", "torque": 0.2})"}) {
         SceneRun run(make_disc_scene(std::string(R"("timeline": [)") + event + "]"));
         for (int i = 0; i < 60; ++i) run.step();
-        CHECK(run.world().state(run.built().bodies[0].id).angular_velocity == doctest::Approx(0.1 / 0.0981748).epsilon(1e-4));
+        CHECK(run.world().state(run.built().bodies[0].id).angular_velocity ==
+              doctest::Approx(0.1 / 0.0981748).epsilon(1e-4));
     }
 }
 
 TEST_CASE("velocities and gravity are set") {
     CHECK(speed_after(make_disc_scene(R"("timeline": [{"at": 0.5, "body": "disc", "velocity": [3, 0]}])"), 40) == 3.0f);
-    SceneRun run(make_disc_scene(R"("timeline": [{"at": 0.5, "gravity": [4, 0]}, {"at": 0, "body": "disc", "angular_velocity": 90}])"));
+    SceneRun run(make_disc_scene(
+        R"("timeline": [{"at": 0.5, "gravity": [4, 0]}, {"at": 0, "body": "disc", "angular_velocity": 90}])"));
     for (int i = 0; i < 90; ++i) run.step();
     const BodyState state = run.world().state(run.built().bodies[0].id);
     CHECK(state.velocity.x == doctest::Approx(4.0f).epsilon(1e-5));  // for a second
@@ -117,7 +120,8 @@ TEST_CASE("bodies appear by their names, are acted on, and go") {
 }
 
 TEST_CASE("a body that went may come again under its name, and is acted on again") {
-    const Scene scene = make_disc_scene(R"("timeline": [{"at": 0, "spawn": {"name": "late", "position": [9, 9], "gravity_scale": 0, "shapes": [{"circle": {"radius": 1}}]}},
+    const Scene scene = make_disc_scene(
+        R"("timeline": [{"at": 0, "spawn": {"name": "late", "position": [9, 9], "gravity_scale": 0, "shapes": [{"circle": {"radius": 1}}]}},
         {"at": 0.05, "body": "late", "velocity": [1, 0]}, {"at": 0.1, "despawn": "late"},
         {"at": 0.2, "spawn": {"name": "late", "position": [9, 9], "gravity_scale": 0, "shapes": [{"circle": {"radius": 1}}]}},
         {"at": 0.3, "body": "late", "velocity": [2, 0]}, {"at": 0.4, "despawn": "late"}])");
@@ -136,7 +140,8 @@ TEST_CASE("a body that went may come again under its name, and is acted on again
 }
 
 TEST_CASE("no run comes to more than a million bodies") {
-    const Scene scene = make_disc_scene(R"("timeline": [{"at": 0, "spawn": {"name": "crowd", "repeat": {"grid": {"columns": 1000, "rows": 1000}}}}])");
+    const Scene scene = make_disc_scene(
+        R"("timeline": [{"at": 0, "spawn": {"name": "crowd", "repeat": {"grid": {"columns": 1000, "rows": 1000}}}}])");
     SceneRun run(scene);
     try {
         run.step();
@@ -148,18 +153,23 @@ TEST_CASE("no run comes to more than a million bodies") {
 }
 
 TEST_CASE("motors change their speed, a mouse joint its target, and a joint is let go") {
-    const std::string bodies = R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [{"name": "base", "type": "static"},
+    const std::string bodies =
+        R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [{"name": "base", "type": "static"},
         {"name": "arm", "shapes": [{"box": {"size": [2, 0.5]}}]}], "joints": [)";
-    SceneRun motor(parse_scene(bodies + R"({"type": "revolute", "name": "m", "bodies": ["base", "arm"], "anchor": [0, 0],
-        "motor": {"speed": 0, "max_torque": 1000}}], "timeline": [{"at": 0.5, "joint": "m", "motor_speed": 90}, {"at": 1, "release": "m"}]})", ""));
+    SceneRun motor(
+        parse_scene(bodies + R"({"type": "revolute", "name": "m", "bodies": ["base", "arm"], "anchor": [0, 0],
+        "motor": {"speed": 0, "max_torque": 1000}}], "timeline": [{"at": 0.5, "joint": "m", "motor_speed": 90}, {"at": 1, "release": "m"}]})",
+                    ""));
     for (int i = 0; i < 30; ++i) motor.step();
     CHECK(motor.world().state(motor.built().bodies[1].id).angular_velocity == 0.0f);
     for (int i = 0; i < 20; ++i) motor.step();
     CHECK(motor.world().state(motor.built().bodies[1].id).angular_velocity == doctest::Approx(kPi / 2).epsilon(1e-3));
     for (int i = 0; i < 20; ++i) motor.step();
     CHECK(motor.world().joints().empty());
-    SceneRun mouse(parse_scene(bodies + R"({"type": "mouse", "name": "m", "bodies": ["base", "arm"], "anchor": [0, 0], "max_force": 1000}],
-        "timeline": [{"at": 0, "joint": "m", "target": [3, 1]}]})", ""));
+    SceneRun mouse(parse_scene(
+        bodies + R"({"type": "mouse", "name": "m", "bodies": ["base", "arm"], "anchor": [0, 0], "max_force": 1000}],
+        "timeline": [{"at": 0, "joint": "m", "target": [3, 1]}]})",
+        ""));
     for (int i = 0; i < 180; ++i) mouse.step();
     const DVec2 position = mouse.world().state(mouse.built().bodies[1].id).pose.position;
     CHECK(length(position - DVec2{3.0, 1.0}) < 1e-2);
@@ -186,6 +196,7 @@ TEST_CASE("what a timeline may not say is refused at its place") {
     CHECK(pointer_of(R"({"at": 1, "body": "disc", "gravity": [0, 0]})") == "/timeline/0/body");
     CHECK(pointer_of(R"({"at": 1, "spawn": {"name": "disc"}})") == "/timeline/0/spawn/name");
     CHECK(pointer_of(R"({"at": 1, "spawn": {"name": "drop"}}, {"at": 2, "despawn": "drop"})") == "accepted");
-    CHECK(pointer_of(R"({"at": 1, "spawn": {"name": "drop"}}, {"at": 2, "despawn": "drop[0]"})") == "/timeline/1/despawn");
+    CHECK(pointer_of(R"({"at": 1, "spawn": {"name": "drop"}}, {"at": 2, "despawn": "drop[0]"})") ==
+          "/timeline/1/despawn");
     CHECK(pointer_of(R"({"at": 1, "impulse": [1, 0], "torque": 1, "body": "disc"})") == "/timeline/0/torque");
 }

@@ -44,7 +44,8 @@ double distance_to_segment(DVec2 p, DVec2 a, DVec2 b) {
 
 double distance_to_line(DVec2 p, const std::vector<DVec2>& points) {
     double least = 1e300;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) least = std::min(least, distance_to_segment(p, points[i], points[i + 1]));
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        least = std::min(least, distance_to_segment(p, points[i], points[i + 1]));
     return least;
 }
 
@@ -86,8 +87,8 @@ void check_arc(const std::string& data, DVec2 center, double radius, double degr
 
 TEST_CASE("lines of both cases make the same square") {
     const std::vector<DVec2> square = {{1, 1}, {3, 1}, {3, 3}, {1, 3}};
-    for (const char* data : {"M1 1 L3 1 L3 3 L1 3 Z", "M1,1 3,1 3,3 1,3z", "M1 1H3V3H1Z", "m1 1h2v2h-2z", "m1 1 2 0 0 2-2 0z",
-                             "M1 1l2 0l0 2l-2 0l0-2", "M 1e0 +1.0 L3. 1L3 3 1 3 1 1"}) {
+    for (const char* data : {"M1 1 L3 1 L3 3 L1 3 Z", "M1,1 3,1 3,3 1,3z", "M1 1H3V3H1Z", "m1 1h2v2h-2z",
+                             "m1 1 2 0 0 2-2 0z", "M1 1l2 0l0 2l-2 0l0-2", "M 1e0 +1.0 L3. 1L3 3 1 3 1 1"}) {
         const std::vector<Contour> contours = flatten(data);
         REQUIRE(contours.size() == 1);
         CHECK(contours[0].closed);
@@ -160,7 +161,8 @@ TEST_CASE("an ellipse under a skew stays within the tolerance in the world") {
         const double t = 2.0 * kPi * i / 5000.0;
         REQUIRE(distance_to_line(apply(map, {5.0 * std::cos(t), 2.0 * std::sin(t)}), points) <= kTolerance);
     }
-    // No more chords than four times what the longest half axis, about 11.6 m, asks for: pi / acos(1 - 0.01 / 11.6) = 76.
+    // No more chords than four times what the longest half axis, about 11.6 m, asks for: pi / acos(1 - 0.01 / 11.6)
+    // = 76.
     CHECK(points.size() < 4 * 76);
 }
 

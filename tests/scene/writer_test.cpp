@@ -22,9 +22,7 @@ std::filesystem::path temporary_folder() {
     return folder;
 }
 
-Scene reread(const Scene& scene) {
-    return parse_scene(to_json(scene), "written.json");
-}
+Scene reread(const Scene& scene) { return parse_scene(to_json(scene), "written.json"); }
 
 }  // namespace
 

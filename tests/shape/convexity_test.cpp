@@ -23,9 +23,9 @@ std::vector<Vec2> reversed(std::vector<Vec2> points) {
 
 TEST_CASE("an outline is convex if no vertex lies to the right of an edge") {
     CHECK(is_convex_outline(kPentagon));
-    CHECK_FALSE(is_convex_outline(reversed(kPentagon)));                              // clockwise
-    CHECK_FALSE(is_convex_outline(std::array<Vec2, 4>{{{0, 0}, {2, 0}, {0.5f, 0.5f}, {0, 2}}}));      // a dart
-    CHECK_FALSE(is_convex_outline(std::array<Vec2, 4>{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}));            // a bow tie
+    CHECK_FALSE(is_convex_outline(reversed(kPentagon)));                                          // clockwise
+    CHECK_FALSE(is_convex_outline(std::array<Vec2, 4>{{{0, 0}, {2, 0}, {0.5f, 0.5f}, {0, 2}}}));  // a dart
+    CHECK_FALSE(is_convex_outline(std::array<Vec2, 4>{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}));        // a bow tie
     std::vector<Vec2> star;  // each turn is to the left, twice round
     for (std::size_t i = 0; i < 5; ++i) star.push_back(kPentagon[2 * i % 5]);
     CHECK_FALSE(is_convex_outline(star));

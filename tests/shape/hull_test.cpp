@@ -82,7 +82,8 @@ TEST_CASE("the hull contains its points, turns left everywhere and starts at the
 
 TEST_CASE("the report counts what happened to each point") {
     // A unit square with one corner given twice, one welded neighbour, a mid-edge point and two points inside.
-    const std::vector<Vec2> points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1, 1}, {1 + 2e-7f, 0}, {0.5f, 0}, {0.5f, 0.5f}, {0.25f, 0.5f}};
+    const std::vector<Vec2> points = {{0, 0},         {1, 0},    {1, 1},       {0, 1},       {1, 1},
+                                      {1 + 2e-7f, 0}, {0.5f, 0}, {0.5f, 0.5f}, {0.25f, 0.5f}};
     HullReport report;
     const Shape shape = make_polygon(points, 0.0f, &report);
     CHECK(shape.vertex_count() == 4);

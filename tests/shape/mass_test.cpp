@@ -65,7 +65,8 @@ TEST_CASE("a right triangle: centroid at a third of its legs") {
 
 TEST_CASE("a capsule: a rectangle and two half discs") {
     // Length 4, radius 1 along x. Rectangle 4 x 2: area 8, I = 8 (16 + 4) / 12 = 40 / 3. Half disc: area pi / 2, its
-    // centroid 4 / (3 pi) beyond the end; about the end pi / 4, about its centroid less A c^2, about the middle plus A (2 + c)^2.
+    // centroid 4 / (3 pi) beyond the end; about the end pi / 4, about its centroid less A c^2, about the middle plus A
+    // (2 + c)^2.
     const double c = 4.0 / (3.0 * kPi), half = kPi / 2.0;
     const double ends = 2.0 * (kPi / 4.0 - half * c * c + half * (2.0 + c) * (2.0 + c));
     const MassProperties mass = mass_properties(make_capsule({-2, 7}, {2, 7}, 1));
@@ -102,9 +103,14 @@ TEST_CASE("rounded polygons agree with numeric quadrature") {
 
 TEST_CASE("duplicate and collinear vertices do not change the mass") {
     const Shape plain = make_box({2, 2}, 0.25f);
-    const Shape padded = Shape::from_raw(
-        std::array<Vec2, 7>{{{-0.75f, -0.75f}, {-0.75f, -0.75f}, {0, -0.75f}, {0.75f, -0.75f}, {0.75f, 0.75f}, {-0.75f, 0.75f}, {-0.75f, -0.75f}}},
-        0.25f);
+    const Shape padded = Shape::from_raw(std::array<Vec2, 7>{{{-0.75f, -0.75f},
+                                                              {-0.75f, -0.75f},
+                                                              {0, -0.75f},
+                                                              {0.75f, -0.75f},
+                                                              {0.75f, 0.75f},
+                                                              {-0.75f, 0.75f},
+                                                              {-0.75f, -0.75f}}},
+                                         0.25f);
     CHECK(mass_properties(padded).area == doctest::Approx(mass_properties(plain).area).epsilon(1e-15));
     CHECK(mass_properties(padded).inertia == doctest::Approx(mass_properties(plain).inertia).epsilon(1e-15));
 }

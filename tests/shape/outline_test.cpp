@@ -46,7 +46,8 @@ bool is_strictly_convex(const Outline& ring) {
 // Convex rings with disjoint interiors are separated by the line of an edge of one of them.
 bool is_separated_by_edge_of(const Outline& ring, const Outline& other) {
     for (std::size_t i = 0; i < ring.size(); ++i)
-        if (std::ranges::all_of(other, [&](Vec2 p) { return side(ring[i], ring[(i + 1) % ring.size()], p) <= 0; })) return true;
+        if (std::ranges::all_of(other, [&](Vec2 p) { return side(ring[i], ring[(i + 1) % ring.size()], p) <= 0; }))
+            return true;
     return false;
 }
 
@@ -96,7 +97,8 @@ void check_partition(const Outline& outline) {
     std::size_t reflex = 0;
     const std::int64_t winding = twice_area(outline) > 0 ? 1 : -1;
     for (std::size_t i = 0; i < outline.size(); ++i)
-        if (winding * twice_area(outline[i], outline[(i + 1) % outline.size()], outline[(i + 2) % outline.size()]) < 0) ++reflex;
+        if (winding * twice_area(outline[i], outline[(i + 1) % outline.size()], outline[(i + 2) % outline.size()]) < 0)
+            ++reflex;
     CHECK(parts.size() <= 2 * reflex + 1);
 }
 
@@ -129,7 +131,8 @@ TEST_CASE("an L is two parts of together its area, in either winding") {
 }
 
 TEST_CASE("a plus: eight convex corners, four reflex ones, three parts at the least") {
-    const Outline plus = {{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
+    const Outline plus = {{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},
+                          {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
     check_partition(plus);
     const std::size_t parts = decompose_outline(plus).size();
     CHECK(parts >= 3);
@@ -145,24 +148,28 @@ TEST_CASE("equal consecutive points, a repeated first point and straight corners
 }
 
 TEST_CASE("an outline that crosses or touches itself is refused by the two edges") {
-    CHECK(error_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}) == edge_error("0 from (0, 0) to (2, 2)", "2 from (2, 0) to (0, 2)"));
+    CHECK(error_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}) ==
+          edge_error("0 from (0, 0) to (2, 2)", "2 from (2, 0) to (0, 2)"));
     // The corner (2, 0) lies on the edge from (0, 0) to (4, 0).
-    CHECK(error_of({{0, 0}, {4, 0}, {4, 3}, {2, 0}, {0, 3}}).starts_with("an outline must not cross or touch itself: edge 0"));
+    CHECK(error_of({{0, 0}, {4, 0}, {4, 3}, {2, 0}, {0, 3}})
+              .starts_with("an outline must not cross or touch itself: edge 0"));
     // Two triangles that share a corner.
     CHECK(error_of({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}}).find("meets edge") != std::string::npos);
     // A spike out and back; the padding shows that edges keep the numbers of the points given.
     CHECK(error_of({{0, 0}, {2, 0}, {2, 0}, {5, 0}, {3, 0}, {2, 2}}) ==
           edge_error("2 from (2, 0) to (5, 0)", "3 from (5, 0) to (3, 0)"));
     // A hole joined by a bridge.
-    CHECK(error_of({{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}}).find("meets edge") !=
-          std::string::npos);
+    CHECK(
+        error_of({{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}}).find("meets edge") !=
+        std::string::npos);
 }
 
 TEST_CASE("outlines without area, too short or not finite are refused") {
     CHECK(error_of({{0, 0}, {1, 1}, {2, 2}, {1, 1}}) == "an outline must have an area: all its points lie on one line");
     CHECK(error_of({{1, 1}, {1, 1}, {1, 1}}) == "an outline must have an area: all its points lie on one line");
     CHECK(error_of({{0, 0}, {1, 1}}) == "at least 3 points are needed, got 2");
-    CHECK(error_of({{0, 0}, {1, 1}, {std::numeric_limits<float>::infinity(), 0}}).starts_with("point 2 must be finite"));
+    CHECK(
+        error_of({{0, 0}, {1, 1}, {std::numeric_limits<float>::infinity(), 0}}).starts_with("point 2 must be finite"));
 }
 
 TEST_CASE("stars, combs and spirals are partitioned exactly") {
@@ -178,7 +185,8 @@ TEST_CASE("random simple polygons are partitioned exactly") {
     for (int sample = 0; sample < 2000; ++sample) {
         const std::array<int, 3> sizes = {4, 12, 1000};  // on small grids straight corners are common
         const Outline outline = untangled(3 + sample % 30, sizes[static_cast<std::size_t>(sample % 3)], random);
-        const bool has_equal_points = std::ranges::adjacent_find(outline) != outline.end() || outline.front() == outline.back();
+        const bool has_equal_points =
+            std::ranges::adjacent_find(outline) != outline.end() || outline.front() == outline.back();
         if (has_equal_points || !is_simple(outline) || twice_area(outline) == 0) continue;
         ++checked;
         check_partition(outline);
@@ -210,7 +218,8 @@ TEST_CASE("areas agree exactly where floats do not lie on a grid") {
     for (int sample = 0; sample < 200; ++sample) {
         Outline outline;
         for (int i = 0; i < 40; ++i) {
-            const float radius = std::pow(10.0f, -12.0f + 18.0f * unit(random)), turn = 2.0f * static_cast<float>(kPi) * static_cast<float>(i) / 40.0f;
+            const float radius = std::pow(10.0f, -12.0f + 18.0f * unit(random)),
+                        turn = 2.0f * static_cast<float>(kPi) * static_cast<float>(i) / 40.0f;
             outline.push_back({radius * std::cos(turn), radius * std::sin(turn)});
         }
         mpq_class area = 0;
@@ -237,7 +246,8 @@ TEST_CASE("no two parts beside an edge could be one: without it one of its ends 
             const auto twin = edges.find({to.x, to.y, from.x, from.y});
             if (twin == edges.end()) continue;
             ++shared;
-            const int turn_at_from = side(around[0], from, twin->second[1]), turn_at_to = side(twin->second[0], to, around[1]);
+            const int turn_at_from = side(around[0], from, twin->second[1]),
+                      turn_at_to = side(twin->second[0], to, around[1]);
             CHECK(std::min(turn_at_from, turn_at_to) < 0);
         }
     }
@@ -254,7 +264,8 @@ TEST_CASE("ten thousand points take less than a second; a large convex outline i
     for (const Shape& part : parts) area += twice_area(vertices(part));
     CHECK(area == twice_area(large));
 
-    // All steps of coprime integers up to 170, by slope, in four quarter turns: a convex outline of over 70 000 corners.
+    // All steps of coprime integers up to 170, by slope, in four quarter turns: a convex outline of over 70 000
+    // corners.
     std::vector<Vec2> steps;
     for (int x = 1; x <= 170; ++x)
         for (int y = 1; y <= 170; ++y)

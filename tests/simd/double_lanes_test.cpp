@@ -36,8 +36,10 @@ int check_all_operations() {
     for (int round = 0; round < 1000; ++round) {
         const Numbers<N> a(random), b(random);
         const DoubleLanes<N> x = a.lanes(), y = b.lanes();
-        const DoubleLanes<N> sum = x + y, difference = x - y, product = x * y, quotient = x / y, root = square_root(x * x);
-        const DoubleLanes<N> minimum = smaller(x, y), maximum = larger(x, y), next = next_lanes(x), third = spread<2>(x);
+        const DoubleLanes<N> sum = x + y, difference = x - y, product = x * y, quotient = x / y,
+                             root = square_root(x * x);
+        const DoubleLanes<N> minimum = smaller(x, y), maximum = larger(x, y), next = next_lanes(x),
+                             third = spread<2>(x);
         const DoubleLanes<N> chosen = select(x < y, y, DoubleLanes<N>(7.0)), negative = -x;
         const MaskLanes<N> is_less = x < y, is_equal = x == y;
         LowestLanes<N> lowest{x};
@@ -86,7 +88,8 @@ TEST_CASE("every operation does in each lane what it does to single numbers") {
 
 TEST_CASE("NaN is neither less nor equal, -0 is 0, and minus infinity is the largest only of itself") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-    const DoubleLanes<4> chosen = select(DoubleLanes<4>(0.0) < DoubleLanes<4>(nan), DoubleLanes<4>(1.0), DoubleLanes<4>(-inf));
+    const DoubleLanes<4> chosen =
+        select(DoubleLanes<4>(0.0) < DoubleLanes<4>(nan), DoubleLanes<4>(1.0), DoubleLanes<4>(-inf));
     CHECK(chosen[3] == -inf);
     CHECK(bits_of(chosen == DoubleLanes<4>(largest(chosen))) == 0xf);
     CHECK(bits_of(DoubleLanes<8>(nan) == DoubleLanes<8>(nan)) == 0);

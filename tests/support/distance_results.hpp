@@ -22,21 +22,22 @@ inline std::uint64_t pairs_of(const tumble::reference::PairFamily& family, std::
 
 inline bool is_status_right(tumble::DistanceStatus status, int exact_sign) {
     return (status == tumble::DistanceStatus::separated && exact_sign > 0) ||
-           (status == tumble::DistanceStatus::overlapping && exact_sign < 0) || status == tumble::DistanceStatus::touching;
+           (status == tumble::DistanceStatus::overlapping && exact_sign < 0) ||
+           status == tumble::DistanceStatus::touching;
 }
 
 inline double core_error_bound(const tumble::reference::PairQuery& query) {
     return tumble::error_bound(tumble::make_core_pair(query.a, query.pose_a, query.b, query.pose_b));
 }
 
-// How the bounds of an answer lie to the exact distance: near on either side of it; looser than rounding usually makes them;
-// not around it, or looser than rounding can.
+// How the bounds of an answer lie to the exact distance: near on either side of it; looser than rounding usually makes
+// them; not around it, or looser than rounding can.
 enum class BoundsFit { near, loose, wrong };
 
-// Near is E for the error of what was computed, E for its allowance, the same for the subtraction of the radii, and twice
-// that for answers found by the last repair. Bounds of [-1, 1] would pass every other check. The direction from a vertex
-// at the distance |v| is off by E / |v|: another vertex, at most 2 (RA + RB) aside, may stand out by as much along it and
-// loosen the lower bound; 13 E were seen.
+// Near is E for the error of what was computed, E for its allowance, the same for the subtraction of the radii, and
+// twice that for answers found by the last repair. Bounds of [-1, 1] would pass every other check. The direction from a
+// vertex at the distance |v| is off by E / |v|: another vertex, at most 2 (RA + RB) aside, may stand out by as much
+// along it and loosen the lower bound; 13 E were seen.
 inline BoundsFit fit_of(const tumble::reference::PairQuery& query, const tumble::DistanceResult& answer,
                         const tumble::reference::ExactDistance& exact) {
     const bool is_between = answer.lower <= answer.distance && answer.distance <= answer.upper;
@@ -53,7 +54,9 @@ inline BoundsFit fit_of(const tumble::reference::PairQuery& query, const tumble:
 
 // Bit for bit, so that NaN equals itself and 0 is not -0.
 inline bool have_same_bits(double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; }
-inline bool have_same_bits(tumble::DVec2 p, tumble::DVec2 q) { return have_same_bits(p.x, q.x) && have_same_bits(p.y, q.y); }
+inline bool have_same_bits(tumble::DVec2 p, tumble::DVec2 q) {
+    return have_same_bits(p.x, q.x) && have_same_bits(p.y, q.y);
+}
 
 inline bool have_same_bits(const tumble::DistanceResult& one, const tumble::DistanceResult& other) {
     const tumble::Certificate &p = one.certificate, &q = other.certificate;

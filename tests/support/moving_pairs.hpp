@@ -26,8 +26,9 @@ inline std::vector<tumble::Vec2> ellipse(Random& random, int count, double half_
 }
 
 enum class ShapeKind { circle, segment, capsule, box, polygon, rounded_polygon, large_polygon };
-inline constexpr std::array kShapeKinds = {ShapeKind::circle,  ShapeKind::segment,         ShapeKind::capsule,      ShapeKind::box,
-                                           ShapeKind::polygon, ShapeKind::rounded_polygon, ShapeKind::large_polygon};
+inline constexpr std::array kShapeKinds = {ShapeKind::circle,       ShapeKind::segment, ShapeKind::capsule,
+                                           ShapeKind::box,          ShapeKind::polygon, ShapeKind::rounded_polygon,
+                                           ShapeKind::large_polygon};
 
 inline ShapeKind random_kind(Random& random) {
     return kShapeKinds[static_cast<std::size_t>(random.integer(0, static_cast<int>(kShapeKinds.size()) - 1))];
@@ -42,9 +43,11 @@ inline tumble::Shape random_shape(Random& random, ShapeKind kind, double size) {
         case ShapeKind::segment: return tumble::make_segment(end(), end());
         case ShapeKind::capsule: return tumble::make_capsule(end(), end(), 0.3f * length());
         case ShapeKind::box: return tumble::make_box({length(), length()});
-        case ShapeKind::polygon: return tumble::make_polygon(ellipse(random, random.integer(3, 8), 0.5 * size, 0.5 * length()));
+        case ShapeKind::polygon:
+            return tumble::make_polygon(ellipse(random, random.integer(3, 8), 0.5 * size, 0.5 * length()));
         case ShapeKind::rounded_polygon:
-            return tumble::make_polygon(ellipse(random, random.integer(3, 8), 0.4 * size, 0.4 * length()), 0.2f * length());
+            return tumble::make_polygon(ellipse(random, random.integer(3, 8), 0.4 * size, 0.4 * length()),
+                                        0.2f * length());
         case ShapeKind::large_polygon:
             return tumble::make_polygon(ellipse(random, random.integer(9, 24), 0.5 * size, 0.5 * length()));
     }

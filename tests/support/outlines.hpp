@@ -19,7 +19,8 @@ inline Outline star(int count, float size, std::mt19937_64& random) {
     Outline points;
     for (int i = 0; i < count; ++i) {
         const double r = radius(random), turn = 2.0 * kPi * i / count;
-        points.push_back({static_cast<float>(std::round(r * std::cos(turn))), static_cast<float>(std::round(r * std::sin(turn)))});
+        points.push_back(
+            {static_cast<float>(std::round(r * std::cos(turn))), static_cast<float>(std::round(r * std::sin(turn)))});
     }
     return points;
 }
@@ -43,7 +44,8 @@ inline Outline spiral(int turns, int points_a_turn) {
     for (int i = 0; i <= turns * points_a_turn; ++i) {
         const double turn = 2.0 * kPi * i / points_a_turn, radius = 400.0 + 400.0 * i / points_a_turn;
         const auto at = [&](double r) {
-            return Vec2{static_cast<float>(std::round(r * std::cos(turn))), static_cast<float>(std::round(r * std::sin(turn)))};
+            return Vec2{static_cast<float>(std::round(r * std::cos(turn))),
+                        static_cast<float>(std::round(r * std::sin(turn)))};
         };
         points.push_back(at(radius + 150.0));
         back.push_back(at(radius));
@@ -107,8 +109,10 @@ inline Outline untangled(int count, int size, std::mt19937_64& random) {
                 const Vec2 a = ring[i], b = ring[i + 1], c = ring[j], d = ring[(j + 1) % n];
                 if (!segments_share_point(a, b, c, d)) continue;
                 // Shorter by more than rounding, so that the loop ends.
-                if (length(DVec2(c - a)) + length(DVec2(d - b)) >= length(DVec2(b - a)) + length(DVec2(d - c)) - 1e-9) continue;
-                std::reverse(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1, ring.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+                if (length(DVec2(c - a)) + length(DVec2(d - b)) >= length(DVec2(b - a)) + length(DVec2(d - c)) - 1e-9)
+                    continue;
+                std::reverse(ring.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                             ring.begin() + static_cast<std::ptrdiff_t>(j) + 1);
                 changed = true;
             }
     }

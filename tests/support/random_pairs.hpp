@@ -78,8 +78,8 @@ inline tumble::DistanceResult measure(const Pair& pair, tumble::SimplexCache* ca
 
 // The scale that error bounds are relative to, for unit rotations: u (RA + RB + |p|).
 inline double rounding_of(const Pair& pair) {
-    return 0x1p-53 * (pair.a.core_radius() + pair.b.core_radius() +
-                      tumble::length(pair.pose_b.position - pair.pose_a.position));
+    return 0x1p-53 *
+           (pair.a.core_radius() + pair.b.core_radius() + tumble::length(pair.pose_b.position - pair.pose_a.position));
 }
 
 }  // namespace tumble_test

@@ -37,26 +37,58 @@ private:
     void make_edit() {
         switch (integer(0, 21)) {
             case 0: return add_body();
-            case 1: if (const auto id = pick(world.bodies().subspan(1))) world.destroy_body(*id); return;
+            case 1:
+                if (const auto id = pick(world.bodies().subspan(1))) world.destroy_body(*id);
+                return;
             case 2: return add_joint();
-            case 3: if (const auto id = pick(world.joints())) world.destroy_joint(*id); return;
-            case 4: if (const auto id = pick(world.bodies())) world.set_transform(*id, draw_move(*id)); return;
-            case 5: if (const auto id = pick(world.bodies().subspan(1))) world.set_type(*id, draw_type()); return;
-            case 6: if (const auto id = pick(world.bodies())) world.set_enabled(*id, !world.is_enabled(*id)); return;
-            case 7: if (const auto id = pick(world.bodies())) world.set_locks(*id, draw_locks()); return;
-            case 8: if (const auto id = pick(world.bodies())) world.set_mass(*id, draw_mass()); return;
-            case 9: if (const auto id = pick(world.bodies())) world.set_awake(*id, coin()); return;
-            case 10: if (const auto id = pick(world.bodies())) world.set_bullet(*id, coin()); return;
-            case 11: if (const auto id = pick(world.bodies())) world.set_gravity_scale(*id, between(-1.0f, 2.0f)); return;
-            case 12: if (const auto id = pick(world.bodies())) world.set_allow_sleep(*id, coin()); return;
+            case 3:
+                if (const auto id = pick(world.joints())) world.destroy_joint(*id);
+                return;
+            case 4:
+                if (const auto id = pick(world.bodies())) world.set_transform(*id, draw_move(*id));
+                return;
+            case 5:
+                if (const auto id = pick(world.bodies().subspan(1))) world.set_type(*id, draw_type());
+                return;
+            case 6:
+                if (const auto id = pick(world.bodies())) world.set_enabled(*id, !world.is_enabled(*id));
+                return;
+            case 7:
+                if (const auto id = pick(world.bodies())) world.set_locks(*id, draw_locks());
+                return;
+            case 8:
+                if (const auto id = pick(world.bodies())) world.set_mass(*id, draw_mass());
+                return;
+            case 9:
+                if (const auto id = pick(world.bodies())) world.set_awake(*id, coin());
+                return;
+            case 10:
+                if (const auto id = pick(world.bodies())) world.set_bullet(*id, coin());
+                return;
+            case 11:
+                if (const auto id = pick(world.bodies())) world.set_gravity_scale(*id, between(-1.0f, 2.0f));
+                return;
+            case 12:
+                if (const auto id = pick(world.bodies())) world.set_allow_sleep(*id, coin());
+                return;
             case 13: return set_velocity();
             case 14: return push();
-            case 15: if (const auto id = pick(world.bodies())) world.add_shape(*id, draw_shape_def()); return;
-            case 16: if (const auto id = pick_shape()) world.remove_shape(*id); return;
-            case 17: if (const auto id = pick_shape()) world.set_material(*id, draw_material()); return;
-            case 18: if (const auto id = pick_shape()) world.set_filter(*id, draw_filter()); return;
+            case 15:
+                if (const auto id = pick(world.bodies())) world.add_shape(*id, draw_shape_def());
+                return;
+            case 16:
+                if (const auto id = pick_shape()) world.remove_shape(*id);
+                return;
+            case 17:
+                if (const auto id = pick_shape()) world.set_material(*id, draw_material());
+                return;
+            case 18:
+                if (const auto id = pick_shape()) world.set_filter(*id, draw_filter());
+                return;
             case 19: return redefine_joint();
-            case 20: if (const auto id = pick(world.bodies())) world.set_damping(*id, unit(), unit()); return;
+            case 20:
+                if (const auto id = pick(world.bodies())) world.set_damping(*id, unit(), unit());
+                return;
             default: return world.set_gravity({between(-3.0f, 3.0f), between(-10.0f, 2.0f)});
         }
     }
@@ -208,8 +240,8 @@ private:
         return Motor{speed, between(0.0f, 50.0f)};
     }
 
-    // What the kinds have in common is drawn for whichever kind has it. Anchors nearly meet: what is joined from far away
-    // flies together, and that at some hundred m/s is what the springs ask for.
+    // What the kinds have in common is drawn for whichever kind has it. Anchors nearly meet: what is joined from far
+    // away flies together, and that at some hundred m/s is what the springs ask for.
     template <class Def>
     JointDef draw_joint(Def def, BodyId a, BodyId b) {
         def.body_a = a;
@@ -224,7 +256,8 @@ private:
             def.anchor_b = to_float(inverse_transform_point(pose_b, between_them + DVec2{apart_x, apart_y}));
         }
         if constexpr (requires { def.reference_angle; })
-            def.reference_angle = static_cast<float>(angle(world.state(b).pose.rotation) - angle(world.state(a).pose.rotation));
+            def.reference_angle =
+                static_cast<float>(angle(world.state(b).pose.rotation) - angle(world.state(a).pose.rotation));
         if constexpr (requires { def.length; }) def.length = between(0.1f, 0.4f);
         if constexpr (requires { def.ratio; }) draw_rope(def);
         if constexpr (requires { def.limits; }) def.limits = draw_limits();
@@ -290,7 +323,8 @@ private:
 
     bool is_jointed(BodyId id) const {
         return std::ranges::any_of(world.joints(), [&](JointId joint) {
-            return std::visit([&](const auto& def) { return def.body_a == id || def.body_b == id; }, world.joint(joint));
+            return std::visit([&](const auto& def) { return def.body_a == id || def.body_b == id; },
+                              world.joint(joint));
         });
     }
 
@@ -309,7 +343,8 @@ private:
         const auto id = pick(world.joints());
         if (!id) return;
         const JointDef old = world.joint(*id);
-        if (const auto* gear = std::get_if<GearJointDef>(&old)) return world.set_joint(*id, draw_gear(gear->joint_a, gear->joint_b));
+        if (const auto* gear = std::get_if<GearJointDef>(&old))
+            return world.set_joint(*id, draw_gear(gear->joint_a, gear->joint_b));
         const auto bodies = std::visit([](const auto& def) { return std::pair(def.body_a, def.body_b); }, old);
         world.set_joint(*id, draw_joint(static_cast<int>(old.index()), bodies.first, bodies.second));
     }

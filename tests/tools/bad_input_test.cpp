@@ -40,7 +40,8 @@ TEST_CASE("a scene that cannot be read as format 1 ends with exit code 3 and its
     check_invalid(R"({"format": 1, "bodys": []})", "bodies");
     check_invalid(R"({"format": 1, "name": "a", "name": "b", "bodies": []})", "name");
     check_invalid(R"({"format": 1, "bodies": [{"position": [NaN, 0], "shapes": [{"circle": {"radius": 1}}]}]})", ":1:");
-    check_invalid(R"({"format": 1, "bodies": [{"position": [1e999, 0], "shapes": [{"circle": {"radius": 1}}]}]})", ":1:");
+    check_invalid(R"({"format": 1, "bodies": [{"position": [1e999, 0], "shapes": [{"circle": {"radius": 1}}]}]})",
+                  ":1:");
     check_invalid(body_scene(R"({"polygon": {"vertices": [[0, 0], [1, 0]]}})"), "/bodies/0/shapes/0/polygon");
     check_invalid(body_scene(R"({"circle": {"radius": -1}})"), "/bodies/0/shapes/0/circle/radius");
     check_invalid(R"({"format": 1, "bodies": [{"name": "a", "shapes": [{"circle": {"radius": 1}}]}],
@@ -51,15 +52,16 @@ TEST_CASE("a scene that cannot be read as format 1 ends with exit code 3 and its
 TEST_CASE("an invalid scene is refused before anything is written") {
     const Folder folder;
     const std::string scene = folder.write("scene.json", body_scene(R"({"circle": {"radius": -1}})"));
-    CHECK(run_tumble({"run", scene, "-o", (folder / "out").string(), "--hashes", (folder / "h.csv").string()}).code == 3);
+    CHECK(run_tumble({"run", scene, "-o", (folder / "out").string(), "--hashes", (folder / "h.csv").string()}).code ==
+          3);
     CHECK_FALSE(std::filesystem::exists(folder / "out"));
     CHECK_FALSE(std::filesystem::exists(folder / "h.csv"));
 }
 
 TEST_CASE("all errors of a scene are reported, by validate as by run") {
     const Folder folder;
-    const std::string scene = folder.write(
-        "scene.json", body_scene(R"({"circle": {"radius": -1}}, {"box": {"size": [1]}}, {"capsul": {}})"));
+    const std::string scene =
+        folder.write("scene.json", body_scene(R"({"circle": {"radius": -1}}, {"box": {"size": [1]}}, {"capsul": {}})"));
     const Answer answer = run_tumble({"validate", scene});
     CHECK(answer.code == 3);
     for (const char* pointer : {"/shapes/0", "/shapes/1", "/shapes/2"}) {
@@ -86,7 +88,8 @@ TEST_CASE("a folder that cannot be written ends with exit code 4 and its name") 
         CHECK(answer.code == 4);
         CHECK_MESSAGE(answer.err.find(place) != std::string::npos, answer.err);
     }
-    const Answer answer = run_tumble({"run", scene, "--no-frames", "-o", (folder / "out").string(), "--hashes", file + "/h"});
+    const Answer answer =
+        run_tumble({"run", scene, "--no-frames", "-o", (folder / "out").string(), "--hashes", file + "/h"});
     CHECK(answer.code == 4);
 }
 
@@ -128,8 +131,10 @@ TEST_CASE("wrong usage ends with exit code 2") {
 }
 
 TEST_CASE("a misspelt command or option is told with what it may have been meant to be") {
-    CHECK(run_tumble({"rum", "x.json"}).err.find("unknown command 'rum'\n  hint: did you mean 'run'?") != std::string::npos);
-    CHECK(run_tumble({"run", "x.json", "--fsp", "2"}).err.find("unknown option '--fsp' of run\n  hint: did you mean '--fps'?") != std::string::npos);
+    CHECK(run_tumble({"rum", "x.json"}).err.find("unknown command 'rum'\n  hint: did you mean 'run'?") !=
+          std::string::npos);
+    CHECK(run_tumble({"run", "x.json", "--fsp", "2"})
+              .err.find("unknown option '--fsp' of run\n  hint: did you mean '--fps'?") != std::string::npos);
     CHECK(run_tumble({"run", "x.json", "more"}).err.find("unknown argument 'more' of run") != std::string::npos);
 }
 
@@ -139,7 +144,8 @@ TEST_CASE("what has no effect is said, and what cannot be written is found befor
     const std::string there = folder.write("there.csv", "");
     CHECK(run_tumble({"run", scene, "--no-frames", "-o", out, "--trajectory", there}).code == 4);
     CHECK_FALSE(std::filesystem::exists(out));
-    const Answer idle = run_tumble({"run", scene, "--no-frames", "-o", out, "--fps", "3", "--overlay", "contacts, all"});
+    const Answer idle =
+        run_tumble({"run", scene, "--no-frames", "-o", out, "--fps", "3", "--overlay", "contacts, all"});
     CHECK(idle.code == 0);
     CHECK(idle.err.find("--fps has no effect with --no-frames") != std::string::npos);
     CHECK(idle.err.find("--overlay has no effect") != std::string::npos);
@@ -148,7 +154,8 @@ TEST_CASE("what has no effect is said, and what cannot be written is found befor
 
 TEST_CASE("who has fallen out of the world is said at the end of a run") {
     const Folder folder;
-    const std::string ground = R"({"format": 1, "world": {"duration": 4}, "bodies": [{"type": "static", "shapes": [{"box": {"size": [4, 1]}}]},
+    const std::string ground =
+        R"({"format": 1, "world": {"duration": 4}, "bodies": [{"type": "static", "shapes": [{"box": {"size": [4, 1]}}]},
         {"name": "ball", "position": [PLACE, 2], "shapes": [{"circle": {"radius": 0.5}}]}]})";
     const auto run_at = [&](const std::string& place) {
         std::string text = ground;
@@ -157,7 +164,8 @@ TEST_CASE("who has fallen out of the world is said at the end of a run") {
     };
     CHECK(run_at("0").empty());
     // Four seconds at -10 m/s^2 from 2 m: -78 m, and a little for the sub-steps.
-    CHECK(run_at("9").find("'ball' has fallen below all that could hold it: 'ball' is at y = -78.") != std::string::npos);
+    CHECK(run_at("9").find("'ball' has fallen below all that could hold it: 'ball' is at y = -78.") !=
+          std::string::npos);
 }
 
 TEST_CASE("a scene without a name is called after its file, and one without bodies is no surprise") {

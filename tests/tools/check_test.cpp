@@ -47,7 +47,8 @@ TEST_CASE("every shipped scene that claims something holds it") {
 
 TEST_CASE("a claim that does not hold is exit code 7, with what was expected and what happened") {
     const Folder folder;
-    const std::string good = folder.write("good.json", crate_scene("0.9")), bad = folder.write("bad.json", crate_scene("2"));
+    const std::string good = folder.write("good.json", crate_scene("0.9")),
+                      bad = folder.write("bad.json", crate_scene("2"));
     CHECK(run_tumble({"check", good}).code == 0);
     CHECK(run_tumble({"check", good}).out == good + ": 2 of 2 claims hold\n");
 
@@ -85,7 +86,8 @@ TEST_CASE("check writes JUnit, and draws the moment of a failure") {
     const std::string text = read_text(junit);
     CHECK(text.find("tests=\"2\" failures=\"1\" errors=\"0\"") != std::string::npos);
     CHECK(text.find("name=\"/expect/1: 'crate' is inside") != std::string::npos);
-    CHECK(text.find("<failure message=\"at 1 s (step 60): it is at [0, 1]\"/><system-out>drawn: ") != std::string::npos);
+    CHECK(text.find("<failure message=\"at 1 s (step 60): it is at [0, 1]\"/><system-out>drawn: ") !=
+          std::string::npos);
     CHECK(fs::file_size(folder / "shots/crate___floor-expect-1.png") > 1000);
     CHECK(run_tumble({"check", bad, "--junit", junit}).code == 4);
     CHECK(run_tumble({"check", bad, "--junit", junit, "--force"}).code == 7);
@@ -94,7 +96,8 @@ TEST_CASE("check writes JUnit, and draws the moment of a failure") {
 TEST_CASE("pictures of scenes of one name stand beside each other, and those there already do not hide the failure") {
     const Folder folder;
     fs::create_directory(folder / "b");
-    const std::string one = folder.write("x.json", crate_scene("2")), other = folder.write("b/x.json", crate_scene("3"));
+    const std::string one = folder.write("x.json", crate_scene("2")),
+                      other = folder.write("b/x.json", crate_scene("3"));
     const std::vector<std::string> arguments{"check", one, other, "--shots", (folder / "shots").string(), "--json"};
     const Answer first = run_tumble(arguments);
     CHECK(first.code == 7);
@@ -123,7 +126,9 @@ TEST_CASE("the picture of a failure has the title of the scene, which is that of
 
 TEST_CASE("fmt prints the canonical form, and says what it loses") {
     const Folder folder;
-    const std::string file = folder.write("a.json", "// mine: \"\n{\"bodies\": [], /* // */ \"name\": \"//\\\"/*\", \"world\": {\"substeps\": 4}, \"format\": 1} // end");
+    const std::string file = folder.write("a.json",
+                                          "// mine: \"\n{\"bodies\": [], /* // */ \"name\": \"//\\\"/*\", \"world\": "
+                                          "{\"substeps\": 4}, \"format\": 1} // end");
     const Answer answer = run_tumble({"fmt", file});
     CHECK(answer.code == 0);
     CHECK(answer.out == "{\n  \"format\": 1,\n  \"name\": \"//\\\"/*\"\n}\n");
@@ -141,7 +146,8 @@ TEST_CASE("fmt prints the canonical form, and says what it loses") {
 
 TEST_CASE("a pattern may catch the schema of the scenes beside it") {
     const Folder folder;
-    const std::string scene = folder.write("a.json", R"({"format": 1})"), schema = folder.write("scene.schema.json", "{}");
+    const std::string scene = folder.write("a.json", R"({"format": 1})"),
+                      schema = folder.write("scene.schema.json", "{}");
     for (const char* command : {"check", "validate"}) {
         const Answer both = run_tumble({command, scene, schema});
         CHECK(both.code == 0);
@@ -153,9 +159,12 @@ TEST_CASE("a pattern may catch the schema of the scenes beside it") {
 TEST_CASE("fmt keeps includes, or writes what they hold") {
     const Folder folder;
     fs::create_directory(folder / "parts");
-    folder.write("parts/ball.json", R"({"format": 1, "bodies": [{"name": "ball", "shapes": [{"circle": {"radius": 1}}]}]})");
-    const std::string file = folder.write("a.json", R"({"format": 1, "include": [{"file": "parts/ball.json", "prefix": "a/"}]})");
-    const json kept = json::parse(run_tumble({"fmt", file}).out), flat = json::parse(run_tumble({"fmt", file, "--flat"}).out);
+    folder.write("parts/ball.json",
+                 R"({"format": 1, "bodies": [{"name": "ball", "shapes": [{"circle": {"radius": 1}}]}]})");
+    const std::string file =
+        folder.write("a.json", R"({"format": 1, "include": [{"file": "parts/ball.json", "prefix": "a/"}]})");
+    const json kept = json::parse(run_tumble({"fmt", file}).out),
+               flat = json::parse(run_tumble({"fmt", file, "--flat"}).out);
     CHECK(kept["include"].size() == 1);
     CHECK(!kept.contains("bodies"));
     CHECK(!flat.contains("include"));
@@ -169,14 +178,17 @@ TEST_CASE("fmt keeps includes, or writes what they hold") {
 TEST_CASE("import reads SVG drawings by their extension") {
     const Folder folder;
     const std::string drawing = folder.write(
-        "page.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100"><rect width="20" height="10"/></svg>)");
+        "page.svg",
+        R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100"><rect width="20" height="10"/></svg>)");
     const std::string scene = (folder / "page.json").string();
     CHECK(run_tumble({"import", drawing, "-o", scene, "--scale", "0.1"}).code == 0);
     const json written = json::parse(read_text(scene));
     REQUIRE(written["bodies"].size() == 1);
     CHECK(written["bodies"][0]["shapes"][0]["box"]["size"] == json::array({2, 1}));
-    const Answer marked = run_tumble({"import", folder.write("floor.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">
-        <rect width="20" height="10"/><rect class="static" y="90" width="100" height="10"/></svg>)"), "-o", (folder / "floor.json").string()});
+    const Answer marked = run_tumble(
+        {"import", folder.write("floor.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">
+        <rect width="20" height="10"/><rect class="static" y="90" width="100" height="10"/></svg>)"),
+         "-o", (folder / "floor.json").string()});
     CHECK(marked.out.find("2 bodies (1 dynamic, 1 static), 0 joints") != std::string::npos);
     CHECK(marked.err.find("class=\"static\"") != std::string::npos);
     CHECK(run_tumble({"import", "--help"}).out.find("class=\"static\"") != std::string::npos);

@@ -17,7 +17,8 @@ SceneWorld made() {
     return build_world(parse_scene(R"({"format": 1, "bodies": [
         {"name": "ground", "type": "static", "shapes": [{"box": {"size": [20, 1], "center": [0, -0.5]}}]},
         {"name": "ball", "position": [4, 0.4], "shapes": [{"circle": {"radius": 0.5}}]},
-        {"name": "crate", "position": [0, 3], "repeat": {"grid": {"columns": 2}}, "shapes": [{"box": {"size": [1, 1]}}]}]})", "marks.json"));
+        {"name": "crate", "position": [0, 3], "repeat": {"grid": {"columns": 2}}, "shapes": [{"box": {"size": [1, 1]}}]}]})",
+                                   "marks.json"));
 }
 
 bool marks(const Marking& marking, const SceneWorld& built, const std::string& name) {

@@ -33,8 +33,8 @@ TEST_CASE("--version says what was built, by what and for what") {
 }
 
 TEST_CASE("every subcommand has help, on standard output") {
-    for (const char* command : {"run", "demo", "shot", "validate", "schema", "distance", "import", "bench", "check", "fmt",
-                                "parity"}) {
+    for (const char* command :
+         {"run", "demo", "shot", "validate", "schema", "distance", "import", "bench", "check", "fmt", "parity"}) {
         CAPTURE(command);
         const Answer answer = run_tumble({command, "--help"});
         CHECK(answer.code == 0);
@@ -62,7 +62,8 @@ TEST_CASE("validate judges each scene") {
 
 TEST_CASE("validate counts its warnings, and with --strict they are refused") {
     const Folder folder;
-    const std::string tiny = folder.write("tiny.json", R"({"format": 1, "bodies": [{"name": "dot", "shapes": [{"circle": {"radius": 0.001}}]}]})");
+    const std::string tiny = folder.write(
+        "tiny.json", R"({"format": 1, "bodies": [{"name": "dot", "shapes": [{"circle": {"radius": 0.001}}]}]})");
     const Answer warned = run_tumble({"validate", tiny});
     CHECK(warned.code == 0);
     CHECK(warned.out == tiny + ": valid, 1 body, 0 joints, 1 warning\n");
@@ -89,7 +90,8 @@ TEST_CASE("every shipped scene is valid and has a description") {
 
 TEST_CASE("demo prints a scene to start from, in one piece, and runs one into a folder that it does not own") {
     const Folder folder;
-    CHECK(run_tumble({"demo", "see_saw", "--print"}).out == tumble::test::read_text(TUMBLE_SOURCE_DIR "/scenes/see_saw.json"));
+    CHECK(run_tumble({"demo", "see_saw", "--print"}).out ==
+          tumble::test::read_text(TUMBLE_SOURCE_DIR "/scenes/see_saw.json"));
     const std::string convoy = folder.write("convoy.json", run_tumble({"demo", "convoy", "--print"}).out);
     CHECK(run_tumble({"validate", convoy}).code == 0);
     CHECK(json::parse(run_tumble({"demo", "see_saw", "--print", "--json"}).out)["name"] == "see_saw");
@@ -101,7 +103,8 @@ TEST_CASE("schema prints the published schema") {
     const Answer answer = run_tumble({"schema"});
     CHECK(answer.code == 0);
     CHECK(json::parse(answer.out).contains("$schema"));
-    CHECK(json::parse(answer.out) == json::parse(tumble::test::read_text(TUMBLE_SOURCE_DIR "/scenes/scene.schema.json")));
+    CHECK(json::parse(answer.out) ==
+          json::parse(tumble::test::read_text(TUMBLE_SOURCE_DIR "/scenes/scene.schema.json")));
 }
 
 TEST_CASE("import writes a scene that runs, and says what it could not carry over") {
@@ -123,7 +126,8 @@ TEST_CASE("import writes a scene that runs, and says what it could not carry ove
 }
 
 TEST_CASE("bench times both engines on the same scenes") {
-    const Answer answer = run_tumble({"bench", "--pairs", "64", "--scenes", "pyramid,box_stack", "--steps", "5", "--runs", "1", "--json"});
+    const Answer answer = run_tumble(
+        {"bench", "--pairs", "64", "--scenes", "pyramid,box_stack", "--steps", "5", "--runs", "1", "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const json result = json::parse(answer.out);
     for (const char* key : {"distance", "step", "render", "machine"}) CHECK(result.contains(key));

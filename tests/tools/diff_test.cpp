@@ -28,8 +28,10 @@ TEST_CASE("the first step, body and component that differ are named, with ulps a
     const std::string start = std::string(kHeader) + "0,0,ball,1,2,0,0,0,0\n0,0,\"a, b\",0,0,0,0,0,0\n";
     const std::string a = folder.write("a.csv", start + "1,0.5,ball,1,2,0,0.25,0,0\n1,0.5,\"a, b\",1,0,0,0,0,0\n");
     // The double after 1 is 1 + 2^-52; the float after 0.25 is 0.25 + 2^-25.
-    const std::string b = folder.write("b.csv", start + "1,0.5,ball,1,2,0,0.25,0,0\n1,0.5,\"a, b\",1.0000000000000002,0,0,0,0,0\n");
-    const std::string c = folder.write("c.csv", start + "1,0.5,ball,1,2,0,0.25000003,0,0\n1,0.5,\"a, b\",2,0,0,0,0,0\n");
+    const std::string b =
+        folder.write("b.csv", start + "1,0.5,ball,1,2,0,0.25,0,0\n1,0.5,\"a, b\",1.0000000000000002,0,0,0,0,0\n");
+    const std::string c =
+        folder.write("c.csv", start + "1,0.5,ball,1,2,0,0.25000003,0,0\n1,0.5,\"a, b\",2,0,0,0,0,0\n");
     CHECK(run_tumble({"diff", a, a}).code == 0);
     const Answer near = run_tumble({"diff", a, b, "--json"});
     CHECK(near.code == 7);
@@ -52,8 +54,10 @@ TEST_CASE("the first step, body and component that differ are named, with ulps a
 
 TEST_CASE("beyond the first difference, the largest of each kind is found, and angles go the shorter way") {
     const Folder folder;
-    const std::string a = folder.write("a.csv", std::string(kHeader) + "0,0,ball,1,2,3.14,0,0,0\n1,0.5,ball,1,2,0,0,0,0\n2,1,ball,1,2,0,0,0,7\n");
-    const std::string b = folder.write("b.csv", std::string(kHeader) + "0,0,ball,1,2,-3.14,0,0,0\n1,0.5,ball,1.5,2,0,0,0,0\n2,1,ball,1,4,0,0,0,9\n");
+    const std::string a = folder.write(
+        "a.csv", std::string(kHeader) + "0,0,ball,1,2,3.14,0,0,0\n1,0.5,ball,1,2,0,0,0,0\n2,1,ball,1,2,0,0,0,7\n");
+    const std::string b = folder.write(
+        "b.csv", std::string(kHeader) + "0,0,ball,1,2,-3.14,0,0,0\n1,0.5,ball,1.5,2,0,0,0,0\n2,1,ball,1,4,0,0,0,9\n");
     const json found = compare(run_tumble({"diff", a, b, "--json"}));
     CHECK(found["first"]["step"] == 0);
     CHECK(found["first"]["apart"].get<double>() == doctest::Approx(2.0 * 3.14159265358979 - 6.28).epsilon(1e-9));
@@ -67,18 +71,24 @@ TEST_CASE("beyond the first difference, the largest of each kind is found, and a
 
 TEST_CASE("two lists of hashes are compared, and two values of one scene") {
     const Folder folder;
-    const std::string a = folder.write("a.csv", "step,hash\n0,00000000000000aa\n1,00000000000000bb\n"), longer = folder.write("c.csv", "step,hash\n0,00000000000000aa\n1,00000000000000bb\n2,1\n");
+    const std::string a = folder.write("a.csv", "step,hash\n0,00000000000000aa\n1,00000000000000bb\n"),
+                      longer = folder.write("c.csv", "step,hash\n0,00000000000000aa\n1,00000000000000bb\n2,1\n");
     const std::string b = folder.write("b.csv", "step,hash\n0,00000000000000aa\n1,00000000000000bc\n");
     CHECK(run_tumble({"diff", a, a}).code == 0);
     const Answer differs = run_tumble({"diff", a, b});
     CHECK(differs.code == 7);
     CHECK(differs.out == "the first difference is at step 1: the hashes are 00000000000000bb and 00000000000000bc\n");
     CHECK(compare(run_tumble({"diff", a, longer, "--json"}))["first"]["hash_a"] == "none");
-    const std::string scene = folder.write("s.json", R"({"format": 1, "world": {"duration": 0.1}, "bodies": [{"name": "ball", "shapes": [{"circle": {"radius": 1}}]}]})");
+    const std::string scene = folder.write(
+        "s.json",
+        R"({"format": 1, "world": {"duration": 0.1}, "bodies": [{"name": "ball", "shapes": [{"circle": {"radius": 1}}]}]})");
     CHECK(run_tumble({"diff", scene, scene}).code == 0);
-    CHECK(compare(run_tumble({"diff", scene, scene, "--set", "/world/gravity/1=-9", "--json"}))["first"]["component"] == "y");
+    CHECK(compare(run_tumble({"diff", scene, scene, "--set", "/world/gravity/1=-9", "--json"}))["first"]["component"] ==
+          "y");
     CHECK(run_tumble({"diff", scene, a, "--set", "/world/gravity/1=-9"}).code == 2);
-    const std::string scattered = folder.write("t.json", R"({"format": 1, "world": {"duration": 0.1}, "bodies": [{"name": "ball", "repeat": {"scatter": {"count": 3, "size": [4, 4]}}}]})");
+    const std::string scattered = folder.write(
+        "t.json",
+        R"({"format": 1, "world": {"duration": 0.1}, "bodies": [{"name": "ball", "repeat": {"scatter": {"count": 3, "size": [4, 4]}}}]})");
     CHECK(run_tumble({"diff", scattered, scattered, "--seed", "1"}).code == 0);  // the default
     CHECK(run_tumble({"diff", scattered, scattered, "--seed", "2"}).code == 7);
     CHECK(run_tumble({"diff", scattered, a, "--seed", "2"}).code == 2);
@@ -90,7 +100,8 @@ TEST_CASE("a run that ends early or has other bodies differs") {
     const std::string line = "0,0,ball,1,2,0,0,0,0\n";
     const std::string a = folder.write("a.csv", kHeader + line + "1,0.5,ball,1,2,0,0,0,0\n");
     const std::string shorter = folder.write("b.csv", kHeader + line);
-    const std::string renamed = folder.write("c.csv", std::string(kHeader) + "0,0,box,1,2,0,0,0,0\n1,0.5,box,1,2,0,0,0,0\n");
+    const std::string renamed =
+        folder.write("c.csv", std::string(kHeader) + "0,0,box,1,2,0,0,0,0\n1,0.5,box,1,2,0,0,0,0\n");
     const Answer ended = run_tumble({"diff", a, shorter});
     CHECK(ended.code == 7);
     CHECK(ended.out.find("step 1 (0.5 s): B ends before it") != std::string::npos);
@@ -108,7 +119,8 @@ TEST_CASE("a scene agrees with the trajectory that it wrote, and the contacts of
     REQUIRE(run_tumble({"run", scene, "--no-frames", "-o", run, "--trajectory", run + "/trajectory.csv"}).code == 0);
     CHECK(run_tumble({"diff", run, scene}).code == 0);
     REQUIRE(run_tumble({"run", scene, "--no-frames", "--force", "-o", run, "--trajectory", run + "/moved.csv", "--set",
-                        "/bodies/1/position=[0, 0.98]"}).code == 0);
+                        "/bodies/1/position=[0, 0.98]"})
+                .code == 0);
     const json first = compare(run_tumble({"diff", scene, run + "/moved.csv", "--json"}))["first"];
     CHECK(first["step"] == 0);
     CHECK(first["body"] == "ball");
@@ -131,7 +143,8 @@ TEST_CASE("what is no trajectory is refused with its line") {
     };
     CHECK(refuse("step,time\n0,0\n").find("column") != std::string::npos);
     CHECK(refuse(std::string(kHeader) + "0,0,ball,1,2,0\n").find("line 2") != std::string::npos);
-    CHECK(refuse(std::string(kHeader) + "0,0,ball,1,two,0,0,0,0\n").find("bad.csv:2: expected a number, got 'two'") != std::string::npos);
+    CHECK(refuse(std::string(kHeader) + "0,0,ball,1,two,0,0,0,0\n").find("bad.csv:2: expected a number, got 'two'") !=
+          std::string::npos);
     CHECK(refuse("").size() > 10);
     CHECK(run_tumble({"diff", good, (folder / "none.csv").string()}).code == 4);
     CHECK(run_tumble({"diff", good}).code == 2);

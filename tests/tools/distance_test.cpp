@@ -18,7 +18,7 @@ using tumble::test::tumble_command;
 TEST_CASE("the distance of two circles is that of their centres less their radii") {
     // Centres (0, 0) and (3, 4), 5 apart; radii 1 and 0.5.
     const Answer answer = run_tumble({"distance", R"({"circle": {"radius": 1}})",
-                                  R"({"circle": {"radius": 0.5}, "pose": {"position": [3, 4]}})", "--json"});
+                                      R"({"circle": {"radius": 0.5}, "pose": {"position": [3, 4]}})", "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const json result = json::parse(answer.out);
     CHECK(result["status"] == "separated");
@@ -36,19 +36,28 @@ TEST_CASE("the distance of two circles is that of their centres less their radii
 }
 
 TEST_CASE("a line takes its poses in the shapes as arguments do, or beside them, but not twice") {
-    const auto answer = [](const std::string& line) { return Process(tumble_command({"distance", "--stdin"}), ".", line).wait(); };
-    const std::string disc = R"({"circle": {"radius": 1}})", posed = R"({"circle": {"radius": 1}, "pose": {"position": [3, 0]}})";
+    const auto answer = [](const std::string& line) {
+        return Process(tumble_command({"distance", "--stdin"}), ".", line).wait();
+    };
+    const std::string disc = R"({"circle": {"radius": 1}})",
+                      posed = R"({"circle": {"radius": 1}, "pose": {"position": [3, 0]}})";
     CHECK(json::parse(answer(R"({"a": )" + disc + R"(, "b": )" + posed + "}").out)["distance"] == 1.0);
-    CHECK(answer(R"({"a": )" + disc + R"(, "b": )" + posed + "}").out == answer(R"({"a": )" + disc + R"(, "b": )" + disc + R"(, "b_pose": {"position": [3, 0]}})").out);
-    CHECK(answer(R"({"a": )" + disc + R"(, "b": )" + posed + R"(, "b_pose": {"position": [3, 0]}})").out.find("twice") != std::string::npos);
-    CHECK(run_tumble({"distance", R"({"circle": {"radius": 1}, "position": [3, 0]})", disc}).err.find("belongs to the pose") != std::string::npos);
-    CHECK(run_tumble({"distance", R"({"circle": {"radius": 1}, "x": })", disc}).err.find("json.exception") == std::string::npos);
+    CHECK(answer(R"({"a": )" + disc + R"(, "b": )" + posed + "}").out ==
+          answer(R"({"a": )" + disc + R"(, "b": )" + disc + R"(, "b_pose": {"position": [3, 0]}})").out);
+    CHECK(
+        answer(R"({"a": )" + disc + R"(, "b": )" + posed + R"(, "b_pose": {"position": [3, 0]}})").out.find("twice") !=
+        std::string::npos);
+    CHECK(run_tumble({"distance", R"({"circle": {"radius": 1}, "position": [3, 0]})", disc})
+              .err.find("belongs to the pose") != std::string::npos);
+    CHECK(run_tumble({"distance", R"({"circle": {"radius": 1}, "x": })", disc}).err.find("json.exception") ==
+          std::string::npos);
 }
 
 TEST_CASE("poses are taken by angle or by rotation, and quarter turns are exact") {
     const std::string box = R"({"box": {"size": [2, 1]}})";
     const auto distance_to = [&](const std::string& pose) {
-        const Answer answer = run_tumble({"distance", box, R"({"box": {"size": [2, 1]}, "pose": )" + pose + "}", "--json"});
+        const Answer answer =
+            run_tumble({"distance", box, R"({"box": {"size": [2, 1]}, "pose": )" + pose + "}", "--json"});
         REQUIRE_MESSAGE(answer.code == 0, answer.err);
         return json::parse(answer.out)["distance"].get<double>();
     };
@@ -73,18 +82,19 @@ TEST_CASE("clockwise, self-crossing and repeated points stand for their hull") {
 
 TEST_CASE("a query that is wrong says where, with exit code 3") {
     const std::string circle = R"({"circle": {"radius": 1}})";
-    for (const std::string& wrong : {std::string("{"), std::string("[]"), std::string(R"({"circle": {}})"),
-                                     std::string(R"({"circle": {"radius": -1}})"),
-                                     std::string(R"({"circle": {"radius": 1}, "pose": {"position": [0]}})"),
-                                     std::string(R"({"circle": {"radius": NaN}})"), std::string(R"({"circle": {"radius": 1e999}})"),
-                                     std::string(R"({"circle": {"radius": 1}, "pose": {"position": [Infinity, 0]}})"),
-                                     std::string(R"({"polygon": {"vertices": []}})"),
-                                     std::string(R"({"polygon": {"vertices": [[1, 1], [1, 1], [1, 1]]}})"),
-                                     std::string(R"({"circle": {"radius": 1}, "pose": {"angel": 3}})"),
-                                     std::string(R"({"circle": {"radius": 1}, "pose": {"angle": 3, "rotation": [1, 0]}})"),
-                                     std::string(R"({"circle": {"radius": 1}, "pose": {"rotation": [1, 1]}})"),
-                                     std::string(R"({"circle": {"radius": 1}, "pose": {"position": [1e300, 0]}})"),
-                                     std::string(R"({"chain": {"points": [[0, 0], [1, 0], [2, 0]]}})")}) {
+    for (const std::string& wrong :
+         {std::string("{"), std::string("[]"), std::string(R"({"circle": {}})"),
+          std::string(R"({"circle": {"radius": -1}})"),
+          std::string(R"({"circle": {"radius": 1}, "pose": {"position": [0]}})"),
+          std::string(R"({"circle": {"radius": NaN}})"), std::string(R"({"circle": {"radius": 1e999}})"),
+          std::string(R"({"circle": {"radius": 1}, "pose": {"position": [Infinity, 0]}})"),
+          std::string(R"({"polygon": {"vertices": []}})"),
+          std::string(R"({"polygon": {"vertices": [[1, 1], [1, 1], [1, 1]]}})"),
+          std::string(R"({"circle": {"radius": 1}, "pose": {"angel": 3}})"),
+          std::string(R"({"circle": {"radius": 1}, "pose": {"angle": 3, "rotation": [1, 0]}})"),
+          std::string(R"({"circle": {"radius": 1}, "pose": {"rotation": [1, 1]}})"),
+          std::string(R"({"circle": {"radius": 1}, "pose": {"position": [1e300, 0]}})"),
+          std::string(R"({"chain": {"points": [[0, 0], [1, 0], [2, 0]]}})")}) {
         CAPTURE(wrong);
         const Answer answer = run_tumble({"distance", circle, wrong});
         CHECK(answer.code == 3);
@@ -94,11 +104,13 @@ TEST_CASE("a query that is wrong says where, with exit code 3") {
 
 TEST_CASE("lines of queries give lines of answers, and a bad line does not end the run") {
     const std::string input =
-        "{\"a\": {\"circle\": {\"radius\": 1}}, \"b\": {\"circle\": {\"radius\": 0}}, \"b_pose\": {\"position\": [3, 0]}}\n"
+        "{\"a\": {\"circle\": {\"radius\": 1}}, \"b\": {\"circle\": {\"radius\": 0}}, \"b_pose\": {\"position\": [3, "
+        "0]}}\n"
         "{\"a\": {\"circle\": {\"radius\": 1}}}\n"
         "\n"
         "nonsense\n"
-        "{\"a\": {\"circle\": {\"radius\": 1}}, \"b\": {\"circle\": {\"radius\": 1}}, \"a_pose\": {\"position\": [0, 9]}}\n";
+        "{\"a\": {\"circle\": {\"radius\": 1}}, \"b\": {\"circle\": {\"radius\": 1}}, \"a_pose\": {\"position\": [0, "
+        "9]}}\n";
     const Answer answer = Process(tumble_command({"distance", "--stdin"}), ".", input).wait();
     CHECK(answer.code == 3);
     std::vector<json> lines;
@@ -128,7 +140,8 @@ done)";
 
 TEST_CASE("a trace is a picture or JSON, by its extension, and replaces nothing by itself") {
     const tumble::test::Folder folder;
-    const std::string box = R"({"box": {"size": [2, 1]}})", turned = R"({"box": {"size": [2, 1]}, "pose": {"position": [4, 1], "angle": 30}})";
+    const std::string box = R"({"box": {"size": [2, 1]}})",
+                      turned = R"({"box": {"size": [2, 1]}, "pose": {"position": [4, 1], "angle": 30}})";
     const auto trace = [&](const std::string& file) {
         return run_tumble({"distance", box, turned, "--json", "--trace", (folder / file).string()});
     };
@@ -145,7 +158,9 @@ TEST_CASE("a trace is a picture or JSON, by its extension, and replaces nothing 
     REQUIRE(trace("t.svg").code == 0);
     CHECK(tumble::test::read_text(folder / "t.svg").starts_with("<svg"));
     REQUIRE(trace("t.png").code == 0);
-    CHECK(tumble::test::read_text(folder / "t.png").starts_with("\x89" "PNG"));
+    CHECK(tumble::test::read_text(folder / "t.png")
+              .starts_with("\x89"
+                           "PNG"));
     CHECK(trace("t.png").code == 4);
     CHECK(trace("t.gif").code == 2);
     CHECK(trace("t").code == 2);

@@ -100,7 +100,8 @@ TEST_CASE("a full disk ends a run with exit code 4 and leaves no half-written fi
         return;
     }
     const fs::path out = folder / "disk/out";
-    const Answer frames = tumble::test::run_tumble({"run", scene, "--duration", "100", "--size", "640x360", "-o", out.string()});
+    const Answer frames =
+        tumble::test::run_tumble({"run", scene, "--duration", "100", "--size", "640x360", "-o", out.string()});
     CHECK(frames.code == 4);
     CHECK_MESSAGE(frames.err.find("No space left") != std::string::npos, frames.err);
     CHECK(check_frames(out / "frames") > 0);
@@ -110,7 +111,7 @@ TEST_CASE("a full disk ends a run with exit code 4 and leaves no half-written fi
     fs::remove_all(out);
     const Answer trajectory =
         tumble::test::run_tumble({"run", scene, "--no-frames", "--duration", "100", "-o", (folder / "out").string(),
-                              "--trajectory", (folder / "disk/trajectory.csv").string()});
+                                  "--trajectory", (folder / "disk/trajectory.csv").string()});
     CHECK(trajectory.code == 4);
     CHECK(trajectory.err.find("trajectory.csv") != std::string::npos);
     CHECK(fs::is_empty(folder / "disk"));

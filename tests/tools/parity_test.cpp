@@ -15,7 +15,8 @@ using tumble::test::read_text;
 using tumble::test::run_tumble;
 
 TEST_CASE("parity prints what scripts rely on, and nothing of tumble's is wrong") {
-    const Answer answer = run_tumble({"parity", "--pairs", "2000", "--seed", "7", "--family", "near_gap", "--family", "far_16km", "--json"});
+    const Answer answer = run_tumble(
+        {"parity", "--pairs", "2000", "--seed", "7", "--family", "near_gap", "--family", "far_16km", "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const json result = json::parse(answer.out);
     CHECK(result["pairs"] == 2000);
@@ -44,7 +45,8 @@ TEST_CASE("parity of a scene compares its pairs step by step") {
     CHECK(result["families"][0]["name"] == "small");
     CHECK(result["ours_wrong"] == 0);
     CHECK(result["pairs"].get<int>() > 300);  // two bodies on the ground for most of 300 steps
-    CHECK(run_tumble({"parity", "--scene", scene, "--seed", "2"}).err.find("--seed has no effect with --scene") != std::string::npos);
+    CHECK(run_tumble({"parity", "--scene", scene, "--seed", "2"}).err.find("--seed has no effect with --scene") !=
+          std::string::npos);
     const std::string nameless = folder.write("nameless.json", R"({"format": 1, "world": {"duration": 0.1}})");
     CHECK(json::parse(run_tumble({"parity", "--scene", nameless, "--json"}).out)["families"][0]["name"] == "nameless");
 }
@@ -67,7 +69,8 @@ TEST_CASE("the parity report is one page that needs nothing else, and is not ove
     CHECK(text.find("<svg") != std::string::npos);
     CHECK(text.find("Where Box2D is wrong") != std::string::npos);
     CHECK(text.find("overlap flag") != std::string::npos);
-    for (const char* from_elsewhere : {"<script", "src=", "href=", "url("}) CHECK_MESSAGE(text.find(from_elsewhere) == std::string::npos, from_elsewhere);
+    for (const char* from_elsewhere : {"<script", "src=", "href=", "url("})
+        CHECK_MESSAGE(text.find(from_elsewhere) == std::string::npos, from_elsewhere);
     CHECK(run_tumble(command).code == 4);
     CHECK(read_text(page) == text);
 }

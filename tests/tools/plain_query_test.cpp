@@ -1,4 +1,5 @@
-// The quick reader of query lines beside the strict one: what it reads, it reads the same, and the rest it leaves alone.
+// The quick reader of query lines beside the strict one: what it reads, it reads the same, and the rest it leaves
+// alone.
 #include "plain_query.hpp"
 
 #include <doctest/doctest.h>
@@ -64,7 +65,8 @@ private:
 
     std::string shape() {
         switch (below(5)) {
-            case 0: return R"({"circle": {"radius": )" + length() + (below(2) ? R"(, "center": )" + point() : "") + "}}";
+            case 0:
+                return R"({"circle": {"radius": )" + length() + (below(2) ? R"(, "center": )" + point() : "") + "}}";
             case 1: {
                 const std::string from = point(), to = point();
                 return R"({"capsule": {"from": )" + from + R"(, "to": )" + to + R"(, "radius": )" + length() + "}}";
@@ -79,7 +81,8 @@ private:
             case 3: {
                 std::string vertices = point();
                 for (int more = 2 + below(10); more > 0; --more) vertices += "," + point();
-                return R"({"polygon": {"vertices": [)" + vertices + "]" + (below(2) ? R"(, "radius": )" + length() : "") + "}}";
+                return R"({"polygon": {"vertices": [)" + vertices + "]" +
+                       (below(2) ? R"(, "radius": )" + length() : "") + "}}";
             }
             default: {
                 const std::string from = point(), to = point();
@@ -103,8 +106,10 @@ private:
 
 template <class Number>
 auto bits(Number number) {
-    if constexpr (sizeof number == 4) return std::bit_cast<std::uint32_t>(number);
-    else return std::bit_cast<std::uint64_t>(number);
+    if constexpr (sizeof number == 4)
+        return std::bit_cast<std::uint32_t>(number);
+    else
+        return std::bit_cast<std::uint64_t>(number);
 }
 
 bool same_bits(const Pose& a, const Pose& b) {
@@ -159,19 +164,37 @@ TEST_CASE("plain lines read the same quickly and strictly, bit for bit") {
 }
 
 TEST_CASE("the quick reader leaves what is wrong to the strict one, which refuses it") {
-    for (const char* shape :
-         {"1", "null", "[]", "{}", R"({"disc": {"radius": 1}})", R"({"circle": {}})", R"({"circle": {"radius": -1}})",
-          R"({"circle": {"radius": "1"}})", R"({"circle": {"radius": 1e999}})", R"({"circle": {"radius": NaN}})",
-          R"({"circle": {"radius": 2e5}})", R"({"circle": {"radius": 1, "radius": 2}})", R"({"circle": {"radius": 1, "r": 2}})",
-          R"({"circle": {"radius": 1}, "box": {"size": [1, 1]}})", R"({"circle": {"radius": 1, "center": [0, 0, 0]}})",
-          R"({"circle": {"radius": 1, "center": [0, [0]]}})", R"({"box": {"size": [0, 1]}})",
-          R"({"box": {"size": [1, 1], "radius": 0.6}})", R"({"polygon": {"vertices": [[0, 0], [1, 0]]}})",
-          R"({"polygon": {"vertices": [[0, 0], [1, 1], [2, 2]]}})", R"({"polygon": {"vertices": [[0, 0], [1, 0], 1]}})",
-          R"({"segment": {"from": [1, 1], "to": [1, 1]}})", R"({"capsule": {"from": [0, 0], "to": [1, 0]}})",
-          R"({"circle": {"radius": 1}}, "b": {"circle": {"radius": 1}})", R"({"circle": {"radius": 1}}, "c": 1)",
-          R"({"circle": {"radius": 1}}, "a_pose": {"position": [0]})", R"({"circle": {"radius": 1}}, "a_pose": {"x": 0})",
-          R"({"circle": {"radius": 1}}, "a_pose": {"angle": 0, "rotation": [1, 0]})", R"({"circle": {"radius": 1}}, "a_pose": {"rotation": [1, 1]})",
-          R"({"circle": {"radius": 1}}, "a_pose": {"rotation": [0.7, 0.7]})", R"({"circle": {"radius": 1}}} {)"}) {
+    for (const char* shape : {"1",
+                              "null",
+                              "[]",
+                              "{}",
+                              R"({"disc": {"radius": 1}})",
+                              R"({"circle": {}})",
+                              R"({"circle": {"radius": -1}})",
+                              R"({"circle": {"radius": "1"}})",
+                              R"({"circle": {"radius": 1e999}})",
+                              R"({"circle": {"radius": NaN}})",
+                              R"({"circle": {"radius": 2e5}})",
+                              R"({"circle": {"radius": 1, "radius": 2}})",
+                              R"({"circle": {"radius": 1, "r": 2}})",
+                              R"({"circle": {"radius": 1}, "box": {"size": [1, 1]}})",
+                              R"({"circle": {"radius": 1, "center": [0, 0, 0]}})",
+                              R"({"circle": {"radius": 1, "center": [0, [0]]}})",
+                              R"({"box": {"size": [0, 1]}})",
+                              R"({"box": {"size": [1, 1], "radius": 0.6}})",
+                              R"({"polygon": {"vertices": [[0, 0], [1, 0]]}})",
+                              R"({"polygon": {"vertices": [[0, 0], [1, 1], [2, 2]]}})",
+                              R"({"polygon": {"vertices": [[0, 0], [1, 0], 1]}})",
+                              R"({"segment": {"from": [1, 1], "to": [1, 1]}})",
+                              R"({"capsule": {"from": [0, 0], "to": [1, 0]}})",
+                              R"({"circle": {"radius": 1}}, "b": {"circle": {"radius": 1}})",
+                              R"({"circle": {"radius": 1}}, "c": 1)",
+                              R"({"circle": {"radius": 1}}, "a_pose": {"position": [0]})",
+                              R"({"circle": {"radius": 1}}, "a_pose": {"x": 0})",
+                              R"({"circle": {"radius": 1}}, "a_pose": {"angle": 0, "rotation": [1, 0]})",
+                              R"({"circle": {"radius": 1}}, "a_pose": {"rotation": [1, 1]})",
+                              R"({"circle": {"radius": 1}}, "a_pose": {"rotation": [0.7, 0.7]})",
+                              R"({"circle": {"radius": 1}}} {)"}) {
         CAPTURE(shape);
         CHECK_FALSE(read_plain_query(with(shape)));
         CHECK(is_refused(with(shape)));

@@ -37,15 +37,19 @@ TEST_CASE("the README's first distance, and its line of JSON, are what the binar
     const std::string a = between("run.sh distance ", "'", "' '"), b = between("run.sh distance ", "' '", "'\n");
     CHECK(run_tumble({"distance", a, b}).out == between("`distance` answers one query", "```\n", "```"));
     const std::string line = between("`distance --stdin` takes", "echo '", "' |");
-    CHECK(Process(tumble_command({"distance", "--stdin"}), ".", line + "\n").wait().out == between("run.sh distance --stdin", "```json\n", "```"));
+    CHECK(Process(tumble_command({"distance", "--stdin"}), ".", line + "\n").wait().out ==
+          between("run.sh distance --stdin", "```json\n", "```"));
 }
 
 TEST_CASE("the pentagon and the kite take as many iterations and support vertices as the README says") {
     const Folder folder;
     const std::string trace = (folder / "gjk.json").string();
-    const std::string a = between("support vertex of A in d minus", "distance '", "' \\\n"), b = between("support vertex of A in d minus", "    '", "' \\\n");
+    const std::string a = between("support vertex of A in d minus", "distance '", "' \\\n"),
+                      b = between("support vertex of A in d minus", "    '", "' \\\n");
     const Answer answer = run_tumble({"distance", a, b, "--trace", trace, "--json", "--sub-algorithm", "voronoi"});
     REQUIRE(answer.code == 0);
-    CHECK(between("![A pentagon and a kite apart", ": ", " iterations") == std::to_string(json::parse(read_text(trace))["steps"].size()));
-    CHECK(between("![A pentagon and a kite apart", " iterations, ", " support vertices") == std::to_string(json::parse(answer.out)["iterations"].get<int>()));
+    CHECK(between("![A pentagon and a kite apart", ": ", " iterations") ==
+          std::to_string(json::parse(read_text(trace))["steps"].size()));
+    CHECK(between("![A pentagon and a kite apart", " iterations, ", " support vertices") ==
+          std::to_string(json::parse(answer.out)["iterations"].get<int>()));
 }

@@ -46,7 +46,7 @@ TEST_CASE("five seconds at 60 frames a second are 301 frames") {
     const Folder folder;
     const fs::path out = folder / "out";
     const Answer answer = run_tumble({"run", TUMBLE_SOURCE_DIR "/scenes/pyramid.json", "--duration", "5", "--fps", "60",
-                                  "--size", "64x36", "-o", out.string()});
+                                      "--size", "64x36", "-o", out.string()});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     CHECK(count_files(out / "frames") == 301);
     CHECK(fs::exists(out / "frames/frame_000000.png"));
@@ -78,7 +78,8 @@ TEST_CASE("the summary has every key that scripts rely on, and --json prints the
         CAPTURE(key);
         CHECK(summary["counters"][key].is_number_integer());
     }
-    for (const char* key : {"pairs", "collide", "prepare", "solve", "continuous", "proxies", "events", "sleep", "step"}) {
+    for (const char* key :
+         {"pairs", "collide", "prepare", "solve", "continuous", "proxies", "events", "sleep", "step"}) {
         CAPTURE(key);
         CHECK(summary["ms_per_step"][key].get<double>() >= 0.0);
     }
@@ -111,7 +112,8 @@ TEST_CASE("events.csv tells what began, ended and fell asleep; --contacts has ev
     const std::vector<std::string> events = lines_of(out / "events.csv");
     CHECK(events[0] == "step,time,event,a,b,x,y,nx,ny,speed");
     const auto count = [&](const std::string& kind) {
-        return std::ranges::count_if(events, [&](const std::string& line) { return line.find(kind) != std::string::npos; });
+        return std::ranges::count_if(events,
+                                     [&](const std::string& line) { return line.find(kind) != std::string::npos; });
     };
     CHECK(count(",contact_begin,ground,ball,") >= 1);
     // Who touches at the end has begun once more often than it has ended.
@@ -156,7 +158,7 @@ TEST_CASE("two runs give the same hash after each step") {
     const std::string scene = small_scene_file(folder);
     for (const char* name : {"a", "b"})
         REQUIRE(run_tumble({"run", scene, "--no-frames", "--duration", "2", "-o", (folder / name).string(), "--hashes",
-                        (folder / (std::string(name) + ".csv")).string()})
+                            (folder / (std::string(name) + ".csv")).string()})
                     .code == 0);
     const std::vector<std::string> lines = lines_of(folder / "a.csv");
     CHECK(lines == lines_of(folder / "b.csv"));
@@ -173,7 +175,7 @@ TEST_CASE("a trajectory has a line for each body and step") {
     const Folder folder;
     const fs::path file = folder / "sub/trajectory.csv";
     REQUIRE(run_tumble({"run", small_scene_file(folder), "--no-frames", "--duration", "0.5", "-o",
-                    (folder / "out").string(), "--trajectory", file.string()})
+                        (folder / "out").string(), "--trajectory", file.string()})
                 .code == 0);
     const std::vector<std::string> lines = lines_of(file);
     REQUIRE(lines.size() == 1 + 31 * 3);
@@ -222,7 +224,7 @@ TEST_CASE("nothing is overwritten silently") {
 TEST_CASE("more frames than steps repeat frames, with a warning") {
     const Folder folder;
     const Answer answer = run_tumble({"run", small_scene_file(folder), "--fps", "240", "--duration", "0.05", "--size",
-                                  "64x36", "-o", (folder / "out").string()});
+                                      "64x36", "-o", (folder / "out").string()});
     CHECK(answer.code == 0);
     CHECK(answer.err.find("warning") != std::string::npos);
     CHECK(count_files(folder / "out/frames") == 13);
@@ -233,7 +235,8 @@ TEST_CASE("more frames than steps repeat frames, with a warning") {
 TEST_CASE("a shot is the frame of a run at that time") {
     const Folder folder;
     const std::string scene = small_scene_file(folder);
-    REQUIRE(run_tumble({"run", scene, "--duration", "0.5", "--size", "160x90", "-o", (folder / "out").string()}).code == 0);
+    REQUIRE(run_tumble({"run", scene, "--duration", "0.5", "--size", "160x90", "-o", (folder / "out").string()}).code ==
+            0);
     const std::string file = (folder / "new/shot.png").string();
     const Answer answer = run_tumble({"shot", scene, "--at", "0.5", "--size", "160x90", "-o", file});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
@@ -255,9 +258,12 @@ TEST_CASE("a camera that follows shows the same in a shot and in the frames of a
     REQUIRE(run_tumble({"run", scene, "--size", "160x90", "--fps", "10", "-o", (folder / "10").string()}).code == 0);
     for (const std::size_t tenth : {std::size_t{0}, std::size_t{2}, std::size_t{3}, std::size_t{5}}) {
         const std::string shot = (folder / (std::to_string(tenth) + ".png")).string();
-        REQUIRE(run_tumble({"shot", scene, "--at", "0." + std::to_string(tenth), "--size", "160x90", "-o", shot}).code == 0);
+        REQUIRE(
+            run_tumble({"shot", scene, "--at", "0." + std::to_string(tenth), "--size", "160x90", "-o", shot}).code ==
+            0);
         const std::string frame = std::to_string(6 * tenth);
-        CHECK(read_text(shot) == read_text(folder / ("60/frames/frame_" + std::string(6 - frame.size(), '0') + frame + ".png")));
+        CHECK(read_text(shot) ==
+              read_text(folder / ("60/frames/frame_" + std::string(6 - frame.size(), '0') + frame + ".png")));
         CHECK(read_text(shot) == read_text(folder / ("10/frames/frame_00000" + std::to_string(tenth) + ".png")));
     }
 }
@@ -266,12 +272,12 @@ TEST_CASE("--set and --seed change the scene that is read") {
     const Folder folder;
     const Answer answer =
         run_tumble({"run", small_scene_file(folder), "--no-frames", "--json", "-o", (folder / "out").string(), "--set",
-                "/world/steps_per_second=30", "--set", "/world/duration=2", "--seed", "77"});
+                    "/world/steps_per_second=30", "--set", "/world/duration=2", "--seed", "77"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const json summary = json::parse(answer.out);
     CHECK(summary["steps"] == 60);
     CHECK(summary["seed"] == 77);
     CHECK(run_tumble({"run", (folder / "small.json").string(), "--no-frames", "-o", (folder / "b").string(), "--set",
-                  "/world/substeps=0"})
+                      "/world/substeps=0"})
               .code == 3);
 }

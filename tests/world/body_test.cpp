@@ -34,14 +34,15 @@ TEST_CASE("a body that is moved loses its contacts, wakes what it carried and fi
     CHECK_FALSE(touches(world, lower, upper));
     CHECK(touches(world, lower, other));
     CHECK(world.is_awake(other));
-    CHECK(world.events().contact_ends.size() == 2);    // the floor and the upper box
+    CHECK(world.events().contact_ends.size() == 2);  // the floor and the upper box
     run(world, 120);
     CHECK(world.state(upper).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
     world.validate();
 }
 
 TEST_CASE("a body made with its shapes is the one that gets them one by one, with the velocity that was given") {
-    const std::vector<ShapeDef> shapes{{.shape = kBox}, {.shape = make_circle(0.5f, {2.0f, 1.0f})}, {.shape = kBox, .sensor = true}};
+    const std::vector<ShapeDef> shapes{
+        {.shape = kBox}, {.shape = make_circle(0.5f, {2.0f, 1.0f})}, {.shape = kBox, .sensor = true}};
     for (const float spin : {0.0f, 3.0f}) {
         CAPTURE(spin);
         const BodyDef def{.pose = {{1.0, 2.0}, make_rotation(0.3)}, .velocity = {4.0f, 5.0f}, .angular_velocity = spin};
@@ -62,7 +63,8 @@ TEST_CASE("a body made with its shapes is the one that gets them one by one, wit
     World world;
     CHECK_THROWS_AS(world.create_body({}, std::vector<ShapeDef>{{.shape = kBox}, {}}), std::invalid_argument);
     CHECK(world.bodies().empty());
-    const BodyId asleep = world.create_body({.awake = false}, shapes), off = world.create_body({.enabled = false}, shapes);
+    const BodyId asleep = world.create_body({.awake = false}, shapes),
+                 off = world.create_body({.enabled = false}, shapes);
     CHECK_FALSE(world.is_awake(asleep));
     CHECK(world.shapes(off).size() == 3);
     world.validate();
@@ -209,7 +211,9 @@ TEST_CASE("a body's definition makes the same body again") {
 
 TEST_CASE("a definition tells locks, type, and whether a body is enabled or awake") {
     World world;
-    const auto again = [&](const BodyDef& def) { return world.definition(world.create_body(world.definition(world.create_body(def)))); };
+    const auto again = [&](const BodyDef& def) {
+        return world.definition(world.create_body(world.definition(world.create_body(def))));
+    };
     BodyDef locked;
     locked.locks = {.y = true, .rotation = true};
     locked.mass = BodyMass{1.0f, {}, 1.0f};
@@ -271,7 +275,8 @@ TEST_CASE("a body that is moved towards a pose is there after a step, by the sho
         world.step();
         const Pose now = world.state(body).pose;
         CHECK(length(now.position - target.position) < 1e-5);
-        CHECK(std::abs(angle(now.rotation) + 3.0) < 1e-4);  // a small turn of the sub-steps has an error of the third order
+        CHECK(std::abs(angle(now.rotation) + 3.0) <
+              1e-4);  // a small turn of the sub-steps has an error of the third order
     }
     World world;
     CHECK_THROWS_AS(world.move_towards(add_floor(world), Pose{}), std::invalid_argument);

@@ -44,12 +44,9 @@ Shape random_shape(std::mt19937& random) {
     std::uniform_real_distribution<float> size(0.2f, 0.6f);
     const float width = size(random), height = size(random);
     switch (random() % 3) {
-        case 0:
-            return make_circle(width);
-        case 1:
-            return make_box({2.0f * width, 2.0f * height});
-        default:
-            return make_capsule({-width, 0.0f}, {height, 0.0f}, 0.2f);
+        case 0: return make_circle(width);
+        case 1: return make_box({2.0f * width, 2.0f * height});
+        default: return make_capsule({-width, 0.0f}, {height, 0.0f}, 0.2f);
     }
 }
 

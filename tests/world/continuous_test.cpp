@@ -15,12 +15,9 @@ namespace {
 
 Shape draw_bullet(std::mt19937& random) {
     switch (random() % 4) {
-        case 0:
-            return make_circle(0.05f);
-        case 1:
-            return make_box({0.1f, 0.06f});
-        case 2:
-            return make_capsule({-0.1f, 0.0f}, {0.1f, 0.0f}, 0.03f);
+        case 0: return make_circle(0.05f);
+        case 1: return make_box({0.1f, 0.06f});
+        case 2: return make_capsule({-0.1f, 0.0f}, {0.1f, 0.0f}, 0.03f);
         default: {
             const Vec2 corners[] = {{-0.08f, -0.05f}, {0.1f, 0.0f}, {-0.08f, 0.06f}};
             return make_polygon(corners);

@@ -29,14 +29,9 @@ World make_heap() {
         const SurfaceMaterial material{.restitution = 0.4f, .rolling_resistance = 0.05f};
         const Vec2 corners[] = {{-size, -size}, {size, -0.5f * size}, {0.2f * size, size}, {-size, 0.3f * size}};
         switch (i % 3) {
-            case 0:
-                add_dynamic(world, position, make_circle(size), material, i);
-                break;
-            case 1:
-                add_dynamic(world, position, make_polygon(corners), material, i);
-                break;
-            default:
-                add_dynamic(world, position, make_capsule({-size, 0.0f}, {size, 0.0f}, 0.1f), material, i);
+            case 0: add_dynamic(world, position, make_circle(size), material, i); break;
+            case 1: add_dynamic(world, position, make_polygon(corners), material, i); break;
+            default: add_dynamic(world, position, make_capsule({-size, 0.0f}, {size, 0.0f}, 0.1f), material, i);
         }
     }
     return world;

@@ -212,8 +212,8 @@ TEST_CASE("filters: categories must know each other, groups have the last word")
     CHECK(world.is_valid(a));
 }
 
-// Balls of 10 cm that fly at each other, 5 cm off the middle, are done with each other within two steps; the phase is where
-// in a step they meet. They touch for less than one, and are out of each other's boxes at its end.
+// Balls of 10 cm that fly at each other, 5 cm off the middle, are done with each other within two steps; the phase is
+// where in a step they meet. They touch for less than one, and are out of each other's boxes at its end.
 TEST_CASE("who is deflected has begun to touch, also if both are far apart at the end of the step") {
     int met = 0, within_a_step = 0;
     for (int phase = 0; phase < 200; ++phase) {
@@ -324,14 +324,15 @@ TEST_CASE("a meeting is a hit in the step in which it begins, and only if it is 
 }
 
 // A plank of 2 m that leans by 0.1 rad on its left edge falls over it: its right edge comes down 0.2 m in the way of
-// w^2 = 2 m g (0.1 m) / (m l^2 / 3), l = 2 m, and meets the floor at w l = sqrt(6 g 0.1 m) = 2.45 m/s, with an acceleration
-// of 3 g / 2 at most. The semi-implicit scheme is half a sub-step of that faster.
+// w^2 = 2 m g (0.1 m) / (m l^2 / 3), l = 2 m, and meets the floor at w l = sqrt(6 g 0.1 m) = 2.45 m/s, with an
+// acceleration of 3 g / 2 at most. The semi-implicit scheme is half a sub-step of that faster.
 TEST_CASE("the other end of a plank that falls over hits, though they touch already") {
     World world;
     add_floor(world);
     const double lean = 0.1;
     const SinCos q = sin_cos(lean);
-    const BodyId plank = add_dynamic(world, {q.cos - 0.05 * q.sin, q.sin + 0.05 * q.cos}, make_box({2.0f, 0.1f}), {.friction = 1.0f}, lean);
+    const BodyId plank = add_dynamic(world, {q.cos - 0.05 * q.sin, q.sin + 0.05 * q.cos}, make_box({2.0f, 0.1f}),
+                                     {.friction = 1.0f}, lean);
     std::vector<ContactHit> hits;
     std::size_t begins = 0;
     for (int step = 0; step < 60; ++step) {

@@ -36,8 +36,8 @@ TEST_CASE("a box slips at the angle whose tangent is the friction, within half a
         const double speed = kGravity * std::sin(under) * kH;
         const double braking = kGravity * (friction * std::cos(under) - std::sin(under));
         CHECK(std::abs(slide(under, friction, 120)) < speed * speed / (2.0 * braking) + 1e-4);
-        // Above: it slides by (a t^2) / 2 with a = g (sin - mu cos), and by as much more as it gains in the sub-step that
-        // friction begins late, g sin h t.
+        // Above: it slides by (a t^2) / 2 with a = g (sin - mu cos), and by as much more as it gains in the sub-step
+        // that friction begins late, g sin h t.
         const double slope = critical + 0.5 * kDegree;
         const double expected = kGravity * (std::sin(slope) - friction * std::cos(slope)) * 4.0 / 2.0;
         const double slid = slide(slope, friction, 120);

@@ -15,7 +15,8 @@ namespace {
 constexpr double kGravity = 10.0;
 constexpr double kRounding = 240 * 20 * 0x1p-24;  // of velocities, a second of sub-steps with 20 roundings in each
 
-// Two wheels of radii 1 and 2 m, hinged to a frame, and a gear on the hinges: I = 2 and 32 kg m^2 for a density of 4 / pi.
+// Two wheels of radii 1 and 2 m, hinged to a frame, and a gear on the hinges: I = 2 and 32 kg m^2 for a density of 4 /
+// pi.
 struct Wheels {
     World world;
     BodyId frame, a, b;
@@ -73,7 +74,8 @@ TEST_CASE("the teeth of a gear hold over hundreds of turns") {
     double worst = 0.0;
     for (int step = 0; step < 3600; ++step) {
         wheels.world.step();
-        worst = std::max(worst, std::abs(std::remainder(wheels.turned(wheels.a) + 2.0 * wheels.turned(wheels.b), 2.0 * kPi)));
+        worst = std::max(worst,
+                         std::abs(std::remainder(wheels.turned(wheels.a) + 2.0 * wheels.turned(wheels.b), 2.0 * kPi)));
     }
     CHECK(wheels.speed(wheels.a) * 60.0 > 300.0 * 2.0 * kPi);
     CHECK(worst < 1e-4);
@@ -122,9 +124,8 @@ TEST_CASE("a rack falls as fast as its pinion lets it") {
     for (const bool pinion_first : {true, false}) {
         CAPTURE(pinion_first);
         // At its right end a pinion that turns by q carries the rack up by R q.
-        const JointId gear = world.create_joint(GearJointDef{.joint_a = pinion_first ? hinge : rail,
-                                                             .joint_b = pinion_first ? rail : hinge,
-                                                             .ratio = -1.0f});
+        const JointId gear = world.create_joint(GearJointDef{
+            .joint_a = pinion_first ? hinge : rail, .joint_b = pinion_first ? rail : hinge, .ratio = -1.0f});
         world.set_velocity(pinion, {}, 0.0f);
         world.set_velocity(rack, {}, 0.0f);
         run(world, 60);
@@ -156,8 +157,8 @@ TEST_CASE("a gear pushes off from the frame that carries its wheels: angular mom
     }
 }
 
-// The arm is B of the first joint and A of the second: P (1 - r) on the arm, r P on the wheel, and (1 - r) w_arm + r w_wheel
-// = 0. The one response of both rows solves it at once.
+// The arm is B of the first joint and A of the second: P (1 - r) on the arm, r P on the wheel, and (1 - r) w_arm + r
+// w_wheel = 0. The one response of both rows solves it at once.
 TEST_CASE("a wheel geared to the arm that carries it") {
     World world = weightless();
     const SurfaceMaterial surface{.density = 4.0f / static_cast<float>(kPi)};
@@ -196,7 +197,8 @@ TEST_CASE("wheels that swing by a weight gain no energy in a minute") {
             const BodyState state = wheels.world.state(id);
             const BodyMass mass = wheels.world.mass(id);
             const double height = transform_point(state.pose, mass.center).y, w = wheels.speed(id);
-            sum += double{mass.mass} * (kGravity * height + 0.5 * length_sq(DVec2(state.velocity))) + 0.5 * double{mass.inertia} * w * w;
+            sum += double{mass.mass} * (kGravity * height + 0.5 * length_sq(DVec2(state.velocity))) +
+                   0.5 * double{mass.inertia} * w * w;
         }
         return sum + 4.0 * kGravity * 0.8;  // above its lowest
     };

@@ -26,12 +26,9 @@ struct Draw {
 Shape draw_shape(Draw& draw, int kind) {
     const float size = draw.between(0.2f, 0.5f);
     switch (kind) {
-        case 0:
-            return make_circle(size);
-        case 1:
-            return make_box({2.0f * size, size}, 0.1f * size);
-        case 2:
-            return make_capsule({-size, 0.0f}, {size, 0.1f}, 0.15f);
+        case 0: return make_circle(size);
+        case 1: return make_box({2.0f * size, size}, 0.1f * size);
+        case 2: return make_capsule({-size, 0.0f}, {size, 0.1f}, 0.15f);
         default: {
             const Vec2 corners[] = {{-size, -size},
                                     {size, -0.5f * size},
@@ -49,9 +46,7 @@ void add_joint(World& world, int kind, BodyId a, BodyId b) {
     const JointLimits limits{-0.3f, 0.4f};
     const JointSpring spring{3.0f, 0.3f};
     switch (kind) {
-        case 0:
-            world.create_joint(DistanceJointDef{.body_a = a, .body_b = b, .length = 0.9f});
-            break;
+        case 0: world.create_joint(DistanceJointDef{.body_a = a, .body_b = b, .length = 0.9f}); break;
         case 1:
             world.create_joint(RevoluteJointDef{
                 .body_a = a, .body_b = b, .anchor_a = right, .anchor_b = left, .limits = limits, .spring = spring});

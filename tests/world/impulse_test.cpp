@@ -27,9 +27,9 @@ double sum_of_normals(const World& world) {
 
 // Linear and angular momentum about its centre of mass of a body, against what a step's contacts gave it.
 struct Balance {
-    DVec2 linear;          // N s
-    double angular = 0.0;  // N m s
-    double turnover = 0.0; // N s: of all that came and went, the scale of its rounding
+    DVec2 linear;           // N s
+    double angular = 0.0;   // N m s
+    double turnover = 0.0;  // N s: of all that came and went, the scale of its rounding
 
     void add(DVec2 impulse, DVec2 arm) {
         linear = linear + impulse;
@@ -76,8 +76,8 @@ TEST_CASE("the impact of a brick shows the momentum that it stops, and that of a
             world.step();
             shown = sum_of_normals(world);
         }
-        // Fallen 2.75 m: it arrives with sqrt(2 g h) = 7.4 m/s. It is stopped up to a step later, in a step whose gravity
-        // is stopped too: each m g dt, and the bounce gives back its part.
+        // Fallen 2.75 m: it arrives with sqrt(2 g h) = 7.4 m/s. It is stopped up to a step later, in a step whose
+        // gravity is stopped too: each m g dt, and the bounce gives back its part.
         const double mass = double{world.mass(brick).mass}, part = 1.0 + double{restitution};
         CHECK(std::abs(shown - part * mass * std::sqrt(2.0 * 10.0 * 2.75)) < part * 2.0 * 10.0 * mass * double{kStep});
     }
@@ -91,9 +91,11 @@ TEST_CASE("over every step each body gains what gravity and the reported impulse
     add_static(world, {-6.0, 2.0}, make_box({8.0f, 0.4f}), {.friction = 0.3f}, -0.5);
     std::vector<BodyId> bodies;
     for (int i = 0; i < 24; ++i) {
-        const Shape shape = i % 3 == 0 ? make_circle(0.4f) : i % 3 == 1 ? kBox : make_capsule({-0.4f, 0.0f}, {0.4f, 0.2f}, 0.2f);
-        const SurfaceMaterial material{.density = 1.0f + static_cast<float>(i % 4), .friction = 0.6f,
-                                       .restitution = i % 5 == 0 ? 0.6f : 0.0f};
+        const Shape shape = i % 3 == 0   ? make_circle(0.4f)
+                            : i % 3 == 1 ? kBox
+                                         : make_capsule({-0.4f, 0.0f}, {0.4f, 0.2f}, 0.2f);
+        const SurfaceMaterial material{
+            .density = 1.0f + static_cast<float>(i % 4), .friction = 0.6f, .restitution = i % 5 == 0 ? 0.6f : 0.0f};
         bodies.push_back(add_dynamic(world, {-7.0 + 1.3 * (i % 6), 4.0 + 1.2 * (i / 6)}, shape, material, 0.2 * i));
     }
     double largest_tangent = 0.0, largest_turn = 0.0;
@@ -121,7 +123,8 @@ TEST_CASE("over every step each body gains what gravity and the reported impulse
             const BodyState after = world.state(bodies[i]);
             const DVec2 gained = double{mass.mass} * (DVec2(after.velocity) - DVec2(before[i].velocity));
             const DVec2 wanted = balances[i].linear + DVec2{0.0, -10.0 * double{mass.mass} * double{kStep}};
-            const double turned = double{mass.inertia} * (double{after.angular_velocity} - double{before[i].angular_velocity});
+            const double turned =
+                double{mass.inertia} * (double{after.angular_velocity} - double{before[i].angular_velocity});
             // Some 40 roundings of velocities and impulses a sub-step: in each pass, from each contact.
             const double scale = balances[i].turnover + double{mass.mass} * (1.0 + double{length(after.velocity)});
             INFO("step ", step, " body ", i);

@@ -110,7 +110,8 @@ TEST_CASE("the lightest masses that can be set move as they are pushed") {
 
 TEST_CASE("an impulse that is not finite stops the world even if only static bodies feel it") {
     World world;
-    const BodyId a = add_static(world, {0.0, 5.0}, make_circle(1.0f)), b = add_static(world, {1.0, 5.0}, make_circle(1.0f));
+    const BodyId a = add_static(world, {0.0, 5.0}, make_circle(1.0f)),
+                 b = add_static(world, {1.0, 5.0}, make_circle(1.0f));
     world.create_joint(DistanceJointDef{.body_a = a, .body_b = b, .anchor_b = {1e30f, 1e30f}, .length = 1.0f});
     CHECK_THROWS_AS(world.step(), SimulationDiverged);
 }

@@ -101,7 +101,8 @@ TEST_CASE("a hanging body pulls its joint by its weight") {
     CHECK(std::abs(p.world.reaction(joint).force.x) < 0.001 * weight);
     // The joint opens by F / (m_eff w^2) with the effective mass of body and anchor, m for a pull through the centre.
     const double omega = 2.0 * kPi * 60.0;
-    CHECK(-p.world.state(p.bob).pose.position.y - 2.0 == doctest::Approx(kGravity / (omega * omega)).epsilon(0.05).scale(0.0));
+    CHECK(-p.world.state(p.bob).pose.position.y - 2.0 ==
+          doctest::Approx(kGravity / (omega * omega)).epsilon(0.05).scale(0.0));
 }
 
 TEST_CASE("a dumbbell thrown with a spin keeps momentum and angular momentum") {

@@ -69,8 +69,8 @@ TEST_CASE("locks are for dynamic bodies: a kinematic one takes the velocity that
     CHECK(world.state(body).angular_velocity == 0.0f);
 }
 
-// The platform cannot sink under ten times its weight: the ball rests on it as on the ground, and sags by half of g / w^2,
-// w = 2 pi 30: 0.14 mm.
+// The platform cannot sink under ten times its weight: the ball rests on it as on the ground, and sags by half of g /
+// w^2, w = 2 pi 30: 0.14 mm.
 TEST_CASE("a ball rests on a platform that is locked against falling") {
     World world;
     const BodyId platform = add_locked(world, {0.0, 0.0}, {.y = true, .rotation = true}, make_box({4.0f, 1.0f}));

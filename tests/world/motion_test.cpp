@@ -15,9 +15,7 @@ constexpr double kH = 1.0 / 240.0;
 constexpr double kGravity = 10.0;
 
 // Velocities accumulate in float: each of n sums is rounded by at most half an ulp of the largest.
-double rounding(int sums, double largest) {
-    return sums * 0x1p-24 * largest;
-}
+double rounding(int sums, double largest) { return sums * 0x1p-24 * largest; }
 
 }  // namespace
 

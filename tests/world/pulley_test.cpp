@@ -41,7 +41,8 @@ struct Atwood {
     double energy() const {
         double sum = 0.0;
         for (const BodyId id : {a, b})
-            sum += double{world.mass(id).mass} * (kGravity * place(id).y + 0.5 * length_sq(DVec2(world.state(id).velocity)));
+            sum += double{world.mass(id).mass} *
+                   (kGravity * place(id).y + 0.5 * length_sq(DVec2(world.state(id).velocity)));
         return sum;
     }
 };
@@ -49,8 +50,8 @@ struct Atwood {
 }  // namespace
 
 // The rope pulls A with T and B with r T, and v_A = -r v_B: B falls with a = g (m_B - r m_A) / (m_B + r^2 m_A), and
-// T = m_A m_B g (1 + r) / (m_B + r^2 m_A). The rope gives way by T K / w^2, K = 1 / m_A + r^2 / m_B. Velocities are exact
-// but for roundings, some 10 of 2^-24 in each of 240 sub-steps.
+// T = m_A m_B g (1 + r) / (m_B + r^2 m_A). The rope gives way by T K / w^2, K = 1 / m_A + r^2 / m_B. Velocities are
+// exact but for roundings, some 10 of 2^-24 in each of 240 sub-steps.
 TEST_CASE("two weights on a pulley accelerate as Atwood's machine does, and as a block and tackle") {
     constexpr double kRounding = 240 * 10 * 0x1p-24;
     for (const float ratio : {1.0f, 2.0f, 0.5f}) {
@@ -146,7 +147,8 @@ TEST_CASE("a body that cannot move holds the other one") {
         run(machine.world, 120);
         CHECK(machine.place(machine.a).y == doctest::Approx(5.0));
         // 30 N on 3 kg: g / w^2.
-        CHECK(machine.place(machine.b).y == doctest::Approx(5.0 - kGravity / (kJointOmega * kJointOmega)).epsilon(1e-5));
+        CHECK(machine.place(machine.b).y ==
+              doctest::Approx(5.0 - kGravity / (kJointOmega * kJointOmega)).epsilon(1e-5));
     }
 }
 

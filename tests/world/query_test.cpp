@@ -18,7 +18,9 @@ const Shape kBox = make_box({1.0f, 1.0f});
 
 struct Draw {
     std::mt19937 random;
-    double between(double low, double high) { return low + (high - low) * (static_cast<double>(random() >> 8) * 0x1p-24); }
+    double between(double low, double high) {
+        return low + (high - low) * (static_cast<double>(random() >> 8) * 0x1p-24);
+    }
 };
 
 // Shapes of all kinds in a square of 20 m about a point, some of them sensors.
@@ -46,7 +48,8 @@ template <class Visitor>
 void for_each_seen(const World& world, const QueryFilter& filter, Visitor&& visit) {
     for (const BodyId body : world.bodies())
         for (const ShapeId id : world.shapes(body))
-            if ((filter.sensors || !world.is_sensor(id)) && may_meet(filter.shape, world.filter(id)) && body != filter.except)
+            if ((filter.sensors || !world.is_sensor(id)) && may_meet(filter.shape, world.filter(id)) &&
+                body != filter.except)
                 visit(world.shape(id), world.state(body).pose, id);
 }
 

@@ -28,13 +28,9 @@ double spring_sag(int n) {
 }
 
 // Lengths of millimetres: doctest's own tolerance is for values of 1.
-doctest::Approx within(double part, double value) {
-    return doctest::Approx(value).epsilon(part).scale(0.0);
-}
+doctest::Approx within(double part, double value) { return doctest::Approx(value).epsilon(part).scale(0.0); }
 
-World sleepless() {
-    return World({.sleeping = false});
-}
+World sleepless() { return World({.sleeping = false}); }
 
 // Boxes on each other, from the ground up.
 std::vector<BodyId> add_stack(World& world, int n, float side) {
@@ -76,9 +72,7 @@ void damp(World& world, const std::vector<BodyId>& bodies, float damping) {
     for (const BodyId body : bodies) world.set_damping(body, damping, damping);
 }
 
-double height(const World& world, BodyId body) {
-    return world.state(body).pose.position.y;
-}
+double height(const World& world, BodyId body) { return world.state(body).pose.position.y; }
 
 double lowest(const World& world, const std::vector<BodyId>& bodies) {
     double y = 1e9;

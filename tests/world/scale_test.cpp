@@ -23,7 +23,8 @@ World make_scene(float scale) {
     const BodyId floor = add_static(world, {0.0, -s}, box(200.0f, 2.0f));
     for (int i = 0; i < 5; ++i) add_dynamic(world, {0.0, s * (0.5 + i)}, box(1.0f, 1.0f));
     add_dynamic(world, {0.125 * s, 8.0 * s}, make_circle(0.5f * scale), {.restitution = 0.5f});
-    const BodyId bob = add_dynamic(world, {6.0 * s, 4.0 * s}, make_capsule({-scale, 0.0f}, {scale, 0.0f}, 0.25f * scale));
+    const BodyId bob =
+        add_dynamic(world, {6.0 * s, 4.0 * s}, make_capsule({-scale, 0.0f}, {scale, 0.0f}, 0.25f * scale));
     world.create_joint(RevoluteJointDef{.body_a = floor,
                                         .body_b = bob,
                                         .anchor_a = {5.0f * scale, 5.0f * scale},

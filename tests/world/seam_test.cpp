@@ -20,7 +20,8 @@ TEST_CASE("who slides over tiles, at rest or moving, is neither lifted nor turne
     const struct {
         float speed;
         bool tiles_move;
-    } slides[] = {{2.0f, false}, {10.0f, false}, {25.0f, false}, {1.0f, true}, {24.0f, true}};  // towards tiles of 1 m/s
+    } slides[] = {
+        {2.0f, false}, {10.0f, false}, {25.0f, false}, {1.0f, true}, {24.0f, true}};  // towards tiles of 1 m/s
     for (const auto& body : bodies)
         for (const auto& ride : slides) {
             const float speed = ride.speed;
@@ -32,8 +33,8 @@ TEST_CASE("who slides over tiles, at rest or moving, is neither lifted nor turne
             }
             const int steps = speed < 5.0f ? 200 : 60;  // over 6, 10 and 25 seams
             const Slide found = slide(world, body.shape, {0.0, body.height}, speed, steps);
-            INFO(body.name, " at ", speed, ride.tiles_move ? " over moving tiles" : "", ": rise ", found.highest_rise, " speed ",
-                 found.fastest_rise, " turn ", found.most_turned, " slowest ", found.slowest);
+            INFO(body.name, " at ", speed, ride.tiles_move ? " over moving tiles" : "", ": rise ", found.highest_rise,
+                 " speed ", found.fastest_rise, " turn ", found.most_turned, " slowest ", found.slowest);
             CHECK(found.highest_rise < kDeepestSlide);
             CHECK(found.fastest_rise < 1e-3);
             CHECK(found.most_turned < 2e-4);  // that over half its length

@@ -12,9 +12,7 @@ using namespace tumble::test;
 
 namespace {
 
-double height(const World& world, BodyId body) {
-    return world.state(body).pose.position.y;
-}
+double height(const World& world, BodyId body) { return world.state(body).pose.position.y; }
 
 }  // namespace
 

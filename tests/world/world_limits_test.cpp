@@ -28,7 +28,8 @@ TEST_CASE("what is thrown goes at the greatest speed, in worlds of all scales") 
         const float limit = world_limits(def).max_speed;
         World world(def);
         const BodyId slow = world.create_body({.velocity = {0.99f * limit, 0.0f}});
-        const BodyId fast = world.create_body({.pose = {{0.0, 100.0 * double{scale}}, {}}, .velocity = {0.0f, 3.0f * limit}});
+        const BodyId fast =
+            world.create_body({.pose = {{0.0, 100.0 * double{scale}}, {}}, .velocity = {0.0f, 3.0f * limit}});
         for (const BodyId id : {slow, fast}) world.add_shape(id, {.shape = make_circle(0.5f * scale)});
         world.step();
         CHECK(world.state(slow).velocity.x == 0.99f * limit);
@@ -57,9 +58,12 @@ TEST_CASE("springs of joints are no stiffer than the stiffest") {
         const auto hash = [&](float part) {
             const WorldDef def{.substeps = substeps};
             World world(def);
-            const BodyId pin = world.create_body({.type = BodyType::static_body}), bob = world.create_body({.pose = {{1.0, 0.0}, {}}});
+            const BodyId pin = world.create_body({.type = BodyType::static_body}),
+                         bob = world.create_body({.pose = {{1.0, 0.0}, {}}});
             world.add_shape(bob, {.shape = make_circle(0.2f)});
-            world.create_joint(DistanceJointDef{.body_a = pin, .body_b = bob, .length = 1.0f,
+            world.create_joint(DistanceJointDef{.body_a = pin,
+                                                .body_b = bob,
+                                                .length = 1.0f,
                                                 .spring = JointSpring{part * world_limits(def).stiffest_spring, 0.5f}});
             for (int i = 0; i < 30; ++i) world.step();
             return world.state_hash();
