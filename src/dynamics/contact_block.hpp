@@ -86,6 +86,8 @@ void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
 void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h);
 
 // Bounces: once after the sub-steps, where an impulse stopped an approach faster than the threshold.
-void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float threshold, float h);
+// `given` is room to work in, by solver body.
+void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float threshold, float h,
+                       std::vector<float>& given);
 
 }  // namespace tumble

@@ -107,6 +107,7 @@ struct Simulation {
     std::vector<std::uint32_t> island_of_root;  // by solver body
     std::vector<JointId> sleeping_joints;
 
+    std::vector<float> given_work;        // of the stage that bounces, likewise: by solver body, J
     std::vector<GroundContact> footings;  // of the stage that smooths seams, likewise
 
     // Of continuous collision, likewise.

@@ -187,7 +187,8 @@ void run_substep(Simulation& simulation) {
 
 void bounce(Simulation& simulation) {
     apply_restitution(simulation.blocks, simulation.bodies.solver_bodies,
-                      simulation.settings.tuning.restitution_threshold, simulation.settings.substep_duration());
+                      simulation.settings.tuning.restitution_threshold, simulation.settings.substep_duration(),
+                      simulation.given_work);
 }
 
 void store_results(Simulation& simulation) {

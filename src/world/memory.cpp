@@ -68,10 +68,10 @@ WorldMemory count_memory(const Simulation& simulation) {
     memory.broad_phase = bytes_of(simulation.broad) + simulation.broad.spare_bytes();
     memory.contacts = bytes_of(simulation.contacts, simulation.sleeping);
     memory.solver = simulation.graph.bytes() + capacity_bytes(simulation.blocks);
-    memory.other =
-        bytes_of(simulation.events) + simulation.islands.bytes() +
-        capacity_bytes(simulation.sleepers, simulation.island_of_root, simulation.sleeping_joints, simulation.footings,
-                       simulation.movers, simulation.near_shapes, simulation.impacts, simulation.sensor_passes);
+    memory.other = bytes_of(simulation.events) + simulation.islands.bytes() +
+                   capacity_bytes(simulation.sleepers, simulation.island_of_root, simulation.sleeping_joints,
+                                  simulation.given_work, simulation.footings, simulation.movers, simulation.near_shapes,
+                                  simulation.impacts, simulation.sensor_passes);
     return memory;
 }
 
