@@ -10,7 +10,8 @@ namespace tumble {
 // right angle: beyond, the two have no solid side in common. O(segments of the body), where anything passes any chain.
 bool passes_chain(const Simulation& simulation, ProxyPair pair);
 
-// The contact with such a segment: nothing is felt of it until the two have parted.
-void let_pass(Contact& contact);
+// A shape that meets a segment for the first time comes from the side from which it has met those next to it: what
+// passes goes on to pass, and what they hold but was pressed in past its middle does not begin to.
+void keep_side(const Simulation& simulation, Contact& contact);
 
 }  // namespace tumble

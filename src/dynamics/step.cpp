@@ -56,7 +56,7 @@ bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, 
 void collide_and_count(Simulation& simulation, Contact& contact) {
     const bool was_apart = contact.came_from == LinkSide::apart;
     const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration);
-    if (was_apart && contact.came_from == LinkSide::open && passes_chain(simulation, contact.shapes)) let_pass(contact);
+    if (was_apart && contact.came_from != LinkSide::apart) keep_side(simulation, contact);
     simulation.passes.now |= contact.came_from == LinkSide::solid;
     ++simulation.collided.asked;
     if (!in_full) return;
