@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "narrow/error_bound.hpp"
-#include "narrow/small_features.hpp"
+#include "narrow/leading_faces.hpp"
 
 namespace tumble {
 

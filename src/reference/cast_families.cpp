@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "reference/b2_cast.hpp"
 #include "reference/random_shapes.hpp"
 
 namespace tumble::reference {

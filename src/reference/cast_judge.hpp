@@ -1,6 +1,7 @@
 // The judge of one answer about moving shapes.
 #pragma once
 
+#include "reference/b2_cast.hpp"
 #include "reference/true_motion.hpp"
 
 namespace tumble::reference {

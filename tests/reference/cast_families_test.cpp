@@ -1,5 +1,6 @@
 // Rays, casts and times of impact over their families, against closed forms and proved intervals in long double; and
 // that the judge does find a wrong answer. TUMBLE_PAIRS=1000000 asks for a million pairs a family.
+#include "reference/b2_cast.hpp"
 #include "reference/cast_families.hpp"
 
 #include <doctest/doctest.h>
