@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "command.hpp"
-#include "console.hpp"
-#include "error_report.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/console.hpp"
+#include "tools/cli/error_report.hpp"
 #include "tumble/suggest.hpp"
 
 namespace {

@@ -1,14 +1,14 @@
 // The stages of a step, in the order in which it runs them.
 #include <chrono>
 
-#include "dynamics/chain_passes.hpp"
-#include "dynamics/continuous.hpp"
-#include "dynamics/events.hpp"
-#include "dynamics/integrate.hpp"
-#include "dynamics/seams.hpp"
-#include "dynamics/sensor_passes.hpp"
-#include "dynamics/simulation.hpp"
-#include "dynamics/sleep.hpp"
+#include "dynamics/bodies/integrate.hpp"
+#include "dynamics/stages/chain_passes.hpp"
+#include "dynamics/stages/continuous.hpp"
+#include "dynamics/stages/events.hpp"
+#include "dynamics/stages/seams.hpp"
+#include "dynamics/stages/sensor_passes.hpp"
+#include "dynamics/stages/sleep.hpp"
+#include "dynamics/state/simulation.hpp"
 
 namespace tumble {
 

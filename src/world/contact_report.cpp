@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dynamics/integrate.hpp"
+#include "dynamics/bodies/integrate.hpp"
 
 namespace tumble {
 

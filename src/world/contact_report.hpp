@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dynamics/simulation.hpp"
+#include "dynamics/state/simulation.hpp"
 #include "tumble/world.hpp"
 
 namespace tumble {

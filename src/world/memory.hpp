@@ -1,7 +1,7 @@
 // The memory that a world has allocated.
 #pragma once
 
-#include "dynamics/simulation.hpp"
+#include "dynamics/state/simulation.hpp"
 #include "tumble/counters.hpp"
 
 namespace tumble {

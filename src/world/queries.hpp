@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "dynamics/simulation.hpp"
+#include "dynamics/state/simulation.hpp"
 #include "tumble/query.hpp"
 
 namespace tumble {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "dynamics/simulation.hpp"
+#include "dynamics/state/simulation.hpp"
 #include "tumble/world.hpp"
 
 namespace tumble {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "dynamics/body_store.hpp"
+#include "dynamics/bodies/body_store.hpp"
 
 namespace tumble {
 

@@ -1,7 +1,7 @@
 // Walks every invariant that the stores promise each other; for tests and for hunting defects.
 #pragma once
 
-#include "dynamics/simulation.hpp"
+#include "dynamics/state/simulation.hpp"
 
 namespace tumble {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "dynamics/sleep.hpp"
+#include "dynamics/stages/sleep.hpp"
 #include "world/contact_report.hpp"
 #include "world/input_checks.hpp"
 #include "world/island_numbers.hpp"

@@ -1,8 +1,8 @@
 // Bodies between steps: what they are made to do, and what they are made into.
 #include <string>
 
-#include "dynamics/joint_angle.hpp"
-#include "dynamics/sleep.hpp"
+#include "dynamics/rows/joint_angle.hpp"
+#include "dynamics/stages/sleep.hpp"
 #include "tumble/world.hpp"
 #include "world/input_checks.hpp"
 #include "world/require.hpp"

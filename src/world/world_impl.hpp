@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/integrate.hpp"
-#include "dynamics/simulation.hpp"
+#include "dynamics/bodies/integrate.hpp"
+#include "dynamics/state/simulation.hpp"
 #include "tumble/world.hpp"
 
 namespace tumble {

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "dynamics/sleep.hpp"
+#include "dynamics/stages/sleep.hpp"
 #include "tumble/world.hpp"
 #include "world/input_checks.hpp"
 #include "world/world_impl.hpp"

@@ -1,7 +1,7 @@
 #include "tumble/world_limits.hpp"
 
-#include "dynamics/constants.hpp"
-#include "dynamics/softness.hpp"
+#include "dynamics/bodies/constants.hpp"
+#include "dynamics/bodies/softness.hpp"
 
 namespace tumble {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "dynamics/contact_block.hpp"
+#include "dynamics/contacts/contact_block.hpp"
 
 using namespace tumble;
 

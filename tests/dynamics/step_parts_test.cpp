@@ -4,11 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "dynamics/constants.hpp"
-#include "dynamics/id_pool.hpp"
-#include "dynamics/recycling.hpp"
-#include "dynamics/softness.hpp"
-#include "dynamics/solver_body.hpp"
+#include "dynamics/bodies/constants.hpp"
+#include "dynamics/bodies/id_pool.hpp"
+#include "dynamics/bodies/softness.hpp"
+#include "dynamics/bodies/solver_body.hpp"
+#include "dynamics/contacts/recycling.hpp"
 
 using namespace tumble;
 

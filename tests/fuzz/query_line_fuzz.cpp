@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "distance_query.hpp"
-#include "input_error.hpp"
-#include "plain_query.hpp"
+#include "tools/output/input_error.hpp"
+#include "tools/query/distance_query.hpp"
+#include "tools/query/plain_query.hpp"
 #include "tumble/scene_file.hpp"
 
 using namespace tumble;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/random.hpp"
+#include "reference/query/random.hpp"
 #include "tumble/chain.hpp"
 
 using namespace tumble;

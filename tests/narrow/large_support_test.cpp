@@ -1,12 +1,12 @@
 // Supports of large polygons by the directions of their edges against a look at all vertices.
-#include "narrow/large_support.hpp"
+#include "narrow/cores/large_support.hpp"
 
 #include <doctest/doctest.h>
 
 #include <array>
 
-#include "narrow/error_bound.hpp"
-#include "narrow/faces.hpp"
+#include "narrow/cores/error_bound.hpp"
+#include "narrow/faces/faces.hpp"
 #include "support/random_pairs.hpp"
 
 using namespace tumble;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "narrow/johnson.hpp"
-#include "narrow/signed_volumes.hpp"
-#include "narrow/voronoi.hpp"
+#include "narrow/gjk/johnson.hpp"
+#include "narrow/gjk/signed_volumes.hpp"
+#include "narrow/gjk/voronoi.hpp"
 #include "support/random_pairs.hpp"
 
 using namespace tumble;

@@ -1,5 +1,5 @@
 // All faces in lanes against one face after the other.
-#include "narrow/small_features.hpp"
+#include "narrow/distance/small_features.hpp"
 
 #include <doctest/doctest.h>
 

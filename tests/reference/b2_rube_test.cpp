@@ -1,6 +1,6 @@
 // Imports of R.U.B.E. exports beside Box2D, on a small file of our own and, where TUMBLE_RUBE_DATA names a folder, on
 // exports of others.
-#include "reference/b2_rube.hpp"
+#include "reference/box2d/b2_rube.hpp"
 #include "tumble/scene_import.hpp"
 
 #include <doctest/doctest.h>
@@ -25,7 +25,7 @@ void compare(const std::filesystem::path& file) {
     CHECK(found.anchor <= kAllowed);
 }
 
-const std::filesystem::path kSmall = std::filesystem::path(TUMBLE_SOURCE_DIR) / "tests/scene/data/rube_small.json";
+const std::filesystem::path kSmall = std::filesystem::path(TUMBLE_SOURCE_DIR) / "tests/import/data/rube_small.json";
 
 }  // namespace
 

@@ -1,12 +1,12 @@
 // A scene in Box2D: that it starts where ours starts, maps every shape, and behaves as physics says.
-#include "reference/b2_world.hpp"
+#include "reference/box2d/b2_world.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <filesystem>
 
-#include "reference/parity.hpp"
+#include "reference/parity/parity.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_world.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/random_shapes.hpp"
+#include "reference/query/random_shapes.hpp"
 #include "tumble/distance.hpp"
 
 using namespace tumble;

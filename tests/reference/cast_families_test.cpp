@@ -1,14 +1,14 @@
 // Rays, casts and times of impact over their families, against closed forms and proved intervals in long double; and
 // that the judge does find a wrong answer. TUMBLE_PAIRS=1000000 asks for a million pairs a family.
-#include "reference/b2_cast.hpp"
-#include "reference/cast_families.hpp"
+#include "reference/families/cast_families.hpp"
+#include "reference/box2d/b2_cast.hpp"
 
 #include <doctest/doctest.h>
 
 #include <map>
 #include <string>
 
-#include "reference/cast_judge.hpp"
+#include "reference/parity/cast_judge.hpp"
 #include "support/moving_pairs.hpp"
 
 using namespace tumble;

@@ -1,6 +1,6 @@
 // The oracle against hand-worked cases, and against a second method in long double: the signed distance of the origin
 // from the hull of all vertex differences.
-#include "reference/exact_distance.hpp"
+#include "reference/exact/exact_distance.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/random_shapes.hpp"
+#include "reference/query/random_shapes.hpp"
 
 using namespace tumble;
 using namespace tumble::reference;

@@ -1,7 +1,7 @@
 // Every hard family against the oracle and the checker: bounds, status, certificates, and perturbed certificates.
 // The environment variable TUMBLE_PAIRS sets the pairs of each family (10 000); families of large polygons take a
 // fiftieth. TUMBLE_FAMILY names the only one to try.
-#include "reference/pair_families.hpp"
+#include "reference/families/pair_families.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,11 +10,11 @@
 #include <cmath>
 #include <string>
 
-#include "narrow/error_bound.hpp"
-#include "reference/certificate.hpp"
-#include "reference/exact_distance.hpp"
-#include "reference/parallel_blocks.hpp"
-#include "reference/random.hpp"
+#include "narrow/cores/error_bound.hpp"
+#include "reference/exact/certificate.hpp"
+#include "reference/exact/exact_distance.hpp"
+#include "reference/parity/parallel_blocks.hpp"
+#include "reference/query/random.hpp"
 #include "support/distance_results.hpp"
 #include "tumble/distance.hpp"
 

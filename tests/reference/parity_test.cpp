@@ -1,14 +1,14 @@
 // The parity run itself: that it passes, repeats whatever the threads, and does find a wrong answer.
-#include "reference/parity.hpp"
+#include "reference/parity/parity.hpp"
 
 #include <doctest/doctest.h>
 
 #include <array>
 #include <cmath>
 
-#include "reference/judge.hpp"
-#include "reference/random_shapes.hpp"
-#include "reference/witness.hpp"
+#include "reference/parity/judge.hpp"
+#include "reference/parity/witness.hpp"
+#include "reference/query/random_shapes.hpp"
 
 using namespace tumble;
 using namespace tumble::reference;

@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "narrow/distance_result.hpp"
-#include "reference/certificate.hpp"
-#include "reference/exact_distance.hpp"
-#include "reference/pair_families.hpp"
-#include "reference/parallel_blocks.hpp"
-#include "reference/random.hpp"
+#include "narrow/distance/distance_result.hpp"
+#include "reference/exact/certificate.hpp"
+#include "reference/exact/exact_distance.hpp"
+#include "reference/families/pair_families.hpp"
+#include "reference/parity/parallel_blocks.hpp"
+#include "reference/query/random.hpp"
 #include "support/distance_results.hpp"
 
 using namespace tumble;

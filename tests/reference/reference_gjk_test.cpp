@@ -1,5 +1,5 @@
 // The dimension-generic GJK against closed forms and brute force, in 2D and 3D.
-#include "reference/reference_gjk.hpp"
+#include "reference/exact/reference_gjk.hpp"
 
 #include <doctest/doctest.h>
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/exact_distance.hpp"
-#include "reference/pair_families.hpp"
-#include "reference/random.hpp"
+#include "reference/exact/exact_distance.hpp"
+#include "reference/families/pair_families.hpp"
+#include "reference/query/random.hpp"
 #include "tumble/distance.hpp"
 
 using namespace tumble;

@@ -1,5 +1,5 @@
 // What is drawn is what was asked for: colours at known places, areas that match the exact ones, the frame upright.
-#include "render/canvas.hpp"
+#include "render/canvas/canvas.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render/pixels.hpp"
-#include "render/style.hpp"
+#include "render/style/style.hpp"
 #include "tumble/shape.hpp"
 
 using namespace tumble;

@@ -1,16 +1,16 @@
 // The draw list of hand-made worlds, without any GL: what kind, where, how large, in which layer.
-#include "render/draw_list.hpp"
+#include "render/frame/draw_list.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "render/grid.hpp"
+#include "render/canvas/utf8.hpp"
+#include "render/frame/grid.hpp"
+#include "render/frame/marking.hpp"
 #include "render/hand_made_scene.hpp"
-#include "render/marking.hpp"
-#include "render/style.hpp"
-#include "render/utf8.hpp"
+#include "render/style/style.hpp"
 
 using namespace tumble;
 using namespace tumble::render;

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "render/png.hpp"
+#include "render/output/png.hpp"
 #include "render/temporary_folder.hpp"
 #include "tumble/file.hpp"
 #include "tumble/render.hpp"

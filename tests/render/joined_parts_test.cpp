@@ -1,5 +1,5 @@
 // Parts of one body that share edges are drawn as one shape.
-#include "render/joined_parts.hpp"
+#include "render/shapes/joined_parts.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Colours: parsing, mixing, and who gets which.
-#include "render/palette.hpp"
+#include "render/style/palette.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "render/style.hpp"
+#include "render/style/style.hpp"
 
 using namespace tumble;
 using namespace tumble::render;

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "render/canvas.hpp"
-#include "render/shape_primitives.hpp"
+#include "render/canvas/canvas.hpp"
+#include "render/shapes/shape_primitives.hpp"
 
 namespace tumble::render {
 

@@ -1,5 +1,5 @@
 // PNG files: what was drawn comes back, byte for byte the same each time, and a failure leaves nothing behind.
-#include "render/png.hpp"
+#include "render/output/png.hpp"
 
 #include <doctest/doctest.h>
 #include <sys/mount.h>

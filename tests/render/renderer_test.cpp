@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "render/glyph_atlas.hpp"
+#include "render/canvas/glyph_atlas.hpp"
 #include "render/hand_made_scene.hpp"
 #include "render/pixels.hpp"
-#include "render/style.hpp"
+#include "render/style/style.hpp"
 #include "tumble/render.hpp"
 
 using namespace tumble;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "scene/random.hpp"
-#include "scene/repeat.hpp"
+#include "scene/model/random.hpp"
+#include "scene/model/repeat.hpp"
 
 using namespace tumble;
 using scene::CopyPlace;

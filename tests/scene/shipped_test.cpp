@@ -4,8 +4,8 @@
 #include <set>
 #include <utility>
 
-#include "scene/names.hpp"
-#include "scene/place.hpp"
+#include "scene/model/names.hpp"
+#include "scene/model/place.hpp"
 #include "scene/shipped.hpp"
 #include "tumble/body.hpp"
 #include "tumble/distance.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "scene/example.hpp"
-#include "scene/json_text.hpp"
+#include "scene/json/json_text.hpp"
 #include "scene/shipped.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"

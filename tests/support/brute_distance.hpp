@@ -1,7 +1,7 @@
 // The brute-force oracle under the tests' name.
 #pragma once
 
-#include "reference/brute_distance.hpp"
+#include "reference/exact/brute_distance.hpp"
 
 namespace tumble_test {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "narrow/error_bound.hpp"
-#include "reference/exact_distance.hpp"
-#include "reference/pair_families.hpp"
+#include "narrow/cores/error_bound.hpp"
+#include "reference/exact/exact_distance.hpp"
+#include "reference/families/pair_families.hpp"
 #include "support/pair_count.hpp"
 #include "tumble/distance.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/random.hpp"
+#include "reference/query/random.hpp"
 #include "support/pair_count.hpp"
 #include "tumble/shape.hpp"
 

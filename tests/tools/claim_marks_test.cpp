@@ -1,5 +1,5 @@
 // What a picture of a claim points at: its region where its frame puts it, the bodies that it speaks of.
-#include "claim_marks.hpp"
+#include "tools/scene/claim_marks.hpp"
 
 #include <doctest/doctest.h>
 

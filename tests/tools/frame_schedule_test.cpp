@@ -1,4 +1,4 @@
-#include "frame_schedule.hpp"
+#include "tools/run/frame_schedule.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Splitting an object's text into members.
-#include "json_members.hpp"
+#include "tools/query/json_members.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "json_writer.hpp"
+#include "tools/output/json_writer.hpp"
 
 #include <doctest/doctest.h>
 

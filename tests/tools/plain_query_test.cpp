@@ -1,6 +1,6 @@
 // The quick reader of query lines beside the strict one: what it reads, it reads the same, and the rest it leaves
 // alone.
-#include "plain_query.hpp"
+#include "tools/query/plain_query.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,8 @@
 #include <random>
 #include <string>
 
-#include "input_error.hpp"
-#include "json_writer.hpp"
+#include "tools/output/input_error.hpp"
+#include "tools/output/json_writer.hpp"
 #include "tumble/scene_file.hpp"
 
 using namespace tumble;

@@ -1,4 +1,4 @@
-#include "processor.hpp"
+#include "tools/measure/processor.hpp"
 
 #include <doctest/doctest.h>
 

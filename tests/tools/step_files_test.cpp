@@ -1,4 +1,4 @@
-#include "step_files.hpp"
+#include "tools/run/step_files.hpp"
 
 #include <doctest/doctest.h>
 

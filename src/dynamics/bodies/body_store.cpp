@@ -1,0 +1,154 @@
+#include "dynamics/bodies/body_store.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tumble {
+
+namespace {
+
+// 1 / x, and 0 of 0. What is too light for a finite inverse acts as the lightest that has one.
+float inverse_of(float x) { return x > 0.0f ? 1.0f / std::max(x, std::numeric_limits<float>::min()) : 0.0f; }
+
+}  // namespace
+
+BodyId BodyStore::create(const BodyDef& def) {
+    const BodyId id = ids.acquire();
+    if (id.index == frames.size()) {
+        frames.emplace_back();
+        records.emplace_back();
+    }
+    BodyFrame& frame = frames[id.index];
+    frame = BodyFrame{};
+    frame.pose = def.pose;
+    frame.center = def.pose.position;
+    BodyRecord& record = records[id.index];
+    record = BodyRecord{};
+    record.own_mass = def.mass;
+    record.type = def.type;
+    record.is_enabled = def.enabled;
+    record.motion = {def.gravity_scale, def.linear_damping, def.angular_damping, 0.0f, 0.0f, def.allow_sleep};
+    if (def.allow_fast_rotation) record.flags |= kFastSpin;
+    if (def.bullet) record.flags |= kBulletBody;
+    if (def.locks.x) record.flags |= kLockX;
+    if (def.locks.y) record.flags |= kLockY;
+    if (def.locks.rotation) record.flags |= kLockRotation;
+    place(id.index, def.enabled ? def.type : BodyType::static_body, def.velocity, def.angular_velocity);
+    return id;
+}
+
+// Gives a body that is not among the solver bodies the type that it is simulated as.
+void BodyStore::place(std::uint32_t body, BodyType type, Vec2 velocity, float angular_velocity) {
+    frames[body].type = type;
+    std::uint32_t& flags = records[body].flags;
+    flags = type == BodyType::dynamic_body ? flags | kDynamicBody : flags & ~kDynamicBody;
+    if (type != BodyType::static_body) add_solver_body(body, velocity, angular_velocity);
+}
+
+void BodyStore::set_type(std::uint32_t body, BodyType type) {
+    records[body].type = type;
+    if (!records[body].is_enabled) return;
+    const SolverBody old = solver_bodies[frames[body].solver_body];
+    if (frames[body].solver_body != kStaticSolverBody) remove_solver_body(body);
+    place(body, type, old.velocity, old.angular_velocity);
+}
+
+void BodyStore::set_enabled(std::uint32_t body, bool enabled) {
+    records[body].is_enabled = enabled;
+    if (frames[body].solver_body != kStaticSolverBody) remove_solver_body(body);
+    place(body, enabled ? records[body].type : BodyType::static_body, {}, 0.0f);
+}
+
+void BodyStore::set_flag(std::uint32_t body, BodyFlag flag, bool value) {
+    std::uint32_t& flags = records[body].flags;
+    flags = value ? flags | flag : flags & ~flag;
+    apply_flags(body);
+}
+
+// Locks act on dynamic bodies alone.
+void BodyStore::apply_flags(std::uint32_t body) {
+    constexpr std::uint32_t kLocks = kLockX | kLockY | kLockRotation;
+    const std::uint32_t flags = is_dynamic(body) ? records[body].flags : records[body].flags & ~kLocks;
+    frames[body].locks_x = (flags & kLockX) != 0;
+    frames[body].locks_y = (flags & kLockY) != 0;
+    if (frames[body].solver_body == kStaticSolverBody) return;
+    SolverBody& solved = solver_bodies[frames[body].solver_body];
+    solved.flags = flags;
+    solved.velocity = allowed(flags, solved.velocity);
+    solved.angular_velocity = allowed(flags, solved.angular_velocity);
+}
+
+void BodyStore::set_motion(std::uint32_t body, const BodyMotion& motion) {
+    records[body].motion = motion;
+    if (frames[body].solver_body != kStaticSolverBody) moving[frames[body].solver_body].motion = motion;
+}
+
+void BodyStore::set_pose(std::uint32_t body, const Pose& pose) {
+    BodyFrame& frame = frames[body];
+    frame.pose = pose;
+    frame.center_offset = rotate(pose.rotation, records[body].mass.center);
+    frame.center = transform_point(pose, records[body].mass.center);
+}
+
+void BodyStore::add_solver_body(std::uint32_t body, Vec2 velocity, float angular_velocity) {
+    frames[body].solver_body = static_cast<std::uint32_t>(solver_bodies.size());
+    SolverBody added;
+    added.velocity = velocity;
+    added.angular_velocity = angular_velocity;
+    solver_bodies.push_back(added);
+    MovingBody motion;
+    motion.body = body;
+    motion.motion = records[body].motion;
+    moving.push_back(motion);
+    apply_flags(body);
+    awake_dynamic_count_ += is_dynamic(body);
+}
+
+void BodyStore::remove_solver_body(std::uint32_t body) {
+    const std::uint32_t gap = frames[body].solver_body;
+    solver_bodies[gap] = solver_bodies.back();
+    moving[gap] = moving.back();
+    frames[moving[gap].body].solver_body = gap;
+    solver_bodies.pop_back();
+    moving.pop_back();
+    frames[body].solver_body = kStaticSolverBody;
+    awake_dynamic_count_ -= is_dynamic(body);
+}
+
+void BodyStore::put_to_sleep(std::uint32_t body) { remove_solver_body(body); }
+
+void BodyStore::wake(std::uint32_t body) { add_solver_body(body, {}, 0.0f); }
+
+bool BodyStore::is_active(std::uint32_t body) const {
+    const std::uint32_t index = frames[body].solver_body;
+    if (index == kStaticSolverBody) return false;
+    const SolverBody& moved = solver_bodies[index];
+    return is_dynamic(body) || moved.velocity != Vec2{} || moved.angular_velocity != 0.0f;
+}
+
+void BodyStore::destroy(BodyId id) {
+    if (frames[id.index].solver_body != kStaticSolverBody) remove_solver_body(id.index);
+    frames[id.index] = BodyFrame{};
+    records[id.index] = BodyRecord{};
+    ids.release(id);
+    ids.recycle(id.index);
+}
+
+void BodyStore::set_mass(BodyId id, const BodyMass& mass, float reach, float smallest_extent) {
+    BodyFrame& frame = frames[id.index];
+    records[id.index].mass = mass;
+    records[id.index].motion.reach = reach;
+    records[id.index].motion.smallest_extent = smallest_extent;
+    const Vec2 old_offset = frame.center_offset;
+    set_pose(id.index, frame.pose);
+    frame.inv_mass = inverse_of(mass.mass);
+    const bool turns = mass.inertia > 0.0f && !(records[id.index].flags & kLockRotation);
+    frame.inv_inertia = turns ? inverse_of(mass.inertia) : 0.0f;
+    if (frame.solver_body == kStaticSolverBody) return;
+    moving[frame.solver_body].motion = records[id.index].motion;
+    SolverBody& body = solver_bodies[frame.solver_body];
+    body.velocity += cross(body.angular_velocity, frame.center_offset - old_offset);
+    apply_flags(id.index);
+}
+
+}  // namespace tumble

@@ -1,0 +1,74 @@
+// Shapes on bodies, and their proxies in the broad phase: a shape's index is its key there.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "broad/broad_phase.hpp"
+#include "dynamics/bodies/body_store.hpp"
+#include "dynamics/bodies/constants.hpp"
+#include "dynamics/bodies/id_pool.hpp"
+#include "tumble/body.hpp"
+#include "tumble/shape.hpp"
+
+namespace tumble {
+
+struct ShapeRecord {
+    Shape shape;  // body coordinates
+    SurfaceMaterial material;
+    CollisionFilter filter;
+    std::uint32_t body = 0;       // index
+    float smaller_extent = 0.0f;  // m
+    float reach = 0.0f;           // of the farthest point from the body's origin, m
+    bool is_sensor = false;
+    bool is_live = false;
+    bool is_placed = false;         // it has a proxy: its body is enabled
+    std::optional<ChainLink> link;  // of a chain's segment
+};
+
+class ShapeStore {
+public:
+    // Without a proxy.
+    ShapeId create(std::uint32_t body, const ShapeDef& def);
+
+    // A proxy where the body is, and none again. Its layer depends on the body's type, and on whether it is a sensor.
+    void place(std::uint32_t shape, const BodyFrame& frame, const Tuning& tuning, BroadPhase& broad);
+    void displace(std::uint32_t shape, BroadPhase& broad);
+
+    void set_material(std::uint32_t shape, const SurfaceMaterial& material) { records_[shape].material = material; }
+    void set_filter(std::uint32_t shape, const CollisionFilter& filter) { records_[shape].filter = filter; }
+
+    // The index is not used again before forget_destroyed(): until then contacts may still name it.
+    void destroy(ShapeId id, BroadPhase& broad);
+    bool has_destroyed() const { return !destroyed_.empty(); }
+    void forget_destroyed();
+
+    // Follows the body: enlarges the proxy's box if the shape has left it.
+    void update_proxy(std::uint32_t shape, const Pose& world_from_body, const Tuning& tuning, BroadPhase& broad) const;
+
+    const ShapeRecord& operator[](std::uint32_t index) const { return records_[index]; }
+    std::size_t capacity() const { return records_.size(); }
+
+    IdPool<ShapeId> ids;
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.ids, self.records_, self.destroyed_);
+    }
+
+private:
+    std::vector<ShapeRecord> records_;  // by shape index
+    std::vector<std::uint32_t> destroyed_;
+};
+
+// The mass of a dynamic body from its shapes: 1 kg that does not turn if they weigh nothing.
+BodyMass body_mass(const std::vector<ShapeId>& shapes, const ShapeStore& store);
+
+// The distance of the farthest point of the shapes from a point in body coordinates.
+float body_reach(Vec2 from, const std::vector<ShapeId>& shapes, const ShapeStore& store);
+
+// The smaller extent of the smallest shape that is no sensor; infinite if there is none.
+float smallest_extent(const std::vector<ShapeId>& shapes, const ShapeStore& store);
+
+}  // namespace tumble

@@ -1,0 +1,124 @@
+// The bodies of a contact block while it is solved.
+//
+// Velocities are handled in the contact's frame: the relative normal velocity of the centres of mass and the two
+// angular velocities follow each impulse, and the linear velocities are updated once at the end of a block. Of a body
+// locked along one axis, a normal impulse changes the tangent velocity too: that is seen when the block is loaded
+// again.
+#pragma once
+
+#include "dynamics/contacts/contact_block.hpp"
+#include "simd/transpose.hpp"
+
+namespace tumble {
+
+// The bodies of one side of a block.
+struct BodyLanes {
+    Lanes velocity_x, velocity_y, angular_velocity, flags;
+    Lanes delta_x, delta_y, delta_c, delta_s;
+};
+
+TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
+    const float* rows[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
+    Lanes f[8];
+    gather_rows(rows, f);
+    return {f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]};
+}
+
+// Lanes of the static body, and several of one kinematic body, write back what they read: their masses are zero.
+TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies,
+                                             const std::uint32_t index[kLaneCount]) {
+    float* rows[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
+    const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
+    scatter_rows(fields, rows);
+}
+
+// The two bodies of each lane while their block is solved.
+struct BlockState {
+    BodyLanes a, b;
+    Lanes normal_velocity;  // of B's centre against A's
+    Lanes tangent_velocity;
+    Lanes normal_impulse;  // applied in this pass, not yet in the linear velocities
+    Lanes tangent_impulse;
+};
+
+TUMBLE_LANE_FUNCTION BlockState load(const ContactBlock& block, std::span<const SolverBody> bodies) {
+    BlockState state;
+    state.a = gather(bodies, block.body_a);
+    state.b = gather(bodies, block.body_b);
+    const Lanes x = state.b.velocity_x - state.a.velocity_x;
+    const Lanes y = state.b.velocity_y - state.a.velocity_y;
+    state.normal_velocity = x * block.normal_x + y * block.normal_y;
+    state.tangent_velocity = x * block.normal_y - y * block.normal_x;
+    state.normal_impulse = Lanes::Zero();
+    state.tangent_impulse = Lanes::Zero();
+    return state;
+}
+
+TUMBLE_LANE_FUNCTION void finish(const ContactBlock& block, BlockState& state, std::span<SolverBody> bodies) {
+    const Lanes x = state.normal_impulse * block.normal_x + state.tangent_impulse * block.normal_y;
+    const Lanes y = state.normal_impulse * block.normal_y - state.tangent_impulse * block.normal_x;
+    state.a.velocity_x -= block.inv_mass_ax * x;
+    state.a.velocity_y -= block.inv_mass_ay * y;
+    state.b.velocity_x += block.inv_mass_bx * x;
+    state.b.velocity_y += block.inv_mass_by * y;
+    scatter_velocities(state.a, bodies, block.body_a);
+    scatter_velocities(state.b, bodies, block.body_b);
+}
+
+TUMBLE_LANE_FUNCTION Lanes normal_velocity(const ContactBlockPoint& point, const BlockState& state) {
+    return state.normal_velocity + state.b.angular_velocity * point.across_b -
+           state.a.angular_velocity * point.across_a;
+}
+
+TUMBLE_LANE_FUNCTION Lanes tangent_velocity(const ContactBlockPoint& point, const BlockState& state) {
+    return state.tangent_velocity - state.b.angular_velocity * point.along_b + state.a.angular_velocity * point.along_a;
+}
+
+TUMBLE_LANE_FUNCTION void apply_normal(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
+                                       BlockState& state) {
+    state.normal_impulse += impulse;
+    state.normal_velocity += block.linear_normal * impulse;
+    state.a.angular_velocity -= block.inv_inertia_a * point.across_a * impulse;
+    state.b.angular_velocity += block.inv_inertia_b * point.across_b * impulse;
+}
+
+TUMBLE_LANE_FUNCTION void apply_tangent(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
+                                        BlockState& state) {
+    state.tangent_impulse += impulse;
+    state.tangent_velocity += block.linear_tangent * impulse;
+    state.a.angular_velocity += block.inv_inertia_a * point.along_a * impulse;
+    state.b.angular_velocity -= block.inv_inertia_b * point.along_b * impulse;
+}
+
+TUMBLE_LANE_FUNCTION void apply_rolling(const ContactBlock& block, const Lanes& impulse, BlockState& state) {
+    state.a.angular_velocity -= block.inv_inertia_a * impulse;
+    state.b.angular_velocity += block.inv_inertia_b * impulse;
+}
+
+// How far the centres have come nearer along the normal since the start of the step, negative for nearer.
+TUMBLE_LANE_FUNCTION Lanes center_shift(const ContactBlock& block, const BlockState& state) {
+    const Lanes x = state.b.delta_x - state.a.delta_x;
+    const Lanes y = state.b.delta_y - state.a.delta_y;
+    return x * block.normal_x + y * block.normal_y;
+}
+
+// The separation now, from anchors fixed on the bodies: s0 + (dp_B - dp_A + (R(dq_B) - 1) r_B - (R(dq_A) - 1) r_A) . n
+//
+// The anchors are those of the cores: the rounding stays between them along the normal while the bodies turn. Anchors
+// on the surface would lift a rolling ball by r (1 - cos) in every step, so that it lost its grip.
+TUMBLE_LANE_FUNCTION Lanes current_separation(const ContactBlock& block, const ContactBlockPoint& point,
+                                              const Lanes& shift, const BlockState& state) {
+    const Lanes one = Lanes::Ones();
+    Lanes along_a = point.along_a, along_b = point.along_b;
+    if (block.has_radius) {
+        along_a -= block.radius_a;
+        along_b += block.radius_b;
+    }
+    const Lanes turn_a = (state.a.delta_c - one) * along_a + state.a.delta_s * point.across_a;
+    const Lanes turn_b = (state.b.delta_c - one) * along_b + state.b.delta_s * point.across_b;
+    return point.separation + shift + (turn_b - turn_a);
+}
+
+}  // namespace tumble

@@ -1,0 +1,63 @@
+#include "dynamics/contacts/constraint_graph.hpp"
+
+#include <array>
+#include <bit>
+
+namespace tumble {
+
+namespace {
+
+constexpr std::uint32_t kDynamicMask = (1u << kDynamicColors) - 1u;
+constexpr std::uint32_t kStaticMask = ((1u << kStaticColors) - 1u) << kDynamicColors;
+
+}  // namespace
+
+// The lowest colour that neither body has; bodies that are not dynamic may have any number of contacts of a colour.
+std::uint8_t ConstraintGraph::choose_color(const Contact& contact, const BodyStore& bodies) {
+    const bool dynamic_a = bodies.is_dynamic(contact.body_a), dynamic_b = bodies.is_dynamic(contact.body_b);
+    std::uint32_t* const used_a = &used_colors_[bodies.frames[contact.body_a].solver_body];
+    std::uint32_t* const used_b = &used_colors_[bodies.frames[contact.body_b].solver_body];
+    std::uint32_t free = dynamic_a && dynamic_b ? kDynamicMask : kStaticMask;
+    if (dynamic_a) free &= ~*used_a;
+    if (dynamic_b) free &= ~*used_b;
+    if (free == 0) return kNoColor;
+    const int color = std::countr_zero(free);
+    if (dynamic_a) *used_a |= 1u << color;
+    if (dynamic_b) *used_b |= 1u << color;
+    return static_cast<std::uint8_t>(color);
+}
+
+void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& bodies) {
+    used_colors_.assign(bodies.solver_bodies.size(), 0);
+    contact_colors_.resize(contacts.size());
+    std::array<std::uint32_t, kColors + 1> count{};  // contacts of each colour; the last: without one
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const bool touching = contacts[i].manifold.point_count > 0;
+        contact_colors_[i] = touching ? choose_color(contacts[i], bodies) : kNotTouching;
+        if (touching) ++count[contact_colors_[i]];
+    }
+
+    // First lane of each colour, behind those that have none and take a whole block each.
+    std::array<std::uint32_t, kColors> next{};
+    std::uint32_t end = count[kNoColor] * kLaneCount;
+    color_count_ = 0;
+    for (std::size_t color = 0; color < kColors; ++color) {
+        next[color] = end;
+        end += (count[color] + kLaneCount - 1) / kLaneCount * kLaneCount;
+        color_count_ += count[color] > 0;
+    }
+    lanes_.assign(end, kNoContact);
+    std::uint32_t next_alone = 0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const std::uint8_t color = contact_colors_[i];
+        if (color == kNotTouching) continue;
+        if (color == kNoColor) {
+            lanes_[next_alone] = static_cast<std::uint32_t>(i);
+            next_alone += kLaneCount;
+        } else {
+            lanes_[next[color]++] = static_cast<std::uint32_t>(i);
+        }
+    }
+}
+
+}  // namespace tumble

@@ -1,0 +1,80 @@
+// The normal impulses of a block: both points of each contact at once.
+#pragma once
+
+#include "dynamics/contacts/block_state.hpp"
+
+namespace tumble {
+
+// What the normal impulses x of the two points are to achieve: A x + q >= 0 with x >= 0, one of them zero for each
+// point. A is the matrix of inverse effective masses, softened on its diagonal, q the residual without impulses.
+struct NormalProblem {
+    Lanes a11, a22, a12;
+    Lanes q1, q2;
+};
+
+// The exact solution for two points by trying who carries: both, the first alone, the second alone [Catto 2007,
+// "Block solver"]. One after the other they would tip every box a little, which seeds the lean of a stack.
+TUMBLE_LANE_FUNCTION void solve_both(const NormalProblem& p, Lanes& x1, Lanes& x2) {
+    const Lanes zero = Lanes::Zero();
+    const Lanes scale = Lanes::Ones() / (p.a11 * p.a22 - p.a12 * p.a12);
+    const Lanes both1 = scale * (p.a12 * p.q2 - p.a22 * p.q1);
+    const Lanes both2 = scale * (p.a12 * p.q1 - p.a11 * p.q2);
+    const Lanes first = (-p.q1 / p.a11).max(zero);
+    const Lanes second = (-p.q2 / p.a22).max(zero);
+    const Lanes residual2 = p.a12 * first + p.q2;
+    const Lanes lone1 = select_less(residual2, zero, zero, first);
+    const Lanes lone2 = select_less(residual2, zero, second, zero);
+    const Lanes least = both1.min(both2);
+    x1 = select_less(least, zero, lone1, both1);
+    x2 = select_less(least, zero, lone2, both2);
+}
+
+// What impulses at both points and the velocities there make: x . v.
+TUMBLE_LANE_FUNCTION Lanes power(const ContactBlock& block, const Lanes& impulse1, const Lanes& impulse2,
+                                 const BlockState& state) {
+    return impulse1 * normal_velocity(block.points[0], state) + impulse2 * normal_velocity(block.points[1], state);
+}
+
+// Pushes at both points. What may bounce remembers the work that it takes: each impulse does as much as if its point
+// moved at the mean of the velocities before and after.
+TUMBLE_LANE_FUNCTION void push_normals(ContactBlock& block, const Lanes& impulse1, const Lanes& impulse2,
+                                       BlockState& state) {
+    if (block.has_restitution) block.absorbed -= 0.5f * power(block, impulse1, impulse2, state);
+    apply_normal(block, block.points[0], impulse1, state);
+    apply_normal(block, block.points[1], impulse2, state);
+    if (block.has_restitution) block.absorbed -= 0.5f * power(block, impulse1, impulse2, state);
+}
+
+// One point's share of the problem: its diagonal, softened, and its residual without the other's impulse.
+struct NormalRow {
+    Lanes diagonal;
+    Lanes residual;
+};
+
+// The impulses that solve two rows, less those that the points have already.
+TUMBLE_LANE_FUNCTION void find_changes(const ContactBlock& block, const Lanes& coupling, const NormalRow& first,
+                                       const NormalRow& second, Lanes& change1, Lanes& change2) {
+    const Lanes& old1 = block.points[0].normal_impulse;
+    const Lanes& old2 = block.points[1].normal_impulse;
+    const Lanes q1 = first.residual - coupling * old2, q2 = second.residual - coupling * old1;
+    Lanes impulse1, impulse2;
+    solve_both({first.diagonal, second.diagonal, coupling, q1, q2}, impulse1, impulse2);
+    change1 = impulse1 - old1;
+    change2 = impulse2 - old2;
+}
+
+TUMBLE_LANE_FUNCTION void change_normals(ContactBlock& block, const Lanes& change1, const Lanes& change2,
+                                         BlockState& state) {
+    block.points[0].normal_impulse += change1;
+    block.points[1].normal_impulse += change2;
+    push_normals(block, change1, change2, state);
+}
+
+TUMBLE_LANE_FUNCTION void solve_normals(ContactBlock& block, const NormalRow& first, const NormalRow& second,
+                                        BlockState& state) {
+    Lanes change1, change2;
+    find_changes(block, block.coupling, first, second, change1, change2);
+    change_normals(block, change1, change2, state);
+}
+
+}  // namespace tumble

@@ -1,0 +1,218 @@
+// From contacts to blocks and back: the only place where lanes are filled one by one.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "dynamics/bodies/integrate.hpp"
+#include "dynamics/contacts/contact_block.hpp"
+
+namespace tumble {
+
+namespace {
+
+// A block of neutral lanes.
+ContactBlock make_neutral_block() {
+    ContactBlock block;
+    const Lanes zero = Lanes::Zero();
+    std::fill_n(block.body_a, kLaneCount, kStaticSolverBody);
+    std::fill_n(block.body_b, kLaneCount, kStaticSolverBody);
+    for (Lanes* lanes :
+         {&block.normal_x,          &block.normal_y,          &block.inv_mass_ax,        &block.inv_mass_ay,
+          &block.inv_mass_bx,       &block.inv_mass_by,       &block.linear_normal,      &block.linear_tangent,
+          &block.least_response,    &block.inv_inertia_a,     &block.inv_inertia_b,      &block.coupling,
+          &block.friction,          &block.radius_a,          &block.radius_b,           &block.restitution,
+          &block.approach_speed[0], &block.approach_speed[1], &block.acceleration,       &block.absorbed,
+          &block.friction_work,     &block.tangent_speed,     &block.rolling_resistance, &block.rolling_mass,
+          &block.rolling_impulse})
+        *lanes = zero;
+    for (ContactBlockPoint& point : block.points)
+        for (Lanes* lanes :
+             {&point.along_a, &point.across_a, &point.along_b, &point.across_b, &point.normal_impulse, &point.carried,
+              &point.tangent_mass, &point.tangent_impulse, &point.applied_normal, &point.applied_tangent})
+            *lanes = zero;
+    for (ContactBlockPoint& point : block.points) {
+        point.separation = Lanes::Constant(kAbsentGap);
+        point.inverse_mass = Lanes::Ones();
+    }
+    block.has_locks = block.has_radius = block.has_restitution = block.has_tangent_speed =
+        block.has_rolling_resistance = false;
+    return block;
+}
+
+void fill_masses(ContactBlock& block, int lane, const BodyFrame& a, const BodyFrame& b) {
+    const Vec2 masses_a = a.inv_masses(), masses_b = b.inv_masses();
+    block.inv_mass_ax[lane] = masses_a.x;
+    block.inv_mass_ay[lane] = masses_a.y;
+    block.inv_mass_bx[lane] = masses_b.x;
+    block.inv_mass_by[lane] = masses_b.y;
+    block.linear_normal[lane] = block.linear_tangent[lane] = a.inv_mass + b.inv_mass;
+    if (!a.locks_x && !a.locks_y && !b.locks_x && !b.locks_y) return;
+    const Vec2 both = masses_a + masses_b;
+    const float xx = block.normal_x[lane] * block.normal_x[lane], yy = block.normal_y[lane] * block.normal_y[lane];
+    block.linear_normal[lane] = both.x * xx + both.y * yy;
+    block.linear_tangent[lane] = both.x * yy + both.y * xx;
+    block.least_response[lane] = kDeadPoint * (a.inv_mass + b.inv_mass);
+    block.has_locks = true;
+}
+
+void fill_lane(ContactBlock& block, int lane, const Contact& contact, const BodyFrame& a, const BodyFrame& b) {
+    block.body_a[lane] = a.solver_body;
+    block.body_b[lane] = b.solver_body;
+    const Vec2 normal = contact.manifold.normal;
+    block.normal_x[lane] = normal.x;
+    block.normal_y[lane] = normal.y;
+    fill_masses(block, lane, a, b);
+    block.inv_inertia_a[lane] = a.inv_inertia;
+    block.inv_inertia_b[lane] = b.inv_inertia;
+    block.friction[lane] = contact.friction;
+    block.radius_a[lane] = contact.radius_a;
+    block.radius_b[lane] = contact.radius_b;
+    block.restitution[lane] = contact.restitution;
+    block.tangent_speed[lane] = contact.tangent_speed;
+    block.rolling_resistance[lane] = contact.rolling_resistance;
+    block.rolling_impulse[lane] = contact.rolling_impulse;
+    block.has_radius |= contact.radius_a > 0.0f || contact.radius_b > 0.0f;
+    block.has_restitution |= contact.restitution > 0.0f;
+    block.has_tangent_speed |= contact.tangent_speed != 0.0f;
+    block.has_rolling_resistance |= contact.rolling_resistance > 0.0f;
+    for (int i = 0; i < contact.manifold.point_count; ++i) {
+        const ManifoldPoint& from = contact.manifold.points[i];
+        const Vec2 arm_a = from.anchor_a - a.center_offset;
+        const Vec2 arm_b = from.anchor_b - b.center_offset;
+        ContactBlockPoint& to = block.points[i];
+        to.along_a[lane] = dot(arm_a, normal);
+        to.across_a[lane] = cross(arm_a, normal);
+        to.along_b[lane] = dot(arm_b, normal);
+        to.across_b[lane] = cross(arm_b, normal);
+        to.separation[lane] = from.separation;
+        to.normal_impulse[lane] = to.carried[lane] = contact.impulses[i].normal;
+        to.tangent_impulse[lane] = contact.impulses[i].tangent;
+    }
+}
+
+// What an impulse at one arm does to the velocity at another: 1/m_A + 1/m_B + r r'/I_A + r r'/I_B.
+Lanes response(const ContactBlock& block, const Lanes& linear, const Lanes& arm_a, const Lanes& other_a,
+               const Lanes& arm_b, const Lanes& other_b) {
+    const Lanes angular_a = block.inv_inertia_a * arm_a * other_a;
+    const Lanes angular_b = block.inv_inertia_b * arm_b * other_b;
+    return linear + (angular_a + angular_b);
+}
+
+// Two points close together make the matrix of the pair nearly singular. Coupled by a little less than they are, they
+// share the load instead, and the determinant keeps 1 - 0.98^2 = 4 % of its digits' range.
+constexpr float kMaxCoupling = 0.98f;
+
+void set_masses(ContactBlock& block) {
+    const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
+    ContactBlockPoint& first = block.points[0];
+    ContactBlockPoint& second = block.points[1];
+    const Lanes absent = Lanes::Constant(0.5f * kAbsentGap);
+    for (ContactBlockPoint* point : {&first, &second}) {
+        const Lanes normal =
+            response(block, block.linear_normal, point->across_a, point->across_a, point->across_b, point->across_b);
+        const Lanes tangent =
+            response(block, block.linear_tangent, point->along_a, point->along_a, point->along_b, point->along_b);
+        // Where locks leave nothing that can give way, there is nothing to solve.
+        if (block.has_locks)
+            point->separation =
+                select_less(block.least_response, normal, point->separation, Lanes::Constant(kAbsentGap));
+        point->inverse_mass = select_less(point->separation, absent, normal, one);
+        const Lanes given = select_less(block.least_response, tangent, one / tangent, zero);
+        point->tangent_mass = select_less(point->separation, absent, given, zero);
+    }
+    const Lanes coupling =
+        response(block, block.linear_normal, first.across_a, second.across_a, first.across_b, second.across_b);
+    const Lanes product = first.inverse_mass * second.inverse_mass;
+    const Lanes limited = clamp_magnitude(coupling, kMaxCoupling * product.sqrt());
+    block.coupling = select_less(second.separation, absent, limited, zero);
+    const Lanes inertia = block.inv_inertia_a + block.inv_inertia_b;
+    block.rolling_mass = select_less(zero, inertia, one / inertia, zero);
+}
+
+Vec2 free_acceleration(const BodyStore& bodies, std::uint32_t body, Vec2 gravity) {
+    const std::uint32_t flags = bodies.solver_bodies[body].flags;
+    return flags & kDynamicBody ? allowed(flags, bodies.moving[body].free_acceleration(gravity)) : Vec2{};
+}
+
+// The velocities at which points meet, either way, from those before the step and the free motion over the gap.
+void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, float h) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        const std::uint32_t body_a = block.body_a[lane], body_b = block.body_b[lane];
+        const SolverBody& a = bodies.solver_bodies[body_a];
+        const SolverBody& b = bodies.solver_bodies[body_b];
+        const Vec2 normal{block.normal_x[lane], block.normal_y[lane]};
+        const float linear = dot(b.velocity - a.velocity, normal);
+        const Vec2 acceleration =
+            free_acceleration(bodies, body_b, gravity) - free_acceleration(bodies, body_a, gravity);
+        const float along = dot(acceleration, normal);
+        block.acceleration[lane] = along;
+        for (int i = 0; i < 2; ++i) {
+            const ContactBlockPoint& point = block.points[i];
+            const float now =
+                linear + b.angular_velocity * point.across_b[lane] - a.angular_velocity * point.across_a[lane];
+            const float middle = now + 0.5f * h * along;
+            const float speed_sq = speed_sq_after(middle, -point.separation[lane], along);
+            block.approach_speed[i][lane] = std::copysign(std::sqrt(std::max(speed_sq, 0.0f)), middle);
+        }
+    }
+}
+
+// The contacts of a block lie far apart, and no hardware guesses where.
+void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> block) {
+    constexpr std::size_t kCacheLine = 64;
+    for (const std::uint32_t index : block) {
+        if (index == ConstraintGraph::kNoContact) continue;
+        const char* const contact = reinterpret_cast<const char*>(&contacts[index]);
+        __builtin_prefetch(contact + offsetof(Contact, manifold));
+        __builtin_prefetch(contact + offsetof(Contact, manifold) + kCacheLine);
+        __builtin_prefetch(contact + offsetof(Contact, friction));
+    }
+}
+
+}  // namespace
+
+void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
+                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks) {
+    const Softness softness = contact_softness(tuning, h), static_softness = static_contact_softness(tuning, h);
+    const ContactBlock neutral = make_neutral_block();
+    blocks.resize(graph.block_count());
+    for (std::size_t index = 0; index < blocks.size(); ++index) {
+        ContactBlock& block = blocks[index];
+        if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
+        block = neutral;
+        bool is_static = false;  // of all lanes alike, by the colours
+        for (int lane = 0; lane < kLaneCount; ++lane) {
+            const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
+            if (contact == ConstraintGraph::kNoContact) continue;
+            const BodyFrame& a = bodies.frames[contacts[contact].body_a];
+            const BodyFrame& b = bodies.frames[contacts[contact].body_b];
+            fill_lane(block, lane, contacts[contact], a, b);
+            is_static = a.inv_mass == 0.0f || b.inv_mass == 0.0f;
+        }
+        block.softness = is_static ? static_softness : softness;
+        set_masses(block);
+        if (block.has_restitution) set_approaches(block, bodies, gravity, h);
+    }
+}
+
+void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph,
+                    std::span<Contact> contacts) {
+    for (std::size_t index = 0; index < blocks.size(); ++index) {
+        const ContactBlock& block = blocks[index];
+        if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
+        for (int lane = 0; lane < kLaneCount; ++lane) {
+            const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
+            if (contact == ConstraintGraph::kNoContact) continue;
+            for (int i = 0; i < contacts[contact].manifold.point_count; ++i) {
+                contacts[contact].impulses[i] = {block.points[i].normal_impulse[lane],
+                                                 block.points[i].tangent_impulse[lane]};
+                contacts[contact].applied[i] = {block.points[i].applied_normal[lane],
+                                                block.points[i].applied_tangent[lane]};
+                contacts[contact].is_touching |= block.points[i].applied_normal[lane] > 0.0f;
+            }
+            contacts[contact].rolling_impulse = block.rolling_impulse[lane];
+        }
+    }
+}
+
+}  // namespace tumble

@@ -1,0 +1,29 @@
+#include "dynamics/joints/distance_joint.hpp"
+
+namespace tumble {
+
+void DistanceJoint::prepare(const BodyStore& bodies) {
+    bodies_ = JointBodies::make(bodies.frames[def_.body_a.index], def_.anchor_a, bodies.frames[def_.body_b.index],
+                                def_.anchor_b);
+    line_ = JointLine::along(bodies_.separation_at_start());
+}
+
+void DistanceJoint::warm_start(std::span<SolverBody> bodies) const {
+    apply_row(bodies_, JointLine::now(bodies_, bodies).row(bodies_, bodies), impulse(), bodies);
+}
+
+void DistanceJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    const JointLine line = JointLine::now(bodies_, bodies);
+    const JointRow row = line.row(bodies_, bodies);
+    drive_.solve(bodies_, row, line.length, def_.length, context, use_bias, bodies);
+    if (is_rod())
+        solve_equality(bodies_, row, context.equality_softness(use_bias), line.length - def_.length, rod_impulse_,
+                       bodies);
+}
+
+void DistanceJoint::take_over(const DistanceJoint& old) {
+    if (is_rod()) rod_impulse_ = old.rod_impulse_;
+    drive_.take_over(old.drive_);
+}
+
+}  // namespace tumble

@@ -1,0 +1,27 @@
+// Takes part in no solving: that its bodies do not touch is decided where pairs are found.
+#pragma once
+
+#include <span>
+
+#include "dynamics/rows/joint_bodies.hpp"
+
+namespace tumble {
+
+class FilterJoint {
+public:
+    FilterJoint() = default;
+    explicit FilterJoint(const FilterJointDef&) {}
+
+    void prepare(const BodyStore&) {}
+    void warm_start(std::span<SolverBody>) const {}
+    void solve(const JointContext&, bool, std::span<SolverBody>) {}
+    JointReaction reaction(float) const { return {}; }
+    float position() const { return 0.0f; }
+    void take_over(const FilterJoint&) {}
+    void forget_impulses() {}
+
+    template <class Self, class Visitor>
+    static void visit_members(Self&, Visitor&&) {}
+};
+
+}  // namespace tumble

@@ -1,0 +1,32 @@
+#include "dynamics/joints/gear_joint.hpp"
+
+namespace tumble {
+
+void GearJoint::prepare(const BodyStore& bodies) {
+    const double a = side_a_.advance(bodies, bodies_.first), b = side_b_.advance(bodies, bodies_.second);
+    slip_ += a + static_cast<double>(bodies_.ratio) * b;
+}
+
+CoupledRow GearJoint::row(std::span<const SolverBody> bodies) const {
+    return {side_a_.row(bodies_.first, bodies), side_b_.row(bodies_.second, bodies)};
+}
+
+void GearJoint::warm_start(std::span<SolverBody> bodies) const { apply_row(bodies_, row(bodies), impulse_, bodies); }
+
+void GearJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    const float moved = side_a_.follow(bodies_.first, bodies) + bodies_.ratio * side_b_.follow(bodies_.second, bodies);
+    solve_equality(bodies_, row(bodies), context.equality_softness(use_bias), static_cast<float>(slip_) + moved,
+                   impulse_, bodies);
+}
+
+// The slip so far stays. What was measured last is no start for another measure, or another ratio of the two.
+void GearJoint::take_over(const GearJoint& old) {
+    if (bodies_.ratio == old.bodies_.ratio && side_a_.measures_as(old.side_a_) && side_b_.measures_as(old.side_b_)) {
+        side_a_ = old.side_a_;
+        side_b_ = old.side_b_;
+    }
+    slip_ = old.slip_;
+    impulse_ = old.impulse_;
+}
+
+}  // namespace tumble

@@ -1,0 +1,41 @@
+// Ties the motions of two joints together: one row along both.
+#pragma once
+
+#include <span>
+
+#include "dynamics/joints/gear_side.hpp"
+#include "dynamics/rows/coupled_row.hpp"
+
+namespace tumble {
+
+class GearJoint {
+public:
+    GearJoint() = default;
+    GearJoint(const GearJointDef& def, const JointDef& joint_a, const JointDef& joint_b)
+        : side_a_(joint_a), side_b_(joint_b) {
+        bodies_.ratio = def.ratio;
+    }
+
+    void prepare(const BodyStore& bodies);
+    void warm_start(std::span<SolverBody> bodies) const;
+    void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+    JointReaction reaction(float inv_h) const { return side_b_.reaction(inv_h * bodies_.ratio * impulse_); }
+    float position() const { return static_cast<float>(slip_); }
+    void take_over(const GearJoint& old);
+    void forget_impulses() { impulse_ = 0.0f; }
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.side_a_, self.side_b_, self.bodies_, self.slip_, self.impulse_);
+    }
+
+private:
+    CoupledRow row(std::span<const SolverBody> bodies) const;
+
+    GearSide side_a_, side_b_;
+    CoupledBodies bodies_;
+    double slip_ = 0.0;     // of the teeth since they met, along A's motion: at the start of the step, rad or m
+    float impulse_ = 0.0f;  // along A's motion, N m s or N s
+};
+
+}  // namespace tumble

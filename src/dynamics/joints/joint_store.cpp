@@ -1,0 +1,161 @@
+#include "dynamics/joints/joint_store.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+
+namespace {
+
+RevoluteJoint make_joint(const RevoluteJointDef& def) { return RevoluteJoint(def); }
+DistanceJoint make_joint(const DistanceJointDef& def) { return DistanceJoint(def); }
+PrismaticJoint make_joint(const PrismaticJointDef& def) { return PrismaticJoint(def); }
+WeldJoint make_joint(const WeldJointDef& def) { return WeldJoint(def); }
+WheelJoint make_joint(const WheelJointDef& def) { return WheelJoint(def); }
+MotorJoint make_joint(const MotorJointDef& def) { return MotorJoint(def); }
+MouseJoint make_joint(const MouseJointDef& def) { return MouseJoint(def); }
+FilterJoint make_joint(const FilterJointDef& def) { return FilterJoint(def); }
+PulleyJoint make_joint(const PulleyJointDef& def) { return PulleyJoint(def); }
+
+// A filter bears nothing and has no choice; every other kind says what it bears, and whether its bodies collide.
+struct Strength {
+    JointStrength operator()(const FilterJointDef&) const { return {}; }
+    JointStrength operator()(const auto& def) const { return {def.break_force, def.break_torque}; }
+};
+
+struct CollidesConnected {
+    bool operator()(const FilterJointDef&) const { return false; }
+    bool operator()(const auto& def) const { return def.collide_connected; }
+};
+
+}  // namespace
+
+bool collides_connected(const JointDef& def) { return std::visit(CollidesConnected{}, def); }
+
+JointStrength joint_strength(const JointDef& def) { return std::visit(Strength{}, def); }
+
+template <class Def>
+auto JointStore::make(const Def& kind) const {
+    if constexpr (std::is_same_v<Def, GearJointDef>)
+        return GearJoint(kind, def(kind.joint_a), def(kind.joint_b));
+    else
+        return make_joint(kind);
+}
+
+// Calls visit(list, def) with the list that holds a joint and its definition, both of the joint's kind.
+template <class Self, class Visitor>
+void JointStore::visit_list_of(Self& self, JointId id, Visitor&& visit) {
+    std::visit([&](const auto& kind) { visit(std::get<JointList<decltype(self.make(kind))>>(self.lists_), kind); },
+               self.records_[id.index].def);
+}
+
+TiedBodies JointStore::bodies(JointId id) const {
+    TiedBodies tied;
+    const auto add = [&](const JointDef& joint) {
+        tied.add(joint_body_a(joint));
+        tied.add(joint_body_b(joint));
+    };
+    if (const auto* gear = std::get_if<GearJointDef>(&def(id))) {
+        add(def(gear->joint_a));
+        add(def(gear->joint_b));
+    } else {
+        add(def(id));
+    }
+    return tied;
+}
+
+JointId JointStore::create(const JointDef& def) {
+    const JointId id = ids.acquire();
+    if (id.index == records_.size()) {
+        records_.emplace_back();
+        loads_.emplace_back();
+    }
+    records_[id.index] = JointRecord{def, 0, false};
+    loads_[id.index] = {{}, joint_strength(def)};
+    visit_list_of(*this, id, [&](auto& list, const auto& kind) {
+        if (list.free.empty()) {
+            list.free.push_back(static_cast<std::uint32_t>(list.joints.size()));
+            list.joints.emplace_back();
+        }
+        const std::uint32_t slot = list.free.back();
+        list.free.pop_back();
+        list.joints[slot] = make(kind);
+        records_[id.index].slot = slot;
+    });
+    wake(id);
+    return id;
+}
+
+void JointStore::destroy(JointId id) {
+    put_to_sleep({&id, 1});
+    visit_list_of(*this, id, [&](auto& list, const auto&) { list.free.push_back(records_[id.index].slot); });
+    ids.release(id);
+    ids.recycle(id.index);
+}
+
+float JointStore::position(JointId id) const {
+    float result = 0.0f;
+    visit_list_of(*this, id,
+                  [&](const auto& list, const auto&) { result = list.joints[records_[id.index].slot].position(); });
+    return result;
+}
+
+void JointStore::redefine(JointId id, const JointDef& def) {
+    records_[id.index].def = def;
+    loads_[id.index].strength = joint_strength(def);
+    visit_list_of(*this, id, [&](auto& list, const auto& kind) {
+        auto& joint = list.joints[records_[id.index].slot];
+        auto changed = make(kind);
+        changed.take_over(joint);
+        joint = changed;
+    });
+}
+
+void JointStore::forget_impulses(JointId id) {
+    visit_list_of(*this, id, [&](auto& list, const auto&) { list.joints[records_[id.index].slot].forget_impulses(); });
+}
+
+void JointStore::wake(JointId id) {
+    JointRecord& record = records_[id.index];
+    if (record.is_awake) return;
+    record.is_awake = true;
+    is_unsorted_ = true;
+    visit_list_of(*this, id, [&](auto& list, const auto&) { list.awake.push_back({id.index, record.slot}); });
+}
+
+void JointStore::put_to_sleep(std::span<const JointId> sleepers) {
+    for (const JointId id : sleepers) records_[id.index].is_awake = false;
+    for_each_list(*this, [&](auto& list) {
+        std::erase_if(list.awake, [&](AwakeJoint awake) { return !records_[awake.joint].is_awake; });
+    });
+}
+
+void JointStore::prepare(const BodyStore& bodies) {
+    if (is_unsorted_) for_each_list(*this, [](auto& list) { std::sort(list.awake.begin(), list.awake.end()); });
+    is_unsorted_ = false;
+    for_each_awake(*this, [&](auto& joint) { joint.prepare(bodies); });
+}
+
+void JointStore::warm_start(std::span<SolverBody> bodies) const {
+    for_each_awake(*this, [&](const auto& joint) { joint.warm_start(bodies); });
+}
+
+void JointStore::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    for_each_awake(*this, [&](auto& joint) { joint.solve(context, use_bias, bodies); });
+}
+
+void JointStore::store(const JointContext& context) {
+    broken_.clear();
+    for_each_list(*this, [&](auto& list) {
+        for (const AwakeJoint& awake : list.awake) {
+            JointLoad& load = loads_[awake.joint];
+            load.reaction = list.joints[awake.slot].reaction(context.inv_h);
+            const bool holds = length(load.reaction.force) <= load.strength.force &&
+                               std::abs(load.reaction.torque) <= load.strength.torque;
+            if (!holds) broken_.push_back(ids.at(awake.joint));
+        }
+    });
+    std::sort(broken_.begin(), broken_.end());
+}
+
+}  // namespace tumble

@@ -1,0 +1,22 @@
+#include "dynamics/joints/mouse_joint.hpp"
+
+namespace tumble {
+
+void MouseJoint::prepare(const BodyStore& bodies) {
+    bodies_ = JointBodies::make(bodies.frames[def_.body_a.index], def_.anchor_a, bodies.frames[def_.body_b.index],
+                                def_.anchor_b);
+}
+
+void MouseJoint::warm_start(std::span<SolverBody> bodies) const {
+    PointBlock::make(bodies_, bodies).apply(bodies_, impulse_, bodies);
+}
+
+void MouseJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    if (!use_bias) return;  // springs belong to the biased pass alone, as in JointDrive
+    const Softness softness = spring_softness(def_.spring, context.h);
+    solve_bounded_block(bodies_, PointBlock::make(bodies_, bodies), softness,
+                        softness.bias_rate * bodies_.current_separation(bodies), context.h * def_.max_force, impulse_,
+                        bodies);
+}
+
+}  // namespace tumble

@@ -1,0 +1,34 @@
+// Pulls a point of B by a spring to a point of A, with bounded strength.
+#pragma once
+
+#include <span>
+
+#include "dynamics/rows/joint_block.hpp"
+
+namespace tumble {
+
+class MouseJoint {
+public:
+    MouseJoint() = default;
+    explicit MouseJoint(const MouseJointDef& def) : def_(def) {}
+
+    void prepare(const BodyStore& bodies);
+    void warm_start(std::span<SolverBody> bodies) const;
+    void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+    JointReaction reaction(float inv_h) const { return {inv_h * impulse_, 0.0f}; }
+    float position() const { return length(bodies_.separation_at_start()); }
+    void take_over(const MouseJoint& old) { impulse_ = old.impulse_; }
+    void forget_impulses() { impulse_ = {}; }
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.def_, self.bodies_, self.impulse_);
+    }
+
+private:
+    MouseJointDef def_;
+    JointBodies bodies_;
+    Vec2 impulse_;  // N s
+};
+
+}  // namespace tumble

@@ -1,0 +1,48 @@
+#include "dynamics/joints/prismatic_joint.hpp"
+
+namespace tumble {
+
+void PrismaticJoint::prepare(const BodyStore& bodies) {
+    const BodyFrame& a = bodies.frames[def_.body_a.index];
+    const BodyFrame& b = bodies.frames[def_.body_b.index];
+    bodies_ = JointBodies::make(a, def_.anchor_a, b, def_.anchor_b);
+    axis_ = rotate(a.pose.rotation, unit(def_.axis_a));
+    angle_.prepare(a, b, def_.reference_angle);
+}
+
+PrismaticJoint::Rail PrismaticJoint::rail(std::span<const SolverBody> bodies) const {
+    const Vec2 axis = rotate(bodies[bodies_.a].delta_rotation, axis_);
+    const Vec2 separation = bodies_.current_separation(bodies);
+    const Vec2 arm_a = bodies_.current_arm_a(bodies), arm_b = bodies_.current_arm_b(bodies);
+    const JointRow along = sliding_row(axis, arm_a, separation, arm_b);
+    const RowBlock held{sliding_row(perp(axis), arm_a, separation, arm_b), kTurningRow};
+    const Vec2 answer = drive_.is_idle() ? Vec2{} : block_answer(bodies_, held, along);
+    return {axis, separation, held, answer, along + answer.x * held.first + answer.y * held.second};
+}
+
+void PrismaticJoint::warm_start(std::span<SolverBody> bodies) const {
+    const Rail now = rail(bodies);
+    apply_row(bodies_, now.free, drive_.impulse(), bodies);
+    now.held.apply(bodies_, impulse_, bodies);
+}
+
+void PrismaticJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    const Rail now = rail(bodies);
+    drive_.solve(bodies_, now.free, dot(now.axis, now.separation), 0.0f, context, use_bias, bodies);
+    const Vec2 error{dot(perp(now.axis), now.separation), angle_.now(bodies_, bodies)};
+    solve_block(bodies_, now.held, context.equality_softness(use_bias), error, impulse_, bodies);
+    answer_ = now.answer;
+}
+
+JointReaction PrismaticJoint::reaction(float inv_h) const {
+    const Vec2 held = impulse_ + drive_.impulse() * answer_;
+    return {inv_h * (drive_.impulse() * axis_ + held.x * perp(axis_)), inv_h * held.y};
+}
+
+void PrismaticJoint::take_over(const PrismaticJoint& old) {
+    angle_ = old.angle_;
+    impulse_ = old.impulse_;
+    drive_.take_over(old.drive_);
+}
+
+}  // namespace tumble

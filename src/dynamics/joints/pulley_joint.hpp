@@ -1,0 +1,37 @@
+// A rope over two fixed wheels: one row along both of its sides. Each side is a line from a point of the world, as that
+// of a distance joint is from body to body.
+#pragma once
+
+#include <span>
+
+#include "dynamics/rows/coupled_row.hpp"
+#include "dynamics/rows/joint_line.hpp"
+
+namespace tumble {
+
+class PulleyJoint {
+public:
+    PulleyJoint() = default;
+    explicit PulleyJoint(const PulleyJointDef& def) : def_(def) {}
+
+    void prepare(const BodyStore& bodies);
+    void warm_start(std::span<SolverBody> bodies) const;
+    void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+    JointReaction reaction(float inv_h) const { return {inv_h * def_.ratio * impulse_ * line_b_.axis, 0.0f}; }
+    float position() const { return line_a_.length; }
+    void take_over(const PulleyJoint& old) { impulse_ = old.impulse_; }
+    void forget_impulses() { impulse_ = 0.0f; }
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.def_, self.bodies_, self.line_a_, self.line_b_, self.impulse_);
+    }
+
+private:
+    PulleyJointDef def_;
+    CoupledBodies bodies_;       // of each side: the world, and the body
+    JointLine line_a_, line_b_;  // from wheel to body, at the start of the step
+    float impulse_ = 0.0f;       // along A's line on A, positive pushes, N s
+};
+
+}  // namespace tumble

@@ -1,0 +1,32 @@
+#include "dynamics/joints/revolute_joint.hpp"
+
+namespace tumble {
+
+void RevoluteJoint::prepare(const BodyStore& bodies) {
+    const BodyFrame& a = bodies.frames[body_a_];
+    const BodyFrame& b = bodies.frames[body_b_];
+    bodies_ = JointBodies::make(a, anchor_a_, b, anchor_b_);
+    if (drive_.needs_value()) angle_.prepare(a, b, reference_angle_);
+}
+
+void RevoluteJoint::warm_start(std::span<SolverBody> bodies) const {
+    if (!drive_.is_idle()) apply_row(bodies_, kTurningRow, drive_.impulse(), bodies);
+    PointBlock::make(bodies_, bodies).apply(bodies_, impulse_, bodies);
+}
+
+void RevoluteJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    if (!drive_.is_idle()) {
+        const float angle = drive_.needs_value() ? angle_.now(bodies_, bodies) : 0.0f;
+        drive_.solve(bodies_, kTurningRow, angle, 0.0f, context, use_bias, bodies);
+    }
+    solve_block(bodies_, PointBlock::make(bodies_, bodies), context.equality_softness(use_bias),
+                bodies_.current_separation(bodies), impulse_, bodies);
+}
+
+void RevoluteJoint::take_over(const RevoluteJoint& old) {
+    angle_ = old.angle_;
+    impulse_ = old.impulse_;
+    drive_.take_over(old.drive_);
+}
+
+}  // namespace tumble

@@ -1,0 +1,43 @@
+#include "dynamics/joints/weld_joint.hpp"
+
+namespace tumble {
+
+namespace {
+
+Softness softness_of(const std::optional<JointSpring>& spring, const JointContext& context, bool use_bias) {
+    return spring ? spring_softness(*spring, context.h) : context.equality_softness(use_bias);
+}
+
+// Springs belong to the biased pass alone, as in JointDrive.
+bool is_solved(const std::optional<JointSpring>& spring, bool use_bias) { return use_bias || !spring; }
+
+}  // namespace
+
+void WeldJoint::prepare(const BodyStore& bodies) {
+    const BodyFrame& a = bodies.frames[def_.body_a.index];
+    const BodyFrame& b = bodies.frames[def_.body_b.index];
+    bodies_ = JointBodies::make(a, def_.anchor_a, b, def_.anchor_b);
+    angle_.prepare(a, b, def_.reference_angle);
+}
+
+void WeldJoint::warm_start(std::span<SolverBody> bodies) const {
+    apply_row(bodies_, kTurningRow, turning_impulse_, bodies);
+    PointBlock::make(bodies_, bodies).apply(bodies_, impulse_, bodies);
+}
+
+void WeldJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    if (is_solved(def_.angular_spring, use_bias))
+        solve_equality(bodies_, kTurningRow, softness_of(def_.angular_spring, context, use_bias),
+                       angle_.now(bodies_, bodies), turning_impulse_, bodies);
+    if (is_solved(def_.linear_spring, use_bias))
+        solve_block(bodies_, PointBlock::make(bodies_, bodies), softness_of(def_.linear_spring, context, use_bias),
+                    bodies_.current_separation(bodies), impulse_, bodies);
+}
+
+void WeldJoint::take_over(const WeldJoint& old) {
+    angle_ = old.angle_;
+    impulse_ = old.impulse_;
+    turning_impulse_ = old.turning_impulse_;
+}
+
+}  // namespace tumble

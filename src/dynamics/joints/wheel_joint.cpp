@@ -1,0 +1,40 @@
+#include "dynamics/joints/wheel_joint.hpp"
+
+namespace tumble {
+
+void WheelJoint::prepare(const BodyStore& bodies) {
+    const BodyFrame& a = bodies.frames[def_.body_a.index];
+    bodies_ = JointBodies::make(a, def_.anchor_a, bodies.frames[def_.body_b.index], def_.anchor_b);
+    axis_ = rotate(a.pose.rotation, unit(def_.axis_a));
+}
+
+WheelJoint::Strut WheelJoint::strut(std::span<const SolverBody> bodies) const {
+    const Vec2 axis = rotate(bodies[bodies_.a].delta_rotation, axis_);
+    const Vec2 separation = bodies_.current_separation(bodies);
+    const Vec2 arm_a = bodies_.current_arm_a(bodies), arm_b = bodies_.current_arm_b(bodies);
+    return {axis, separation, sliding_row(axis, arm_a, separation, arm_b),
+            sliding_row(perp(axis), arm_a, separation, arm_b)};
+}
+
+void WheelJoint::warm_start(std::span<SolverBody> bodies) const {
+    const Strut now = strut(bodies);
+    apply_row(bodies_, now.along, suspension_.impulse(), bodies);
+    apply_row(bodies_, kTurningRow, axle_.impulse(), bodies);
+    apply_row(bodies_, now.across, across_impulse_, bodies);
+}
+
+void WheelJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    const Strut now = strut(bodies);
+    axle_.solve(bodies_, kTurningRow, 0.0f, 0.0f, context, use_bias, bodies);
+    suspension_.solve(bodies_, now.along, dot(now.axis, now.separation), 0.0f, context, use_bias, bodies);
+    solve_equality(bodies_, now.across, context.equality_softness(use_bias), dot(perp(now.axis), now.separation),
+                   across_impulse_, bodies);
+}
+
+void WheelJoint::take_over(const WheelJoint& old) {
+    suspension_.take_over(old.suspension_);
+    axle_.take_over(old.axle_);
+    across_impulse_ = old.across_impulse_;
+}
+
+}  // namespace tumble

@@ -1,0 +1,50 @@
+// A wheel on a suspension: one row held across the axis, one driven along it, and one driven about it.
+#pragma once
+
+#include <span>
+
+#include "dynamics/rows/joint_drive.hpp"
+
+namespace tumble {
+
+class WheelJoint {
+public:
+    WheelJoint() = default;
+    explicit WheelJoint(const WheelJointDef& def)
+        : def_(def),
+          suspension_(def.spring, std::nullopt, def.limits),
+          axle_(std::nullopt, drive_motor(def.motor), std::nullopt) {}
+
+    void prepare(const BodyStore& bodies);
+    void warm_start(std::span<SolverBody> bodies) const;
+    void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+    JointReaction reaction(float inv_h) const {
+        return {inv_h * (suspension_.impulse() * axis_ + across_impulse_ * perp(axis_)), inv_h * axle_.impulse()};
+    }
+    float position() const { return dot(axis_, bodies_.separation_at_start()); }
+    void take_over(const WheelJoint& old);
+    void forget_impulses() { across_impulse_ = 0.0f, suspension_.forget_impulses(), axle_.forget_impulses(); }
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.def_, self.bodies_, self.suspension_, self.axle_, self.axis_, self.across_impulse_);
+    }
+
+private:
+    // The geometry within the step.
+    struct Strut {
+        Vec2 axis;  // turned with A
+        Vec2 separation;
+        JointRow along, across;
+    };
+    Strut strut(std::span<const SolverBody> bodies) const;
+
+    WheelJointDef def_;
+    JointBodies bodies_;
+    JointDrive suspension_;
+    JointDrive axle_;
+    Vec2 axis_;                    // world, unit, at the start of the step
+    float across_impulse_ = 0.0f;  // N s
+};
+
+}  // namespace tumble

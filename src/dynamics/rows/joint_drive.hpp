@@ -1,0 +1,87 @@
+// What acts along one free row of a joint: a spring, a motor and limits, each there or not. The same for the angle of a
+// hinge, the way of a slider, the travel of a suspension and the length of a rope.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "dynamics/rows/joint_row.hpp"
+#include "tumble/joint.hpp"
+
+namespace tumble {
+
+// Speed and greatest effort of a motor: rad/s and N m, or m/s and N.
+struct DriveMotor {
+    float speed = 0.0f;
+    float max_effort = 0.0f;
+};
+
+inline std::optional<DriveMotor> drive_motor(const std::optional<AngularMotor>& motor) {
+    return motor ? std::optional<DriveMotor>({motor->speed, motor->max_torque}) : std::nullopt;
+}
+inline std::optional<DriveMotor> drive_motor(const std::optional<LinearMotor>& motor) {
+    return motor ? std::optional<DriveMotor>({motor->speed, motor->max_force}) : std::nullopt;
+}
+
+class JointDrive {
+public:
+    JointDrive() = default;
+    JointDrive(const std::optional<JointSpring>& spring, const std::optional<DriveMotor>& motor,
+               const std::optional<JointLimits>& limits)
+        : spring_(spring), motor_(motor), limits_(limits) {}
+
+    bool is_idle() const { return !spring_ && !motor_ && !limits_; }
+    bool needs_value() const { return spring_ || limits_; }
+
+    // Along the row, in the direction of growing values.
+    float impulse() const { return spring_impulse_ + motor_impulse_ + lower_impulse_ - upper_impulse_; }
+
+    // `value` is where the row is now (rad or m), `rest` where the spring wants it. Springs belong to the biased pass
+    // alone: solved again after the positions have moved on, they would damp twice.
+    void solve(const JointBodies& joint, const JointRow& row, float value, float rest, const JointContext& context,
+               bool use_bias, std::span<SolverBody> all) {
+        if (spring_ && use_bias)
+            solve_equality(joint, row, spring_softness(*spring_, context.h), value - rest, spring_impulse_, all);
+        if (motor_)
+            solve_bounded_row(joint, row, Softness{}, -motor_speed(value, context.inv_h),
+                              context.h * motor_->max_effort, motor_impulse_, all);
+        if (limits_) {
+            solve_limit(joint, row, 1.0f, value - limits_->lower, context, use_bias, lower_impulse_, all);
+            solve_limit(joint, row, -1.0f, limits_->upper - value, context, use_bias, upper_impulse_, all);
+        }
+    }
+
+    // Takes the impulses of the drive that this one replaces, where both have the part that they belong to.
+    void take_over(const JointDrive& old) {
+        if (spring_) spring_impulse_ = old.spring_impulse_;
+        if (motor_) motor_impulse_ = old.motor_impulse_;
+        if (limits_) lower_impulse_ = old.lower_impulse_, upper_impulse_ = old.upper_impulse_;
+    }
+
+    void forget_impulses() { spring_impulse_ = motor_impulse_ = lower_impulse_ = upper_impulse_ = 0.0f; }
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.spring_, self.motor_, self.limits_, self.spring_impulse_, self.motor_impulse_, self.lower_impulse_,
+              self.upper_impulse_);
+    }
+
+private:
+    // A motor stops at the limits: pushing on would only bend them.
+    float motor_speed(float value, float inv_h) const {
+        if (!limits_) return motor_->speed;
+        const float slowest = std::min((limits_->lower - value) * inv_h, 0.0f);
+        const float fastest = std::max((limits_->upper - value) * inv_h, 0.0f);
+        return std::clamp(motor_->speed, slowest, fastest);
+    }
+
+    std::optional<JointSpring> spring_;
+    std::optional<DriveMotor> motor_;
+    std::optional<JointLimits> limits_;
+    float spring_impulse_ = 0.0f;
+    float motor_impulse_ = 0.0f;
+    float lower_impulse_ = 0.0f;  // >= 0, towards greater values
+    float upper_impulse_ = 0.0f;  // >= 0, towards smaller values
+};
+
+}  // namespace tumble

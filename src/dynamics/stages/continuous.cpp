@@ -1,0 +1,202 @@
+#include "dynamics/stages/continuous.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/bodies/constants.hpp"
+#include "dynamics/bodies/integrate.hpp"
+#include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/stages/chain_passes.hpp"
+#include "dynamics/stages/impact.hpp"
+
+namespace tumble {
+
+namespace {
+
+// The part of a sweep from one fraction to another; equal ones give a body at rest.
+Sweep part_of(const Sweep& sweep, double from, double to) {
+    const DVec2 way = sweep.end - sweep.start;
+    return {sweep.local_center, sweep.start + from * way, sweep.start + to * way, sweep.start_angle + from * sweep.turn,
+            (to - from) * sweep.turn};
+}
+
+// The box of all that a shape may cover on its way, whatever it turns.
+Aabb box_on_way(const Shape& shape, const Sweep& sweep) {
+    const Shape disc = make_circle(farthest_distance(shape, sweep.local_center));
+    return merge(bounds(disc, {sweep.start, {}}), bounds(disc, {sweep.end, {}}));
+}
+
+class ImpactFinder {
+public:
+    explicit ImpactFinder(Simulation& simulation) : simulation_(simulation), movers_(simulation.movers) {}
+
+    void run() {
+        find_movers();
+        if (movers_.empty()) return;
+        for (Mover& mover : movers_) stop_at_immovable(mover);
+        for (std::size_t i = 0; i < movers_.size(); ++i)
+            if (movers_[i].is_bullet) find_next(i);
+        while (stop_first_bullet()) {
+        }
+        for (const Mover& mover : movers_)
+            if (mover.fraction < 1.0) stop(mover);
+        std::vector<ProxyPair>& impacts = simulation_.impacts;
+        std::sort(impacts.begin(), impacts.end());
+        impacts.erase(std::unique(impacts.begin(), impacts.end()), impacts.end());
+    }
+
+private:
+    void find_movers() {
+        movers_.clear();
+        const BodyStore& bodies = simulation_.bodies;
+        for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
+            const SolverBody& body = bodies.solver_bodies[i];
+            if (!(body.flags & kDynamicBody)) continue;
+            const BodyMotion& motion = bodies.moving[i].motion;
+            const float way = length(body.delta_position) + std::abs(body.delta_rotation.s) * motion.reach;
+            if (way <= kContinuousPart * motion.smallest_extent) continue;
+            const std::uint32_t index = bodies.moving[i].body;
+            Mover mover;
+            mover.body = index;
+            mover.sweep = sweep_of(bodies, index);
+            mover.is_bullet = (body.flags & kBulletBody) != 0;
+            for (const ShapeId shape : bodies.records[index].shapes)
+                mover.box = merge(mover.box, box_on_way(simulation_.shapes[shape.index].shape, mover.sweep));
+            movers_.push_back(mover);
+        }
+        std::sort(movers_.begin(), movers_.end(), [](const Mover& a, const Mover& b) { return a.body < b.body; });
+    }
+
+    // Calls visit(own shape, other shape) for each pair that may meet, of a mover and a shape of these layers near its
+    // way. A sensor of its own notices those of the layers above too.
+    template <class Visitor>
+    void for_each_near(const Mover& mover, ProxyLayer first, ProxyLayer last, Visitor&& visit) {
+        for (const ShapeId own : simulation_.bodies.records[mover.body].shapes) {
+            const ShapeRecord& shape = simulation_.shapes[own.index];
+            const Aabb box = box_on_way(shape.shape, mover.sweep);
+            const ProxyLayer top = shape.is_sensor ? ProxyLayer::loose : last;
+            near_.clear();
+            simulation_.broad.query(
+                box, [&](std::uint32_t other) { near_.push_back(other); }, first, top);
+            for (const std::uint32_t other : near_) {
+                const ProxyPair pair = make_pair_of(own.index, other);
+                if (may_touch(simulation_, pair))
+                    visit(own.index, other);
+                else if (shape.is_sensor != simulation_.shapes[other].is_sensor)
+                    simulation_.sensor_passes.push_back(pair);
+            }
+        }
+    }
+
+    void stop_at_immovable(Mover& mover) {
+        for_each_near(mover, ProxyLayer::fixed, ProxyLayer::firm, [&](std::uint32_t own, std::uint32_t other) {
+            const std::uint32_t body = simulation_.shapes[other].body;
+            const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
+                                           sweep_of(simulation_.bodies, body), is_held(own, other));
+            const ProxyPair pair = make_pair_of(own, other);
+            if (fraction >= mover.fraction || passes_chain(simulation_, pair)) return;
+            mover.fraction = fraction;
+            mover.meeting = pair;
+        });
+    }
+
+    // The first meeting of a bullet with anything dynamic before it is stopped.
+    void find_next(std::size_t bullet) {
+        Mover& mover = movers_[bullet];
+        mover.next = mover.fraction;
+        mover.partner = kNobody;
+        for_each_near(mover, ProxyLayer::loose, ProxyLayer::loose, [&](std::uint32_t own, std::uint32_t other) {
+            const std::uint32_t body = simulation_.shapes[other].body;
+            if (find_mover(body) != kNobody) return;
+            meet(mover, own, other, sweep_of(simulation_.bodies, body), 1.0, kNobody);
+        });
+        // Other fast bodies may come from outside the box.
+        for (std::size_t i = 0; i < movers_.size(); ++i) {
+            if (i == bullet || !overlaps(mover.box, movers_[i].box)) continue;
+            for (const ShapeId own : simulation_.bodies.records[mover.body].shapes)
+                for (const ShapeId other : simulation_.bodies.records[movers_[i].body].shapes)
+                    if (may_touch(simulation_, make_pair_of(own.index, other.index)))
+                        meet(mover, own.index, other.index, movers_[i].sweep, movers_[i].fraction, i);
+        }
+    }
+
+    // The other goes along its sweep until it is stopped, and stands from then on.
+    void meet(Mover& mover, std::uint32_t own, std::uint32_t other, const Sweep& other_sweep, double other_fraction,
+              std::size_t partner) {
+        const ShapeRecord& shape = simulation_.shapes[own];
+        const ShapeRecord& other_shape = simulation_.shapes[other];
+        const double both = std::min(mover.next, other_fraction);
+        const bool held = is_held(own, other);
+        const double together =
+            impact(shape, part_of(mover.sweep, 0.0, both), other_shape, part_of(other_sweep, 0.0, both), held);
+        double fraction = together * both;
+        if (together >= 1.0 && both < mover.next) {
+            const double alone = impact(shape, part_of(mover.sweep, both, mover.next), other_shape,
+                                        part_of(other_sweep, both, both), held);
+            fraction = both + alone * (mover.next - both);
+        }
+        if (fraction >= mover.next) return;
+        mover.next = fraction;
+        mover.partner = partner;
+        mover.next_meeting = make_pair_of(own, other);
+    }
+
+    // Of all meetings ahead the first one happens; those who may come by are
+    // looked at again.
+    bool stop_first_bullet() {
+        std::size_t first = kNobody;
+        for (std::size_t i = 0; i < movers_.size(); ++i)
+            if (movers_[i].next < movers_[i].fraction && (first == kNobody || movers_[i].next < movers_[first].next))
+                first = i;
+        if (first == kNobody) return false;
+        const std::size_t partner = movers_[first].partner;
+        const double fraction = movers_[first].next;
+        movers_[first].fraction = fraction;
+        movers_[first].meeting = movers_[first].next_meeting;
+        // The partner may stand already.
+        if (partner != kNobody && movers_[partner].fraction > fraction) {
+            movers_[partner].fraction = movers_[partner].next = fraction;
+            movers_[partner].meeting = movers_[first].meeting;
+        }
+        for (std::size_t i = 0; i < movers_.size(); ++i) {
+            const bool concerned = overlaps(movers_[i].box, movers_[first].box) ||
+                                   (partner != kNobody && overlaps(movers_[i].box, movers_[partner].box));
+            if (movers_[i].is_bullet && i != first && i != partner && concerned) find_next(i);
+        }
+        return true;
+    }
+
+    bool is_held(std::uint32_t own, std::uint32_t other) const {
+        const Contact* const contact = simulation_.contacts.find(make_pair_of(own, other));
+        return contact && (contact->applied[0].normal > 0.0f || contact->applied[1].normal > 0.0f);
+    }
+
+    std::size_t find_mover(std::uint32_t body) const {
+        const auto found = std::lower_bound(movers_.begin(), movers_.end(), body,
+                                            [](const Mover& mover, std::uint32_t key) { return mover.body < key; });
+        return found != movers_.end() && found->body == body ? static_cast<std::size_t>(found - movers_.begin())
+                                                             : kNobody;
+    }
+
+    void stop(const Mover& mover) {
+        simulation_.impacts.push_back(mover.meeting);
+        shorten_motion(simulation_.bodies, mover.body, mover.fraction, simulation_.settings.gravity,
+                       {simulation_.settings.duration, simulation_.settings.substep_duration()});
+    }
+
+    static constexpr std::size_t kNobody = Mover::kNobody;
+
+    Simulation& simulation_;
+    std::vector<Mover>& movers_;  // by body index
+    std::vector<std::uint32_t>& near_ = simulation_.near_shapes;
+};
+
+}  // namespace
+
+void stop_at_impacts(Simulation& simulation) {
+    simulation.impacts.clear();
+    simulation.sensor_passes.clear();
+    if (simulation.settings.continuous) ImpactFinder(simulation).run();
+}
+
+}  // namespace tumble

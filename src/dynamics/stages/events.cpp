@@ -1,0 +1,143 @@
+#include "dynamics/stages/events.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace tumble {
+
+namespace {
+
+// The id that a shape of a contact has, or had: the index of a destroyed shape is not used again before its contacts
+// are gone, so that its generation is one less than the next owner's.
+ShapeId id_of(const ShapeStore& shapes, std::uint32_t index) {
+    ShapeId id = shapes.ids.at(index);
+    if (!shapes[index].is_live) --id.generation;
+    return id;
+}
+
+SensorEvent sensor_event(const Simulation& simulation, ProxyPair pair, bool a_is_sensor) {
+    const ShapeId a = id_of(simulation.shapes, pair.a), b = id_of(simulation.shapes, pair.b);
+    return a_is_sensor ? SensorEvent{a, b} : SensorEvent{b, a};
+}
+
+SensorEvent sensor_event(const Simulation& simulation, const Contact& contact) {
+    return sensor_event(simulation, contact.shapes, contact.kind == ContactKind::sensor_a);
+}
+
+ContactBegin contact_begin(const Simulation& simulation, const Contact& contact) {
+    return {id_of(simulation.shapes, contact.shapes.a), id_of(simulation.shapes, contact.shapes.b),
+            contact.approach.point, contact.manifold.normal, contact.approach.speed};
+}
+
+// What the solver has struck, or continuous collision has stopped before the solver was asked.
+bool is_struck(const Contact& contact) {
+    if (contact.watched < 0 || contact.watched >= contact.manifold.point_count) return false;
+    return contact.applied[contact.watched].normal > 0.0f || (contact.is_touching && !contact.was_touching);
+}
+
+// Once: nothing is watched until the pair is collided again.
+void report_hit(Simulation& simulation, Contact& contact) {
+    const bool is_hit =
+        is_struck(contact) && !contact.was_hit && contact.approach.speed >= simulation.settings.tuning.hit_speed;
+    contact.was_hit = is_hit;
+    contact.watched = -1;
+    if (!is_hit) return;
+    const ContactBegin meeting = contact_begin(simulation, contact);
+    simulation.events.contact_hits.push_back(
+        {meeting.shape_a, meeting.shape_b, meeting.point, meeting.normal, meeting.approach_speed});
+}
+
+void report_begin(Simulation& simulation, const Contact& contact) {
+    if (contact.kind == ContactKind::solid)
+        simulation.events.contact_begins.push_back(contact_begin(simulation, contact));
+    else
+        simulation.events.sensor_begins.push_back(sensor_event(simulation, contact));
+}
+
+void report_end(Simulation& simulation, const Contact& contact) {
+    if (contact.kind == ContactKind::solid)
+        simulation.events.contact_ends.push_back(
+            {id_of(simulation.shapes, contact.shapes.a), id_of(simulation.shapes, contact.shapes.b)});
+    else
+        simulation.events.sensor_ends.push_back(sensor_event(simulation, contact));
+}
+
+// A sensor whose bodies are all at rest overlaps what it did. Of bodies that are not dynamic nobody notices if they are
+// moved by hand: their places are compared.
+void update_sensor(const Simulation& simulation, Contact& contact) {
+    const BodyStore& bodies = simulation.bodies;
+    const bool may_sleep = bodies.is_dynamic(contact.body_a) || bodies.is_dynamic(contact.body_b);
+    const bool may_change =
+        !may_sleep || contact.is_new || bodies.is_active(contact.body_a) || bodies.is_active(contact.body_b);
+    if (may_change) sense_contact(contact, bodies, simulation.shapes);
+}
+
+// Who was stopped on the way touches from this step on, although the narrow phase has not seen it yet.
+void begin_impacts(Simulation& simulation) {
+    for (const ProxyPair pair : simulation.impacts) {
+        Contact* const found = simulation.contacts.find(pair);
+        if (!found || found->is_touching) continue;
+        collide_contact(*found, simulation.bodies, simulation.shapes, simulation.settings.duration);
+        found->is_touching = found->came_from != LinkSide::solid;  // else it passes a chain
+    }
+}
+
+// Who has met a sensor on the way and is not in it now has entered and left it.
+void report_sensor_passes(Simulation& simulation) {
+    for (const ProxyPair pair : simulation.sensor_passes) {
+        const Contact* const contact = simulation.contacts.find(pair);
+        if (contact && contact->is_touching) continue;
+        const SensorEvent event = sensor_event(simulation, pair, simulation.shapes[pair.a].is_sensor);
+        simulation.events.sensor_begins.push_back(event);
+        simulation.events.sensor_ends.push_back(event);
+    }
+}
+
+}  // namespace
+
+void clear(StepEvents& events) {
+    events.contact_begins.clear();
+    events.contact_ends.clear();
+    events.contact_hits.clear();
+    events.sensor_begins.clear();
+    events.sensor_ends.clear();
+    events.broken_joints.clear();
+    events.fell_asleep.clear();
+}
+
+void report_parting(Simulation& simulation, Contact& contact) {
+    report_hit(simulation, contact);
+    if (contact.is_touching && !contact.was_touching) report_begin(simulation, contact);
+    if (contact.is_touching || contact.was_touching) report_end(simulation, contact);
+}
+
+void report_events(Simulation& simulation) {
+    begin_impacts(simulation);
+    ContactCounts counts{simulation.sleeping.contact_count(), simulation.sleeping.point_count()};
+    for (Contact& contact : simulation.contacts.all()) {
+        if (contact.kind != ContactKind::solid) update_sensor(simulation, contact);
+        counts.contacts += contact.manifold.point_count > 0;
+        counts.points += static_cast<std::size_t>(contact.manifold.point_count);
+        report_hit(simulation, contact);
+        if (contact.is_touching == contact.was_touching) continue;
+        if (contact.is_touching)
+            report_begin(simulation, contact);
+        else
+            report_end(simulation, contact);
+        contact.was_touching = contact.is_touching;
+    }
+    simulation.contact_counts = counts;
+    report_sensor_passes(simulation);
+    // They come from two places; sensors are not in the order of their pairs.
+    StepEvents& events = simulation.events;
+    const auto is_first = [](const auto& a, const auto& b) {
+        return std::tie(a.shape_a, a.shape_b) < std::tie(b.shape_a, b.shape_b);
+    };
+    std::sort(events.contact_begins.begin(), events.contact_begins.end(), is_first);
+    std::sort(events.contact_hits.begin(), events.contact_hits.end(), is_first);
+    std::sort(events.contact_ends.begin(), events.contact_ends.end());
+    std::sort(events.sensor_begins.begin(), events.sensor_begins.end());
+    std::sort(events.sensor_ends.begin(), events.sensor_ends.end());
+}
+
+}  // namespace tumble

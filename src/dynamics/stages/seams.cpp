@@ -1,0 +1,100 @@
+#include "dynamics/stages/seams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tumble {
+
+namespace {
+
+// Sine of the angle between normals that are one: a box that lies on two tiles is tilted by less, in rounding and
+// sinking. Greater: what is faster is kicked at seams.
+constexpr float kSameNormal = 1e-4f;
+
+// Out of the ground.
+Vec2 ground_normal(const Contact& contact, std::uint32_t moving_shape) {
+    return contact.shapes.b == moving_shape ? contact.manifold.normal : -contact.manifold.normal;
+}
+
+// A contact as the moving shape feels it: positions are from its body's.
+struct Footing {
+    const ShapeRecord& ground;
+    Rotation rotation;  // of the ground's body
+    DVec2 offset;       // to the ground's body
+    Vec2 normal;        // out of the ground
+    double height;      // of the ground's surface along the normal
+};
+
+Footing footing_of(const Simulation& simulation, const Contact& contact, std::uint32_t moving_shape) {
+    const bool on_a = contact.shapes.b == moving_shape;
+    const Manifold& manifold = contact.manifold;
+    const BodyFrame& moving = simulation.bodies.frames[on_a ? contact.body_b : contact.body_a];
+    const BodyFrame& ground = simulation.bodies.frames[on_a ? contact.body_a : contact.body_b];
+    const Vec2 normal = ground_normal(contact, moving_shape);
+    double height = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i < manifold.point_count; ++i) {
+        const ManifoldPoint& point = manifold.points[i];
+        const Vec2 anchor = on_a ? point.anchor_b : point.anchor_a;
+        height = std::max(height, double{dot(anchor, normal)} - 0.5 * double{point.separation});
+    }
+    return {simulation.shapes[on_a ? contact.shapes.a : contact.shapes.b], ground.pose.rotation,
+            ground.pose.position - moving.pose.position, normal, height};
+}
+
+// Large polygons are no tiles.
+bool rises_above(const Footing& ground, const Footing& plane, double tolerance) {
+    const Shape& shape = ground.ground.shape;
+    if (shape.vertex_count() > Shape::kInlineVertices) return true;
+    const DVec2 normal(plane.normal);
+    double highest = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i < shape.vertex_count(); ++i)
+        highest = std::max(highest, dot(ground.offset + rotate(ground.rotation, DVec2(shape.vertex(i))), normal));
+    return highest + double{shape.radius()} > plane.height + tolerance;
+}
+
+bool is_ground(const Simulation& simulation, std::uint32_t body, std::uint32_t shape) {
+    return !simulation.bodies.is_dynamic(body) && !simulation.shapes[shape].link;
+}
+
+void find_footings(Simulation& simulation) {
+    std::vector<GroundContact>& found = simulation.footings;
+    found.clear();
+    const std::vector<Contact>& contacts = simulation.contacts.all();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Contact& contact = contacts[i];
+        if (contact.manifold.point_count == 0) continue;
+        const bool on_a = is_ground(simulation, contact.body_a, contact.shapes.a);
+        const bool on_b = is_ground(simulation, contact.body_b, contact.shapes.b);
+        if (on_a || on_b) found.push_back({on_a ? contact.shapes.b : contact.shapes.a, static_cast<std::uint32_t>(i)});
+    }
+    std::sort(found.begin(), found.end());
+}
+
+// Drops the contact if its ground does not rise above the plane that the shape lies on by the other one.
+void drop_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint32_t index, std::uint32_t other) {
+    Contact& contact = simulation.contacts.all()[index];
+    const Contact& lies = simulation.contacts.all()[other];
+    if (contact.manifold.point_count == 0 || lies.manifold.point_count == 0) return;
+    const Vec2 normal = ground_normal(contact, moving_shape), normal_of_plane = ground_normal(lies, moving_shape);
+    if (std::abs(cross(normal, normal_of_plane)) < kSameNormal) return;
+    const Footing ground = footing_of(simulation, contact, moving_shape),
+                  plane = footing_of(simulation, lies, moving_shape);
+    const double tolerance = double{kRecyclingPart} * double{contact.speculative_distance};
+    if (!rises_above(ground, plane, tolerance)) drop(contact);
+}
+
+}  // namespace
+
+void smooth_seams(Simulation& simulation) {
+    find_footings(simulation);
+    const std::vector<GroundContact>& found = simulation.footings;
+    for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
+        while (last < found.size() && found[last].moving_shape == found[first].moving_shape) ++last;
+        for (std::size_t i = first; i < last; ++i)
+            for (std::size_t other = first; other < last; ++other)
+                drop_if_below(simulation, found[first].moving_shape, found[i].contact, found[other].contact);
+    }
+}
+
+}  // namespace tumble

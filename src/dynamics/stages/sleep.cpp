@@ -1,0 +1,217 @@
+#include "dynamics/stages/sleep.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+
+namespace {
+
+bool is_touching(const Contact& contact) { return contact.manifold.point_count > 0; }
+
+// True if some body has been slow for long enough.
+bool update_still_times(BodyStore& bodies, const StepSettings& settings) {
+    bool any_is_ready = false;
+    for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
+        const SolverBody& body = bodies.solver_bodies[i];
+        MovingBody& moving = bodies.moving[i];
+        const float speed = length(body.velocity) + std::abs(body.angular_velocity) * moving.motion.reach;
+        const bool is_still = speed < settings.tuning.sleep_speed && moving.motion.allow_sleep;
+        moving.still_time = is_still ? moving.still_time + settings.duration : 0.0f;
+        any_is_ready |= moving.still_time >= settings.tuning.time_to_sleep && (body.flags & kDynamicBody);
+    }
+    return any_is_ready;
+}
+
+// Two bodies that touch or are joined: awake dynamic ones share an island, and a kinematic one that moves keeps the
+// other's awake.
+void tie(IslandFinder& islands, const BodyStore& bodies, std::uint32_t body_a, std::uint32_t body_b) {
+    if (!bodies.is_active(body_a) || !bodies.is_active(body_b)) return;
+    const std::uint32_t a = bodies.frames[body_a].solver_body, b = bodies.frames[body_b].solver_body;
+    if (bodies.is_dynamic(body_a) && bodies.is_dynamic(body_b)) {
+        islands.join(a, b);
+    } else {
+        islands.keep_awake(a);
+        islands.keep_awake(b);
+    }
+}
+
+void find_islands(Simulation& simulation) {
+    IslandFinder& islands = simulation.islands;
+    islands.reset(simulation.bodies.solver_bodies.size());
+    for (const Contact& contact : simulation.contacts.all())
+        if (is_touching(contact) && !is_over(simulation, contact))
+            tie(islands, simulation.bodies, contact.body_a, contact.body_b);
+    simulation.joints.for_each_awake_pair(
+        [&](std::uint32_t a, std::uint32_t b) { tie(islands, simulation.bodies, a, b); });
+}
+
+// Takes the contacts of the sleepers out of those that are solved. What touches waits in its island; a pair that does
+// not is forgotten, unless an active body may still bring it together.
+void set_contacts_aside(Simulation& simulation) {
+    simulation.contacts.keep_if([&](const Contact& contact) {
+        const BodyStore& bodies = simulation.bodies;
+        if (contact.kind != ContactKind::solid) return true;    // who sleeps in a sensor is still there
+        if (is_over(simulation, contact)) return true;          // the next step drops it
+        if (contact.came_from == LinkSide::solid) return true;  // who sleeps half through a chain is to pass it yet
+        const bool sleeps_a = bodies.is_asleep(contact.body_a), sleeps_b = bodies.is_asleep(contact.body_b);
+        if (!sleeps_a && !sleeps_b) return true;
+        if (bodies.is_active(contact.body_a) || bodies.is_active(contact.body_b)) return true;
+        if (is_touching(contact))
+            simulation.sleeping.add_contact(bodies.records[sleeps_a ? contact.body_a : contact.body_b].island, contact);
+        else
+            simulation.broad.forget(contact.shapes);
+        return false;
+    });
+}
+
+bool leans_on(const SleepingIsland& island, std::uint32_t body) {
+    return std::any_of(island.contacts.begin(), island.contacts.end(),
+                       [&](const Contact& contact) { return contact.body_a == body || contact.body_b == body; });
+}
+
+// Puts the bodies whose solver body is chosen by is_chosen(solver body) to sleep: whole islands, as found.
+template <class IsChosen>
+void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
+    BodyStore& bodies = simulation.bodies;
+    simulation.sleepers.clear();
+    for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
+        if ((bodies.solver_bodies[i].flags & kDynamicBody) && is_chosen(i))
+            simulation.sleepers.push_back({bodies.moving[i].body, simulation.islands.root(i)});
+    std::sort(simulation.sleepers.begin(), simulation.sleepers.end());
+
+    // The lowest body of an island comes first and opens it.
+    simulation.island_of_root.assign(bodies.solver_bodies.size(), kNoIsland);
+    simulation.sleeping_joints.clear();
+    for (const Sleeper& sleeper : simulation.sleepers) {
+        std::uint32_t& island = simulation.island_of_root[sleeper.root];
+        if (island == kNoIsland) island = simulation.sleeping.add();
+        BodyRecord& record = bodies.records[sleeper.body];
+        record.island = island;
+        simulation.sleeping[island].bodies.push_back(sleeper.body);
+        bodies.put_to_sleep(sleeper.body);
+        simulation.sleeping_joints.insert(simulation.sleeping_joints.end(), record.joints.begin(), record.joints.end());
+    }
+    simulation.joints.put_to_sleep(simulation.sleeping_joints);
+    set_contacts_aside(simulation);
+}
+
+}  // namespace
+
+void fall_asleep(Simulation& simulation) {
+    BodyStore& bodies = simulation.bodies;
+    if (!simulation.settings.sleeping || !update_still_times(bodies, simulation.settings)) return;
+    find_islands(simulation);
+    IslandFinder& islands = simulation.islands;
+    for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
+        if (bodies.moving[i].still_time < simulation.settings.tuning.time_to_sleep || islands.is_kept_awake(i))
+            islands.keep_awake(islands.root(i));
+    bool any = false;
+    for (std::uint32_t i = 1; i < bodies.moving.size() && !any; ++i)
+        any = (bodies.solver_bodies[i].flags & kDynamicBody) && !islands.is_kept_awake(islands.root(i));
+    if (!any) return;
+    put_to_sleep(simulation, [&](std::uint32_t i) { return !islands.is_kept_awake(islands.root(i)); });
+    for (const Sleeper& sleeper : simulation.sleepers)
+        simulation.events.fell_asleep.push_back(bodies.ids.at(sleeper.body));
+}
+
+void put_island_to_sleep(Simulation& simulation, std::uint32_t body) {
+    simulation.contacts.merge_woken();
+    find_islands(simulation);
+    const std::uint32_t root = simulation.islands.root(simulation.bodies.frames[body].solver_body);
+    put_to_sleep(simulation, [&](std::uint32_t i) { return simulation.islands.root(i) == root; });
+}
+
+void wake_joint(Simulation& simulation, JointId id) {
+    for (const BodyId body : simulation.joints.bodies(id))
+        if (!simulation.bodies.records[body.index].is_enabled || simulation.bodies.is_asleep(body.index)) return;
+    simulation.joints.wake(id);
+}
+
+void wake(Simulation& simulation, std::uint32_t body) {
+    BodyStore& bodies = simulation.bodies;
+    if (!bodies.is_asleep(body)) {
+        bodies.moving[bodies.frames[body].solver_body].still_time = 0.0f;
+        return;
+    }
+    const SleepingIsland island = simulation.sleeping.take(bodies.records[body].island);
+    for (const std::uint32_t sleeper : island.bodies) {
+        BodyRecord& record = bodies.records[sleeper];
+        record.island = kNoIsland;
+        bodies.wake(sleeper);
+        for (const ShapeId shape : record.shapes) simulation.broad.touch(shape.index);
+        for (const JointId joint : record.joints) wake_joint(simulation, joint);
+    }
+    simulation.contacts.add_woken(island.contacts);
+}
+
+bool wake_touched(Simulation& simulation) {
+    if (simulation.sleeping.count() == 0) return false;
+    bool any = false;
+    for (const Contact& contact : simulation.contacts.all()) {
+        if (!is_touching(contact)) continue;
+        for (const std::uint32_t body : {contact.body_a, contact.body_b}) {
+            if (!simulation.bodies.is_asleep(body)) continue;
+            wake(simulation, body);
+            any = true;
+        }
+    }
+    return any;
+}
+
+void wake_with_neighbors(Simulation& simulation, std::uint32_t body) {
+    BodyStore& bodies = simulation.bodies;
+    if (bodies.is_dynamic(body)) return wake(simulation, body);
+    if (!bodies.records[body].is_enabled) return;
+    for (const JointId id : bodies.records[body].joints)
+        for (const BodyId tied : simulation.joints.bodies(id)) wake(simulation, tied.index);
+    std::vector<std::uint32_t> near;
+    for (const ShapeId shape : bodies.records[body].shapes)
+        simulation.broad.query(simulation.broad.box(shape.index),
+                               [&](std::uint32_t other) { near.push_back(simulation.shapes[other].body); });
+    for (const std::uint32_t other : near)
+        if (bodies.is_asleep(other) && leans_on(simulation.sleeping[bodies.records[other].island], body))
+            wake(simulation, other);
+}
+
+void wake_met(Simulation& simulation, std::uint32_t body) {
+    if (!simulation.bodies.records[body].is_enabled) return;
+    std::vector<std::uint32_t> near;
+    for (const ShapeId shape : simulation.bodies.records[body].shapes)
+        simulation.broad.query(simulation.broad.box(shape.index),
+                               [&](std::uint32_t other) { near.push_back(simulation.shapes[other].body); });
+    for (const std::uint32_t other : near)
+        if (simulation.bodies.is_asleep(other)) wake(simulation, other);
+}
+
+bool touch_in_sleep(const Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {
+    const std::uint32_t island_a = simulation.bodies.records[body_a].island;
+    const std::uint32_t island = island_a != kNoIsland ? island_a : simulation.bodies.records[body_b].island;
+    if (island == kNoIsland) return false;
+    const std::vector<Contact>& contacts = simulation.sleeping.all()[island].contacts;
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+        return (contact.body_a == body_a && contact.body_b == body_b) ||
+               (contact.body_a == body_b && contact.body_b == body_a);
+    });
+}
+
+void merge_sleeping_islands(Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {
+    const std::uint32_t kept = simulation.bodies.records[body_a].island;
+    const std::uint32_t dissolved = simulation.bodies.records[body_b].island;
+    if (kept == dissolved) return;
+    const SleepingIsland other = simulation.sleeping.take(dissolved);
+    SleepingIsland& island = simulation.sleeping[kept];
+    for (const std::uint32_t body : other.bodies) simulation.bodies.records[body].island = kept;
+    island.bodies.insert(island.bodies.end(), other.bodies.begin(), other.bodies.end());
+    for (const Contact& contact : other.contacts) simulation.sleeping.add_contact(kept, contact);
+    std::sort(island.bodies.begin(), island.bodies.end());
+}
+
+void put_new_body_to_sleep(Simulation& simulation, std::uint32_t body) {
+    const std::uint32_t island = simulation.sleeping.add();
+    simulation.sleeping[island].bodies.push_back(body);
+    simulation.bodies.records[body].island = island;
+    simulation.bodies.put_to_sleep(body);
+}
+
+}  // namespace tumble

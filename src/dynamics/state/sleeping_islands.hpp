@@ -1,0 +1,79 @@
+// The islands that sleep: their bodies and what keeps them in touch, set aside until something wakes them.
+//
+// A contact is here if it touches and none of its bodies is awake; pairs of sleeping bodies that do not touch are
+// forgotten, and found again when one of them wakes.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "dynamics/contacts/contact.hpp"
+
+namespace tumble {
+
+struct SleepingIsland {
+    std::vector<std::uint32_t> bodies;  // by index
+    std::vector<Contact> contacts;
+};
+
+class SleepingIslands {
+public:
+    // An empty island, and its number.
+    std::uint32_t add() {
+        ++count_;
+        if (free_.empty()) {
+            islands_.emplace_back();
+            return static_cast<std::uint32_t>(islands_.size() - 1);
+        }
+        const std::uint32_t index = free_.back();
+        free_.pop_back();
+        return index;
+    }
+
+    // Hands an island out; its number may be used again.
+    SleepingIsland take(std::uint32_t index) {
+        --count_;
+        free_.push_back(index);
+        SleepingIsland island = std::move(islands_[index]);
+        islands_[index] = SleepingIsland{};
+        contact_count_ -= island.contacts.size();
+        for (const Contact& contact : island.contacts) point_count_ -= points(contact);
+        return island;
+    }
+
+    void add_contact(std::uint32_t index, const Contact& contact) {
+        islands_[index].contacts.push_back(contact);
+        ++contact_count_;
+        point_count_ += points(contact);
+    }
+
+    // Calls visit(contact) for each contact that sleeps; it is not to change the number of its points.
+    template <class Visitor>
+    void for_each_contact(Visitor&& visit) {
+        for (SleepingIsland& island : islands_)
+            for (Contact& contact : island.contacts) visit(contact);
+    }
+
+    SleepingIsland& operator[](std::uint32_t index) { return islands_[index]; }
+    const std::vector<SleepingIsland>& all() const { return islands_; }  // those handed out are empty
+    std::size_t count() const { return count_; }
+    std::size_t contact_count() const { return contact_count_; }
+    std::size_t point_count() const { return point_count_; }
+
+    template <class Self, class Visitor>
+    static void visit_members(Self& self, Visitor&& visit) {
+        visit(self.islands_, self.free_, self.count_, self.contact_count_, self.point_count_);
+    }
+
+private:
+    static std::size_t points(const Contact& contact) { return static_cast<std::size_t>(contact.manifold.point_count); }
+
+    std::vector<SleepingIsland> islands_;
+    std::vector<std::uint32_t> free_;
+    std::size_t count_ = 0;
+    std::size_t contact_count_ = 0;
+    std::size_t point_count_ = 0;
+};
+
+}  // namespace tumble

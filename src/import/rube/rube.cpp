@@ -1,0 +1,260 @@
+// R.U.B.E. exports (b2dJson, Chris Campbell): world, bodies, fixtures and joints of a Box2D scene, to a scene of ours.
+//
+// What a scene has no place for is noted, once per feature, with a count. The result is read back as a scene file
+// before it is returned: an import can always be saved and loaded.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "import/rube/rube_joints.hpp"
+#include "import/rube/rube_shapes.hpp"
+#include "import/rube/rube_values.hpp"
+#include "scene/json/diagnostics.hpp"
+#include "scene/json/input.hpp"
+#include "scene/json/json_text.hpp"
+#include "scene/model/degrees.hpp"
+#include "tumble/file.hpp"
+#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_import.hpp"
+#include "tumble/scene_world.hpp"
+
+namespace tumble {
+
+namespace scene {
+
+namespace {
+
+constexpr double kMassTolerance = 1e-6;  // relative: below it the shapes weigh what the export says
+
+// A JavaScript file that assigns the scene to a variable, "var name = {...};": the wrapper becomes blanks, so that
+// positions stay those of the file.
+std::string without_javascript(std::string_view text) {
+    std::string result(text);
+    const std::size_t open = result.find('{');
+    const std::size_t equals = result.find('=');
+    const std::size_t close = result.find_last_not_of("; \t\r\n");
+    if (open == std::string::npos || equals >= open || close == std::string::npos || result[close] != '}')
+        return result;
+    const auto blank = [](char& c) { c = c == '\n' ? '\n' : ' '; };
+    std::for_each(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(open), blank);
+    std::for_each(result.begin() + static_cast<std::ptrdiff_t>(close) + 1, result.end(), blank);
+    return result;
+}
+
+class RubeImporter {
+public:
+    explicit RubeImporter(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    ImportedScene import(const Json& document) {
+        RubeObject world(document, "", diagnostics_);
+        read_world(world);
+        std::vector<RubeObject> bodies = world.list("body");
+        for (RubeObject& body : bodies) read_body(body);
+        read_joints(world.list("joint"), bodies.size());
+        world.note_unread("world", notes_);
+        return {std::move(scene_), notes_.take()};
+    }
+
+private:
+    void read_world(RubeObject& world) {
+        scene_.world.gravity = world.vector("gravity");
+        scene_.world.sleeping = world.flag("allowSleep");
+        scene_.world.continuous = world.flag("continuousPhysics");
+        const double rate = world.number("stepsPerSecond");
+        if (rate > 0.0) scene_.world.steps_per_second = rate;
+        if (world.has("velocityIterations") || world.has("positionIterations"))
+            notes_.add("numbers of solver iterations");
+        if (world.flag("subStepping")) notes_.add("sub-stepping of continuous physics");
+        if (!world.flag("warmStarting", true)) notes_.add("warm starting switched off");
+        if (!world.flag("autoClearForces", true)) notes_.add("forces that are not cleared");
+        if (world.has("image")) notes_.add("images", static_cast<int>(world.list("image").size()));
+        scene_.custom = world.custom({"customProperties"});
+        world.skip({"velocityIterations", "positionIterations", "image"});
+    }
+
+    void read_body(RubeObject& body) {
+        SceneBody result;
+        const double type = body.number("type");
+        if (type != 0.0 && type != 1.0 && type != 2.0)
+            diagnostics_.error(body.pointer_to("type"), "must be 0, 1 or 2, got " + number_text(type));
+        result.type = type == 2.0   ? BodyType::dynamic_body
+                      : type == 1.0 ? BodyType::kinematic_body
+                                    : BodyType::static_body;
+        result.position = body.vector("position");
+        result.angle = std::remainder(body.number("angle") * kDegrees, 360.0);
+        result.velocity = body.vector("linearVelocity");
+        result.angular_velocity = body.number("angularVelocity") * kDegrees;
+        result.linear_damping = body.number("linearDamping");
+        result.angular_damping = body.number("angularDamping");
+        result.gravity_scale = body.number("gravityScale", 1.0);
+        read_name(body, result);
+        for (const RubeObject& fixture : body.list("fixture"))
+            if (const std::optional<RubeFixture> read = read_rube_fixture(fixture, notes_))
+                result.shapes.push_back(
+                    {read->geometry, material_of(read->surface), read->custom, read->filter, read->sensor});
+        read_behaviour(body, result);
+        body.note_unread("body", notes_);
+        scene_.bodies.push_back(std::move(result));
+    }
+
+    // Names are unique in a scene; the first body keeps a name that several have.
+    void read_name(RubeObject& body, SceneBody& result) {
+        const std::string name = body.text("name");
+        result.name = name;
+        for (int number = 2; !result.name.empty() && !names_.insert(result.name).second; ++number)
+            result.name = name + "_" + std::to_string(number);
+        if (result.name != name) notes_.add("body names that occurred before, numbered");
+        result.custom = body.custom({"customProperties"});
+    }
+
+    void read_behaviour(RubeObject& body, SceneBody& result) {
+        const bool awake = body.flag("awake"), may_sleep = body.flag("allowSleep", true);
+        const bool bullet = body.flag("bullet"), fixed = body.flag("fixedRotation");
+        result.enabled = body.flag("active", true);
+        const SceneMass mass = read_mass(body, fixed);
+        if (result.type != BodyType::dynamic_body) return;
+        result.awake = awake;
+        if (!awake && (result.velocity != DVec2{} || result.angular_velocity != 0.0)) {
+            notes_.add("velocities of bodies asleep");
+            result.velocity = {};
+            result.angular_velocity = 0.0;
+        }
+        result.bullet = bullet;
+        result.allow_sleep = may_sleep;
+        result.fixed_rotation = fixed;
+        if (differs(mass, result)) result.mass = mass;
+    }
+
+    // As Box2D takes mass data: no mass is 1 kg, and the inertia, about the body's origin in files, counts only where
+    // it is positive and the body may turn.
+    static SceneMass read_mass(RubeObject& body, bool fixed) {
+        const double mass = body.number("massData-mass"), inertia = body.number("massData-I");
+        SceneMass result{mass > 0.0 ? mass : 1.0, body.vector("massData-center"), 0.0};
+        if (inertia > 0.0 && !fixed) result.inertia = std::max(inertia - result.mass * length_sq(result.center), 0.0);
+        return result;
+    }
+
+    bool differs(const SceneMass& mass, const SceneBody& body) const {
+        SceneMass own;  // of the shapes
+        DVec2 moment;
+        double inertia = 0.0, reach = 0.0;  // about the origin
+        for (const SceneShape& shape : body.shapes) {
+            if (shape.sensor) continue;
+            for (const Shape& part : make_shapes(shape.geometry)) {
+                const MassProperties properties = mass_properties(part);
+                const double weight = surfaces_.at(shape.material).density * properties.area;
+                const DVec2 center(properties.center);
+                own.mass += weight;
+                moment += weight * center;
+                inertia += surfaces_.at(shape.material).density * properties.inertia + weight * length_sq(center);
+                reach = std::max(reach, double{farthest_distance(part, {})});
+            }
+        }
+        if (!(own.mass > 0.0) || std::abs(own.mass - mass.mass) > kMassTolerance * mass.mass) return true;
+        const DVec2 center = (1.0 / own.mass) * moment;
+        if (length(center - mass.center) > kMassTolerance * reach) return true;
+        if (body.fixed_rotation) return false;
+        return std::abs(inertia - own.mass * length_sq(center) - mass.inertia) > kMassTolerance * mass.inertia;
+    }
+
+    // The name of the material with this surface.
+    std::string material_of(const RubeSurface& surface) {
+        for (const auto& [name, known] : surfaces_)
+            if (known == surface) return name;
+        SceneMaterial material;
+        material.name = "surface_" + std::to_string(scene_.materials.size() + 1);
+        material.density = surface.density;
+        material.friction = surface.friction;
+        material.restitution = surface.restitution;
+        surfaces_[material.name] = surface;
+        scene_.materials.push_back(material);
+        return material.name;
+    }
+
+    // Gears last: they may stand before the joints that they are on.
+    void read_joints(std::vector<RubeObject> joints, std::size_t body_count) {
+        const auto body_at = [this](std::size_t index) {
+            const SceneBody& body = scene_.bodies[index];
+            return RubeBody{name_body(index), {body.position, make_rotation_degrees(body.angle)}};
+        };
+        std::vector<std::optional<std::size_t>> places(joints.size());  // in the scene
+        std::vector<std::size_t> gears;
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            const std::string type = joints[i].text("type");
+            if (type == "gear")
+                gears.push_back(i);
+            else
+                places[i] = add_joint(read_rube_joint(joints[i], type, body_count, body_at, notes_));
+        }
+        const auto joint_at = [&](std::size_t index) { return places[index] ? name_joint(*places[index]) : nullptr; };
+        for (const std::size_t i : gears) add_joint(read_rube_gear(joints[i], joints.size(), joint_at, notes_));
+    }
+
+    // The first joint keeps a name that several have.
+    std::optional<std::size_t> add_joint(std::optional<SceneJoint> joint) {
+        if (!joint) return std::nullopt;
+        const std::string name = joint->name;
+        for (int number = 2; !joint->name.empty() && !joint_names_.insert(joint->name).second; ++number)
+            joint->name = name + "_" + std::to_string(number);
+        if (joint->name != name) notes_.add("joint names that occurred before, numbered");
+        scene_.joints.push_back(std::move(*joint));
+        return scene_.joints.size() - 1;
+    }
+
+    // Joints go by name: a body without one gets one. Gears likewise, by those of joints.
+    std::string name_body(std::size_t index) { return name(scene_.bodies[index].name, "body_", index, names_); }
+    SceneJoint* name_joint(std::size_t index) {
+        name(scene_.joints[index].name, "joint_", index, joint_names_);
+        return &scene_.joints[index];
+    }
+
+    static std::string name(std::string& own, const std::string& kind, std::size_t index,
+                            std::set<std::string>& names) {
+        for (int number = 0; own.empty(); ++number) {
+            std::string candidate = kind + std::to_string(index) + (number > 0 ? "_" + std::to_string(number) : "");
+            if (names.insert(candidate).second) own = candidate;
+        }
+        return own;
+    }
+
+    Diagnostics& diagnostics_;
+    RubeNotes notes_;
+    Scene scene_;
+    std::set<std::string> names_, joint_names_;
+    std::map<std::string, RubeSurface> surfaces_;  // by the name of their material
+};
+
+}  // namespace
+
+}  // namespace scene
+
+ImportedScene import_rube(const std::filesystem::path& file) {
+    return parse_rube(read_file(file, scene::kMaxFileBytes), file.string());
+}
+
+ImportedScene parse_rube(std::string_view content, const std::string& file_name) {
+    const std::string text = scene::without_javascript(scene::without_byte_order_mark(content));
+    scene::Diagnostics diagnostics(file_name, text);
+    ImportedScene imported;
+    if (const std::optional<scene::Json> document = scene::parse_json(text, diagnostics)) {
+        if (document->is_object() && document->contains("metaworld")) {
+            diagnostics.error("/metaworld", "this is a project of the R.U.B.E. editor, not an export",
+                              "open it in the editor, export the scene as JSON, and import that file",
+                              scene::Diagnostics::At::key);
+        } else if (document->is_object() && !document->contains("body") && !document->contains("gravity")) {
+            diagnostics.error("", "this is no R.U.B.E. export: it has neither \"body\" nor \"gravity\"");
+        } else {
+            imported = scene::RubeImporter(diagnostics).import(*document);
+        }
+    }
+    diagnostics.finish(nullptr);
+    const std::filesystem::path file = file_name;
+    imported.scene.name = file.stem().string();
+    imported.scene.description = "Imported from the R.U.B.E. export " + file.filename().string() + ".";
+    imported.scene = parse_scene(to_json(imported.scene), file_name + " (as imported)");
+    return imported;
+}
+
+}  // namespace tumble

@@ -1,0 +1,116 @@
+// Chains of R.U.B.E. are two-sided whatever their winding: the files are older than one-sided chains.
+#include "import/rube/rube_shapes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "scene/model/geometry.hpp"
+#include "tumble/scene_world.hpp"
+
+namespace tumble::scene {
+
+namespace {
+
+// Neighbours that are equal in float are one point.
+std::vector<DVec2> weld_neighbours(const std::vector<DVec2>& points, RubeNotes& notes) {
+    std::vector<DVec2> kept;
+    for (const DVec2 point : points)
+        if (kept.empty() || to_float(kept.back()) != to_float(point)) kept.push_back(point);
+    if (kept.size() < points.size())
+        notes.add("chain vertices equal to the one before", static_cast<int>(points.size() - kept.size()));
+    return kept;
+}
+
+ShapeGeometry make_rube_chain(const std::vector<DVec2>& points, bool loop, RubeNotes& notes) {
+    ChainGeometry chain{weld_neighbours(points, notes), loop, true};
+    const bool closed = chain.points.size() > 2 && to_float(chain.points.front()) == to_float(chain.points.back());
+    if (closed) {
+        chain.points.pop_back();
+        chain.loop = true;
+    }
+    if (chain.points.size() < 3) chain.loop = false;
+    return chain;
+}
+
+// Convex as the rule, but no export is too odd: a concave polygon is an outline.
+ShapeGeometry make_rube_polygon(const std::vector<DVec2>& vertices) {
+    if (vertices.size() == 2) return SegmentGeometry{vertices[0], vertices[1]};
+    HullReport report;
+    make_hull({vertices, 0.0}, &report);
+    if (report.interior == 0) return PolygonGeometry{vertices, 0.0};
+    return OutlineGeometry{vertices};
+}
+
+ShapeGeometry read_chain(RubeObject& chain, RubeNotes& notes) {
+    ShapeGeometry geometry = make_rube_chain(chain.points("vertices"), false, notes);
+    const bool has_ghosts = chain.flag("hasNextVertex") || chain.flag("hasPrevVertex");
+    if (has_ghosts && !std::get<ChainGeometry>(geometry).loop) notes.add("neighbours of the ends of open chains");
+    chain.skip({"nextVertex", "prevVertex", "hasPrevVertex"});
+    return geometry;
+}
+
+ShapeGeometry read_edge(RubeObject& edge, RubeNotes& notes) {
+    if (edge.flag("hasVertex0") || edge.flag("hasVertex3")) notes.add("neighbours of edges");
+    edge.skip({"vertex0", "vertex3", "hasVertex3"});
+    return SegmentGeometry{edge.vector("vertex1"), edge.vector("vertex2")};
+}
+
+std::optional<ShapeGeometry> read_geometry(RubeObject& fixture, RubeNotes& notes) {
+    constexpr std::array<std::string_view, 5> kKinds = {"circle", "polygon", "chain", "edge", "loop"};
+    const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](std::string_view k) { return fixture.has(k); });
+    if (kind == kKinds.end()) return std::nullopt;
+    RubeObject shape = fixture.object(*kind);
+    ShapeGeometry geometry;
+    if (*kind == "circle") geometry = CircleGeometry{shape.number("radius"), shape.vector("center")};
+    if (*kind == "polygon") geometry = make_rube_polygon(shape.points("vertices"));
+    if (*kind == "chain") geometry = read_chain(shape, notes);
+    if (*kind == "edge") geometry = read_edge(shape, notes);
+    if (*kind == "loop") geometry = make_rube_chain(shape.points("vertices"), true, notes);
+    shape.note_unread(std::string(*kind), notes);
+    return geometry;
+}
+
+// The geometry if it makes shapes; nothing if it is degenerate.
+std::optional<ShapeGeometry> read_sound_geometry(RubeObject& fixture, RubeNotes& notes) {
+    try {
+        std::optional<ShapeGeometry> geometry = read_geometry(fixture, notes);
+        const CircleGeometry* circle = geometry ? std::get_if<CircleGeometry>(&*geometry) : nullptr;
+        if (circle && !(circle->radius > 0.0)) return std::nullopt;
+        if (geometry) make_shapes(*geometry);
+        return geometry;
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+}
+
+constexpr double kAll = 65535.0;  // exports know 16 categories
+
+// Nothing if all is as it is without a filter.
+std::optional<SceneFilter> read_filter(RubeObject& fixture) {
+    const double category = fixture.number("filter-categoryBits", 1.0), mask = fixture.number("filter-maskBits", kAll);
+    const double group = fixture.number("filter-groupIndex");
+    if (category == 1.0 && mask == kAll && group == 0.0) return std::nullopt;
+    const auto bits = [](double value) { return static_cast<std::uint64_t>(std::clamp(value, 0.0, kAll)); };
+    return SceneFilter{bits(category), bits(mask), static_cast<int>(std::clamp(group, -32768.0, 32767.0))};
+}
+
+}  // namespace
+
+std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, RubeNotes& notes) {
+    RubeFixture result;
+    result.surface = {fixture.number("density"), fixture.number("friction"), fixture.number("restitution")};
+    result.custom = fixture.custom({"name", "customProperties"});
+    result.filter = read_filter(fixture);
+    result.sensor = fixture.flag("sensor");
+    const std::optional<ShapeGeometry> geometry = read_sound_geometry(fixture, notes);
+    fixture.note_unread("fixture", notes);
+    if (!geometry) {
+        notes.add("fixtures without a shape or with a degenerate one, left out");
+        return std::nullopt;
+    }
+    result.geometry = *geometry;
+    return result;
+}
+
+}  // namespace tumble::scene

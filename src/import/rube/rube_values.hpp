@@ -1,0 +1,64 @@
+// Values as R.U.B.E. writes them: what is missing is 0, floats may be hexadecimal bit patterns, vectors may be a bare
+// 0. Every key that is never asked for is counted, so that nothing is dropped in silence.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/json/diagnostics.hpp"
+#include "scene/json/json.hpp"
+#include "tumble/scene_import.hpp"
+
+namespace tumble::scene {
+
+// What could not be carried over, counted by feature, in the order of the first occurrence.
+class RubeNotes {
+public:
+    void add(const std::string& feature, int count = 1);
+    std::vector<ImportNote> take() { return std::move(notes_); }
+
+private:
+    std::vector<ImportNote> notes_;
+};
+
+// One JSON object and its pointer. Wrong types are errors in the diagnostics, and read as missing.
+class RubeObject {
+public:
+    RubeObject(const Json& value, std::string pointer, Diagnostics& diagnostics);
+
+    bool has(std::string_view key) const { return value_.contains(key); }
+    std::string pointer_to(std::string_view key) const;
+
+    double number(std::string_view key, double missing = 0.0);
+    bool flag(std::string_view key, bool missing = false);
+    std::string text(std::string_view key);
+    DVec2 vector(std::string_view key);
+    std::vector<DVec2> points(std::string_view key);
+    std::string custom(
+        std::initializer_list<std::string_view> keys);  // an object of these, as text; empty if all are missing
+    RubeObject object(std::string_view key);
+    std::vector<RubeObject> list(std::string_view key);
+
+    // A whole number from 0 to `end` - 1; -1, with an error, if it is none.
+    int index(std::string_view key, std::size_t end);
+
+    // Keys that need no note: redundant, or without effect here.
+    void skip(std::initializer_list<std::string_view> keys);
+
+    // Notes the keys that were never asked for, as "<owner> key '<key>'".
+    void note_unread(const std::string& owner, RubeNotes& notes) const;
+
+private:
+    const Json* find(std::string_view key);
+    double to_number(const Json& value, const std::string& pointer);
+    void error(const std::string& pointer, const std::string& wanted, const Json& got);
+
+    const Json& value_;
+    std::string pointer_;
+    Diagnostics& diagnostics_;
+    std::set<std::string, std::less<>> read_;
+};
+
+}  // namespace tumble::scene

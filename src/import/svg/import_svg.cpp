@@ -1,0 +1,266 @@
+// SVG to a scene: one body for each figure that is drawn, in the order of the file.
+//
+// The y axis is turned upwards about the lower edge of the drawing, so that its lower left corner is the origin and the
+// camera shows the page. Parsed by pugixml, without entities or external files.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "import/svg/svg_body.hpp"
+#include "import/svg/svg_text.hpp"
+#include "scene/json/diagnostics.hpp"
+#include "scene/json/input.hpp"
+#include "scene/json/json_text.hpp"
+#include "tumble/file.hpp"
+#include "tumble/scene_import.hpp"
+
+namespace tumble {
+
+namespace scene {
+
+namespace {
+
+constexpr int kMostDepth = 100;                    // of groups and references: a cycle of references ends here
+constexpr int kMostElements = 200000;              // visited, references followed
+constexpr std::size_t kMostPointsOfAll = 4000000;  // of all figures
+constexpr std::size_t kLongestName = 200;          // bytes; longer ones are left out, and a number still fits behind
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+// Bytes that are not UTF-8 are replaced, as a scene file could not hold them.
+std::string as_utf8(const std::string& text) { return Json::parse(quoted(text)).get<std::string>(); }
+
+// Where pugixml found a node or an error.
+std::size_t offset_of(std::ptrdiff_t offset) { return static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)); }
+
+class SvgImport {
+public:
+    SvgImport(std::string_view text, const std::string& file_name, const SvgOptions& options)
+        : options_(options), diagnostics_(file_name, text) {
+        result_.scene.name = as_utf8(std::filesystem::path(file_name).stem().string());
+        const pugi::xml_parse_result parsed = document_.load_buffer(text.data(), text.size());
+        if (!parsed) diagnostics_.error_at_offset(offset_of(parsed.offset), parsed.description());
+    }
+
+    ImportedScene run() {
+        const pugi::xml_node root = document_.document_element();
+        if (!diagnostics_.has_errors() && std::string_view(root.name()) != "svg")
+            diagnostics_.error_at_offset(0, "expected an <svg> element, got " + quoted(root.name()));
+        diagnostics_.finish(nullptr);
+        index(root, 0);
+        at_element(root, [&] { read_page(root); });
+        SvgStyle style;
+        at_element(root, [&] { style = read_style(root, sheet_, {}, result_notes_["gradients and patterns"]); });
+        visit_children(root, page_, style, 0);
+        diagnostics_.finish(nullptr);
+        for (const auto& [feature, count] : result_notes_)
+            if (count > 0) result_.notes.push_back({feature, count});
+        return std::move(result_);
+    }
+
+private:
+    // Runs `action`; its SvgError becomes an error at the element.
+    template <class Action>
+    void at_element(const pugi::xml_node& element, const Action& action) {
+        try {
+            action();
+        } catch (const SvgError& error) {
+            diagnostics_.error_at_offset(offset_of(element.offset_debug()),
+                                         '<' + std::string(element.name()) + ">: " + error.what());
+            if (++errors_ == static_cast<int>(kMaxDiagnostics)) diagnostics_.finish(nullptr);
+        }
+    }
+
+    // Elements by id, and the style sheets, wherever they stand.
+    void index(const pugi::xml_node& element, int depth) {
+        if (depth > kMostDepth) {
+            diagnostics_.error_at_offset(offset_of(element.offset_debug()),
+                                         "elements are nested deeper than " + std::to_string(kMostDepth));
+            diagnostics_.finish(nullptr);
+        }
+        if (const std::string_view id = element.attribute("id").value(); !id.empty()) by_id_.emplace(id, element);
+        if (std::string_view(element.name()) == "style")
+            result_notes_["style rules with other selectors than a tag, class or id"] +=
+                sheet_.add(element.text().get());
+        for (const pugi::xml_node child : element.children())
+            if (child.type() == pugi::node_element) index(child, depth + 1);
+    }
+
+    // The viewBox, else width and height.
+    void read_page(const pugi::xml_node& root) {
+        const double scale = options_.metres_per_unit, nan = std::numeric_limits<double>::quiet_NaN();
+        page_ = {{scale, 0.0}, {0.0, -scale}, {}};
+        viewport_.size = {nan, nan};
+        DVec2 corner, size;
+        if (const std::string_view box = root.attribute("viewBox").value(); !box.empty()) {
+            SvgScanner scanner(box);
+            for (double* value : {&corner.x, &corner.y, &size.x, &size.y}) *value = scanner.number();
+        } else if (root.attribute("width") && root.attribute("height")) {
+            const std::string_view width = root.attribute("width").value(), height = root.attribute("height").value();
+            if (width.ends_with('%') || height.ends_with('%')) return;
+            size = {parse_length(width, nan), parse_length(height, nan)};
+        }
+        if (!(size.x > 0.0 && size.y > 0.0 && std::max(size.x, size.y) * scale <= 1e5)) return;
+        viewport_.size = size;
+        page_.origin = {-scale * corner.x, scale * (corner.y + size.y)};
+        result_.scene.camera.center = 0.5 * scale * size;
+        result_.scene.camera.height = scale * size.y;
+    }
+
+    void visit_children(const pugi::xml_node& element, const Affine& map, const SvgStyle& style, int depth) {
+        for (const pugi::xml_node child : element.children())
+            if (child.type() == pugi::node_element) at_element(child, [&] { visit(child, map, style, depth + 1); });
+    }
+
+    void visit(const pugi::xml_node& element, const Affine& around, const SvgStyle& style_around, int depth) {
+        if (depth > kMostDepth)
+            throw SvgError("references are nested deeper than " + std::to_string(kMostDepth) + ", or in a circle");
+        if (++elements_ > kMostElements)
+            throw SvgError("the drawing has more than " + std::to_string(kMostElements) + " elements");
+        const std::string_view tag = element.name();
+        if (!is_drawn(tag)) return note(tag);
+        if (find_property(element, sheet_, "display") == "none") return count("hidden elements");
+        note_effects(element);
+        const SvgStyle style = read_style(element, sheet_, style_around, result_notes_["gradients and patterns"]);
+        const Affine map = compose(around, parse_transform(element.attribute("transform").value()));
+        if (tag == "use")
+            follow(element, map, style, depth);
+        else if (is_figure(tag))
+            add_body(element, map, style);
+        else
+            visit_children(element, tag == "svg" ? shifted(element, map) : map, style, depth);
+    }
+
+    static bool is_drawn(std::string_view tag) {
+        return is_figure(tag) || is_one_of(tag, {"g", "a", "svg", "switch", "use"});
+    }
+
+    void note(std::string_view tag) {
+        if (tag == "text") count("texts");
+        if (tag == "image") count("images");
+        if (tag == "foreignObject") count("foreign objects");
+        if (tag == "script") count("scripts");
+        if (is_one_of(tag, {"animate", "animateMotion", "animateTransform", "set"})) count("animations");
+    }
+
+    void note_effects(const pugi::xml_node& element) {
+        const auto note_if = [&](std::string_view property, const char* feature) {
+            const std::string_view value = find_property(element, sheet_, property);
+            if (!value.empty() && value != "none") count(feature);
+        };
+        note_if("clip-path", "clip paths");
+        note_if("mask", "masks");
+        note_if("filter", "filters");
+        for (const char* marker : {"marker-start", "marker-mid", "marker-end"}) note_if(marker, "markers");
+        for (const pugi::xml_node child : element.children())
+            if (is_figure(element.name())) note(child.name());
+    }
+
+    void count(const char* feature) { ++result_notes_[feature]; }
+
+    Affine shifted(const pugi::xml_node& element, const Affine& map) {
+        const auto length_of = [&](const char* name, double whole) {
+            const pugi::xml_attribute attribute = element.attribute(name);
+            return attribute ? parse_length(attribute.value(), whole) : 0.0;
+        };
+        if (element.attribute("viewBox")) count("viewBoxes of inner drawings");
+        return compose(map,
+                       {{1.0, 0.0}, {0.0, 1.0}, {length_of("x", viewport_.size.x), length_of("y", viewport_.size.y)}});
+    }
+
+    void follow(const pugi::xml_node& use, const Affine& map, const SvgStyle& style, int depth) {
+        std::string_view target = use.attribute("href").value();
+        if (target.empty()) target = use.attribute("xlink:href").value();
+        const auto found = target.starts_with('#') ? by_id_.find(target.substr(1)) : by_id_.end();
+        if (found == by_id_.end()) return count("references to what is not in the file");
+        const Affine shift = shifted(use, map);
+        if (std::string_view(found->second.name()) == "symbol")
+            visit_children(found->second, shift, style, depth + 1);
+        else
+            visit(found->second, shift, style, depth + 1);
+    }
+
+    void add_body(const pugi::xml_node& element, const Affine& map, const SvgStyle& style) {
+        const SvgFigure figure = read_figure(element, map, viewport_, options_.tolerance);
+        const bool is_painted = style.visible && (style.fill.visible || style.stroke.visible);
+        if (!is_painted && !style.type) return count("hidden elements");
+        if (figure.contours.empty()) return count("elements without extent");
+        for (const Contour& contour : figure.contours) points_ += contour.points.size();
+        if (points_ > kMostPointsOfAll)
+            throw SvgError("the drawing has more than " + std::to_string(kMostPointsOfAll) + " points");
+        const double scale = std::sqrt(std::abs(cross(map.x_axis, map.y_axis)));
+        SceneBody body = make_svg_body(figure, style, scale, result_notes_);
+        if (body.shapes.empty()) return;
+        const bool is_line = std::holds_alternative<ChainGeometry>(body.shapes.front().geometry);
+        const std::string material = add_material(is_line || !style.fill.visible ? style.stroke : style.fill);
+        for (SceneShape& shape : body.shapes) shape.material = material;
+        body.name = make_name(element.attribute("id").value());
+        result_.scene.bodies.push_back(std::move(body));
+    }
+
+    // A material for each colour, of that name.
+    std::string add_material(const SvgPaint& paint) {
+        if (!paint.visible || paint.color.empty()) return "";
+        if (colors_.contains(paint.color)) return paint.color;
+        if (colors_.size() == kMaxKeysInObject) {
+            count("colours beyond the number of materials that a file may have");
+            return "";
+        }
+        colors_.insert(paint.color);
+        SceneMaterial& material = result_.scene.materials.emplace_back();
+        material.name = material.color = paint.color;
+        return paint.color;
+    }
+
+    // The id; later elements of the same id get a number.
+    std::string make_name(const std::string& id) {
+        const std::string name = as_utf8(id);
+        if (name.empty() || name.size() > kLongestName) return "";
+        std::string unique = name;
+        while (!names_.insert(unique).second) unique = name + '-' + std::to_string(++copies_[name] + 1);
+        return unique;
+    }
+
+    SvgOptions options_;
+    Diagnostics diagnostics_;
+    pugi::xml_document document_;
+    std::map<std::string, pugi::xml_node, std::less<>> by_id_;
+    SvgSheet sheet_;
+    SvgViewport viewport_;
+    Affine page_;
+    SvgNotes result_notes_;
+    std::set<std::string> colors_;
+    std::set<std::string> names_;
+    std::map<std::string, int> copies_;
+    int elements_ = 0;
+    std::size_t points_ = 0;
+    int errors_ = 0;
+    ImportedScene result_;
+};
+
+void require_positive(const char* what, double value) {
+    if (!(std::isfinite(value) && value > 0.0))
+        throw std::invalid_argument(std::string(what) + " must be finite and greater than 0, got " +
+                                    std::to_string(value));
+}
+
+}  // namespace
+
+}  // namespace scene
+
+ImportedScene parse_svg(std::string_view text, const std::string& file_name, const SvgOptions& options) {
+    scene::require_positive("metres_per_unit", options.metres_per_unit);
+    scene::require_positive("tolerance", options.tolerance);
+    text = scene::without_byte_order_mark(text);
+    if (text.size() > scene::kMaxFileBytes)
+        throw FileError(file_name, "is larger than " + std::to_string(scene::kMaxFileBytes >> 20) + " MiB");
+    return scene::SvgImport(text, file_name, options).run();
+}
+
+ImportedScene import_svg(const std::filesystem::path& file, const SvgOptions& options) {
+    return parse_svg(read_file(file, scene::kMaxFileBytes), file.string(), options);
+}
+
+}  // namespace tumble

@@ -1,0 +1,188 @@
+// Ray casts: a shape cast of a point, with short ways for circles and for sharp polygons of up to eight vertices where
+// the case is clear: the start outside by more than the error bound, and the entry, if any, not near a vertex or a
+// tangent. Everything else is left to the general clipping, so that no doubtful case is decided twice.
+#include <algorithm>
+#include <bit>
+
+#include "narrow/cast/cast_result.hpp"
+#include "narrow/cores/error_bound.hpp"
+#include "simd/double_lanes.hpp"
+
+namespace tumble {
+
+namespace {
+
+struct Ray {
+    Core core;
+    DVec2 position;  // of the shape
+    DVec2 offset;    // from there to the origin of the ray
+    DVec2 motion;
+    double motion_sq;
+    double way;  // at least |motion|, at most its double; without a root
+    double radius;
+    double scale;  // at least the size and |offset|
+    double error;  // E
+};
+
+// False if the case is not clear. Products of four lengths must not overflow or vanish.
+[[gnu::always_inline]] inline bool is_moderate(const Ray& ray) {
+    constexpr double kLarge = 0x1p200, kSmall = 0x1p-200;
+    return ray.motion_sq < kLarge && ray.motion_sq > kSmall && ray.scale < kLarge && ray.scale > kSmall;
+}
+
+void miss(CastResult& result, int vertices) {
+    result.status = CastStatus::miss;
+    result.fraction = result.lower = result.upper = 1.0;
+    result.iterations = vertices;
+}
+
+// The hit at `fraction`, known up to `doubt`; a miss if that is beyond the ray's end.
+[[gnu::always_inline]] inline void enter(CastResult& result, int vertices, double fraction, double doubt, DVec2 normal,
+                                         DVec2 point) {
+    if (fraction - doubt > 1.0) return miss(result, vertices);
+    result.status = CastStatus::hit;
+    result.fraction = std::min(fraction, 1.0);
+    result.lower = std::max(0.0, fraction - doubt);
+    result.upper = fraction + doubt;
+    result.point.x = point.x;
+    result.point.y = point.y;
+    result.normal.x = normal.x;
+    result.normal.y = normal.y;
+    result.iterations = vertices;
+}
+
+// The quadratic |m - t v|^2 = r^2 for the centre m, and the radius r known to 2 E: with (r + 2 E)^2 - r^2 <= D the root
+// of the discriminant h is known to D |v|^2 / h, as sqrt(1 - x) >= 1 - x.
+[[gnu::always_inline]] inline bool cast_at_circle(const Ray& ray, CastResult& result) {
+    const DVec2 on_core = ray.core.point(0), center = on_core - ray.offset, v = ray.motion;
+    const double radius_sq = ray.radius * ray.radius, doubt_sq = 4.0 * ray.error * (ray.radius + ray.error);
+    const double ahead = dot(v, center), aside = cross(v, center), margin = doubt_sq * ray.motion_sq;
+    const double discriminant = radius_sq * ray.motion_sq - aside * aside;
+    if (!(length_sq(center) - radius_sq > doubt_sq && ray.radius > 16.0 * ray.error)) return false;
+    if (ahead <= 0.0 || discriminant < -margin) {
+        miss(result, 1);
+        return true;
+    }
+    if (!(discriminant > 4.0 * margin)) return false;
+    const double root = std::sqrt(discriminant), both = 1.0 / (ray.radius * ray.motion_sq), inverse = both * ray.radius;
+    const DVec2 normal = -both * (root * v + aside * perp(v));
+    enter(result, 1, (ahead - root) * inverse, doubt_sq / root + ray.error * ray.way * inverse, normal,
+          ray.position + (on_core + ray.radius * normal));
+    return true;
+}
+
+// Each vertex as the ray sees it, a vertex a lane: its side of the line, and how far on it is; both times |v| |q|^2. In
+// the shape's own axes, scaled by |q|^2, where the vertices need no rotation.
+template <int N>
+struct SeenVertices {
+    double scale;  // |q|^2
+    DoubleLanes<N> side;
+    DoubleLanes<N> ahead;
+};
+
+template <int N>
+TUMBLE_LANE_FUNCTION SeenVertices<N> see(const Core& core, DVec2 offset, DVec2 motion) {
+    const double scale = core.c * core.c + core.s * core.s;
+    const DVec2 o = core.turned_back(offset), v = core.turned_back(motion);
+    const DoubleLanes<N> x = scale * load_widened<N>(core.x) - DoubleLanes<N>(o.x),
+                         y = scale * load_widened<N>(core.y) - DoubleLanes<N>(o.y);
+    return {scale, v.x * y - v.y * x, v.x * x + v.y * y};
+}
+
+// Where the line crosses the face between two vertices, if clearly: by a margin from both ends.
+struct Crossing {
+    double inverse;  // of how far apart the ends are across the line
+    double along;    // 0 at the first vertex, 1 at the second
+    double ahead;
+    bool is_clear;
+};
+
+template <int N>
+TUMBLE_LANE_FUNCTION Crossing cross_face(const SeenVertices<N>& seen, int from, int to, double margin) {
+    const double side_from = seen.side[from], side_to = seen.side[to], inverse = 1.0 / (side_from - side_to);
+    const double along = side_from * inverse;
+    return {inverse, along, seen.ahead[from] + along * (seen.ahead[to] - seen.ahead[from]),
+            std::min(std::abs(side_from), std::abs(side_to)) >= margin};
+}
+
+// The line enters by the face from its left to its right, and leaves by the other one that crosses it.
+template <int N>
+[[gnu::always_inline]] inline bool cast_at_sharp_polygon(const Ray& ray, CastResult& result) {
+    const Core& core = ray.core;
+    const SeenVertices<N> seen = see<N>(core, ray.offset, ray.motion);
+    const auto count = static_cast<unsigned>(core.count), all = (1u << count) - 1u;
+    const unsigned left = ~bits_of(seen.side < DoubleLanes<N>(0.0)) & all,
+                   next_left = ((left >> 1) | (left << (count - 1u))) & all;
+    const unsigned entries = left & ~next_left, exits = ~left & next_left;
+    const double margin = 2.0 * ray.error * ray.way * seen.scale;
+    if (entries == 0) {
+        if (!(smallest(larger(seen.side, DoubleLanes<N>(0.0) - seen.side)) > margin)) return false;
+        miss(result, core.count);
+        return true;
+    }
+    if (!std::has_single_bit(entries)) return false;
+    const int from = std::countr_zero(entries), to = core.next(from);
+    const int exit_from = std::countr_zero(exits);
+    const Crossing entry = cross_face(seen, from, to, margin),
+                   exit = cross_face(seen, exit_from, core.next(exit_from), margin);
+    if (!entry.is_clear || !exit.is_clear) return false;
+    if (exit.ahead < -margin) {
+        miss(result, core.count);
+        return true;
+    }
+    if (!(entry.ahead > margin)) return false;
+    const DVec2 edge = core.edge(from, to);
+    const double edge_length = length(edge), inverse_length = 1.0 / edge_length;
+    // The ends lie |e| s |q|^2 apart across the line where the face closes at the rate s.
+    const double doubt = ray.error * edge_length * seen.scale * entry.inverse;
+    enter(result, core.count, entry.ahead / (seen.scale * ray.motion_sq), doubt, inverse_length * -perp(edge),
+          ray.position + (core.point(from) + entry.along * edge));
+    return true;
+}
+
+[[gnu::always_inline]] inline bool cast_at_clear(const Ray& ray, CastResult& result) {
+    const int count = ray.core.count;
+    if (!is_moderate(ray)) return false;
+    if (count == 1) return cast_at_circle(ray, result);
+    if (ray.radius != 0.0 || count < 3 || count > Shape::kInlineVertices) return false;
+    return count <= 4 ? cast_at_sharp_polygon<4>(ray, result) : cast_at_sharp_polygon<8>(ray, result);
+}
+
+[[gnu::always_inline]] inline Ray make_ray(const Shape& shape, const Pose& world_from_shape, DVec2 origin,
+                                           DVec2 translation) {
+    const DVec2 offset = origin - world_from_shape.position;
+    const double radius = shape.radius();
+    const double scale = turned_radius(shape, world_from_shape.rotation) + (std::abs(offset.x) + std::abs(offset.y));
+    return {make_core(shape, world_from_shape.rotation),
+            world_from_shape.position,
+            offset,
+            translation,
+            length_sq(translation),
+            std::abs(translation.x) + std::abs(translation.y),
+            radius,
+            scale,
+            16.0 * kUnitRoundoff * (scale + radius)};
+}
+
+// Makes the ray anew: handed over, it would have to pass through memory in the clear cases as well.
+[[gnu::noinline]] CastResult cast_in_general(const Shape& shape, const Pose& world_from_shape, DVec2 origin,
+                                             DVec2 translation) {
+    static constexpr float kPoint = 0.0f;
+    const Ray ray = make_ray(shape, world_from_shape, origin, translation);
+    const CorePair pair{ray.core, {&kPoint, &kPoint, 1, 1.0, 0.0, nullptr, true}, ray.offset, ray.scale};
+    if (!is_valid(pair, shape, shape) || !is_valid_motion(ray.motion)) return invalid_cast();
+    const CastPath path = make_path(pair, ray.motion, ray.radius);
+    return cast_result(clip_path(pair, path), path, pair.a, ray.radius, ray.position);
+}
+
+}  // namespace
+
+CastResult cast_ray(const Shape& shape, const Pose& world_from_shape, DVec2 origin, DVec2 translation) noexcept {
+    // One result for all returns: a second one would be copied whole.
+    CastResult result;
+    const bool is_clear = cast_at_clear(make_ray(shape, world_from_shape, origin, translation), result);
+    if (!is_clear) result = cast_in_general(shape, world_from_shape, origin, translation);
+    return result;
+}
+
+}  // namespace tumble

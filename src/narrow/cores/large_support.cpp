@@ -1,0 +1,65 @@
+#include "narrow/cores/large_support.hpp"
+
+#include "shape/edge_angles.hpp"
+
+namespace tumble {
+
+namespace {
+
+// The first edge, counted from `first_edge`, that is not before the angle; their number if all are. Its sector of the
+// circle leaves one edge or two to look at, where edges are about as long as each other, and is bisected else.
+std::size_t first_not_before(const LargePolygon& polygon, double angle) {
+    const std::size_t sector = sector_of(angle, polygon.edges_before.size() - 1);
+    std::size_t first = polygon.edges_before[sector];
+    for (std::size_t left = polygon.edges_before[sector + 1] - first; left > 1;) {
+        const std::size_t half = left / 2;
+        first += polygon.edge_angles[first + half - 1] < angle ? half : 0;
+        left -= half;
+    }
+    return first < polygon.edge_angles.size() ? first + (polygon.edge_angles[first] < angle) : first;
+}
+
+// The same edge, looked for beside `near` first: distances of 1000-gons then take 120 ns warm, 140 without, and 450
+// cold, 490 without.
+std::size_t first_not_before(const LargePolygon& polygon, double angle, std::size_t near) {
+    constexpr int kSteps = 4;
+    const std::vector<double>& angles = polygon.edge_angles;
+    for (int step = 0; step < kSteps; ++step) {
+        const bool is_after =
+            near < angles.size() && angles[near]<angle, is_before = near> 0 && !(angles[near - 1] < angle);
+        if (!is_after && !is_before) return near;
+        near = is_after ? near + 1 : near - 1;
+    }
+    return first_not_before(polygon, angle);
+}
+
+// By steps to the higher neighbour, whose heights round less than the angles of edges.
+int climb(const LargePolygon& polygon, DVec2 direction, int from) {
+    const int count = static_cast<int>(polygon.x.size());
+    const auto next = [count](int i) { return i + 1 < count ? i + 1 : 0; };
+    const auto previous = [count](int i) { return i > 0 ? i - 1 : count - 1; };
+    const auto rise = [&](int at, int to) {  // along the edge; its coordinates are exact or round once
+        const auto i = static_cast<std::size_t>(at), j = static_cast<std::size_t>(to);
+        return direction.x * (static_cast<double>(polygon.x[j]) - polygon.x[i]) +
+               direction.y * (static_cast<double>(polygon.y[j]) - polygon.y[i]);
+    };
+    int at = from;
+    int steps = count;  // for a direction of zero or infinity
+    while (steps-- > 0 && rise(at, next(at)) > 0.0) at = next(at);
+    while (steps-- > 0 && rise(at, previous(at)) > 0.0) at = previous(at);
+    return at;
+}
+
+}  // namespace
+
+int large_support(const LargePolygon& polygon, DVec2 direction, int near) {
+    const int count = static_cast<int>(polygon.x.size());
+    const int edge = near - polygon.first_edge;
+    // Edges rise until they point a quarter turn to the left of the direction.
+    const auto falling = static_cast<int>(first_not_before(polygon, square_angle(perp(direction)),
+                                                           static_cast<std::size_t>(edge < 0 ? edge + count : edge)));
+    const int at = polygon.first_edge + falling;
+    return climb(polygon, direction, at < count ? at : at - count);
+}
+
+}  // namespace tumble

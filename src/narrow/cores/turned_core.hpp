@@ -1,0 +1,31 @@
+// A small core with all its vertices turned into world axes at once, a vertex a lane.
+#pragma once
+
+#include "narrow/cores/core_pair.hpp"
+#include "simd/double_lanes.hpp"
+
+namespace tumble {
+
+// At most N vertices; the lanes beyond repeat vertex 0, which is never chosen before vertex 0 itself.
+template <int N>
+struct TurnedCore {
+    DoubleLanes<N> x;  // relative to the body's position; the same bits as Core::point()
+    DoubleLanes<N> y;
+};
+
+template <int N>
+TUMBLE_LANE_FUNCTION TurnedCore<N> turn(const Core& core) {
+    const DoubleLanes<N> x = load_widened<N>(core.x), y = load_widened<N>(core.y);
+    return {core.c * x - core.s * y, core.s * x + core.c * y};
+}
+
+// Both cores, by index: 0 is A, 1 is B.
+template <int N>
+using TurnedPair = TurnedCore<N>[2];
+
+template <int N>
+TUMBLE_LANE_FUNCTION DoubleLanes<N> heights(const TurnedCore<N>& core, double direction_x, double direction_y) {
+    return direction_x * core.x + direction_y * core.y;
+}
+
+}  // namespace tumble

@@ -1,0 +1,113 @@
+// The core distance by the shortest way that the sizes of the cores allow.
+//
+// `finish` makes the caller's answer of the CoreDistance and is inlined: a struct that had to pass through memory would
+// cost more than the arithmetic, as its halves are stored one by one and read together.
+#pragma once
+
+#include "narrow/distance/small_features.hpp"
+
+namespace tumble {
+
+// For at most eight vertices where the leading face does not decide: parallel faces, contact within rounding.
+CoreDistance search_small_cores(const CorePair& pair, SimplexCache* cache);
+
+// GJK for any number of vertices, and for outlines that are not convex.
+CoreDistance measure_any_cores(const CorePair& pair, SimplexCache* cache);
+
+[[gnu::always_inline]] inline bool measure_points(const CorePair& pair, CoreDistance& result) {
+    const DVec2 a = pair.a.point(0), b = pair.b.point(0);
+    const double x = -((a.x - b.x) - pair.offset.x), y = -((a.y - b.y) - pair.offset.y);
+    const double distance = std::sqrt(x * x + y * y);
+    result.distance = distance;
+    result.lower = distance - error_bound(pair);
+    result.upper = distance + error_bound(pair);
+    result.direction.x = x;
+    result.direction.y = y;
+    result.normal.x = x / distance;
+    result.normal.y = y / distance;
+    result.on_a.x = a.x;
+    result.on_a.y = a.y;
+    result.on_b.x = b.x;
+    result.on_b.y = b.y;
+    result.pair_count = 1;
+    result.iterations = 1;
+    return distance > 0.0;
+}
+
+// What the leading face, measured, says: it is the answer if the foot is inside, else the vertex that it ends with.
+// Where faces are equally separated, no vertex: which one is tried would depend on the order of the shapes.
+enum class Decision { face, vertex, none };
+
+[[gnu::always_inline]] inline Decision decide(Foot foot, bool leads_alone, const CoreDistance& by_face) {
+    const bool is_apart = by_face.lower > 0.0;
+    if (foot == Foot::inside) return is_apart || by_face.overlap ? Decision::face : Decision::none;
+    return is_apart && leads_alone ? Decision::vertex : Decision::none;
+}
+
+[[gnu::always_inline]] inline VertexPair end_of(const OwnedFace& face, Foot foot) {
+    return pair_of_owner(face.is_b, foot == Foot::beyond_first ? face.from : face.to, face.nearest);
+}
+
+// The face between two pairs, if they are the ends of one and the nearest point lies in it. Any pairs are safe.
+template <int N>
+TUMBLE_LANE_FUNCTION bool measure_by_ends(const CorePair& pair, VertexPair first, VertexPair second,
+                                          CoreDistance& result) {
+    const unsigned is_b = first.a == second.a;
+    const Core* const cores[2] = {&pair.a, &pair.b};
+    const Core& owner = *cores[is_b];
+    const int from = own_vertex(is_b, first), to = own_vertex(is_b, second);
+    const bool is_edge = (from < owner.count) & (owner.next(from) == to) & (from != to);
+    const bool is_face = is_edge & (own_vertex(1 - is_b, first) == own_vertex(1 - is_b, second));
+    return is_face && measure_by_face(pair, find_face<N>(pair, is_b, from), result) == Foot::inside &&
+           result.lower > 0.0;
+}
+
+[[gnu::always_inline]] inline void store(const CoreDistance& core, SimplexCache& cache) {
+    cache.pairs[0].a = core.pairs[0].a;
+    cache.pairs[0].b = core.pairs[0].b;
+    cache.pairs[1].a = core.pairs[1].a;
+    cache.pairs[1].b = core.pairs[1].b;
+    cache.count = static_cast<std::uint8_t>(core.lower > 0.0 ? core.pair_count : 0);
+}
+
+// False where the leading face does not decide.
+template <int N>
+TUMBLE_LANE_FUNCTION bool measure_features(const CorePair& pair, SimplexCache* cache, CoreDistance& result) {
+    result.iterations = 1;
+    if (cache && cache->count == 2 && measure_by_ends<N>(pair, cache->pairs[0], cache->pairs[1], result)) return true;
+    const TurnedPair<N> turned = {turn<N>(pair.a), turn<N>(pair.b)};
+    if (cache && cache->count == 1 && is_in_range(pair, cache->pairs[0]) &&
+        measure_by_vertex<N>(pair, turned, cache->pairs[0], result))
+        return true;
+    result.iterations = 2;
+    const LeadingFaces<N> leading(pair, turned);
+    if (leading.bits == 0) return false;
+    const OwnedFace face = leading.first();
+    const Foot foot = measure_by_face(pair, face, result);
+    const Decision decision = decide(foot, std::has_single_bit(leading.bits), result);
+    if (decision == Decision::vertex) return measure_by_vertex<N>(pair, turned, end_of(face, foot), result);
+    return decision == Decision::face;
+}
+
+template <int N, typename Finish>
+[[gnu::noinline]] auto measure_small(const CorePair& pair, SimplexCache* cache, const Finish& finish) {
+    CoreDistance result;
+    if (!measure_features<N>(pair, cache, result)) return finish(search_small_cores(pair, cache));
+    if (cache) store(result, *cache);
+    return finish(result);
+}
+
+// A cache, if given, supplies the first simplex and receives the last.
+template <typename Finish>
+[[gnu::always_inline]] inline auto measure_cores(const CorePair& pair, SimplexCache* cache, const Finish& finish) {
+    const int largest = std::max(pair.a.count, pair.b.count);
+    if (largest == 1) {
+        CoreDistance result;
+        if (measure_points(pair, result)) return finish(result);
+        return finish(search_small_cores(pair, cache));
+    }
+    if (!has_few_faces(pair)) return finish(measure_any_cores(pair, cache));
+    return largest <= 4 ? measure_small<4>(pair, cache, finish) : measure_small<8>(pair, cache, finish);
+}
+
+}  // namespace tumble

@@ -1,0 +1,69 @@
+// The signed distance of small cores by one feature of A - B: measured, and proved or refused. Every way to an answer
+// ends here, so that it has the same bits whichever way it was found.
+#pragma once
+
+#include "narrow/distance/core_distance.hpp"
+#include "narrow/faces/leading_faces.hpp"
+
+namespace tumble {
+
+// By a vertex of A - B, a of A and b of B: for the direction from it to the origin no other one is higher, within
+// rounding.
+template <int N>
+TUMBLE_LANE_FUNCTION bool measure_by_vertex(const CorePair& pair, const TurnedPair<N>& turned, VertexPair at,
+                                            CoreDistance& result) {
+    const double a_x = turned[0].x[at.a], a_y = turned[0].y[at.a], b_x = turned[1].x[at.b], b_y = turned[1].y[at.b];
+    const double x = to_origin(a_x, b_x, pair.offset.x), y = to_origin(a_y, b_y, pair.offset.y);
+    const VertexMeasure<double> measured = measure_vertex(
+        x, y, largest(heights(turned[0], x, y)), smallest(heights(turned[1], x, y)), pair.offset.x, pair.offset.y);
+    result.distance = measured.distance;
+    result.lower = measured.proved - error_bound(pair);
+    result.upper = measured.distance + error_bound(pair);
+    result.direction.x = x;
+    result.direction.y = y;
+    result.normal.x = measured.normal_x;
+    result.normal.y = measured.normal_y;
+    result.on_a.x = a_x;
+    result.on_a.y = a_y;
+    result.on_b.x = b_x;
+    result.on_b.y = b_y;
+    result.pairs[0].a = result.pairs[1].a = at.a;
+    result.pairs[0].b = result.pairs[1].b = at.b;
+    result.pair_count = 1;
+    result.overlap = false;
+    return measured.distance_sq + measured.height <= progress_bound(pair) * measured.distance && result.lower > 0.0;
+}
+
+// Where the foot of the origin lies on a face: between its ends, or beyond one of them.
+enum class Foot { inside, beyond_first, beyond_second };
+
+// The face's separation is a lower bound, and the distance if the foot is inside.
+[[gnu::always_inline]] inline Foot measure_by_face(const CorePair& pair, const OwnedFace& face, CoreDistance& result) {
+    const double sign = kSign[face.is_b];
+    const SeenFace<double>& seen = face.seen;
+    const FaceMeasure<double> measured = measure(seen, sign * pair.offset.x, sign * pair.offset.y);
+    result.distance = seen.separation;
+    result.lower = seen.separation - error_bound(pair);
+    result.upper = seen.separation + error_bound(pair);
+    result.direction.x = sign * seen.outward_x;
+    result.direction.y = sign * seen.outward_y;
+    result.normal.x = sign * measured.normal_x;
+    result.normal.y = sign * measured.normal_y;
+    double on_x[2], on_y[2];
+    on_x[face.is_b] = measured.own_x;
+    on_y[face.is_b] = measured.own_y;
+    on_x[1 - face.is_b] = seen.other_x;
+    on_y[1 - face.is_b] = seen.other_y;
+    result.on_a.x = on_x[0];
+    result.on_a.y = on_y[0];
+    result.on_b.x = on_x[1];
+    result.on_b.y = on_y[1];
+    result.pairs[0] = pair_of_owner(face.is_b, face.from, face.nearest);
+    result.pairs[1] = pair_of_owner(face.is_b, face.to, face.nearest);
+    result.pair_count = 2;
+    result.overlap = result.upper < 0.0;
+    if (measured.before >= 0.0) return Foot::beyond_first;
+    return measured.behind <= 0.0 ? Foot::beyond_second : Foot::inside;
+}
+
+}  // namespace tumble

@@ -1,0 +1,134 @@
+// The faces of many pairs of small cores at once, a pair a lane: the formulas of face_lanes.hpp, turned by a quarter.
+#pragma once
+
+#include <limits>
+#include <utility>
+
+#include "narrow/faces/face_lanes.hpp"
+#include "narrow/faces/feature_formulas.hpp"
+#include "simd/gather_columns.hpp"
+
+namespace tumble {
+
+// As many pairs at once as a register holds: of more, half the numbers would wait in memory.
+inline constexpr int kPairs = DoubleLanes<8>::kWidth;
+using PairLanes = DoubleLanes<kPairs>;
+using PairMask = MaskLanes<kPairs>;
+
+// One core of each pair, of at most N vertices.
+template <int N>
+struct CoreOfPairs {
+    PairLanes c, s;
+    PairLanes reach;  // at least |q| R
+    PairLanes local_x[N], local_y[N];
+    PairLanes x[N], y[N];  // turned, relative to the body's position
+
+    CoreOfPairs(const Shape* const (&shapes)[kPairs], const Pose* const (&poses)[kPairs]) {
+        const float *rows_x[kPairs], *rows_y[kPairs];
+        for (int lane = 0; lane < kPairs; ++lane) {
+            rows_x[lane] = shapes[lane]->x().data();
+            rows_y[lane] = shapes[lane]->y().data();
+        }
+        c = gather_lanes<kPairs>([&](int lane) { return static_cast<double>(poses[lane]->rotation.c); });
+        s = gather_lanes<kPairs>([&](int lane) { return static_cast<double>(poses[lane]->rotation.s); });
+        reach = turned_radius(c, s, gather_lanes<kPairs>([&](int lane) { return shapes[lane]->core_radius(); }));
+        for (int from = 0; from < N; from += 4) {
+            gather_columns(rows_x, from, local_x);
+            gather_columns(rows_y, from, local_y);
+        }
+        for (int i = 0; i < N; ++i) {
+            x[i] = c * local_x[i] - s * local_y[i];
+            y[i] = s * local_x[i] + c * local_y[i];
+        }
+    }
+};
+
+// What CorePair is to one pair.
+template <int N>
+struct CorePairs {
+    CoreOfPairs<N> a;
+    CoreOfPairs<N> b;
+    PairLanes offset_x, offset_y;
+    PairLanes scale;
+
+    CorePairs(const Shape* const (&shapes_a)[kPairs], const Pose* const (&poses_a)[kPairs],
+              const Shape* const (&shapes_b)[kPairs], const Pose* const (&poses_b)[kPairs])
+        : a(shapes_a, poses_a), b(shapes_b, poses_b) {
+        offset_x =
+            gather_lanes<kPairs>([&](int lane) { return poses_b[lane]->position.x - poses_a[lane]->position.x; });
+        offset_y =
+            gather_lanes<kPairs>([&](int lane) { return poses_b[lane]->position.y - poses_a[lane]->position.y; });
+        scale = (a.reach + b.reach) + square_root(offset_x * offset_x + offset_y * offset_y);
+    }
+};
+
+// The face of largest separation of each pair, the first of equals: A's edges count from 0 on, B's from N on.
+template <int N>
+struct LeadingFaceOfPairs {
+    SeenFace<PairLanes> face;  // of separation minus infinity where no edge has a length
+    PairLanes edge;
+    PairLanes nearest;  // the other core's vertex
+    PairMask is_tied;   // another face is as far
+    PairMask is_b;
+
+    PairMask exists() const { return PairLanes(-std::numeric_limits<double>::infinity()) < face.separation; }
+
+    TUMBLE_LANE_FUNCTION explicit LeadingFaceOfPairs(const CorePairs<N>& pairs) {
+        const PairLanes none(0.0);
+        face = {none, none, none, PairLanes(-std::numeric_limits<double>::infinity()), none, none, none,
+                none, none, none};
+        edge = nearest = none;
+        is_tied = none < none;
+        look<0>(pairs.a, pairs.b, pairs.offset_x, pairs.offset_y, std::make_index_sequence<N>());
+        look<N>(pairs.b, pairs.a, -pairs.offset_x, -pairs.offset_y, std::make_index_sequence<N>());
+        is_b = PairLanes(N - 0.5) < edge;
+        find_other(pairs.a, pairs.b, std::make_index_sequence<N>());
+    }
+
+private:
+    // Unrolled: the largest so far, and the lowest, then stay in registers.
+    template <int First, std::size_t... Edge>
+    TUMBLE_LANE_FUNCTION void look(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other, const PairLanes& offset_x,
+                                   const PairLanes& offset_y, std::index_sequence<Edge...>) {
+        (look_at<First, Edge>(own, other, offset_x, offset_y, std::make_index_sequence<N - 1>()), ...);
+    }
+
+    template <int First, int Edge, std::size_t... Vertex>
+    TUMBLE_LANE_FUNCTION void look_at(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other, const PairLanes& offset_x,
+                                      const PairLanes& offset_y, std::index_sequence<Vertex...>) {
+        constexpr int kNext = Edge + 1 < N ? Edge + 1 : 0;
+        const PairLanes edge_x = own.local_x[kNext] - own.local_x[Edge],
+                        edge_y = own.local_y[kNext] - own.local_y[Edge];
+        const PairLanes x = outward_x_of(own.c, own.s, edge_x, edge_y), y = outward_y_of(own.c, own.s, edge_x, edge_y);
+        LowestLanes<kPairs> lowest{x * other.x[0] + y * other.y[0]};
+        (take_lower(lowest, x * other.x[Vertex + 1] + y * other.y[Vertex + 1], Vertex + 1), ...);
+        const PairLanes length = square_root(x * x + y * y);
+        const PairLanes separation =
+            separation_along(x, y, length, lowest.value, own.x[Edge], own.y[Edge], offset_x, offset_y);
+        const PairMask is_larger = face.separation < separation;
+        is_tied = (face.separation == separation) | (is_tied & ~is_larger);
+        replace(face.separation, is_larger, separation);
+        replace(face.outward_x, is_larger, x);
+        replace(face.outward_y, is_larger, y);
+        replace(face.length, is_larger, length);
+        replace(face.first_x, is_larger, own.x[Edge]);
+        replace(face.first_y, is_larger, own.y[Edge]);
+        replace(face.second_x, is_larger, own.x[kNext]);
+        replace(face.second_y, is_larger, own.y[kNext]);
+        replace(edge, is_larger, PairLanes(First + Edge));
+        replace(nearest, is_larger, lowest.index);
+    }
+
+    template <std::size_t... Vertex>
+    TUMBLE_LANE_FUNCTION void find_other(const CoreOfPairs<N>& a, const CoreOfPairs<N>& b,
+                                         std::index_sequence<Vertex...>) {
+        const auto take = [&](int vertex) __attribute__((always_inline)) {
+            const PairMask is_here = nearest == PairLanes(vertex);
+            replace(face.other_x, is_here, select(is_b, a.x[vertex], b.x[vertex]));
+            replace(face.other_y, is_here, select(is_b, a.y[vertex], b.y[vertex]));
+        };
+        (take(Vertex), ...);
+    }
+};
+
+}  // namespace tumble

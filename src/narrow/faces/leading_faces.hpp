@@ -1,0 +1,95 @@
+// The faces of largest separation of small cores, by their indices and numbers.
+//
+// Which core owns a face, and which edge it is, is as good as random: both are chosen by index, since a branch would be
+// mispredicted half the time.
+#pragma once
+
+#include <bit>
+#include <limits>
+
+#include "narrow/faces/face_lanes.hpp"
+#include "narrow/faces/feature_formulas.hpp"
+
+namespace tumble {
+
+// What B sees where A sees x, by who owns a face: 0 for A, 1 for B.
+inline constexpr double kSign[2] = {1.0, -1.0};
+
+// A face of A - B by its indices and numbers.
+struct OwnedFace {
+    unsigned is_b;  // the owner
+    int from;       // the ends of its edge
+    int to;
+    int nearest;  // the other core's vertex
+    SeenFace<double> seen;
+};
+
+// One face by its owner and its edge's first vertex; the numbers are those that faces_of() finds for it.
+template <int N>
+TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, int from) {
+    const Core* const cores[2] = {&pair.a, &pair.b};
+    const Core& owner = *cores[is_b];
+    const TurnedCore<N> other = turn<N>(*cores[1 - is_b]);
+    const double sign = kSign[is_b], offset_x = sign * pair.offset.x, offset_y = sign * pair.offset.y;
+    const int to = owner.next(from);
+    const DVec2 edge = owner.edge(from, to), first = owner.point(from), second = owner.point(to);
+    const double x = edge.y, y = -edge.x;
+    const DoubleLanes<N> of_other = heights(other, x, y);
+    const double lowest = smallest(of_other);
+    const int nearest = std::countr_zero(bits_of(of_other == DoubleLanes<N>(lowest)));
+    const double own_height = x * first.x + y * first.y;
+    const double gap = (lowest - own_height) + (offset_x * x + offset_y * y);
+    const double length = std::sqrt(x * x + y * y);
+    return {is_b,
+            from,
+            to,
+            nearest,
+            {x, y, length, gap / length, first.x, first.y, second.x, second.y, other.x[nearest], other.y[nearest]}};
+}
+
+// The faces of largest separation.
+template <int N>
+struct LeadingFaces {
+    const CorePair& pair;
+    const TurnedPair<N>& turned;
+    FaceLanes<N> of_a;
+    FaceLanes<N> of_b;
+    double separation;
+    unsigned bits;  // the edges of A from bit 0 on, those of B from bit N on; none if no edge has a length
+
+    TUMBLE_LANE_FUNCTION LeadingFaces(const CorePair& cores, const TurnedPair<N>& turned_cores);
+    TUMBLE_LANE_FUNCTION OwnedFace first() const;
+};
+
+template <int N>
+LeadingFaces<N>::LeadingFaces(const CorePair& cores, const TurnedPair<N>& turned_cores)
+    : pair(cores),
+      turned(turned_cores),
+      of_a(faces_of(cores.a, turned_cores[0], turned_cores[1], cores.offset.x, cores.offset.y)),
+      of_b(faces_of(cores.b, turned_cores[1], turned_cores[0], -cores.offset.x, -cores.offset.y)),
+      separation(largest(larger(of_a.separation, of_b.separation))),
+      bits(bits_of(of_a.separation == DoubleLanes<N>(separation)) |
+           bits_of(of_b.separation == DoubleLanes<N>(separation)) << N) {
+    if (!(separation > -std::numeric_limits<double>::infinity())) bits = 0;
+}
+
+template <int N>
+OwnedFace LeadingFaces<N>::first() const {
+    const unsigned bit = static_cast<unsigned>(std::countr_zero(bits)), is_b = bit >= N;
+    const int from = static_cast<int>(bit % N);
+    const Core* const cores[2] = {&pair.a, &pair.b};
+    const FaceLanes<N>* const faces[2] = {&of_a, &of_b};
+    const FaceLanes<N>& face = *faces[is_b];
+    const TurnedCore<N>& own = turned[is_b];
+    const TurnedCore<N>& other = turned[1 - is_b];
+    const int to = cores[is_b]->next(from), nearest = static_cast<int>(face.nearest[from]);
+    const double x = face.outward_x[from], y = face.outward_y[from];
+    return {is_b,
+            from,
+            to,
+            nearest,
+            {x, y, face.length[from], separation, own.x[from], own.y[from], own.x[to], own.y[to], other.x[nearest],
+             other.y[nearest]}};
+}
+
+}  // namespace tumble

@@ -1,0 +1,59 @@
+// Contact points from the closest feature: one where corners meet, else the facing edge clipped against a reference
+// edge.
+#include "tumble/manifold.hpp"
+
+#include "narrow/distance/measure_cores.hpp"
+#include "narrow/manifold/edge_manifold.hpp"
+
+namespace tumble {
+
+namespace {
+
+Manifold corner_manifold(const CorePair& pair, const ContactFeature& core, double radius_a, double radius_b) {
+    const VertexPair at = core.pairs[0];
+    const double separation = core.distance - (radius_a + radius_b);
+    const DVec2 middle = pair.a.point(at.a) + (radius_a + 0.5 * separation) * core.normal;
+    Manifold manifold;
+    manifold.normal = to_float(core.normal);
+    manifold.point_count = 1;
+    manifold.points[0] = {to_float(middle), to_float(middle - pair.offset), static_cast<float>(separation),
+                          contact_feature(at.a, at.b)};
+    return manifold;
+}
+
+// Out of line and by reference: what is needed of the core distance is written and read number by number.
+[[gnu::noinline]] Manifold manifold_of(const CorePair& pair, const ContactFeature& core, double radius_a,
+                                       double radius_b, double speculative_distance, SimplexCache& cache) {
+    if (core.distance - (radius_a + radius_b) > speculative_distance) return {};
+    const double tolerance = kReferenceTolerance * speculative_distance;
+    const ReferenceEdge reference = choose_reference_edge(pair, core, cache, tolerance);
+    cache.reference_side = reference.side;
+    cache.reference_edge = static_cast<std::uint16_t>(reference.edge);
+    if (reference.side == Side::none) return corner_manifold(pair, core, radius_a, radius_b);
+    const Skins skins = reference.side == Side::a ? Skins{radius_a, radius_b} : Skins{radius_b, radius_a};
+    return edge_manifold(pair, reference, skins, speculative_distance, tolerance);
+}
+
+}  // namespace
+
+Manifold collide(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                 double speculative_distance, SimplexCache& cache) noexcept {
+    const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
+    if (!is_valid(pair, a, b)) return {};
+    return measure_cores(
+        pair, &cache, [&](const CoreDistance& core) __attribute__((always_inline)) {
+            ContactFeature feature;
+            feature.distance = core.distance;
+            feature.normal.x = core.normal.x;
+            feature.normal.y = core.normal.y;
+            feature.pairs[0].a = core.pairs[0].a;
+            feature.pairs[0].b = core.pairs[0].b;
+            feature.pairs[1].a = core.pairs[1].a;
+            feature.pairs[1].b = core.pairs[1].b;
+            feature.pair_count = core.pair_count;
+            cache.iterations = static_cast<std::uint16_t>(core.iterations);
+            return manifold_of(pair, feature, a.radius(), b.radius(), speculative_distance, cache);
+        });
+}
+
+}  // namespace tumble

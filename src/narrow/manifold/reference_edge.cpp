@@ -1,0 +1,113 @@
+#include "narrow/manifold/reference_edge.hpp"
+
+#include "narrow/distance/small_features.hpp"
+
+namespace tumble {
+
+namespace {
+
+const Core& core_of(const CorePair& pair, Side side) { return side == Side::a ? pair.a : pair.b; }
+
+FoundFace face_of(const CorePair& pair, ReferenceEdge reference) {
+    return reference.side == Side::a ? face_of_a(pair, reference.edge) : face_of_b(pair, reference.edge);
+}
+
+// The edge between two neighbours whose outward normal points along `outward`; none for vertices that are no
+// neighbours.
+ReferenceEdge edge_between_vertices(const Core& core, Side side, int first, int second, DVec2 outward) {
+    const bool is_forward = dot(-perp(core.edge(first, second)), outward) > 0.0;
+    const int from = is_forward ? first : second, to = is_forward ? second : first;
+    return core.next(from) == to ? ReferenceEdge{side, from, -1, {}} : ReferenceEdge{};
+}
+
+// Corners meet squarely where the face beside one of them is within a hundredth of a radian of the normal: two points
+// keep a stack of equal boxes upright, one would not.
+ReferenceEdge square_edge_at(const Core& core, Side side, int vertex, DVec2 outward) {
+    constexpr double kSquareCosine = 1.0 - 0.5e-4;
+    for (const int edge : {core.previous(vertex), vertex}) {
+        const DVec2 direction = -perp(core.edge(edge, core.next(edge)));
+        if (dot(direction, outward) > kSquareCosine * length(direction)) return {side, edge, -1, {}};
+    }
+    return {};
+}
+
+// By the direction of the face: its ends come in either order, and the two edges of a segment have the same ends.
+ReferenceEdge edge_of_face(const CorePair& pair, const Face& face) {
+    const bool is_on_a = face.pairs[0].b == face.pairs[1].b && pair.a.count > 1;
+    const int from = is_on_a ? face.pairs[0].a : face.pairs[0].b, to = is_on_a ? face.pairs[1].a : face.pairs[1].b;
+    const Side side = is_on_a ? Side::a : Side::b;
+    return edge_between_vertices(core_of(pair, side), side, from, to, kSign[!is_on_a] * face.direction);
+}
+
+ReferenceEdge deepest_edge(const CorePair& pair) {
+    const FoundFace deepest = deepest_face(pair);
+    return deepest.exists ? edge_of_face(pair, deepest.face) : ReferenceEdge{};
+}
+
+ReferenceEdge edge_at_corners(const CorePair& pair, const ContactFeature& core, double tolerance) {
+    if (core.distance <= tolerance) return deepest_edge(pair);  // too near for the direction between them to be steady
+    if (pair.a.count == 1 || pair.b.count == 1) return {};
+    const VertexPair at = core.pairs[0];
+    const ReferenceEdge found = square_edge_at(pair.a, Side::a, at.a, core.normal);
+    return found.side != Side::none ? found : square_edge_at(pair.b, Side::b, at.b, -core.normal);
+}
+
+void set(ReferenceEdge& edge, const ReferenceEdge& found) {
+    edge.side = found.side;
+    edge.edge = found.edge;
+    edge.nearest = found.nearest;
+    edge.normal.x = found.normal.x;
+    edge.normal.y = found.normal.y;
+}
+
+void set_edge_of_face(const CorePair& pair, const ContactFeature& core, ReferenceEdge& edge) {
+    const VertexPair first = core.pairs[0], second = core.pairs[1];
+    const bool is_on_a = first.a != second.a;
+    const Side side = is_on_a ? Side::a : Side::b;
+    const int from = is_on_a ? first.a : first.b, to = is_on_a ? second.a : second.b;
+    const double sign = kSign[!is_on_a];
+    const DVec2 outward{sign * core.normal.x, sign * core.normal.y};
+    const Core& owner = core_of(pair, side);
+    if (owner.count > 2 && owner.next(from) == to) {
+        edge.side = side;
+        edge.edge = from;
+    } else {
+        set(edge, edge_between_vertices(owner, side, from, to, outward));
+    }
+    if (edge.side == Side::none) return set(edge, deepest_edge(pair));
+    const bool is_rigid = first.a == second.a || first.b == second.b;
+    if (!is_rigid) return;
+    edge.nearest = is_on_a ? first.b : first.a;
+    edge.normal.x = outward.x;
+    edge.normal.y = outward.y;
+}
+
+bool is_usable(const CorePair& pair, ReferenceEdge reference) {
+    if (reference.side != Side::a && reference.side != Side::b) return false;
+    const Core& core = core_of(pair, reference.side);
+    return core.count > 1 && reference.edge < core.count;
+}
+
+}  // namespace
+
+// One edge, written number by number: a structure that is stored by parts and copied whole waits for them.
+ReferenceEdge choose_reference_edge(const CorePair& pair, const ContactFeature& core, const SimplexCache& cache,
+                                    double tolerance) {
+    ReferenceEdge best;
+    if (pair.a.count == 1 && pair.b.count == 1) return best;
+    if (core.pair_count == 1) {
+        set(best, edge_at_corners(pair, core, tolerance));
+    } else {
+        set_edge_of_face(pair, core, best);
+    }
+    const int other_side = static_cast<int>(cache.reference_side) - static_cast<int>(best.side);
+    const int other_edge = static_cast<int>(cache.reference_edge) - best.edge;
+    if ((other_side | other_edge) == 0 || best.side == Side::none) return best;
+    const ReferenceEdge previous{cache.reference_side, cache.reference_edge, -1, {}};
+    if (!is_usable(pair, previous)) return best;
+    const FoundFace kept = face_of(pair, previous);
+    if (kept.exists && kept.face.separation >= core.distance - tolerance) set(best, previous);
+    return best;
+}
+
+}  // namespace tumble

@@ -1,0 +1,28 @@
+// Which edge a manifold is clipped against, if any.
+#pragma once
+
+#include "narrow/distance/core_distance.hpp"
+
+namespace tumble {
+
+struct ReferenceEdge {
+    Side side = Side::none;  // none: two corners meet
+    int edge = 0;            // by its first vertex
+    int nearest = -1;        // the other core's vertex that is nearest to its line; -1 if it is not known
+    DVec2 normal;            // unit, out of the owner; if `nearest` is known
+};
+
+// What a manifold needs of a core distance.
+struct ContactFeature {
+    double distance;
+    DVec2 normal;
+    VertexPair pairs[2];
+    int pair_count;
+};
+
+// The edge that holds the closest feature, the deepest face, or the cached one if its separation is within `tolerance`
+// of theirs.
+ReferenceEdge choose_reference_edge(const CorePair& pair, const ContactFeature& core, const SimplexCache& cache,
+                                    double tolerance);
+
+}  // namespace tumble

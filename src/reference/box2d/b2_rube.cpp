@@ -1,0 +1,176 @@
+#include "reference/box2d/b2_rube.hpp"
+
+#include <box2d/box2d.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tumble/file.hpp"
+#include "tumble/scene_world.hpp"
+
+namespace tumble::reference {
+
+namespace {
+
+using Json = nlohmann::json;
+
+// A number, or the bit pattern of one as 8 hexadecimal digits.
+float to_number(const Json& value) {
+    if (value.is_string())
+        return std::bit_cast<float>(static_cast<std::uint32_t>(std::stoul(value.get<std::string>(), nullptr, 16)));
+    return value.is_number() ? value.get<float>() : 0.0f;
+}
+
+float number(const Json& object, const char* key, float missing = 0.0f) {
+    return object.contains(key) ? to_number(object[key]) : missing;
+}
+
+b2Vec2 vector(const Json& object, const char* key) {
+    if (!object.contains(key) || !object[key].is_object()) return {0.0f, 0.0f};
+    return {number(object[key], "x"), number(object[key], "y")};
+}
+
+// From the first brace to the last: a JavaScript file has more around the scene.
+Json parse_export(const std::filesystem::path& file) {
+    const std::string text = read_file(file);
+    const std::size_t open = text.find('{'), close = text.rfind('}');
+    if (open == std::string::npos || close == std::string::npos || close < open)
+        throw std::runtime_error(file.string() + ": is no R.U.B.E. export");
+    return Json::parse(text.begin() + static_cast<std::ptrdiff_t>(open),
+                       text.begin() + static_cast<std::ptrdiff_t>(close) + 1);
+}
+
+// Its mass data replaces that of its fixtures, which are not needed then.
+b2Body* add_body(b2World& world, const Json& json) {
+    b2BodyDef def;
+    def.type = static_cast<b2BodyType>(json.value("type", 0));
+    def.position = vector(json, "position");
+    def.angle = number(json, "angle");
+    def.fixedRotation = json.value("fixedRotation", false);
+    b2Body* body = world.CreateBody(&def);
+    b2MassData mass;
+    mass.mass = number(json, "massData-mass");
+    mass.center = vector(json, "massData-center");
+    mass.I = number(json, "massData-I");
+    body->SetMassData(&mass);
+    return body;
+}
+
+// A joint with the anchors of Box2D's, whose other kinds keep them as its revolute joint does; none for joints without
+// two points of their own.
+b2Joint* add_joint(const Json& json, b2Body& a, b2Body& b, b2World& world) {
+    constexpr std::array<std::string_view, 8> kKinds = {"revolute", "distance", "prismatic", "wheel",
+                                                        "weld",     "rope",     "friction",  "pulley"};
+    if (std::ranges::find(kKinds, json.value("type", "")) == kKinds.end()) return nullptr;
+    b2RevoluteJointDef def;
+    def.bodyA = &a;
+    def.bodyB = &b;
+    def.localAnchorA = vector(json, "anchorA");
+    def.localAnchorB = vector(json, "anchorB");
+    return world.CreateJoint(&def);
+}
+
+// Box2D has no gear between a body and itself.
+b2Joint* add_gear(b2Joint* first, b2Joint* second, b2World& world) {
+    if (first->GetBodyB() == second->GetBodyB()) return nullptr;
+    b2GearJointDef def;
+    def.bodyA = first->GetBodyB();
+    def.bodyB = second->GetBodyB();
+    def.joint1 = first;
+    def.joint2 = second;
+    return world.CreateJoint(&def);
+}
+
+double relative(double ours, double theirs) {
+    const double apart = std::abs(ours - theirs);
+    return apart > 0.0 ? apart / std::abs(theirs) : 0.0;
+}
+
+void compare_bodies(const b2Body& theirs, const BodyMass& ours, ImportDifferences& worst) {
+    const double mass = double{theirs.GetMass()}, inertia = double{theirs.GetInertia()};  // about the origin
+    const b2Vec2 center = theirs.GetLocalCenter();
+    const DVec2 our_center(ours.center);
+    worst.mass = std::max(worst.mass, relative(double{ours.mass}, mass));
+    worst.inertia =
+        std::max(worst.inertia, relative(double{ours.inertia} + double{ours.mass} * length_sq(our_center), inertia));
+    const double apart = length(our_center - DVec2{double{center.x}, double{center.y}});
+    if (apart > 0.0) worst.center = std::max(worst.center, apart / std::sqrt(inertia / mass));
+    ++worst.bodies;
+}
+
+void compare_joint(b2Joint& theirs, const World& world, JointId ours, ImportDifferences& worst) {
+    const std::optional<JointAnchors> anchors = world.joint_anchors(ours);
+    if (!anchors) return;
+    const auto apart = [](DVec2 at, b2Vec2 other) { return length(at - DVec2{double{other.x}, double{other.y}}); };
+    worst.anchor =
+        std::max({worst.anchor, apart(anchors->a, theirs.GetAnchorA()), apart(anchors->b, theirs.GetAnchorB())});
+    ++worst.joints;
+}
+
+bool is_gear(const Json& joint) { return joint.value("type", "") == "gear"; }
+
+bool is_carried_over(const Json& joint) {
+    constexpr std::array<std::string_view, 10> kKinds = {"revolute", "distance", "prismatic", "wheel", "weld",
+                                                         "motor",    "rope",     "friction",  "mouse", "pulley"};
+    const std::string type = joint.value("type", "");
+    if (type == "pulley" && !(number(joint, "ratio") > 0.0f)) return false;
+    return std::ranges::find(kKinds, type) != kKinds.end() && joint.value("bodyA", 0) != joint.value("bodyB", 0);
+}
+
+bool is_carried_over(const Json& gear, const Json& joints) {
+    const auto can_be_geared = [&](const char* key) {
+        const Json& joint = joints.at(gear.value(key, std::size_t{0}));
+        const std::string type = joint.value("type", "");
+        return (type == "revolute" || type == "prismatic") && is_carried_over(joint);
+    };
+    return can_be_geared("joint1") && can_be_geared("joint2") && gear.value("joint1", 0) != gear.value("joint2", 0) &&
+           number(gear, "ratio") != 0.0f;
+}
+
+}  // namespace
+
+ImportDifferences compare_with_box2d(const std::filesystem::path& rube_file, const Scene& imported) {
+    const Json document = parse_export(rube_file);
+    const SceneWorld built = build_world(imported);
+    b2World world({0.0f, 0.0f});
+    ImportDifferences worst;
+    std::vector<b2Body*> bodies;
+    for (const Json& body : document.value("body", Json::array())) bodies.push_back(add_body(world, body));
+    worst.same_count = bodies.size() == built.bodies.size();
+    for (std::size_t i = 0; i < std::min(bodies.size(), built.bodies.size()); ++i) {
+        const BodyId id = built.bodies[i].id;
+        if (built.world.type(id) == BodyType::dynamic_body && built.world.is_enabled(id))
+            compare_bodies(*bodies[i], built.world.mass(id), worst);
+    }
+    std::size_t next = 0;
+    const auto compare_next = [&](b2Joint* theirs) {
+        if (theirs && next < built.joints.size()) compare_joint(*theirs, built.world, built.joints[next].id, worst);
+        ++next;
+    };
+    const Json joints = document.value("joint", Json::array());
+    std::vector<b2Joint*> their_joints;
+    for (const Json& joint : joints) {
+        their_joints.push_back(nullptr);
+        if (!is_carried_over(joint)) continue;
+        their_joints.back() = add_joint(joint, *bodies.at(joint.value("bodyA", std::size_t{0})),
+                                        *bodies.at(joint.value("bodyB", std::size_t{0})), world);
+        compare_next(their_joints.back());
+    }
+    for (const Json& joint : joints)
+        if (is_gear(joint) && is_carried_over(joint, joints))
+            compare_next(add_gear(their_joints[joint.value("joint1", std::size_t{0})],
+                                  their_joints[joint.value("joint2", std::size_t{0})], world));
+    worst.same_count = worst.same_count && next == built.joints.size();
+    return worst;
+}
+
+}  // namespace tumble::reference

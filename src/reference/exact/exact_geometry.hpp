@@ -1,0 +1,66 @@
+// Two cores at their poses in exact integers, and the few geometric facts that the oracle and the checker share.
+//
+// Coordinates are world axes relative to A's position, in units of 2^exponent; c, s and positions are taken literally.
+// Vertices are those of a convex outline in counter-clockwise order; repeated and collinear ones are allowed.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "reference/exact/exact_number.hpp"
+#include "reference/query/pair_query.hpp"
+#include "tumble/distance.hpp"
+
+namespace tumble::reference {
+
+struct ExactPoint {
+    mpz_class x = 0;
+    mpz_class y = 0;
+};
+
+ExactPoint operator-(const ExactPoint& p, const ExactPoint& q);
+bool is_zero(const ExactPoint& p);
+
+struct ExactPair {
+    std::vector<ExactPoint> a;  // [a.vertex_count()]
+    std::vector<ExactPoint> b;  // [b.vertex_count()]
+    int exponent = 0;
+};
+
+// The query must be finite (is_finite(PairQuery)).
+ExactPair exact_pair(const PairQuery& query);
+
+// The vertex of the Minkowski difference with these indices, which must be in range.
+ExactPoint minkowski_vertex(const ExactPair& pair, VertexPair indices);
+
+// h(direction): the maximum of direction . (a - b) over all vertices, by looking at each: O(n + m).
+mpz_class support_value(const ExactPair& pair, const ExactPoint& direction);
+
+// -h / |direction|: no signed core distance is below it. The direction must not be zero, and is in the pair's units.
+SignedRoot separation(const ExactPair& pair, const ExactPoint& direction);
+
+// The distance of the origin from segments of two points of the Minkowski difference (equal ones allowed). One meter
+// measures many segments without allocating for each.
+class SegmentMeter {
+public:
+    explicit SegmentMeter(const ExactPair& pair) { root_.exponent = pair.exponent; }
+
+    // Valid until the next call.
+    const SignedRoot& measure(const ExactPoint& from, const ExactPoint& to);
+
+private:
+    SignedRoot root_;
+    ExactPoint edge_;
+    mpz_class along_;
+};
+
+SignedRoot segment_distance(const ExactPair& pair, const ExactPoint& from, const ExactPoint& to);
+
+void set_difference(ExactPoint& target, const ExactPoint& p, const ExactPoint& q);
+
+// The largest separation over the faces of the Minkowski difference, which is the signed core distance if it is not
+// positive. False if there is no face, both cores being points. O((n + m)^2) up to 64 vertices; beyond, the support
+// vertices are followed around the outlines, O(n + m), which trusts their convexity.
+bool find_deepest_face(const ExactPair& pair, SignedRoot& deepest, bool stop_if_separated);
+
+}  // namespace tumble::reference

@@ -1,0 +1,64 @@
+// Draws layers of primitives with OpenGL 3.3 into an image.
+//
+// The GL objects belong to the context and end with it. One buffer and one vertex array for each kind of primitive;
+// each layer is uploaded and drawn in turn.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "render/canvas/gl_api.hpp"
+#include "render/canvas/glyph_atlas.hpp"
+#include "render/canvas/offscreen_context.hpp"
+#include "render/canvas/primitives.hpp"
+#include "render/canvas/shaders.hpp"
+#include "tumble/render.hpp"
+
+namespace tumble::render {
+
+class Canvas {
+public:
+    // Throws RenderError if there is no context or a program does not compile.
+    Canvas(std::unique_ptr<OffscreenContext> context, int width, int height);
+
+    // Draws the layers in turn into `image`, resized to the canvas.
+    void draw(Color background, std::span<const Layer* const> layers, const GlyphAtlas& atlas, Image& image);
+
+private:
+    // How one member of an instance or a vertex reaches its program.
+    struct Attribute {
+        GLint components;
+        GLenum type;  // GL_FLOAT, or GL_UNSIGNED_BYTE for a colour
+        std::size_t offset;
+    };
+    // A program with the buffer that feeds it.
+    struct Pipeline {
+        GLuint program = 0;
+        GLuint vertex_array = 0;
+        GLuint buffer = 0;
+        GLint to_clip = -1;
+        GLint outline_width = -1;
+    };
+
+    GLuint compile(GLenum stage, const char* name, const std::string& source);
+    Pipeline make_pipeline(const ShaderSource& source, std::span<const Attribute> attributes, std::size_t stride,
+                           bool instanced);
+    void use(const Pipeline& pipeline, double outline_width);
+    void draw_layer(const Layer& layer);
+    template <class Instance>
+    void draw_instances(const Pipeline& pipeline, const std::vector<Instance>& instances, double outline_width);
+    void draw_mesh(const std::vector<MeshVertex>& vertices, double outline_width);
+    void update_atlas(const GlyphAtlas& atlas);
+
+    std::unique_ptr<OffscreenContext> context_;
+    int width_ = 0;
+    int height_ = 0;
+    Image first_;  // what the context is bound to while it is set up
+    GlApi gl_;
+    Pipeline circles_, boxes_, polygons_, rounded_polygons_, mesh_, glyphs_;
+    GLuint atlas_texture_ = 0;
+    std::uint64_t atlas_revision_ = 0;
+};
+
+}  // namespace tumble::render

@@ -1,0 +1,65 @@
+// Text as rectangles of an atlas of glyphs, rasterised by stb_truetype when first used.
+//
+// Glyphs lie on whole pixels of the frame, at one of four quarter-pixel shifts, so that they stay crisp and evenly
+// spaced. What a text looks like does not depend on where its glyphs lie in the atlas.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "render/canvas/primitives.hpp"
+
+namespace tumble::render {
+
+// The first of the files that exists. Throws RenderError that lists them.
+std::filesystem::path find_font(std::span<const std::filesystem::path> candidates);
+
+// Where distributions put DejaVu Sans.
+std::span<const std::filesystem::path> font_candidates();
+
+class GlyphAtlas {
+public:
+    static constexpr int kSize = 512;  // texels a side
+
+    // Throws RenderError if the file is not a font.
+    explicit GlyphAtlas(const std::filesystem::path& font);
+    ~GlyphAtlas();
+    GlyphAtlas(const GlyphAtlas&) = delete;
+    GlyphAtlas& operator=(const GlyphAtlas&) = delete;
+
+    // Width of a line in pixels; `size` is the side of the font's em, as in CSS.
+    double width(std::string_view utf8, double size) const;
+
+    // Appends the glyphs of a line that starts at column `left` (pixels from the frame's left edge) with its baseline
+    // below row `baseline` (from the top). Glyphs that no longer fit into the atlas are left out.
+    void layout(std::string_view utf8, double size, double left, int baseline, int frame_width, int frame_height,
+                Color color, std::vector<GlyphInstance>& out);
+
+    const std::vector<std::uint8_t>& texels() const { return texels_; }  // [kSize][kSize], coverage
+    std::uint64_t revision() const { return revision_; }                 // grows whenever the texels change
+
+private:
+    struct Font;
+    struct Glyph {
+        int x = 0, y = 0, width = 0, height = 0;  // in the atlas
+        int offset_x = 0, offset_y = 0;           // of the top left corner from the pen, y downwards
+        bool stored = false;
+    };
+    using Key = std::tuple<int, int, int>;  // glyph index, size in 1/16 pixels, quarter of a pixel
+
+    const Glyph& find_or_draw(int index, double size, int quarter);
+
+    std::unique_ptr<Font> font_;
+    std::map<Key, Glyph> glyphs_;
+    std::vector<std::uint8_t> texels_;
+    std::uint64_t revision_ = 1;
+    int shelf_x_ = 0, shelf_y_ = 0, shelf_height_ = 0;
+};
+
+}  // namespace tumble::render

@@ -1,0 +1,96 @@
+// What a frame is made of: instances of a few kinds, grouped in layers, in pixels from the middle of the frame, y up.
+//
+// Plain data in the layout in which the canvas uploads it; built without GL.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "render/style/color.hpp"
+
+namespace tumble::render {
+
+struct CircleInstance {
+    float x = 0.0f, y = 0.0f;
+    float radius = 0.0f;
+    Paint paint;
+};
+
+// A rectangle grown by a radius: boxes, capsules (half_y = 0), lines.
+struct BoxInstance {
+    float x = 0.0f, y = 0.0f;            // center
+    float axis_x = 1.0f, axis_y = 0.0f;  // unit vector along the first side
+    float half_x = 0.0f, half_y = 0.0f;  // of the core, without the radius
+    float radius = 0.0f;
+    Paint paint;
+};
+
+// A convex polygon of 3 to 8 vertices grown by a radius, in the frame of a rectangle tight around its core.
+struct PolygonInstance {
+    static constexpr std::size_t kVertices = 8;
+
+    float x = 0.0f, y = 0.0f;            // center of the rectangle
+    float axis_x = 1.0f, axis_y = 0.0f;  // unit vector along its first side
+    float half_x = 0.0f, half_y = 0.0f;  // of the rectangle, without the radius
+    float radius = 0.0f;
+    std::array<float, 2 * kVertices> vertices{};  // x, y in turn; counter-clockwise, padded with vertex 0
+    Paint paint;
+};
+
+// A corner of a triangle; `depth` is the signed distance to the shape's edge, negative inside.
+struct MeshVertex {
+    float x = 0.0f, y = 0.0f;
+    float depth = 0.0f;
+    Paint paint;
+};
+
+// A rectangle of the glyph atlas on whole pixels.
+struct GlyphInstance {
+    float x = 0.0f, y = 0.0f;           // lower left corner
+    float width = 0.0f, height = 0.0f;  // pixels, of the frame and of the atlas alike
+    float atlas_x = 0.0f, atlas_y = 0.0f;
+    Color color;
+};
+
+// Drawn in the order of the members: what comes later covers what came before.
+struct Layer {
+    std::vector<MeshVertex> mesh;  // three to a triangle
+    std::vector<PolygonInstance> polygons;
+    std::vector<PolygonInstance> rounded_polygons;
+    std::vector<BoxInstance> boxes;
+    std::vector<CircleInstance> circles;
+    std::vector<GlyphInstance> glyphs;
+    double outline_width =
+        0.0;  // pixels, of all outlines in the layer; they lie inside the shapes, half inside of joined parts
+
+    void clear() {
+        mesh.clear();
+        polygons.clear();
+        rounded_polygons.clear();
+        boxes.clear();
+        circles.clear();
+        glyphs.clear();
+    }
+};
+
+// A frame, from the lowest layer to the topmost.
+struct DrawList {
+    Color background;
+    Layer grid;
+    Layer ground;   // static bodies
+    Layer sensors;  // of any body
+    Layer bodies;   // all others
+    Layer islands;  // their fills, over the bodies' own
+    Layer details;  // orientation marks and joints
+    Layer overlay;  // what the stepper knows, and what a marking points at
+    Layer labels;
+
+    std::array<Layer*, 8> layers() {
+        return {&grid, &ground, &sensors, &bodies, &islands, &details, &overlay, &labels};
+    }
+    std::array<const Layer*, 8> layers() const {
+        return {&grid, &ground, &sensors, &bodies, &islands, &details, &overlay, &labels};
+    }
+};
+
+}  // namespace tumble::render

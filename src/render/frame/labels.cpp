@@ -1,0 +1,163 @@
+#include "render/frame/labels.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "render/frame/grid.hpp"
+#include "render/style/style.hpp"
+
+namespace tumble::render {
+namespace {
+
+constexpr int kSmallestWidth = 240;  // of a frame with text, pixels
+constexpr int kSmallestHeight = 135;
+constexpr double kPlateOpacity = 0.82;
+constexpr double kPlatePadding = 8.0;  // pixels at 720 rows, as are all lengths below
+constexpr double kLineGap = 3.0;
+constexpr double kAscent =
+    0.93;  // of a line above its baseline, of the font's size, and of the whole line: DejaVu Sans
+constexpr double kLine = 1.17;
+constexpr double kScaleBar = 70.0;    // the least length of the scale bar
+constexpr double kLegendMark = 18.0;  // width of the marks in a legend
+constexpr double kBarEnd = 6.0;       // height of its ends
+
+// Lengths in pixels from the frame's top left corner.
+struct Rectangle {
+    double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
+};
+
+// Seconds with two decimals, whatever the locale.
+std::string seconds(double time) {
+    char text[64];
+    const auto [end, error] = std::to_chars(text, text + sizeof text, time, std::chars_format::fixed, 2);
+    return error == std::errc{} ? std::string(text, end) + " s" : std::string();
+}
+
+class Labels {
+public:
+    Labels(DrawList& list, GlyphAtlas& atlas, const View& view) : list_(list), atlas_(atlas), view_(view) {}
+
+    double pixels(double at_720_rows) const { return at_720_rows * view_.detail(); }
+
+    // Text whose line, as high as its font, has that top left corner.
+    void text(std::string_view text, double size, double left, double top, Color color) {
+        const int baseline = static_cast<int>(std::floor(top + kAscent * size + 0.5));
+        atlas_.layout(text, size, left, baseline, view_.width, view_.height, color, list_.labels.glyphs);
+    }
+
+    void plate(const Rectangle& r) {
+        const double pad = pixels(kPlatePadding);
+        box({r.left - pad, r.top - pad, r.width + 2.0 * pad, r.height + 2.0 * pad}, pad,
+            faded(style::kBackground, kPlateOpacity));
+    }
+
+    void box(const Rectangle& r, double radius, Color color) {
+        BoxInstance box;
+        box.x = static_cast<float>(r.left + 0.5 * r.width - 0.5 * view_.width);
+        box.y = static_cast<float>(0.5 * view_.height - r.top - 0.5 * r.height);
+        box.half_x = static_cast<float>(0.5 * r.width - radius);
+        box.half_y = static_cast<float>(0.5 * r.height - radius);
+        box.radius = static_cast<float>(radius);
+        box.paint = flat(color);
+        list_.labels.boxes.push_back(box);
+    }
+
+    double width(std::string_view text, double size) const { return atlas_.width(text, size); }
+
+private:
+    DrawList& list_;
+    GlyphAtlas& atlas_;
+    const View& view_;
+};
+
+// The title, shortened with an ellipsis until it fits.
+std::string fitted(const Labels& labels, std::string_view title, double size, double room) {
+    std::string text(title);
+    while (!text.empty() && labels.width(text, size) > room) {
+        std::size_t end = text.size();
+        if (text.ends_with("\u2026")) end -= std::string_view("\u2026").size();
+        while (end > 0 && (static_cast<unsigned char>(text[--end]) & 0xc0) == 0x80) continue;
+        text = text.substr(0, end) + (end > 0 ? "\u2026" : "");
+    }
+    return text;
+}
+
+// Lines under each other in the upper left corner: the title larger than the rest.
+void add_heading(Labels& labels, const View& view, const LabelText& text) {
+    struct Line {
+        std::string text;
+        double size;
+        Color color;
+    };
+    const double margin = labels.pixels(style::kMargin), room = view.width - 2.0 * margin;
+    const double title_size = labels.pixels(style::kTitleSize), text_size = labels.pixels(style::kTextSize);
+    std::vector<Line> lines;
+    if (const std::string name = fitted(labels, text.title, title_size, room); !name.empty())
+        lines.push_back({name, title_size, style::kText});
+    lines.push_back({seconds(text.time), text_size, style::kFaintText});
+    for (const std::string& line : text.caption)
+        lines.push_back({fitted(labels, line, text_size, room), text_size, style::kText});
+
+    double width = 0.0, height = -labels.pixels(kLineGap);
+    for (const Line& line : lines) {
+        width = std::max(width, labels.width(line.text, line.size));
+        height += kLine * line.size + labels.pixels(kLineGap);
+    }
+    labels.plate({margin, margin, width, height});
+    double top = margin;
+    for (const Line& line : lines) {
+        labels.text(line.text, line.size, margin, top, line.color);
+        top += kLine * line.size + labels.pixels(kLineGap);
+    }
+}
+
+void add_scale_bar(Labels& labels, const View& view) {
+    const double margin = labels.pixels(style::kMargin), size = labels.pixels(style::kTextSize);
+    const double thickness = std::max(1.0, std::floor(labels.pixels(1.5) + 0.5)), tick = labels.pixels(kBarEnd);
+    const RoundLength round = round_length_from(labels.pixels(kScaleBar) / view.scale);
+    const std::string text = to_string(round);
+    const double length = round.metres() * view.scale, height = kLine * size;
+    const Rectangle area{margin, view.height - margin - height, length + tick + labels.width(text, size), height};
+    labels.plate(area);
+
+    const double bottom = std::floor(area.top + 0.5 * (height + tick));
+    labels.box({area.left, bottom - thickness, length, thickness}, 0.0, style::kFaintText);
+    for (const double left : {area.left, area.left + length - thickness})
+        labels.box({left, bottom - tick, thickness, tick - thickness}, 0.0, style::kFaintText);
+    labels.text(text, size, area.left + length + tick, area.top, style::kFaintText);
+}
+
+// In the lower right corner, a line for each kind of mark.
+void add_legend(Labels& labels, const View& view, std::span<const LegendLine> lines) {
+    if (lines.empty()) return;
+    const double margin = labels.pixels(style::kMargin), size = labels.pixels(style::kTextSize);
+    const double mark = labels.pixels(kLegendMark), row = kLine * size + labels.pixels(kLineGap);
+    double width = 0.0;
+    for (const LegendLine& line : lines) width = std::max(width, labels.width(line.text, size));
+    const double all = mark + labels.pixels(kPlatePadding) + width, height = row * static_cast<double>(lines.size());
+    const Rectangle area{view.width - margin - all, view.height - margin - height, all, height};
+    labels.plate(area);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double top = area.top + row * static_cast<double>(i), middle = top + 0.5 * kLine * size;
+        const bool is_line = lines[i].mark == LegendLine::Mark::line, is_dot = lines[i].mark == LegendLine::Mark::dot;
+        const double thick = is_line ? labels.pixels(2.0) : is_dot ? labels.pixels(7.0) : 0.8 * size;
+        const double wide = is_dot ? thick : mark;
+        labels.box({area.left + 0.5 * (mark - wide), middle - 0.5 * thick, wide, thick}, is_dot ? 0.5 * thick : 0.0,
+                   lines[i].color);
+        labels.text(lines[i].text, size, area.left + mark + labels.pixels(kPlatePadding), top, style::kText);
+    }
+}
+
+}  // namespace
+
+void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, const LabelText& text) {
+    if (view.width < kSmallestWidth || view.height < kSmallestHeight) return;
+    Labels labels(list, atlas, view);
+    add_heading(labels, view, text);
+    add_scale_bar(labels, view);
+    add_legend(labels, view, text.legend);
+}
+
+}  // namespace tumble::render

@@ -1,0 +1,26 @@
+// The text of a frame: the scene's name, the time, a caption, a scale bar, and the legend of an overlay.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/canvas/glyph_atlas.hpp"
+#include "render/canvas/primitives.hpp"
+#include "render/frame/overlay.hpp"
+#include "render/view/view.hpp"
+
+namespace tumble::render {
+
+struct LabelText {
+    std::string_view title;
+    double time = 0.0;  // s
+    std::span<const std::string> caption;
+    std::vector<LegendLine> legend;
+};
+
+// Appends text, and the pale plates under it that keep it readable over bodies. Frames too small for it get none.
+void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, const LabelText& text);
+
+}  // namespace tumble::render

@@ -1,0 +1,71 @@
+#include "render/frame/marking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "render/frame/marks.hpp"
+#include "render/shapes/outline_mesh.hpp"
+#include "render/view/box.hpp"
+
+namespace tumble::render {
+namespace {
+
+constexpr Color kMarked{205, 45, 40};
+
+// Pixels at 720 rows.
+constexpr double kEdge = 3.0;      // width of what is drawn around
+constexpr double kPointer = 26.0;  // length of an arrow at the frame's edge
+constexpr double kInset = 10.0;    // of its tip
+
+void add_edges(Marks& marks, const std::vector<DVec2>& outline) {
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        marks.line(outline[i], outline[(i + 1) % outline.size()], kEdge, kMarked);
+}
+
+// The part of the frame that is well inside it.
+DVec2 half_frame(const View& view, double inset) {
+    return {std::max(0.5 * view.width - inset, 0.0), std::max(0.5 * view.height - inset, 0.0)};
+}
+
+// An arrow at the frame's edge towards something that is out of view.
+void add_pointer(Marks& marks, const View& view, DVec2 target) {
+    const DVec2 half = half_frame(view, marks.pixels(kInset));
+    const double beyond = std::max(std::abs(target.x) / half.x, std::abs(target.y) / half.y);
+    const DVec2 tip = (1.0 / beyond) * target;
+    marks.arrow((1.0 - marks.pixels(kPointer) / length(tip)) * tip, tip, kMarked);
+}
+
+// Whether some of a box is in the frame; if not, an arrow points at it.
+bool is_seen(Marks& marks, const View& view, const Box& box) {
+    const DVec2 half = half_frame(view, 0.0);
+    if (Box{view.to_world(-half), view.to_world(half)}.meets(box)) return true;
+    add_pointer(marks, view, view.to_pixels(box.center()));
+    return false;
+}
+
+void add_region(Marks& marks, const View& view, std::span<const DVec2> corners) {
+    if (!is_seen(marks, view, box_around(corners))) return;
+    std::vector<DVec2> outline;
+    for (const DVec2 corner : corners) outline.push_back(view.to_pixels(corner));
+    add_edges(marks, outline);
+}
+
+void add_body(Marks& marks, const View& view, const World& world, BodyId body) {
+    const Box box = box_of(world, body);
+    if (box.is_empty() || !is_seen(marks, view, box)) return;
+    const Pose pose = world.state(body).pose;
+    for (const ShapeId shape : world.shapes(body)) add_edges(marks, pixel_outline(view, world.shape(shape), pose));
+}
+
+}  // namespace
+
+void add_marking(Layer& layer, const View& view, const World& world, const Marking& marking) {
+    Marks marks(layer, view);
+    for (const std::array<DVec2, 4>& region : marking.regions) add_region(marks, view, region);
+    for (const BodyId body : marking.bodies)
+        if (world.is_valid(body)) add_body(marks, view, world, body);
+}
+
+}  // namespace tumble::render

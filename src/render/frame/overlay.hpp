@@ -1,0 +1,26 @@
+// What the stepper knows, drawn over the shapes: contact points, normals, boxes, islands, velocities, joints.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/canvas/primitives.hpp"
+#include "render/view/view.hpp"
+#include "tumble/render.hpp"
+
+namespace tumble::render {
+
+void add_overlay(DrawList& list, const View& view, const World& world, const Overlay& overlay);
+
+// A line of the legend: what a mark of this colour means.
+struct LegendLine {
+    enum class Mark { dot, line, area };
+    Mark mark;
+    Color color;
+    std::string text;
+};
+
+// Of what the overlay shows, and of the sensors if the world has any. Empty for an empty overlay.
+std::vector<LegendLine> legend_of(const Overlay& overlay, const World& world);
+
+}  // namespace tumble::render

@@ -1,0 +1,16 @@
+// The solid side of a chain, shown as a band that fades away from the line.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/canvas/primitives.hpp"
+#include "render/view/view.hpp"
+
+namespace tumble::render {
+
+// Appends the band on the left of the chain's direction. Points in body coordinates (m).
+void add_chain_band(std::vector<MeshVertex>& mesh, const View& view, std::span<const DVec2> points, bool is_loop,
+                    const Pose& world_from_body, Color color);
+
+}  // namespace tumble::render

@@ -1,0 +1,31 @@
+// Convex shapes as triangles: those with too many vertices, or too large in the frame, for an instance.
+//
+// The outline is cut to the frame in double, then drawn as a strip that straddles it and a fan inside. Depth runs
+// across the strip, so that the same shader blends its edge as for instances, and no two triangles overlap.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/canvas/primitives.hpp"
+#include "render/view/view.hpp"
+#include "tumble/shape.hpp"
+
+namespace tumble::render {
+
+// Appends the triangles of the shape's part in view.
+void add_outline_mesh(std::vector<MeshVertex>& mesh, const View& view, const Shape& shape, const Pose& world_from_shape,
+                      Paint paint);
+
+// Appends the triangles of a convex polygon: points in pixels, counter-clockwise, the outline inside its edge.
+void add_convex_mesh(std::vector<MeshVertex>& mesh, std::span<const DVec2> polygon, double outline_width, Paint paint);
+
+// A closed outline in pixels without points closer than half a pixel to the one before: their edges have no side that
+// could be drawn, and would fade what they bound.
+std::vector<DVec2> thinned(const std::vector<DVec2>& outline);
+
+// The shape's outline in pixels, counter-clockwise, arcs as chords at most a twentieth of a pixel off, points closer
+// than half a pixel left out.
+std::vector<DVec2> pixel_outline(const View& view, const Shape& shape, const Pose& world_from_shape);
+
+}  // namespace tumble::render

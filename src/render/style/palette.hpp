@@ -1,0 +1,47 @@
+// Which colours a scene's bodies have: that of the shape's material if it has one, else by type and name.
+//
+// Moving bodies take the palette's colours in the order in which their names first occur; copies of one body,
+// bodies whose names differ only in digits, and the same body of several copies of a part ("a/arm", "b/arm") share a
+// hue; copies of one body differ a little in lightness.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/style/color.hpp"
+#include "tumble/scene.hpp"
+
+namespace tumble::render {
+
+class Palette {
+public:
+    explicit Palette(const Scene& scene);
+
+    // The paints of all shapes of a body built from Scene::bodies[source], in the order in which they were added.
+    // `ordinal` tells copies of one body apart. Sources are numbered as in SceneInstance.
+    void paint_body(std::size_t source, std::size_t ordinal, std::span<Paint> shapes) const;
+
+private:
+    // How many shapes of the world one entry of SceneBody::shapes became; kOther: those that the others leave.
+    static constexpr std::uint32_t kOther = 0xffffffffu;
+    struct SceneShapeFill {
+        Color fill;
+        std::uint32_t built = 1;
+        bool is_own = false;  // the material's: not shaded
+    };
+    struct Source {
+        std::size_t first_shape = 0;
+        std::size_t shape_count = 0;
+        Color fill;
+        bool is_shaded = false;
+    };
+
+    std::vector<Source> sources_;
+    std::vector<SceneShapeFill> shapes_;
+};
+
+// The line along the edge of that fill.
+Color outline_of(Color fill);
+
+}  // namespace tumble::render

@@ -1,0 +1,54 @@
+// The look of a frame: calm, light, the same in every scene. Lengths are pixels at 720 rows (see View::detail).
+#pragma once
+
+#include <array>
+
+#include "render/style/color.hpp"
+
+namespace tumble::render::style {
+
+inline constexpr Color kBackground{247, 248, 250};
+inline constexpr Color kMinorGrid{238, 240, 244};
+inline constexpr Color kMajorGrid{227, 231, 237};
+
+inline constexpr Color kStatic{203, 209, 218};
+inline constexpr Color kKinematic{136, 149, 171};
+inline constexpr Color kInk{36, 46, 62};        // what fills are mixed with to give their outlines,
+inline constexpr double kOutlineShare = 0.42;   // how much of it,
+inline constexpr double kDarkLuma = 0.4;        // unless they are darker than this: then with the background
+inline constexpr double kInstanceShade = 0.10;  // how much lighter or darker repeated bodies are than each other
+
+// Fills of moving bodies, in the order in which names occur: neighbours differ in hue, all are of like lightness.
+inline constexpr std::array<Color, 8> kBodies{{
+    {104, 154, 211},  // blue
+    {240, 178, 92},   // amber
+    {98, 181, 165},   // teal
+    {228, 127, 108},  // coral
+    {150, 134, 202},  // violet
+    {148, 188, 106},  // green
+    {219, 139, 170},  // rose
+    {193, 164, 123},  // sand
+}};
+
+inline constexpr double kOutline = 1.5;        // width
+inline constexpr double kSegment = 2.5;        // width of a shape without area
+inline constexpr double kBand = 22.0;          // of the solid side of a chain,
+inline constexpr double kBandMetres = 0.6;     // but no wider than this in the world
+inline constexpr double kBandOpacity = 0.4;    // at the line
+inline constexpr double kSensorOpacity = 0.3;  // of the area of a sensor
+inline constexpr double kSensorEdge = 1.6;     // width of its edge,
+inline constexpr double kDash = 6.0;           // the length of its dashes
+inline constexpr double kDashGap = 5.0;        // and of what lies between them
+inline constexpr double kMark = 1.5;           // width of an orientation mark
+inline constexpr double kSmallestMark = 8.0;   // half the smaller extent of a shape below which it has none
+inline constexpr double kAnchor = 3.2;         // radius of a joint's anchor
+
+inline constexpr Color kJoint{74, 85, 104};
+inline constexpr Color kAnchorFill{250, 251, 252};
+inline constexpr Color kText{45, 55, 72};
+inline constexpr Color kFaintText{113, 124, 142};
+inline constexpr double kTitleSize = 16.5;
+inline constexpr double kTextSize = 12.0;
+inline constexpr double kMargin = 20.0;
+
+}  // namespace tumble::render::style

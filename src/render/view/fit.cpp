@@ -1,0 +1,133 @@
+#include "render/view/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+namespace tumble::render {
+namespace {
+
+// Lengths here are shares of the larger side of what moves.
+constexpr double kNear = 1.0;           // things that end this near beside or above it are shown to their ends
+constexpr double kSmall = 1.0;          // and bodies no larger than this that begin there
+constexpr double kCut = 0.1;            // things that go on are shown this far
+constexpr double kGroundShown = 0.06;   // and a thick ground this far below its top
+constexpr double kSunk = 0.02;          // a ground that reaches this far into what lies on it is still below it
+constexpr double kFarthestFall = 40.0;  // how far below a ground is looked for
+constexpr double kRoomForAll = 1.75;    // how much higher a frame may become to show all that never moves
+constexpr double kRoomForWays = 3.0;    // and how much higher than that of the beginning to show where bodies go
+
+// All places that a body can turn to about a point of its own.
+Box swept_box(const World& world, BodyId body, Vec2 pivot) {
+    double radius = 0.0;
+    for (const ShapeId shape : world.shapes(body))
+        radius = std::max(radius, double{farthest_distance(world.shape(shape), pivot)});
+    const DVec2 center = transform_point(world.state(body).pose, pivot);
+    if (!is_finite(center) || !std::isfinite(radius)) return {};
+    return {center - DVec2{radius, radius}, center + DVec2{radius, radius}};
+}
+
+Box moving_box(const World& world) {
+    Box box;
+    for (const BodyId body : world.bodies()) {
+        if (world.type(body) == BodyType::static_body) continue;
+        box.add(box_of(world, body));
+        if (world.state(body).angular_velocity != 0.0f) box.add(swept_box(world, body, world.mass(body).center));
+    }
+    // Rotors, swings and planks turn about their hinges; ropes go up to their wheels.
+    for (const JointId id : world.joints()) {
+        if (const auto* pulley = std::get_if<PulleyJointDef>(&world.joint(id))) {
+            box.add({pulley->ground_anchor_a, pulley->ground_anchor_a});
+            box.add({pulley->ground_anchor_b, pulley->ground_anchor_b});
+        }
+        const auto* hinge = std::get_if<RevoluteJointDef>(&world.joint(id));
+        if (!hinge) continue;
+        if (world.type(hinge->body_a) != BodyType::static_body)
+            box.add(swept_box(world, hinge->body_a, hinge->anchor_a));
+        if (world.type(hinge->body_b) != BodyType::static_body)
+            box.add(swept_box(world, hinge->body_b, hinge->anchor_b));
+    }
+    return box;
+}
+
+// A shape that never moves, with the whole of its body, and whether it can be stood on.
+struct Fixture {
+    Box box;
+    Box body;
+    bool is_solid = true;
+};
+
+std::vector<Fixture> fixtures_of(const World& world) {
+    std::vector<Fixture> fixtures;
+    for (const BodyId body : world.bodies()) {
+        if (world.type(body) != BodyType::static_body) continue;
+        const Pose pose = world.state(body).pose;
+        const Box whole = box_of(world, body);
+        for (const ShapeId shape : world.shapes(body))
+            if (const Box box = box_of(world.shape(shape), pose); !box.is_empty())
+                fixtures.push_back({box, whole, !world.is_sensor(shape)});
+    }
+    return fixtures;
+}
+
+// What moves, grown downwards by what it may fall on and sidewards by what is near.
+Box with_ground(const Box& moving, std::vector<Fixture> grounds, bool falls) {
+    const double size = moving.larger_side();
+    const DVec2 reach{kNear * size, kNear * size};
+    const Box near{moving.lower - DVec2{reach.x, falls ? kFarthestFall * size : reach.y}, moving.upper + reach};
+    // Where a thing's edge is shown: at its end if that is near, else a little beyond what moves.
+    const auto lower_end = [&](double end, double nearest, double edge) {
+        return end >= nearest ? end : std::max(end, edge - kCut * size);
+    };
+    const auto upper_end = [&](double end, double farthest, double edge) {
+        return end <= farthest ? end : std::min(end, edge + kCut * size);
+    };
+    std::stable_sort(grounds.begin(), grounds.end(),
+                     [](const Fixture& a, const Fixture& b) { return a.box.upper.y > b.box.upper.y; });
+    Box box = moving;
+    for (const auto& [ground, body, is_solid] : grounds) {
+        const bool is_near = ground.lower.x <= near.upper.x && ground.upper.x >= near.lower.x &&
+                             ground.lower.y <= near.upper.y && ground.upper.y >= near.lower.y;
+        if (!is_near) continue;
+        if (body.larger_side() <= kSmall * size) box.add(body);
+        const bool is_below = ground.upper.y <= moving.lower.y + kSunk * size;
+        const double bottom = is_below ? std::max(ground.lower.y, ground.upper.y - kGroundShown * size)
+                                       : lower_end(ground.lower.y, moving.lower.y - reach.y, moving.lower.y);
+        box.add({{lower_end(ground.lower.x, near.lower.x, moving.lower.x), bottom},
+                 {upper_end(ground.upper.x, near.upper.x, moving.upper.x),
+                  upper_end(ground.upper.y, near.upper.y, moving.upper.y)}});
+        const bool stops_all = ground.lower.x <= moving.lower.x && ground.upper.x >= moving.upper.x;
+        if (is_solid && is_below && stops_all) break;
+    }
+    return box;
+}
+
+// The box to be shown of a world in which this moves.
+Box shown_box(const Box& moving, const std::vector<Fixture>& fixtures, bool falls, double aspect_ratio) {
+    Box all = moving;
+    for (const Fixture& fixture : fixtures) all.add(fixture.box);
+    if (moving.is_empty()) return all;
+    const Box near = with_ground(moving, fixtures, falls);
+    const bool has_room = height_for(all.size(), aspect_ratio) <= kRoomForAll * height_for(near.size(), aspect_ratio);
+    return has_room ? all : near;
+}
+
+}  // namespace
+
+Box interesting_box(const World& world, const std::vector<BodyWay>& ways, double aspect_ratio) {
+    const std::vector<Fixture> fixtures = fixtures_of(world);
+    const bool falls = world.def().gravity.y < 0.0f;
+    Box moving = moving_box(world);
+    for (const BodyWay& way : ways) moving.add(way.first);
+    const Box start = shown_box(moving, fixtures, falls, aspect_ratio);
+    if (start.is_empty() || ways.empty()) return start;
+    const double reach = 0.5 * kRoomForWays * height_for(start.size(), aspect_ratio);
+    const DVec2 half{aspect_ratio * reach, reach};
+    const Box farthest{start.center() - half, start.center() + half};
+    for (const BodyWay& way : ways)
+        if (farthest.holds(way.all)) moving.add(way.all);
+    return shown_box(moving, fixtures, falls, aspect_ratio);
+}
+
+}  // namespace tumble::render

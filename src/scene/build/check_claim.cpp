@@ -1,0 +1,56 @@
+// Which keys of a claim go together, and whether what it speaks of is there.
+#include "scene/build/check_claim.hpp"
+
+#include <utility>
+
+#include "scene/claims/claims.hpp"
+
+namespace tumble::scene {
+
+void check_expectation(const SceneExpectation& claim, const std::string& pointer, const References& references,
+                       Diagnostics& diagnostics) {
+    if (diagnostics.has_errors_in(pointer)) return;
+    const bool of_body = claim.inside || claim.outside || claim.height || claim.speed || claim.angle ||
+                         !claim.touches.empty() || !claim.never_touches.empty();
+    const bool of_some = claim.count || claim.event_count;  // of a body's copies, or of all
+    const bool of_state = claim.inside || claim.outside || claim.height || claim.speed || claim.angle || claim.count;
+    const auto refuse = [&](bool present, const std::string& key, const std::string& reason) {
+        if (present) diagnostics.error(pointer + '/' + key, reason);
+    };
+    if (of_body) references.body_or_copies(claim.body, pointer, "body");
+    if (of_some && !claim.body.empty()) references.body_or_copies(claim.body, pointer, "body");
+    refuse(!of_body && !of_some && !claim.body.empty(), "body", "belongs to claims of a body, of counts and of events");
+    if (!claim.touches.empty()) references.body_or_copies(claim.touches, pointer, "touches");
+    if (!claim.never_touches.empty()) references.body_or_copies(claim.never_touches, pointer, "never_touches");
+    if (!claim.joint.empty()) references.joint(claim.joint, pointer, "joint", true);
+    refuse(!claim.joint.empty() && !claim.max_joint_error, "joint", "belongs to 'max_joint_error'");
+    if (claim.count && !claim.region)
+        diagnostics.error(pointer, "the key 'region' is missing: where bodies are counted");
+    refuse(claim.region && !claim.count, "region", "belongs to 'count'");
+    refuse(claim.frame && !has_place(claim), "frame", "belongs to claims of places, heights and angles");
+    if (claim.event_count && !claim.event) diagnostics.error(pointer, "the key 'event' is missing: what is counted");
+    refuse(claim.event && !claim.event_count, "event", "belongs to 'event_count'");
+    refuse(claim.when != SceneMoment::end && (!of_state || claim.at), "when",
+           "belongs to claims of a state, without 'at'");
+    const bool at_one_time = of_state || claim.event_count || !claim.state_hash.empty();
+    refuse(claim.at && !at_one_time, "at", "belongs to what can be looked at once");
+    const bool over_a_time = !claim.at && !claim.at_rest_by && claim.state_hash.empty() && !claim.event_count &&
+                             !(of_state && claim.when == SceneMoment::end);
+    const std::string hint = of_state && !claim.at ? R"("when": "always" or "sometime" makes it one)" : "";
+    if (claim.from && !over_a_time) diagnostics.error(pointer + "/from", "belongs to claims over a time", hint);
+    if (claim.until && !over_a_time) diagnostics.error(pointer + "/until", "belongs to claims over a time", hint);
+    if (claim.from && claim.until && *claim.until < *claim.from)
+        diagnostics.error(pointer + "/until", "must not be before 'from'");
+    for (const auto& [box, key] :
+         {std::pair{&claim.inside, "inside"}, {&claim.outside, "outside"}, {&claim.region, "region"}}) {
+        if (!*box) continue;
+        const auto& [lower, upper] = **box;
+        if (lower.x > upper.x || lower.y > upper.y)
+            diagnostics.error(pointer + '/' + key, "must be the lower left and the upper right corner of a box");
+    }
+    const bool is_hash =
+        claim.state_hash.size() == 16 && claim.state_hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+    refuse(!claim.state_hash.empty() && !is_hash, "state_hash", "must be 16 digits 0-9 and a-f");
+}
+
+}  // namespace tumble::scene

@@ -1,0 +1,110 @@
+// When a claim is looked at, and which moment decides it: that of the worst state for what must hold always, of the
+// best one for what must hold sometime. The finding keeps that moment, so that a report can say how near it came.
+#include <limits>
+#include <memory>
+
+#include "scene/claims/claims.hpp"
+#include "scene/model/names.hpp"
+#include "scene/model/step_time.hpp"
+#include "tumble/scene_run.hpp"
+
+namespace tumble {
+
+namespace {
+
+constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+
+// What is claimed of single states holds `when` it says; the rest has a moment of its own.
+SceneMoment moment_of(const SceneExpectation& claim) {
+    if (claim.at_rest_by || claim.max_penetration || claim.max_joint_error || claim.max_energy_gain ||
+        !claim.never_touches.empty())
+        return SceneMoment::always;
+    if (!claim.touches.empty()) return SceneMoment::sometime;
+    return claim.when;
+}
+
+struct Watched {
+    std::unique_ptr<scene::Claim> claim;
+    std::string text;
+    SceneMoment moment = SceneMoment::end;
+    std::uint64_t from = 0;       // the first step that counts
+    std::uint64_t to = kForever;  // the last one
+    bool reached = false;         // whether the run came to a step that counts
+    bool seen = false;            // and to one that the claim applies to
+    double excess = 0.0;          // of the moment that decides so far
+    double margin = 0.0;
+    std::string finding;
+    std::uint64_t step = 0;
+
+    std::string finding_text() const {
+        if (seen) return finding;
+        return reached ? "there never is any" : "the run ends before that";
+    }
+
+    // Whether a new state decides in place of the one before it.
+    bool decides(double new_excess, double new_margin) const {
+        if (!seen || moment == SceneMoment::end) return true;
+        const bool is_worse = new_excess > excess || (new_excess == excess && new_margin > margin);
+        const bool is_better = new_excess < excess;
+        return moment == SceneMoment::always ? is_worse : is_better;
+    }
+};
+
+}  // namespace
+
+struct ExpectationWatch::Impl {
+    std::vector<Watched> watched;  // [scene.expect.size()]
+    double rate = 0.0;             // steps/s
+    std::uint64_t last_step = 0;
+};
+
+ExpectationWatch::ExpectationWatch(const Scene& scene, const SceneWorld& built) : impl_(std::make_unique<Impl>()) {
+    const double rate = double{built.world.def().steps_per_second};
+    impl_->rate = rate;
+    const scene::BodyNames names(scene);
+    for (const SceneExpectation& expectation : scene.expect) {
+        Watched& watched = impl_->watched.emplace_back();
+        watched.claim = scene::make_claim(expectation, names, built);
+        watched.text = scene::claim_text(expectation);
+        watched.moment = moment_of(expectation);
+        if (expectation.from) watched.from = scene::first_step_at(*expectation.from, rate);
+        if (expectation.until) watched.to = scene::first_step_at(*expectation.until, rate);
+        if (expectation.at_rest_by) watched.from = scene::first_step_at(*expectation.at_rest_by, rate);
+        if (expectation.at) watched.from = watched.to = scene::first_step_at(*expectation.at, rate);
+    }
+}
+
+ExpectationWatch::~ExpectationWatch() = default;
+ExpectationWatch::ExpectationWatch(ExpectationWatch&&) noexcept = default;
+ExpectationWatch& ExpectationWatch::operator=(ExpectationWatch&&) noexcept = default;
+
+void ExpectationWatch::observe(const SceneWorld& built) {
+    const std::uint64_t step = built.world.step_count();
+    impl_->last_step = step;
+    for (Watched& watched : impl_->watched) {
+        watched.claim->follow(built);
+        if (step < watched.from || step > watched.to) continue;
+        watched.reached = true;
+        if (!watched.claim->applies()) continue;
+        const double excess = watched.claim->excess(built), margin = watched.claim->margin();
+        if (!watched.decides(excess, margin)) continue;
+        watched.seen = true;
+        watched.excess = excess;
+        watched.margin = margin;
+        watched.finding = watched.claim->finding(built);
+        watched.step = step;
+    }
+}
+
+std::vector<ExpectationResult> ExpectationWatch::results() const {
+    std::vector<ExpectationResult> results;
+    for (const Watched& watched : impl_->watched) {
+        const bool passed = watched.seen && watched.excess == 0.0;
+        const std::uint64_t step = watched.seen ? watched.step : impl_->last_step;
+        results.push_back(
+            {passed, watched.text, watched.finding_text(), step, static_cast<double>(step) / impl_->rate});
+    }
+    return results;
+}
+
+}  // namespace tumble

@@ -1,0 +1,75 @@
+// Collects what is wrong with a scene and, at the end, finds the places in its text.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "scene/json/included_parts.hpp"
+#include "tumble/scene_file.hpp"
+
+namespace tumble::scene {
+
+inline constexpr std::size_t kMaxDiagnostics = 20;
+
+class Diagnostics {
+public:
+    // `text` must outlive the object; empty if the scene was made in memory.
+    Diagnostics(std::string file, std::string_view text) : file_(std::move(file)), text_(text) {}
+
+    // Values at and below `pointer` come from `origin` ("--set /a/b=1"), not from the text.
+    void add_origin(std::string pointer, std::string origin);
+
+    // Values that are not in the text because other files have them: located where they are included.
+    void set_included(IncludedParts included) { included_ = std::move(included); }
+
+    // "/bodies/3", or "/bodies/1 of parts/car.json".
+    std::string name_of(const std::string& pointer) const;
+
+    // What was found in a file that the entry at `include` includes.
+    void adopt(const std::vector<Diagnostic>& found, const std::string& include);
+
+    enum class At { value, key };
+    void error(std::string pointer, std::string message, std::string hint = "", At at = At::value);
+    void warning(std::string pointer, std::string message, std::string hint = "");
+    void error_at_offset(std::size_t offset, std::string message, std::string hint = "");
+
+    bool has_errors() const { return !errors_.empty() || !adopted_errors_.empty(); }
+
+    // Whether an error lies at or below the pointer: further checks of that part would be noise.
+    bool has_errors_in(std::string_view pointer) const;
+
+    // Throws SceneError with all errors in the order of the text; appends the warnings to `warnings` if there are none.
+    void finish(std::vector<Diagnostic>* warnings);
+
+private:
+    struct Entry {
+        std::string pointer;
+        std::string message;
+        std::string hint;
+        At at = At::value;
+        std::size_t offset = std::string_view::npos;  // known for syntax errors only
+    };
+
+    struct Adopted {
+        Diagnostic diagnostic;
+        std::string include;  // pointer
+    };
+
+    Diagnostic locate(const Entry& entry, Diagnostic::Severity severity) const;
+    std::vector<Diagnostic> locate_all(const std::vector<Entry>& entries, const std::vector<Adopted>& adopted,
+                                       Diagnostic::Severity severity) const;
+
+    std::string file_;
+    std::string_view text_;
+    std::vector<std::pair<std::string, std::string>> origins_;
+    std::vector<Entry> errors_;
+    std::vector<Entry> warnings_;
+    std::vector<Adopted> adopted_errors_;
+    std::vector<Adopted> adopted_warnings_;
+    IncludedParts included_;
+    bool overflowed_ = false;
+};
+
+}  // namespace tumble::scene

@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scene/lint/lint.hpp"
+#include "scene/model/display.hpp"
+#include "tumble/world_limits.hpp"
+
+namespace tumble::scene {
+
+namespace {
+
+constexpr double kOverlap = 0.02;       // of the smaller extent: twice the overlap that contacts keep at rest, and
+constexpr double kOverlapLimit = 0.01;  // m, in a world of scale 1: never more
+constexpr double kAcross = 0.5;         // cosine: steeper contacts carry no weight
+constexpr double kVisibleSag = 0.05;    // of the smaller extent of the body that sinks
+
+// All points between two bodies, as one.
+struct Touch {
+    std::size_t a = 0, b = 0;  // built bodies
+    double separation = 0.0;   // the least, m
+    DVec2 normal;              // of that point, from A to B
+    double stiffness = 0.0;    // of all points along their normals, N/m
+};
+
+// Of the body's shapes; of what is a line its length.
+double smallest_extent(const World& world, BodyId body) {
+    double least = HUGE_VAL;
+    for (const ShapeId shape : world.shapes(body)) {
+        const Extent size = extent(world.shape(shape));
+        least = std::min(least, double{size.smaller > 0.0f ? size.smaller : size.larger});
+    }
+    return least;
+}
+
+class ContactLinter {
+public:
+    ContactLinter(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics)
+        : scene_(scene),
+          built_(started),
+          diagnostics_(diagnostics),
+          limits_(world_limits(started.world.def())),
+          up_(-1.0 * scene.world.gravity) {
+        for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
+            index_[built_.bodies[i].id.index] = i;
+            extents_.push_back(smallest_extent(built_.world, id(i)));
+        }
+        std::map<std::pair<std::size_t, std::size_t>, Touch> touches;
+        for (const ContactPoint& contact : built_.world.contacts()) {
+            const std::size_t a = index_.at(contact.body_a.index), b = index_.at(contact.body_b.index);
+            Touch& touch = touches.try_emplace({a, b}, Touch{a, b, HUGE_VAL, {}, 0.0}).first->second;
+            // A spring on the mass that the point moves, in rad/s.
+            const double stiffening = is_dynamic(a) && is_dynamic(b) ? 1.0 : double{limits_.static_stiffening};
+            const double spring = 2.0 * kPi * stiffening * double{limits_.contact_hertz};
+            touch.stiffness += spring * spring / (mobility(a, contact) + mobility(b, contact));
+            if (double{contact.separation} >= touch.separation) continue;
+            touch.separation = double{contact.separation};
+            touch.normal = DVec2(contact.normal);
+        }
+        for (const auto& [pair, touch] : touches) touches_.push_back(touch);
+    }
+
+    void check_overlaps() {
+        std::set<std::pair<std::size_t, std::size_t>> said;
+        for (const Touch& touch : touches_) {
+            const double allowed = std::min(kOverlap * std::min(extent_of(touch.a), extent_of(touch.b)),
+                                            scene_.world.scale * kOverlapLimit);
+            if (touch.separation >= -allowed || !said.insert({source(touch.a), source(touch.b)}).second) continue;
+            warn(touch.b,
+                 name(touch.b) + " starts " + brief(-touch.separation) + " m inside " + name(touch.a) +
+                     ": they are pushed apart, by up to " + brief(double{limits_.push_out_speed}) + " m/s",
+                 "move one of them, or keep them from meeting by a filter");
+        }
+    }
+
+    void check_masses() {
+        std::set<std::pair<std::size_t, std::size_t>> said;
+        for (const Touch& touch : touches_) {
+            if (!is_dynamic(touch.a) || !is_dynamic(touch.b)) continue;
+            const double ratio = mass_ratio(built_.world, id(touch.a), id(touch.b));
+            if (ratio <= kLargeMassRatio || !said.insert({source(touch.a), source(touch.b)}).second) continue;
+            warn(touch.b,
+                 name(touch.a) + " of " + brief(mass(touch.a)) + " kg touches " + name(touch.b) + " of " +
+                     brief(mass(touch.b)) + " kg: what is over 100 times lighter is squeezed",
+                 "bring the densities nearer to each other, or give the world more substeps");
+        }
+    }
+
+    void check_sleepers() {
+        std::set<std::size_t> held;  // by a contact or a joint
+        for (const Touch& touch : touches_) held.insert({touch.a, touch.b});
+        for (const JointId joint : built_.world.joints())
+            std::visit(
+                [&](const auto& def) {
+                    held.insert({index_.at(def.body_a.index), index_.at(def.body_b.index)});
+                },
+                built_.world.joint(joint));
+        std::set<std::size_t> said;
+        for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
+            const SceneBody& body = scene_.bodies[source(i)];
+            const bool falls = length(up_) > 0.0 && body.gravity_scale != 0.0;
+            if (body.awake || !is_dynamic(i) || !falls || held.contains(i) || !said.insert(source(i)).second) continue;
+            warn(i, name(i) + " sleeps in the air: it falls only once something touches it",
+                 R"(leave out "awake": false, or lower it onto what holds it)");
+        }
+    }
+
+    // The worst of all piles, and which other kinds of bodies top one that sags.
+    void check_stacks() {
+        if (!(length(up_) > 0.0)) return;
+        const Sinking sinking = find_sinking();
+        const std::vector<int> pile = built_.world.islands();
+        std::map<int, std::size_t> worst;  // of each pile
+        for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
+            if (!is_dynamic(i) || !(sinking.sunk[i] > kVisibleSag * extent_of(i))) continue;
+            const auto [found, is_new] = worst.try_emplace(pile[i], i);
+            if (!is_new && sinking.sunk[i] > sinking.sunk[found->second]) found->second = i;
+        }
+        std::vector<std::size_t> tops;
+        for (const auto& [number, i] : worst) tops.push_back(i);
+        std::ranges::stable_sort(tops, std::ranges::greater{}, [&](std::size_t i) { return sinking.sunk[i]; });
+        if (!tops.empty()) warn_of_sinking(tops, sinking);
+    }
+
+private:
+    struct Support {
+        std::size_t body = 0;
+        double stiffness = 0.0;  // N/m
+    };
+
+    // [built bodies]
+    struct Sinking {
+        std::vector<double> sunk;          // m
+        std::vector<std::size_t> softest;  // what gives way most below a body
+    };
+
+    // Loads go down from body to body, sinking adds up from the ground.
+    Sinking find_sinking() const {
+        std::vector<std::vector<Support>> below(built_.bodies.size());
+        for (const Touch& touch : touches_) {
+            const double rise = dot(touch.normal, up_) / length(up_);
+            if (rise > kAcross) below[touch.b].push_back({touch.a, touch.stiffness});
+            if (rise < -kAcross) below[touch.a].push_back({touch.b, touch.stiffness});
+        }
+        std::vector<std::size_t> upwards(built_.bodies.size());
+        std::iota(upwards.begin(), upwards.end(), std::size_t{0});
+        std::ranges::stable_sort(upwards, {}, [this](std::size_t i) { return height(i); });
+        std::vector<double> load(built_.bodies.size());  // N
+        Sinking result{std::vector<double>(load.size()), std::vector<std::size_t>(load.size())};
+        for (std::size_t k = upwards.size(); k-- > 0;) {
+            const std::size_t i = upwards[k];
+            if (!is_dynamic(i)) continue;
+            load[i] += mass(i) * length(up_);
+            for (const Support& under : below[i]) load[under.body] += load[i] / static_cast<double>(below[i].size());
+        }
+        for (const std::size_t i : upwards) {
+            if (!is_dynamic(i)) continue;
+            const double share = load[i] / static_cast<double>(below[i].size());
+            for (const Support& under : below[i]) {
+                const double with_it = result.sunk[under.body] + double{limits_.sag_part} * share / under.stiffness;
+                if (with_it > result.sunk[i]) result.softest[i] = under.body;
+                result.sunk[i] = std::max(result.sunk[i], with_it);
+            }
+        }
+        return result;
+    }
+
+    // Of the worst in each pile, the worst of them first.
+    void warn_of_sinking(const std::vector<std::size_t>& tops, const Sinking& sinking) {
+        const auto depth = [&](std::size_t i) {
+            return sinking.sunk[i] > extent_of(i) ? "more than its size" : "about " + brief(sinking.sunk[i]) + " m";
+        };
+        const std::size_t worst = tops.front();
+        std::string text = "what " + name(worst) + " stands on (" + name(sinking.softest[worst]) + ") will sink by " +
+                           depth(worst) + " under its weight";
+        std::set<std::size_t> said{source(worst)};
+        for (const std::size_t i : tops)
+            if (said.insert(source(i)).second) text += ", what " + name(i) + " stands on by " + depth(i);
+        warn(worst, text,
+             "contacts give a little each: fewer or lighter bodies on top of each other, or lower gravity");
+    }
+
+    void warn(std::size_t body, const std::string& message, const std::string& hint) {
+        diagnostics_.warning("/bodies/" + std::to_string(source(body)), message, hint);
+    }
+
+    BodyId id(std::size_t body) const { return built_.bodies[body].id; }
+    std::size_t source(std::size_t body) const { return built_.bodies[body].source; }
+    std::string name(std::size_t body) const { return display_name(built_, body); }
+    bool is_dynamic(std::size_t body) const { return built_.world.type(id(body)) == BodyType::dynamic_body; }
+    double mass(std::size_t body) const { return double{built_.world.mass(id(body)).mass}; }
+    double height(std::size_t body) const { return dot(built_.world.state(id(body)).pose.position, up_); }
+
+    // How far a unit impulse at a contact point moves the body there (1/kg).
+    double mobility(std::size_t body, const ContactPoint& contact) const {
+        if (!is_dynamic(body)) return 0.0;
+        const BodyMass own = built_.world.mass(id(body));
+        const DVec2 lever = contact.point - transform_point(built_.world.state(id(body)).pose, own.center);
+        const double turn = cross(lever, DVec2(contact.normal));
+        return 1.0 / double{own.mass} + (own.inertia > 0.0f ? turn * turn / double{own.inertia} : 0.0);
+    }
+
+    double extent_of(std::size_t body) const { return extents_[body]; }
+
+    const Scene& scene_;
+    const SceneWorld& built_;
+    Diagnostics& diagnostics_;
+    WorldLimits limits_;
+    DVec2 up_;                                    // gravity, the other way round (m/s^2)
+    std::map<std::uint32_t, std::size_t> index_;  // of BodyId::index
+    std::vector<double> extents_;                 // [built bodies] m: the smallest
+    std::vector<Touch> touches_;                  // in the order of the bodies
+};
+
+}  // namespace
+
+void add_contact_lints(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics) {
+    ContactLinter linter(scene, started, diagnostics);
+    linter.check_overlaps();
+    linter.check_masses();
+    linter.check_sleepers();
+    linter.check_stacks();
+}
+
+}  // namespace tumble::scene

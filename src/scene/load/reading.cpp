@@ -1,0 +1,141 @@
+#include "scene/load/reading.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "scene/format/fields.hpp"
+#include "scene/format/override.hpp"
+#include "scene/format/reader.hpp"
+#include "scene/format/writer.hpp"
+#include "scene/json/input.hpp"
+#include "scene/json/json_text.hpp"
+#include "scene/load/place_part.hpp"
+#include "scene/model/geometry.hpp"
+#include "tumble/file.hpp"
+
+namespace tumble::scene {
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+bool are_same(const SceneMaterial& a, const SceneMaterial& b) {
+    Scene one, other;
+    one.materials = {a};
+    other.materials = {b};
+    return write_scene(one) == write_scene(other);
+}
+
+// A material may come from several files, if it is the same in all of them.
+void append_materials(Scene& scene, const std::vector<SceneMaterial>& more) {
+    for (const SceneMaterial& material : more) {
+        const SceneMaterial* known = find_material(scene, material.name);
+        if (known == nullptr)
+            scene.materials.push_back(material);
+        else if (!are_same(*known, material))
+            throw std::invalid_argument("has another material " + quoted(material.name) + " than there is already");
+    }
+}
+
+}  // namespace
+
+Scene Reading::read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
+                    Diagnostics& diagnostics) {
+    std::optional<Json> value = parse_json(text, diagnostics, R"(the least scene is {"format": 1})");
+    if (!value) return {};
+    apply_overrides(changes, *value, diagnostics);
+    Scene scene = read_scene(*value, diagnostics);
+    value.reset();
+    const SceneSizes own = sizes_of(scene);
+    open_.push_back(file.lexically_normal());
+    include_all(scene, file, diagnostics);
+    open_.pop_back();
+    // Without its includes, half the names of a scene would be unknown.
+    if (!diagnostics.has_errors_in("/include")) check_scene(scene, own, diagnostics);
+    own_ = own;
+    return scene;
+}
+
+void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagnostics& diagnostics) {
+    IncludedParts places;
+    for (std::size_t i = 0; i < scene.include.size(); ++i) {
+        const SceneInclude& include = scene.include[i];
+        const std::string pointer = "/include/" + std::to_string(i);
+        if (diagnostics.has_errors_in(pointer)) continue;
+        const Scene* part = find_part((file.parent_path() / include.file).lexically_normal(), pointer, diagnostics);
+        if (part == nullptr) continue;
+        const SceneSizes size = sizes_of(*part);
+        entries_ += 1 + size.materials + size.bodies + size.joints + size.timeline + size.expect;
+        if (entries_ > kMaxIncludedEntries) {
+            diagnostics.error(pointer, "brings the bodies, joints, events and claims that are included to more than " +
+                                           std::to_string(kMaxIncludedEntries));
+            return;
+        }
+        Scene placed = *part;
+        try {
+            place_part(placed, include);
+            append_materials(scene, placed.materials);
+        } catch (const std::invalid_argument& cause) {
+            diagnostics.error(pointer, cause.what());
+            continue;
+        }
+        places.add("/bodies", scene.bodies.size(), pointer, include.file);
+        places.add("/joints", scene.joints.size(), pointer, include.file);
+        places.add("/timeline", scene.timeline.size(), pointer, include.file);
+        places.add("/expect", scene.expect.size(), pointer, include.file);
+        append(scene.bodies, placed.bodies);
+        append(scene.joints, placed.joints);
+        append(scene.timeline, placed.timeline);
+        append(scene.expect, placed.expect);
+    }
+    diagnostics.set_included(std::move(places));
+}
+
+const Scene* Reading::find_part(const std::filesystem::path& file, const std::string& include,
+                                Diagnostics& diagnostics) {
+    auto part = parts_.find(file);
+    if (part == parts_.end()) part = parts_.emplace(file, read_part(file, include, diagnostics)).first;
+    return part->second ? &*part->second : nullptr;  // who included it first has its errors
+}
+
+std::optional<Scene> Reading::read_part(const std::filesystem::path& file, const std::string& include,
+                                        Diagnostics& diagnostics) {
+    const auto refuse = [&](const std::string& message, const std::string& hint = "") {
+        diagnostics.error(include + "/file", message, hint);
+        return std::nullopt;
+    };
+    if (!read_) return refuse("a text that is no file cannot include files");
+    if (std::ranges::find(open_, file) != open_.end()) return refuse("includes itself: " + chain_to(file));
+    if (open_.size() > kMaxIncludeDepth)
+        return refuse("is included more than " + std::to_string(kMaxIncludeDepth) + " files deep: " + chain_to(file));
+    std::string text;
+    try {
+        text = read_(file);
+    } catch (const FileError& error) {
+        return refuse(error.what(), "paths start from the folder of the file that includes");
+    }
+    const std::string_view body = without_byte_order_mark(text);
+    Diagnostics own(file.string(), body);
+    Scene part = read(body, file, {}, own);
+    std::vector<Diagnostic> found;
+    bool is_valid = true;
+    try {
+        own.finish(&found);
+    } catch (const SceneError& error) {
+        found = error.diagnostics;
+        is_valid = false;
+    }
+    diagnostics.adopt(found, include);
+    return is_valid ? std::optional<Scene>(std::move(part)) : std::nullopt;
+}
+
+std::string Reading::chain_to(const std::filesystem::path& file) const {
+    std::string chain;
+    for (const std::filesystem::path& open : open_) chain += open.string() + " > ";
+    return chain + file.string();
+}
+
+}  // namespace tumble::scene

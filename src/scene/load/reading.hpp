@@ -1,0 +1,48 @@
+// The way of a scene file and of what it includes: JSON, overrides, fields, includes, checks across fields. Each stage
+// goes on as far as errors of the one before allow, so that a user sees all of them at once.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/build/check.hpp"
+#include "scene/json/diagnostics.hpp"
+#include "scene/json/included_parts.hpp"
+
+namespace tumble::scene {
+
+inline constexpr std::size_t kMaxIncludeDepth = 16;  // files that include each other
+inline constexpr std::size_t kMaxIncludedEntries =
+    1000000;  // copied in one reading, so that files that double each other end
+
+// One reading: a file that is included many times is read and checked once.
+class Reading {
+public:
+    explicit Reading(ReadIncluded read) : read_(std::move(read)) {}
+
+    // The scene with all that it includes behind what is its own; what is wrong goes to `diagnostics`.
+    Scene read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
+               Diagnostics& diagnostics);
+
+    // Of the scene that was read last, without what it includes.
+    const SceneSizes& own() const { return own_; }
+
+private:
+    void include_all(Scene& scene, const std::filesystem::path& file, Diagnostics& diagnostics);
+    const Scene* find_part(const std::filesystem::path& file, const std::string& include, Diagnostics& diagnostics);
+    std::optional<Scene> read_part(const std::filesystem::path& file, const std::string& include,
+                                   Diagnostics& diagnostics);
+    std::string chain_to(const std::filesystem::path& file) const;
+
+    ReadIncluded read_;
+    std::map<std::filesystem::path, std::optional<Scene>> parts_;  // nothing for those with errors
+    std::vector<std::filesystem::path> open_;                      // from the scene down to the file that is being read
+    std::size_t entries_ = 0;                                      // copied so far
+    SceneSizes own_;
+};
+
+}  // namespace tumble::scene

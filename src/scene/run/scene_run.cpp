@@ -1,0 +1,167 @@
+#include "tumble/scene_run.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include "scene/json/diagnostics.hpp"
+#include "scene/model/body_lookup.hpp"
+#include "scene/model/body_plan.hpp"
+#include "scene/model/degrees.hpp"
+#include "scene/model/names.hpp"
+#include "scene/model/place.hpp"
+#include "scene/model/repeat.hpp"
+#include "scene/model/step_time.hpp"
+
+namespace tumble {
+
+namespace {
+
+// One entry of the timeline with what it needs at hand.
+struct Happening {
+    SceneEvent event;
+    std::size_t index = 0;   // in the timeline
+    scene::BodyLookup body;  // that it acts on, or that goes
+    std::optional<JointId> joint;
+    std::optional<scene::BodyPlan> plan;  // of the body that it makes
+    std::uint64_t count = 0;              // how often it has happened
+    std::size_t spawned = 0;              // how many bodies it has made
+
+    bool lasts() const { return event.force || event.torque; }
+};
+
+// The motor of a joint, if it has one, at another speed.
+void set_motor_speed(JointDef& joint, double speed) {
+    std::visit(
+        [speed](auto& def) {
+            if constexpr (requires { def.motor; }) {
+                if (!def.motor) return;
+                const bool turns = std::is_same_v<std::decay_t<decltype(*def.motor)>, AngularMotor>;
+                def.motor->speed = static_cast<float>(turns ? speed * scene::kRadians : speed);
+            }
+        },
+        joint);
+}
+
+DVec2 center_of(const World& world, BodyId body) {
+    return transform_point(world.state(body).pose, world.mass(body).center);
+}
+
+}  // namespace
+
+struct SceneRun::Impl {
+    explicit Impl(const Scene& scene)
+        : built(build_world(scene)), name(scene.name), seed(scene.world.seed), bodies_of_file(scene.bodies.size()) {
+        for (std::size_t i = 0; i < scene.timeline.size(); ++i) {
+            const SceneEvent& event = scene.timeline[i];
+            Happening& happening = happenings.emplace_back();
+            happening.event = event;
+            happening.index = i;
+            happening.body = scene::BodyLookup(event.despawn.empty() ? event.body : event.despawn);
+            const std::string& joint = event.release.empty() ? event.joint : event.release;
+            const auto found = std::ranges::find(built.joints, joint, &SceneJointInstance::name);
+            if (!joint.empty() && found != built.joints.end()) happening.joint = found->id;
+            if (event.spawn) happening.plan = scene::plan_body(scene, *event.spawn);
+        }
+    }
+
+    bool is_due(const Happening& happening) const {
+        const SceneEvent& event = happening.event;
+        const double slack = scene::kTimeSlack / built.world.def().steps_per_second;
+        const double now = built.world.time() + slack;
+        if (event.at && happening.lasts()) return now >= *event.at && (!event.until || now < *event.until);
+        if (event.at) return happening.count == 0 && now >= *event.at;
+        const double due = event.from.value_or(0.0) + static_cast<double>(happening.count) * event.every.value_or(0.0);
+        return now >= due && due <= event.until.value_or(std::numeric_limits<double>::infinity()) + slack;
+    }
+
+    void happen(Happening& happening) {
+        const SceneEvent& event = happening.event;
+        World& world = built.world;
+        if (event.gravity) world.set_gravity(to_float(*event.gravity));
+        if (event.spawn) spawn(happening);
+        if (happening.joint && world.is_valid(*happening.joint)) act_on_joint(event, *happening.joint);
+        if (const SceneInstance* body = happening.body.find(built)) act_on_body(event, body->id);
+        ++happening.count;
+    }
+
+    void act_on_body(const SceneEvent& event, BodyId body) {
+        World& world = built.world;
+        const BodyState state = world.state(body);
+        if (event.impulse) world.apply_impulse(body, to_float(*event.impulse), center_of(world, body));
+        if (event.angular_impulse) world.apply_angular_impulse(body, static_cast<float>(*event.angular_impulse));
+        if (event.force) world.apply_force(body, to_float(*event.force), center_of(world, body));
+        if (event.torque) world.apply_torque(body, static_cast<float>(*event.torque));
+        if (event.velocity) world.set_velocity(body, to_float(*event.velocity), state.angular_velocity);
+        if (event.angular_velocity)
+            world.set_velocity(body, state.velocity, static_cast<float>(*event.angular_velocity * scene::kRadians));
+        if (!event.despawn.empty()) world.destroy_body(body);
+    }
+
+    void act_on_joint(const SceneEvent& event, JointId joint) {
+        World& world = built.world;
+        JointDef def = world.joint(joint);
+        if (event.motor_speed) set_motor_speed(def, *event.motor_speed);
+        if (event.target) {
+            auto& mouse = std::get<MouseJointDef>(def);
+            mouse.anchor_a = to_float(inverse_transform_point(world.state(mouse.body_a).pose, *event.target));
+        }
+        if (event.release.empty())
+            world.set_joint(joint, def);
+        else
+            world.destroy_joint(joint);
+    }
+
+    void spawn(Happening& happening) {
+        const SceneBody& body = *happening.event.spawn;
+        const std::size_t source = bodies_of_file + happening.index;
+        const bool is_one = !happening.event.every && !body.repeat;
+        const std::int64_t count = static_cast<std::int64_t>(built.world.bodies().size()) + scene::copy_count(body);
+        try {
+            if (count > scene::kMaxBodies)
+                throw std::invalid_argument("would bring the bodies to " + std::to_string(count) + "; at most " +
+                                            std::to_string(scene::kMaxBodies) + " are allowed");
+            for (const scene::PlacedBody& place : scene::place_copies(body, seed + happening.count, source)) {
+                const BodyId id = scene::create_body(built.world, *happening.plan, place.pose);
+                built.bodies.push_back(
+                    {id, source, is_one ? body.name : scene::copy_name(body.name, happening.spawned++)});
+            }
+        } catch (const std::invalid_argument& refusal) {
+            scene::Diagnostics diagnostics(name.empty() ? "scene" : name, "");
+            diagnostics.error("/timeline/" + std::to_string(happening.index) + "/spawn", refusal.what());
+            diagnostics.finish(nullptr);
+        }
+    }
+
+    SceneWorld built;
+    std::vector<Happening> happenings;
+    std::string name;  // of the scene, for errors
+    std::uint64_t seed = 0;
+    std::size_t bodies_of_file = 0;  // how many entries Scene::bodies has
+};
+
+std::uint64_t nearest_step(double time, double steps_per_second) {
+    return static_cast<std::uint64_t>(std::llround(time * steps_per_second));
+}
+
+std::uint64_t count_steps(const Scene& scene) {
+    return nearest_step(scene.world.duration, scene.world.steps_per_second);
+}
+
+SceneRun::SceneRun(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
+SceneRun::~SceneRun() = default;
+SceneRun::SceneRun(SceneRun&&) noexcept = default;
+SceneRun& SceneRun::operator=(SceneRun&&) noexcept = default;
+
+void SceneRun::step() {
+    for (Happening& happening : impl_->happenings)
+        if (impl_->is_due(happening)) impl_->happen(happening);
+    impl_->built.world.step();
+}
+
+double SceneRun::time() const { return impl_->built.world.time(); }
+
+const SceneWorld& SceneRun::built() const noexcept { return impl_->built; }
+
+}  // namespace tumble

@@ -1,0 +1,254 @@
+// The R.U.B.E. importer, on small files of our own and, where TUMBLE_RUBE_DATA names a folder, on exports of others.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_import.hpp"
+#include "tumble/scene_world.hpp"
+
+using namespace tumble;
+
+namespace {
+
+const std::filesystem::path kData = std::filesystem::path(TUMBLE_SOURCE_DIR) / "tests/import/data";
+
+int count_of(const ImportedScene& imported, const std::string& feature) {
+    for (const ImportNote& note : imported.notes)
+        if (note.feature == feature) return note.count;
+    return 0;
+}
+
+const SceneBody& body_of(const ImportedScene& imported, const std::string& name) {
+    for (const SceneBody& body : imported.scene.bodies)
+        if (body.name == name) return body;
+    FAIL("no body ", name);
+    return imported.scene.bodies.front();
+}
+
+}  // namespace
+
+TEST_CASE("bodies, fixtures and materials arrive in our units") {
+    const ImportedScene imported = import_rube(kData / "rube_small.json");
+    const Scene& scene = imported.scene;
+    CHECK(scene.name == "rube_small");
+    CHECK(scene.world.gravity.y == static_cast<double>(-9.81f));
+    CHECK(scene.world.steps_per_second == 50.0);
+    CHECK(scene.world.sleeping);
+    CHECK(!scene.world.continuous);  // missing is false
+    REQUIRE(scene.bodies.size() == 6);
+
+    const SceneBody& crate = body_of(imported, "crate");
+    CHECK(crate.type == BodyType::dynamic_body);
+    CHECK(crate.position == DVec2(1, 2));
+    CHECK(crate.angle == doctest::Approx(90.0).epsilon(1e-7));  // pi / 2 as a float
+    CHECK(crate.angular_velocity == doctest::Approx(360.0 / kPi).epsilon(1e-14));
+    CHECK(crate.linear_damping == 0.1);
+    CHECK(crate.gravity_scale == 1.0);
+    CHECK(crate.custom == R"({"customProperties": [{"name": "colour", "string": "red"}]})");
+    CHECK(crate.shapes.at(0).custom == R"({"name": "side"})");
+    CHECK(std::get<PolygonGeometry>(crate.shapes.at(0).geometry).vertices.size() == 4);
+
+    CHECK(crate.bullet);
+    CHECK(crate.awake);
+    CHECK(body_of(imported, "crate_2").gravity_scale == 0.0);
+    CHECK_FALSE(body_of(imported, "crate_2").bullet);
+    CHECK_FALSE(body_of(imported, "crate_2").awake);  // missing is false
+    const SceneBody& fixed = body_of(imported, "crate_2");
+    REQUIRE(fixed.shapes.size() == 2);
+    CHECK_FALSE(fixed.shapes[0].sensor);
+    CHECK(fixed.shapes[1].sensor);
+    CHECK(fixed.fixed_rotation);
+    CHECK(fixed.mass.value().mass == 5.0);  // and not the pi / 2 kg of its disc
+    CHECK(fixed.mass.value().inertia == 0.0);
+    CHECK(crate.shapes.at(0).filter.value().group == -1);
+    CHECK_FALSE(crate.mass.value_or(SceneMass{}).mass != 0.0);  // 2 kg and 1/3 kg m^2, as its shape
+    CHECK(body_of(imported, "body_3").type == BodyType::kinematic_body);
+    CHECK_FALSE(body_of(imported, "off").enabled);
+    CHECK(body_of(imported, "off").shapes.size() == 1);
+    CHECK(body_of(imported, "off").mass.value().mass == 1.0);  // none is 1 kg
+    CHECK(std::holds_alternative<OutlineGeometry>(body_of(imported, "notch").shapes.at(0).geometry));
+}
+
+TEST_CASE("chains and edges are two-sided, closed chains are loops") {
+    const ImportedScene imported = import_rube(kData / "rube_small.json");
+    const std::vector<SceneShape>& shapes = body_of(imported, "ground").shapes;
+    REQUIRE(shapes.size() == 4);
+    const ChainGeometry& closed = std::get<ChainGeometry>(shapes[0].geometry);
+    CHECK(closed.points.size() == 4);
+    CHECK(closed.loop);
+    CHECK(closed.two_sided);
+    CHECK(std::get<SegmentGeometry>(shapes[1].geometry).to == DVec2(-9, 4));
+    CHECK(std::get<SegmentGeometry>(shapes[2].geometry).from == DVec2(9, 0));
+    CHECK(std::get<ChainGeometry>(shapes[3].geometry).loop);
+    for (const SceneShape& shape : shapes) CHECK(shape.material == shapes[0].material);
+}
+
+TEST_CASE("missing friction and restitution are 0, not the engine's defaults") {
+    const ImportedScene imported = import_rube(kData / "rube_small.json");
+    const std::string& name = body_of(imported, "crate").shapes.at(0).material;
+    for (const SceneMaterial& material : imported.scene.materials) {
+        if (material.name != name) continue;
+        CHECK(material.density == 2.0);
+        CHECK(material.friction == 0.0);
+        CHECK(material.restitution == 0.25);
+    }
+    CHECK(imported.scene.materials.size() == 5);  // ground, crate, ball, off, notch
+}
+
+TEST_CASE("joints arrive with local anchors and degrees") {
+    const ImportedScene imported = import_rube(kData / "rube_small.json");
+    REQUIRE(imported.scene.joints.size() == 12);
+    const SceneJoint& hinge = imported.scene.joints[0];
+    CHECK(hinge.type == SceneJointType::revolute);
+    CHECK(hinge.body_a == "ground");
+    CHECK(hinge.body_b == "crate");
+    CHECK(hinge.anchors.value().first == DVec2(1, 2));
+    CHECK(hinge.reference_angle.value() == doctest::Approx(90.0).epsilon(1e-7));
+    CHECK(hinge.limits.value().upper == doctest::Approx(180.0 / kPi));
+    CHECK(!hinge.motor.has_value());
+    CHECK(hinge.collide_connected);
+    const SceneJoint& rod = imported.scene.joints[1];
+    CHECK(rod.name == "hinge_2");
+    CHECK(rod.body_a == "body_3");
+    CHECK(rod.length == 4.0);
+    CHECK(rod.spring.value().hertz == 2.0);
+    const SceneJoint& wheel = imported.scene.joints[2];
+    CHECK(wheel.type == SceneJointType::wheel);
+    CHECK(wheel.axis == DVec2{0.0, 1.0});
+    CHECK(wheel.motor.value().speed == doctest::Approx(360.0 / kPi));
+    CHECK(wheel.spring.value().damping_ratio == 0.7);
+    const SceneJoint& slider = imported.scene.joints[3];
+    CHECK(slider.type == SceneJointType::prismatic);
+    CHECK(slider.axis == DVec2{0.0, 2.0});
+    CHECK(slider.limits.value().lower == -1.0);
+    CHECK(slider.motor.value().max_force == 9.0);
+    CHECK(imported.scene.joints[4].angular_spring.value().hertz == 3.0);
+    const SceneJoint& rope = imported.scene.joints[5];
+    CHECK(rope.type == SceneJointType::distance);
+    CHECK(rope.limits.value().lower == 0.0);
+    CHECK(rope.limits.value().upper == 6.0);
+    CHECK(imported.scene.joints[6].max_torque == 2.0);
+    // The target (2, 5) of the world in the coordinates of the body at (0, 5).
+    CHECK(imported.scene.joints[7].anchors.value().first == DVec2{2.0, 0.0});
+    CHECK(imported.scene.joints[8].body_a == "off");
+    const SceneJoint& pulley = imported.scene.joints[10];
+    CHECK(pulley.type == SceneJointType::pulley);
+    CHECK(pulley.name == "rope");
+    CHECK(pulley.anchors.value().second == DVec2{0.0, 0.25});
+    CHECK(pulley.ground_anchors.value() == std::pair(DVec2{1.0, 9.0}, DVec2{3.0, 8.0}));
+    CHECK(pulley.ratio == 2.0);
+    CHECK(pulley.length == 6.5 + 2.0 * 5.75);
+    // The joints of a gear have names, and may come after it: the export's 16 and 5 are the scene's 9 and 3.
+    const SceneJoint& gear = imported.scene.joints[11];
+    CHECK(gear.type == SceneJointType::gear);
+    CHECK(gear.name == "teeth");
+    CHECK(gear.joint_a == "joint_9");
+    CHECK(gear.joint_b == "joint_3");
+    CHECK(imported.scene.joints[9].name == "joint_9");
+    CHECK(imported.scene.joints[3].name == "joint_3");
+    CHECK(gear.ratio == 2.0);
+}
+
+TEST_CASE("what is not carried over is said once, with a count") {
+    const ImportedScene imported = import_rube(kData / "rube_small.json");
+    const std::map<std::string, int> expected = {
+        {"numbers of solver iterations", 1},
+        {"body names that occurred before, numbered", 1},
+        {"fixtures without a shape or with a degenerate one, left out", 2},
+        {"joint names that occurred before, numbered", 1},
+        {"pulley joints whose ratio is not positive, left out", 2},
+        {"gear joints that are not on two revolute or prismatic joints, left out", 2},
+        {"gear joints of ratio 0, left out", 1},
+        {"joints of the unknown type \"spaghetti\", left out", 1},
+        {"images", 2},
+    };
+    for (const auto& note : expected) CHECK_MESSAGE(count_of(imported, note.first) == note.second, note.first);
+    for (const ImportNote& note : imported.notes) CHECK_MESSAGE(expected.contains(note.feature), note.feature);
+}
+
+TEST_CASE("a byte-order mark and a JavaScript wrapper are tolerated") {
+    const ImportedScene imported = import_rube(kData / "rube_wrapped.js");
+    REQUIRE(imported.scene.bodies.size() == 1);
+    CHECK(imported.scene.world.gravity == DVec2(0, 0));
+    CHECK(imported.scene.bodies[0].name == "ball");
+}
+
+TEST_CASE("wrong values are errors at their place") {
+    try {
+        import_rube(kData / "rube_bad_index.json");
+        FAIL("imported");
+    } catch (const SceneError& error) {
+        REQUIRE(error.diagnostics.size() == 2);
+        CHECK(error.diagnostics[0].pointer == "/body/1/angle");
+        CHECK(error.diagnostics[1].pointer == "/joint/0/bodyB");
+        CHECK(error.diagnostics[1].message == "must be the index of one of 2 bodies, got 2");
+        CHECK(error.diagnostics[1].line == 5);
+    }
+}
+
+TEST_CASE("a body asleep arrives without its velocity, which no scene gives it") {
+    const ImportedScene imported =
+        parse_rube(R"({"body": [{"type": 2, "linearVelocity": {"x": 1, "y": 0}, "angularVelocity": 2},
+        {"type": 2, "awake": true, "linearVelocity": {"x": 1, "y": 0}}, {"type": 1, "linearVelocity": {"x": 1, "y": 0}}]})",
+                   "asleep.json");
+    CHECK(imported.scene.bodies.at(0).velocity == DVec2{});
+    CHECK(imported.scene.bodies.at(0).angular_velocity == 0.0);
+    CHECK(imported.scene.bodies.at(1).velocity == DVec2{1.0, 0.0});
+    CHECK(imported.scene.bodies.at(2).velocity == DVec2{1.0, 0.0});
+    CHECK(count_of(imported, "velocities of bodies asleep") == 1);
+    CHECK_NOTHROW(build_world(imported.scene));
+}
+
+TEST_CASE("an editor project is recognised") {
+    CHECK_THROWS_WITH_AS(import_rube(kData / "rube_project.rube"), doctest::Contains("export the scene as JSON"),
+                         SceneError);
+    CHECK_THROWS_AS(import_rube(kData / "no_such_file.json"), FileError);
+}
+
+TEST_CASE("exports of others arrive with all their bodies, fixtures and joints") {
+    const char* folder = std::getenv("TUMBLE_RUBE_DATA");
+    if (folder == nullptr) {
+        MESSAGE("skipped: TUMBLE_RUBE_DATA names no folder with R.U.B.E. exports");
+        return;
+    }
+    struct Export {
+        const char* name;
+        std::size_t bodies;
+        int fixtures, joints;
+    };
+    for (const Export& e : {
+             Export{"vonhirsch_dominotower", 1002, 1001, 0},
+             Export{"vonhirsch_tank", 145, 207, 59},
+             Export{"vonhirsch_walker", 103, 209, 28},
+             Export{"vonhirsch_rube", 49, 98, 21},
+             Export{"vonhirsch_bike", 116, 189, 26},
+             Export{"vonhirsch_car", 112, 166, 24},
+             Export{"jessetg_palm", 55, 604, 2},
+             Export{"jessetg_joints", 9, 12, 8},
+             Export{"indium_palm", 44, 215, 2},
+             Export{"indium_joints", 9, 12, 8},
+             Export{"jessetg_base", 3, 55, 2},
+             Export{"jessetg_bodies1", 7, 7, 1},
+             Export{"jessetg_bodies2", 6, 6, 0},
+             Export{"hexfloats", 2, 2, 0},
+         }) {
+        CAPTURE(e.name);
+        const ImportedScene imported = import_rube(std::filesystem::path(folder) / (std::string(e.name) + ".json"));
+        CHECK(imported.scene.bodies.size() == e.bodies);
+        int fixtures = 0;
+        for (const SceneBody& body : imported.scene.bodies) fixtures += static_cast<int>(body.shapes.size());
+        CHECK(fixtures == e.fixtures);
+        CHECK(static_cast<int>(imported.scene.joints.size()) == e.joints);
+        CHECK(build_world(imported.scene).bodies.size() == e.bodies);
+    }
+    const ImportedScene hex = import_rube(std::filesystem::path(folder) / "hexfloats.json");
+    const SceneBody& ball = body_of(hex, "ball");
+    CHECK(hex.scene.world.gravity.y == static_cast<double>(-9.81f));
+    CHECK(to_float(ball.position) == Vec2{0.1f, 3.3f});
+    CHECK(ball.angle == doctest::Approx(45.0).epsilon(1e-7));
+    CHECK(ball.velocity == DVec2(1.5, 0));
+    CHECK_THROWS_AS(import_rube(std::filesystem::path(folder) / "jessetg_joints.rube"), SceneError);
+}

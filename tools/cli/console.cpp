@@ -1,0 +1,76 @@
+#include "tools/cli/console.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include "tumble/file.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+constexpr std::chrono::milliseconds kRedraw{100};
+
+int output_error = 0;  // errno of the first write to standard output that failed
+
+bool has_terminal() { return isatty(STDERR_FILENO) == 1; }
+
+void report(std::string_view kind, std::string_view color, std::string_view message) {
+    const char* no_color = std::getenv("NO_COLOR");
+    const bool colored = has_terminal() && (no_color == nullptr || *no_color == '\0');
+    std::string line = "tumble: ";
+    if (colored) line += color;
+    line += kind;
+    if (colored) line += "\033[0m";
+    line += ": ";
+    line += message;
+    line += '\n';
+    narrate(line);
+}
+
+}  // namespace
+
+void write_output(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() && output_error == 0) output_error = errno;
+}
+
+void finish_output() {
+    if (std::fflush(stdout) != 0 && output_error == 0) output_error = errno;
+    if (output_error == 0) return;
+    throw FileError("standard output", "cannot write: " + std::generic_category().message(output_error));
+}
+
+void narrate(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+void report_error(std::string_view message) { report("error", "\033[1;31m", message); }
+void report_warning(std::string_view message) { report("warning", "\033[1;33m", message); }
+
+Progress::Progress(std::string_view unit, std::uint64_t total)
+    : unit_(unit), total_(total), on_terminal_(has_terminal()) {}
+
+Progress::~Progress() {
+    if (shown_) narrate("\r\033[K");
+}
+
+void Progress::show(std::uint64_t done) {
+    if (!on_terminal_) return;
+    const Clock::time_point now = Clock::now();
+    if (now < next_) return;
+    next_ = now + kRedraw;
+    shown_ = true;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const double rate = seconds > 0.0 ? static_cast<double>(done) / seconds : 0.0;
+    const double left = rate > 0.0 ? static_cast<double>(total_ - done) / rate : 0.0;
+    char line[160];
+    std::snprintf(line, sizeof line, "\r\033[K%.*s %llu of %llu, %.0f a second, %.0f s left",
+                  static_cast<int>(unit_.size()), unit_.data(), static_cast<unsigned long long>(done),
+                  static_cast<unsigned long long>(total_), rate, left);
+    narrate(line);
+}
+
+}  // namespace tumble::tools

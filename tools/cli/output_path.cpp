@@ -1,0 +1,34 @@
+#include "tools/cli/output_path.hpp"
+
+#include <system_error>
+
+namespace tumble::tools {
+
+namespace fs = std::filesystem;
+
+void refuse_to_overwrite(const fs::path& file, bool force) {
+    std::error_code ignored;
+    if (!force && fs::exists(fs::symlink_status(file, ignored)))
+        throw FileError(file, "exists already; give another name, or --force to replace it");
+}
+
+void create_folder_of(const fs::path& file) {
+    if (!file.has_parent_path()) return;
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    if (error) throw FileError(file.parent_path(), "cannot create the folder: " + error.message());
+}
+
+OutputFile open_output(const fs::path& file, bool force) {
+    refuse_to_overwrite(file, force);
+    create_folder_of(file);
+    return OutputFile(file);
+}
+
+void write_file(const fs::path& file, std::string_view text, bool force) {
+    OutputFile output = open_output(file, force);
+    output.write(text);
+    output.commit();
+}
+
+}  // namespace tumble::tools

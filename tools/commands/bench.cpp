@@ -1,0 +1,114 @@
+// `tumble bench`: queries of the narrow phase and the world step beside Box2D's, in one run.
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/cli/command.hpp"
+#include "tools/cli/console.hpp"
+#include "tools/cli/validators.hpp"
+#include "tools/measure/machine.hpp"
+#include "tools/measure/query_bench.hpp"
+#include "tools/measure/step_bench.hpp"
+#include "tools/output/json_writer.hpp"
+#include "tools/scene/places.hpp"
+#include "tools/scene/scene_options.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct BenchArguments {
+    std::vector<std::string> scenes = {"large_pyramid", "pyramid", "mixed_rain", "capsule_pile"};
+    StepBenchOptions steps;
+    QueryBenchOptions queries;
+};
+
+void write_row(const QueryBenchResult& row) {
+    char line[160];
+    std::snprintf(line, sizeof line, "%-26s %12.1f %12.1f %7.2f\n", row.name.c_str(), row.tumble_ns, row.box2d_ns,
+                  row.ratio());
+    write_output(line);
+}
+
+void write_row(JsonWriter& json, const QueryBenchResult& row) {
+    json.open_object()
+        .member("case", row.name)
+        .member("tumble_ns", row.tumble_ns)
+        .member("box2d_ns", row.box2d_ns)
+        .member("ratio", row.ratio())
+        .close_object();
+}
+
+void write_row(const StepBenchResult& row) {
+    char line[160];
+    std::snprintf(line, sizeof line, "%-20s %7zu %9d %12.4f %12.4f %7.2f\n", row.scene.c_str(), row.bodies,
+                  row.contacts, row.tumble_ms, row.box2d_ms, row.ratio());
+    write_output(line);
+}
+
+void write_row(JsonWriter& json, const StepBenchResult& row) {
+    json.open_object()
+        .member("scene", row.scene)
+        .member("bodies", row.bodies)
+        .member("contacts", row.contacts)
+        .member("tumble_ms", row.tumble_ms)
+        .member("box2d_ms", row.box2d_ms)
+        .member("ratio", row.ratio())
+        .close_object();
+}
+
+void bench_all_queries(const Command& command, const QueryBenchOptions& options, JsonWriter& json) {
+    if (options.pairs == 0) return;
+    if (!command.json)
+        write_output("query                         tumble ns     box2d ns   ratio   (CPU time a query)\n");
+    for (const reference::QueryCase& query_case : reference::query_cases()) {
+        const QueryBenchResult row = bench_queries(query_case, options);
+        write_row(json, row);
+        if (!command.json) write_row(row);
+    }
+}
+
+ExitCode bench(const Command& command, const BenchArguments& options) {
+    JsonWriter json;
+    json.open_object().key("distance").open_array();
+    bench_all_queries(command, options.queries, json);
+    json.close_array().key("step").open_array();
+    if (!command.json)
+        write_output("scene                 bodies  contacts  tumble ms   box2d ms   ratio   (CPU time a step)\n");
+    for (const std::string& name : options.scenes) {
+        const Scene scene = load_named_scene(find_scene(name).string());
+        narrate("measuring " + name + "\n");
+        const StepBenchResult row = bench_steps(scene, options.steps);
+        write_row(json, row);
+        if (!command.json) write_row(row);
+    }
+    json.close_array().key("render").open_array().close_array().key("machine");
+    write_machine(json);
+    json.close_object();
+    if (command.json) write_output(json.text() + "\n");
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<BenchArguments>();
+    CLI::App& app_bench = add_subcommand(app, command, "bench", "Measure queries and the world step beside Box2D");
+    app_bench.add_option("--scenes", options->scenes, "Shipped scenes, or files")
+        ->delimiter(',')
+        ->capture_default_str();
+    app_bench.add_option("--pairs", options->queries.pairs, "Pairs of shapes a query case; 0: no queries")
+        ->capture_default_str()
+        ->check(whole_number_from_to(0, 10000000));
+    app_bench.add_option("--steps", options->steps.steps, "Steps a run")
+        ->capture_default_str()
+        ->check(whole_number_from_to(1, 100000));
+    app_bench.add_option("--runs", options->steps.runs, "Runs, of which the median counts")
+        ->capture_default_str()
+        ->check(whole_number_from_to(1, 1000));
+    app_bench.callback(
+        [&command, options] { command.action = [&command, options] { return bench(command, *options); }; });
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,142 @@
+// `tumble check`: simulate scenes without drawing them, and test what they claim about themselves.
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tools/cli/command.hpp"
+#include "tools/cli/console.hpp"
+#include "tools/cli/error_report.hpp"
+#include "tools/cli/interrupt.hpp"
+#include "tools/cli/output_path.hpp"
+#include "tools/cli/validators.hpp"
+#include "tools/output/json_writer.hpp"
+#include "tools/scene/claim_marks.hpp"
+#include "tools/scene/scene_check.hpp"
+#include "tools/scene/scene_options.hpp"
+#include "tools/scene/scene_shot.hpp"
+#include "tumble/scene_file.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct CheckArguments {
+    std::vector<std::string> files;
+    LoadOptions changes;
+    std::filesystem::path junit;
+    std::filesystem::path shots;
+    int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    bool force = false;
+};
+
+std::string verdict_line(const SceneCheck& check) {
+    const auto passed = std::ranges::count(check.expectations, true, &ExpectationResult::passed);
+    if (!check.error.empty()) return check.file + ": not run to its end\n";
+    if (check.expectations.empty()) return check.file + ": runs, claims nothing\n";
+    return check.file + ": " + std::to_string(passed) + " of " + std::to_string(check.expectations.size()) +
+           " claims hold\n";
+}
+
+// All on one stream, so that a log keeps the order, and each finding with its file, so that it can be searched for.
+void say(const SceneCheck& check) {
+    std::string text = verdict_line(check);
+    if (!check.error.empty()) text += "  " + check.error + (check.error.ends_with('\n') ? "" : "\n");
+    for (std::size_t i = 0; i < check.expectations.size(); ++i) {
+        const ExpectationResult& result = check.expectations[i];
+        if (result.passed) continue;
+        text += "  " + check.file + ": " + pointer_of_claim(i) + " failed: expected that " + result.claim + "\n    " +
+                moment_text(result) + ": " + result.finding + "\n";
+        if (!check.shots.empty() && !check.shots[i].empty()) text += "    drawn: " + check.shots[i].string() + "\n";
+    }
+    write_output(text);
+}
+
+void write(JsonWriter& json, const SceneCheck& check) {
+    json.open_object().member("file", check.file).member("passed", check.code == ExitCode::ok);
+    if (!check.error.empty()) json.member("error", check.error);
+    json.member("steps", check.steps).member("state_hash", to_hex(check.state_hash)).member("seconds", check.seconds);
+    json.key("expectations").open_array();
+    for (std::size_t i = 0; i < check.expectations.size(); ++i) {
+        const ExpectationResult& result = check.expectations[i];
+        json.open_object().member("pointer", pointer_of_claim(i)).member("claim", result.claim);
+        json.member("passed", result.passed).member("finding", result.finding);
+        json.member("step", result.step).member("time", result.time);
+        if (!check.shots.empty() && !check.shots[i].empty()) json.member("shot", check.shots[i].string());
+        json.close_object();
+    }
+    json.close_array().close_object();
+}
+
+// Scenes of one name are told apart by a number: x, x-2, x-3.
+void make_names_differ(std::vector<SceneCheck>& checks) {
+    std::set<std::string> taken;
+    for (SceneCheck& check : checks) {
+        const std::string name = check.name;
+        for (int copy = 2; !taken.insert(check.name).second; ++copy) check.name = name + "-" + std::to_string(copy);
+    }
+}
+
+// A picture of the moment that decided each claim that does not hold: DIR/<scene>-expect-<index>.png. A picture that
+// cannot be had is said, and the claims still decide the exit code.
+void draw_failures(SceneCheck& check, const CheckArguments& options) {
+    check.shots.resize(check.expectations.size());
+    for (std::size_t i = 0; i < check.expectations.size(); ++i) {
+        const ExpectationResult& result = check.expectations[i];
+        if (result.passed) continue;
+        const std::filesystem::path file = options.shots / (check.name + "-expect-" + std::to_string(i) + ".png");
+        try {
+            refuse_to_overwrite(file, options.force);
+            const Scene scene = load_named_scene(check.file, options.changes);
+            draw_scene_at(scene, result.step, {}, file, {},
+                          [&](const SceneWorld& built) { return marks_of(scene.expect.at(i), result, built); });
+            check.shots[i] = file;
+        } catch (...) {
+            report_warning("not drawn: " + explain(std::current_exception()).message);
+        }
+    }
+}
+
+ExitCode check_all(const Command& command, const CheckArguments& options) {
+    if (!options.junit.empty()) refuse_to_overwrite(options.junit, options.force);
+    catch_interrupts();
+    std::vector<SceneCheck> checks = check_scene_files(without_schemas(options.files), options.changes, options.jobs);
+    // An interruption weighs most, then a scene that could not be read or run, then a claim that does not hold.
+    const auto weight = [](ExitCode code) { return code == ExitCode::failed ? 1 : static_cast<int>(code) * 10; };
+    ExitCode code = ExitCode::ok;
+    JsonWriter json;
+    json.open_object().key("scenes").open_array();
+    if (!options.shots.empty()) make_names_differ(checks);
+    for (SceneCheck& check : checks) {
+        if (weight(check.code) > weight(code)) code = check.code;
+        if (!options.shots.empty()) draw_failures(check, options);
+        command.json ? write(json, check) : say(check);
+    }
+    json.close_array().member("passed", code == ExitCode::ok).close_object();
+    if (command.json) write_output(json.text() + "\n");
+    if (!options.junit.empty()) write_file(options.junit, to_junit(checks), options.force);
+    return code;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<CheckArguments>();
+    CLI::App& check = add_subcommand(app, command, "check", "Simulate scenes, and test what they claim (\"expect\")");
+    check.add_option("SCENE", options->files, "Scene files")->required();
+    add_change_options(check, options->changes);
+    check.add_option("--junit", options->junit, "Write the results as JUnit XML")->type_name("F.xml");
+    check.add_option("--shots", options->shots, "Draw the moment of each failure into this folder")->type_name("DIR");
+    check.add_option("-j,--jobs", options->jobs, "Scenes at a time")
+        ->capture_default_str()
+        ->check(whole_number_from_to(1, 256));
+    check.add_flag("--force", options->force, "Replace files that exist");
+    check.callback(
+        [&command, options] { command.action = [&command, options] { return check_all(command, *options); }; });
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,111 @@
+// `tumble demo`: a shipped scene, run into a folder of the build, which the demo owns and replaces, or into the user's
+// own; or its file, to start from.
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "tools/cli/command.hpp"
+#include "tools/cli/console.hpp"
+#include "tools/output/json_writer.hpp"
+#include "tools/run/run_report.hpp"
+#include "tools/run/simulation.hpp"
+#include "tools/scene/places.hpp"
+#include "tools/scene/scene_options.hpp"
+#include "tumble/file.hpp"
+
+namespace tumble::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kDefaultDemo = "mixed_rain";
+
+struct DemoArguments {
+    std::string name = kDefaultDemo;
+    fs::path folder;
+    bool list = false;
+    bool print = false;
+    bool force = false;
+};
+
+ExitCode list_demos(const Command& command) {
+    JsonWriter json;
+    json.open_array();
+    for (const fs::path& file : find_scenes()) {
+        const std::string name = file.stem().string();
+        const Scene scene = load_scene(file);
+        json.open_object().member("name", name).member("description", scene.description);
+        json.member("file", file.string()).close_object();
+        const std::string gap(name.size() < 18 ? 18 - name.size() : 1, ' ');
+        if (!command.json) write_output(name + gap + scene.description + "\n");
+    }
+    json.close_array();
+    if (command.json) write_output(json.text() + "\n");
+    return ExitCode::ok;
+}
+
+fs::path find_demo(const std::string& name) {
+    for (const fs::path& file : find_scenes())
+        if (file.stem() == name) return file;
+    throw CLI::ValidationError("NAME", "there is no shipped scene '" + name + "'; demo --list shows which there are");
+}
+
+// As it is written, comments and all; in one piece if it includes others, which are not where it will be put.
+ExitCode print_demo(const Command& command, const DemoArguments& options) {
+    const fs::path file = find_demo(options.name);
+    LoadOptions as_written;
+    as_written.keep_includes = true;
+    const bool is_whole = load_scene(file, as_written).include.empty();
+    const std::string text = is_whole ? read_file(file) : to_json(load_scene(file));
+    if (!command.json) {
+        write_output(text);
+        return ExitCode::ok;
+    }
+    JsonWriter json;
+    json.open_object().member("name", options.name).member("file", file.string()).member("text", text).close_object();
+    write_output(json.text() + "\n");
+    return ExitCode::ok;
+}
+
+ExitCode run_demo(const Command& command, const DemoArguments& options) {
+    SceneOptions source;
+    source.file = find_demo(options.name).string();
+    const Scene scene = read_scene(source);
+    RunOptions settings;
+    const bool is_ours = options.folder.empty();
+    settings.folder = is_ours ? demo_folder() / file_name_of(scene.name) : options.folder;
+    settings.force = is_ours || options.force;
+    narrate("Simulating and rendering " + options.name + ": " + scene.description + "\n");
+    const RunReport report = simulate(scene, settings);
+    if (command.json) {
+        write_output(to_json(report));
+    } else {
+        const std::string tumble = command_to_type();
+        write_output(to_text(report));
+        write_output("  next        " + tumble + " demo --list, or one frame of another scene:\n              " +
+                     tumble + " shot " + find_scene("bridge").string() + " --at 2 -o bridge.png\n");
+    }
+    return report.complete ? ExitCode::ok : ExitCode::interrupted;
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<DemoArguments>();
+    CLI::App& demo = add_subcommand(app, command, "demo", "Run a shipped scene into the build folder");
+    demo.add_option("NAME", options->name, "The scene")->capture_default_str();
+    demo.add_flag("--list", options->list, "List the shipped scenes");
+    demo.add_flag("--print", options->print, "Print the scene's file in place of running it: one to start from");
+    demo.add_option("-o,--output", options->folder, "Folder for the frames; left out: one that the demo replaces")
+        ->type_name("DIR");
+    demo.add_flag("--force", options->force, "Replace what is in that folder");
+    demo.callback([&command, options] {
+        command.action = [&command, options] {
+            if (options->list) return list_demos(command);
+            return options->print ? print_demo(command, *options) : run_demo(command, *options);
+        };
+    });
+}
+
+}  // namespace tumble::tools

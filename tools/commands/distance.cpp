@@ -1,0 +1,158 @@
+// `tumble distance`: the signed distance of two shapes, once or for each line of standard input.
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/cli/command.hpp"
+#include "tools/cli/console.hpp"
+#include "tools/output/input_error.hpp"
+#include "tools/query/distance_query.hpp"
+#include "tools/query/trace_output.hpp"
+#include "tumble/distance.hpp"
+#include "tumble/scene_file.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct DistanceArguments {
+    std::string a, b;
+    bool from_input = false;
+    std::string sub_algorithm;    // empty: distance() as it is
+    std::filesystem::path trace;  // empty: not drawn
+    bool force = false;
+};
+
+const std::map<std::string, SubAlgorithm> kSubAlgorithms = {{"voronoi", SubAlgorithm::voronoi},
+                                                            {"johnson", SubAlgorithm::johnson},
+                                                            {"signed-volumes", SubAlgorithm::signed_volumes}};
+
+DistanceResult answer(const DistanceQuery& query, const DistanceArguments& options) {
+    if (options.sub_algorithm.empty()) return tumble::distance(query.a, query.a_pose, query.b, query.b_pose);
+    return gjk_distance(query.a, query.a_pose, query.b, query.b_pose, kSubAlgorithms.at(options.sub_algorithm));
+}
+
+ExitCode answer_arguments(const Command& command, const DistanceArguments& options) {
+    const DistanceQuery query = parse_query_arguments(options.a, options.b);
+    const DistanceResult result = answer(query, options);
+    if (result.status == DistanceStatus::invalid)
+        throw InputError("A and B have no distance: double numbers cannot hold it");
+    if (!options.trace.empty()) {
+        const std::string& by = options.sub_algorithm.empty() ? "voronoi" : options.sub_algorithm;
+        write_trace(options.trace, query, kSubAlgorithms.at(by), options.force);
+    }
+    if (!command.json) {
+        write_output(answer_text(result));
+        return ExitCode::ok;
+    }
+    JsonWriter json;
+    write_answer(json, query, result);
+    write_output(json.text() + "\n");
+    return ExitCode::ok;
+}
+
+// A line of the input: a query, or what is wrong with it.
+struct Line {
+    std::uint64_t number = 0;
+    DistanceQuery query;
+    std::string error;
+};
+
+Line read_line(std::string_view text, std::uint64_t number) {
+    try {
+        return {number, parse_query_line(text), {}};
+    } catch (const InputError& error) {
+        return {number, {}, error.what()};
+    } catch (const SceneError& error) {
+        const Diagnostic& first = error.diagnostics.front();
+        return {number, {}, first.file + first.pointer + ": " + first.message};
+    }
+}
+
+std::vector<DistanceResult> answer_all(const std::vector<Line>& lines, const DistanceArguments& options) {
+    std::vector<DistanceResult> results(lines.size());
+    if (!options.sub_algorithm.empty()) {
+        std::ranges::transform(lines, results.begin(), [&](const Line& line) { return answer(line.query, options); });
+        return results;
+    }
+    std::vector<PosedPair> pairs;
+    for (const Line& line : lines)
+        pairs.push_back({&line.query.a, line.query.a_pose, &line.query.b, line.query.b_pose});
+    distance_batch(pairs, results);
+    return results;
+}
+
+void write_answers(const std::vector<Line>& lines, const DistanceArguments& options, JsonWriter& json) {
+    const std::vector<DistanceResult> results = answer_all(lines, options);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        json.clear();
+        if (lines[i].error.empty())
+            write_answer(json, lines[i].query, results[i]);
+        else
+            json.open_object().member("error", lines[i].error).member("line", lines[i].number).close_object();
+        write_output(json.text());
+        write_output("\n");
+    }
+}
+
+// A line that is no query is answered by its error, and the next one is read. Lines are answered many at once, but who
+// writes one and waits gets its answer before we wait for the next.
+ExitCode answer_lines(const DistanceArguments& options) {
+    constexpr std::size_t kAtOnce = 256;
+    std::ios::sync_with_stdio(false);
+    std::cin.tie(nullptr);
+    ExitCode code = ExitCode::ok;
+    JsonWriter json(JsonWriter::Layout::compact);
+    std::vector<Line> lines;
+    std::string text;
+    for (std::uint64_t number = 1; std::getline(std::cin, text); ++number) {
+        if (text.find_first_not_of(" \t\r") != std::string::npos) {
+            lines.push_back(read_line(text, number));
+            if (!lines.back().error.empty()) code = ExitCode::invalid_input;
+        }
+        const bool is_last_for_now = std::cin.rdbuf()->in_avail() <= 0;
+        if (is_last_for_now || lines.size() == kAtOnce) {
+            write_answers(lines, options, json);
+            lines.clear();
+        }
+        if (is_last_for_now) finish_output();
+    }
+    write_answers(lines, options, json);
+    return code;
+}
+
+ExitCode run(const Command& command, const DistanceArguments& options) {
+    if (!options.trace.empty() && (options.from_input || !is_trace_file(options.trace)))
+        throw CLI::ValidationError("--trace",
+                                   "expected a file .png, .svg or .json, for one query, got " + options.trace.string());
+    if (options.from_input && !options.a.empty())
+        throw CLI::ValidationError("--stdin", "reads all queries from standard input, and takes no A and B");
+    if (options.from_input) return answer_lines(options);
+    if (options.a.empty() || options.b.empty()) throw CLI::RequiredError("A and B, two shapes as JSON, or --stdin,");
+    return answer_arguments(command, options);
+}
+
+}  // namespace
+
+void add_distance(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<DistanceArguments>();
+    CLI::App& distance = add_subcommand(app, command, "distance", "The signed distance of two convex shapes");
+    distance.add_option("A", options->a, R"(A shape, as in {"circle": {"radius": 1}, "pose": {"position": [2, 0]}})");
+    distance.add_option("B", options->b, "Another");
+    distance.add_flag("--stdin", options->from_input, "A query a line on standard input, an answer a line out");
+    distance.add_option("--sub-algorithm", options->sub_algorithm, "By the GJK loop alone, with this subalgorithm")
+        ->check(CLI::IsMember(&kSubAlgorithms))
+        ->type_name("NAME");
+    distance.add_option("--trace", options->trace, "Write the iterations of the one query")
+        ->type_name("F.png|.svg|.json");
+    distance.add_flag("--force", options->force, "Replace the trace if it exists");
+    distance.callback([&command, options] { command.action = [&command, options] { return run(command, *options); }; });
+}
+
+}  // namespace tumble::tools

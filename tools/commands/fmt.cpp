@@ -1,0 +1,85 @@
+// `tumble fmt`: the canonical form of a scene file.
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "tools/cli/command.hpp"
+#include "tools/cli/console.hpp"
+#include "tools/output/json_writer.hpp"
+#include "tumble/file.hpp"
+#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct FmtArguments {
+    std::string file;
+    bool write = false;
+    bool flat = false;
+    bool force = false;
+};
+
+// Of a text that was read as a scene: // to the end of the line, and /* */.
+int count_comments(std::string_view text) {
+    int count = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (in_string && text[i] == '\\') {
+            ++i;
+        } else if (text[i] == '"') {
+            in_string = !in_string;
+        } else if (!in_string && text[i] == '/') {
+            ++count;
+            const std::string_view end = text.substr(i).starts_with("//") ? "\n" : "*/";
+            const std::size_t found = text.find(end, i + 2);
+            if (found == std::string_view::npos) break;
+            i = found + end.size() - 1;
+        }
+    }
+    return count;
+}
+
+ExitCode format(const Command& command, const FmtArguments& options) {
+    LoadOptions as_written;
+    as_written.keep_includes = !options.flat;
+    const Scene scene = load_scene(options.file, as_written);
+    const std::string text = to_json(scene);
+    const std::string before = read_file(options.file);
+    const bool changes = before != text;
+    // Comments may stand between any two tokens, and the canonical form has no place for them.
+    const int comments = count_comments(before);
+    if (options.write && changes && comments > 0 && !options.force)
+        throw FileError(options.file, "has " + std::to_string(comments) + (comments == 1 ? " comment" : " comments") +
+                                          ", for which the canonical form has no place; --force writes it without, "
+                                          "\"custom\" is for what shall stay");
+    if (comments > 0)
+        report_warning(options.file + ": " + std::to_string(comments) +
+                       (comments == 1 ? " comment is" : " comments are") +
+                       " not kept; \"custom\" is for what shall stay");
+    if (options.write && changes) save_scene(scene, options.file);
+    if (!options.write && !command.json) {
+        write_output(text);
+    } else if (command.json) {
+        JsonWriter json;
+        json.open_object().member("file", options.file).member("canonical", !changes);
+        json.member("written", options.write && changes).member("comments_lost", comments).close_object();
+        write_output(json.text() + "\n");
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_fmt(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<FmtArguments>();
+    CLI::App& fmt = add_subcommand(app, command, "fmt", "Print a scene in its canonical form: one order, no defaults");
+    fmt.add_option("SCENE", options->file, "Scene file")->required();
+    fmt.add_flag("-w,--write", options->write, "Replace the file in place of printing");
+    fmt.add_flag("--force", options->force, "Replace a file that has comments, without them");
+    fmt.add_flag("--flat", options->flat, "With what it includes in place: a scene that needs no other file");
+    fmt.callback([&command, options] { command.action = [&command, options] { return format(command, *options); }; });
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,132 @@
+// `tumble import`: a scene from a file of another program.
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "reference/box2d/b2_rube.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/console.hpp"
+#include "tools/cli/output_path.hpp"
+#include "tools/cli/validators.hpp"
+#include "tools/output/json_writer.hpp"
+#include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_import.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+struct ImportArguments {
+    std::filesystem::path source;
+    std::filesystem::path scene;
+    SvgOptions svg;
+    bool force = false;
+    bool check = false;
+};
+
+constexpr double kAllowedDifference = 1e-5;  // relative, and m: exports and Box2D are float
+
+bool agrees(const reference::ImportDifferences& found) {
+    return found.same_count && std::max({found.mass, found.center, found.inertia, found.anchor}) <= kAllowedDifference;
+}
+
+bool is_svg(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return extension == ".svg";
+}
+
+std::ptrdiff_t count_of(const ImportedScene& imported, BodyType type) {
+    return std::ranges::count(imported.scene.bodies, type, &SceneBody::type);
+}
+
+// What decides in a drawing what moves, which no drawing program asks.
+constexpr const char* kSvgRule =
+    "In a drawing, filled shapes become dynamic bodies, mere lines static chains. class=\"static\" (or \"kinematic\", "
+    "\"dynamic\"), the "
+    "same in data-type, or an id that begins with it decides otherwise, on a shape or a group: mark a floor by it.";
+
+void write_json(const ImportArguments& options, const ImportedScene& imported,
+                const std::optional<reference::ImportDifferences>& check) {
+    JsonWriter json;
+    json.open_object().member("scene", options.scene.string());
+    json.member("bodies", imported.scene.bodies.size()).member("dynamic", count_of(imported, BodyType::dynamic_body));
+    json.member("static", count_of(imported, BodyType::static_body)).member("joints", imported.scene.joints.size());
+    json.key("not_carried_over").open_array();
+    for (const ImportNote& note : imported.notes)
+        json.open_object().member("feature", note.feature).member("count", note.count).close_object();
+    json.close_array();
+    if (check) {
+        json.key("check").open_object().member("agrees", agrees(*check)).member("bodies", check->bodies);
+        json.member("joints", check->joints).member("mass", check->mass).member("center", check->center);
+        json.member("inertia", check->inertia).member("anchor_m", check->anchor).close_object();
+    }
+    write_output(json.close_object().text() + "\n");
+}
+
+void write_text(const ImportArguments& options, const ImportedScene& imported,
+                const std::optional<reference::ImportDifferences>& check) {
+    write_output(options.scene.string() + ": " + std::to_string(imported.scene.bodies.size()) + " bodies (" +
+                 std::to_string(count_of(imported, BodyType::dynamic_body)) + " dynamic, " +
+                 std::to_string(count_of(imported, BodyType::static_body)) + " static), " +
+                 std::to_string(imported.scene.joints.size()) + " joints\n");
+    for (const ImportNote& note : imported.notes)
+        report_warning("not carried over: " + note.feature + " (" + std::to_string(note.count) + ")");
+    if (is_svg(options.source)) narrate(std::string(kSvgRule) + "\n");
+    if (!check) return;
+    std::string text = "beside Box2D: " + std::to_string(check->bodies) + " dynamic bodies, masses within ";
+    append_number(text, check->mass);
+    append_number(text += ", centres within ", check->center);
+    append_number(text += ", inertias within ", check->inertia);
+    append_number(text += " (relative); " + std::to_string(check->joints) + " joints, anchors within ", check->anchor);
+    write_output(text + " m" + (agrees(*check) ? "\n" : ": they do not agree\n"));
+}
+
+ExitCode import_scene(const Command& command, const ImportArguments& options) {
+    if (options.check && is_svg(options.source))
+        throw CLI::ValidationError("--check", "compares a R.U.B.E. export with Box2D, and this is a drawing");
+    refuse_to_overwrite(options.scene, options.force);
+    const ImportedScene imported =
+        is_svg(options.source) ? import_svg(options.source, options.svg) : import_rube(options.source);
+    create_folder_of(options.scene);
+    save_scene(imported.scene, options.scene);
+    std::optional<reference::ImportDifferences> check;
+    if (options.check) check = reference::compare_with_box2d(options.source, imported.scene);
+    if (command.json)
+        write_json(options, imported, check);
+    else
+        write_text(options, imported, check);
+    return check && !agrees(*check) ? ExitCode::failed : ExitCode::ok;
+}
+
+}  // namespace
+
+void add_import(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<ImportArguments>();
+    CLI::App& app_import =
+        add_subcommand(app, command, "import", "Make a scene from a R.U.B.E. (b2dJson) export or an SVG drawing");
+    app_import.footer(kSvgRule);
+    app_import.add_option("FILE", options->source, "The export (.json, .js), or the drawing (.svg)")->required();
+    app_import.add_option("--scale", options->svg.metres_per_unit, "Metres of a user unit of an SVG drawing")
+        ->type_name("M")
+        ->capture_default_str()
+        ->check(number_from_to(1e-6, 1e6));
+    app_import
+        .add_option("--tolerance", options->svg.tolerance, "Largest distance of SVG curves from their chords, in m")
+        ->type_name("M")
+        ->capture_default_str()
+        ->check(number_from_to(1e-9, 1e6));
+    app_import.add_option("-o,--output", options->scene, "Scene file to write")->type_name("SCENE")->required();
+    app_import.add_flag(
+        "--check", options->check,
+        "Compare masses, inertias and anchors with Box2D built from the same export; exit code 7 if they differ");
+    app_import.add_flag("--force", options->force, "Replace the scene file if it exists");
+    app_import.callback(
+        [&command, options] { command.action = [&command, options] { return import_scene(command, *options); }; });
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,119 @@
+// `tumble parity`: distances, rays, casts and times of impact beside Box2D's, with exact arithmetic as the judge.
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "reference/families/cast_families.hpp"
+#include "reference/families/pair_families.hpp"
+#include "reference/parity/parity.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/console.hpp"
+#include "tools/cli/output_path.hpp"
+#include "tools/cli/validators.hpp"
+#include "tools/parity/parity_report.hpp"
+#include "tools/scene/places.hpp"
+#include "tools/scene/scene_options.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+constexpr std::uint64_t kMostPairs = 1000000000;  // an hour or two, and 200 MB for the list of their blocks
+
+struct ParityArguments {
+    reference::ParityOptions parity;
+    std::vector<std::string> scenes;
+    std::string report;
+    bool force = false;
+    bool list = false;
+};
+
+ExitCode list_families(const Command& command) {
+    JsonWriter json;
+    json.open_array();
+    const auto list = [&](const auto& family) {
+        json.open_object().member("name", family.name).member("description", family.description).close_object();
+        std::string line(family.name);
+        line.resize(24, ' ');
+        if (!command.json) write_output(line + std::string(family.description) + "\n");
+    };
+    for (const reference::PairFamily& family : reference::pair_families()) list(family);
+    for (const reference::CastFamily& family : reference::cast_families()) list(family);
+    json.close_array();
+    if (command.json) write_output(json.text() + "\n");
+    return ExitCode::ok;
+}
+
+// The rows of all scenes as one result.
+reference::ParityResult compare_scenes(const ParityArguments& options) {
+    reference::ParityResult all;
+    all.seed = options.parity.seed;
+    for (const std::string& name : options.scenes) {
+        narrate("comparing every pair of every step of " + name + "\n");
+        const reference::ParityResult one =
+            reference::run_scene_parity(load_named_scene(find_scene(name).string()), options.parity);
+        all.pairs += one.pairs;
+        all.seconds += one.seconds;
+        all.families.insert(all.families.end(), one.families.begin(), one.families.end());
+    }
+    return all;
+}
+
+reference::ParityResult compare_random_pairs(const ParityArguments& options) {
+    for (const std::string& name : options.parity.families)
+        if (!reference::find_pair_family(name) && !reference::find_cast_family(name))
+            throw CLI::ValidationError("--family",
+                                       "there is no family '" + name + "'; tumble parity --list names them all");
+    Progress progress("pairs", options.parity.pairs);
+    reference::ParityOptions parity = options.parity;
+    parity.progress = [&progress](std::uint64_t done) { progress.show(done); };
+    return reference::run_parity(parity);
+}
+
+ExitCode compare(const Command& command, const ParityArguments& options) {
+    if (options.list) return list_families(command);
+    if (!options.report.empty()) refuse_to_overwrite(options.report, options.force);
+    const bool in_scenes = !options.scenes.empty();
+    const reference::ParityResult result = in_scenes ? compare_scenes(options) : compare_random_pairs(options);
+    if (command.json) {
+        JsonWriter json;
+        write_parity_json(json, result);
+        write_output(json.text() + "\n");
+    } else {
+        write_output(parity_table(result));
+    }
+    if (!options.report.empty()) {
+        write_file(options.report,
+                   parity_page(result, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"),
+                   options.force);
+        narrate("the report is " + options.report + "\n");
+    }
+    return result.passed() ? ExitCode::ok : ExitCode::failed;
+}
+
+}  // namespace
+
+void add_parity(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<ParityArguments>();
+    CLI::App& parity = add_subcommand(app, command, "parity", "Compare distances with b2Distance and exact arithmetic");
+    parity.add_option("--pairs", options->parity.pairs, "Random pairs")
+        ->capture_default_str()
+        ->check(whole_number_from_to(1, kMostPairs));
+    parity.add_option("--seed", options->parity.seed, "Seed of the pairs")->capture_default_str()->check(any_seed());
+    parity.add_option("--family", options->parity.families, "Only this family of pairs; may be given again");
+    parity.add_option("--scene", options->scenes,
+                      "Instead, every pair of every step of this scene; may be given again");
+    parity.add_option("--threads", options->parity.threads, "0: as many as the machine has")
+        ->capture_default_str()
+        ->check(whole_number_from_to(0, 256));
+    parity.add_option("--report", options->report, "Write a page with plots and the worst cases to this file")
+        ->type_name("F.html");
+    parity.add_flag("--force", options->force, "Replace an existing report");
+    parity.add_flag("--list", options->list, "List the families");
+    parity.parse_complete_callback([&parity] { warn_of_idle(parity, {"--pairs", "--seed", "--family"}, "--scene"); });
+    parity.callback(
+        [&command, options] { command.action = [&command, options] { return compare(command, *options); }; });
+}
+
+}  // namespace tumble::tools

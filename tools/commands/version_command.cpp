@@ -1,0 +1,56 @@
+// `tumble --version`: what was built, by what, and for which processor.
+#include <string>
+#include <vector>
+
+#include "tools/cli/command.hpp"
+#include "tools/cli/console.hpp"
+#include "tools/measure/processor.hpp"
+#include "tools/measure/version.hpp"
+#include "tools/output/json_writer.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+std::vector<std::string> feature_names(std::uint32_t features) {
+    std::vector<std::string> names;
+    for (int i = 0; i < kProcessorFeatureCount; ++i)
+        if ((features & (1u << i)) != 0) names.emplace_back(kProcessorFeatureNames[i]);
+    return names;
+}
+
+std::string join(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+    return text.empty() ? "none beyond the baseline" : text;
+}
+
+void write_names(JsonWriter& json, const char* key, const std::vector<std::string>& names) {
+    json.key(key).open_array();
+    for (const std::string& name : names) json.value(name);
+    json.close_array();
+}
+
+}  // namespace
+
+ExitCode print_version(bool json) {
+    const std::vector<std::string> used = feature_names(kRequiredProcessorFeatures);
+    const std::vector<std::string> present = feature_names(find_processor_features());
+    if (!json) {
+        write_output("tumble " TUMBLE_VERSION "\n");
+        write_output("compiler   " + compiler_name() + ", " TUMBLE_BUILD_TYPE "\n");
+        write_output("built for  " TUMBLE_SIMD_NAME ": " + join(used) + "\n");
+        write_output("processor  " + join(present) + "\n");
+        return ExitCode::ok;
+    }
+    JsonWriter document;
+    document.open_object().member("version", TUMBLE_VERSION).member("compiler", compiler_name());
+    document.member("build_type", TUMBLE_BUILD_TYPE).member("simd", TUMBLE_SIMD_NAME);
+    write_names(document, "instruction_sets", used);
+    write_names(document, "processor_has", present);
+    document.close_object();
+    write_output(document.text() + "\n");
+    return ExitCode::ok;
+}
+
+}  // namespace tumble::tools

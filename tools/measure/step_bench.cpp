@@ -1,0 +1,57 @@
+#include "tools/measure/step_bench.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "reference/box2d/b2_world.hpp"
+#include "tools/measure/cpu_clock.hpp"
+#include "tools/measure/median.hpp"
+#include "tumble/scene_run.hpp"
+#include "tumble/scene_world.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+constexpr int kTurn = 10;  // steps: short beside what a machine's speed drifts in, long beside a cold cache
+
+template <class World>
+double time_steps(World& world, int count) {
+    const double start = cpu_seconds();
+    for (int i = 0; i < count; ++i) world.step();
+    return cpu_seconds() - start;
+}
+
+int steps_of(const Scene& scene, const StepBenchOptions& options) {
+    const std::uint64_t most = static_cast<std::uint64_t>(options.steps);
+    return std::max(1, static_cast<int>(std::min(most, count_steps(scene))));
+}
+
+}  // namespace
+
+StepBenchResult bench_steps(const Scene& scene, const StepBenchOptions& options) {
+    StepBenchResult result;
+    result.scene = scene.name;
+    const int steps = steps_of(scene, options);
+    std::vector<double> ours, theirs;  // ms a step, of each run
+    for (int run = 0; run < options.runs; ++run) {
+        SceneWorld tumble_world = build_world(scene);
+        reference::B2World box2d_world(scene);
+        double tumble_seconds = 0.0, box2d_seconds = 0.0;
+        for (int done = 0; done < steps; done += kTurn) {
+            const int count = std::min(kTurn, steps - done);
+            tumble_seconds += time_steps(tumble_world.world, count);
+            box2d_seconds += time_steps(box2d_world, count);
+        }
+        ours.push_back(1e3 * tumble_seconds / steps);
+        theirs.push_back(1e3 * box2d_seconds / steps);
+        result.bodies = tumble_world.bodies.size();
+        result.contacts = tumble_world.world.counters().contacts;
+    }
+    result.tumble_ms = median(ours);
+    result.box2d_ms = median(theirs);
+    return result;
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,71 @@
+// Reads a CSV file whose columns are known: what is wrong with it is told with its line.
+#pragma once
+
+#define CSV_IO_NO_THREAD
+#include <libfccp/csv.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <tuple>
+
+#include "tools/output/input_error.hpp"
+#include "tumble/file.hpp"
+
+namespace tumble::tools {
+
+// What the reader throws ends as our kind of error, with file and line.
+template <class Action>
+auto with_input_errors(Action action) {
+    try {
+        return action();
+    } catch (const io::error::base& error) {
+        throw InputError(error.what());
+    }
+}
+
+template <unsigned Columns>
+class CsvFile {
+public:
+    // The names of the columns, which must stand in the first line. Throws FileError or InputError, as all functions
+    // do.
+    template <class... Names>
+    CsvFile(const std::filesystem::path& file, Names... names)
+        : name_(file.string()), stream_(opened(file)), csv_(name_, stream_) {
+        with_input_errors([&] { csv_.read_header(io::ignore_no_column, names...); });
+    }
+
+    // The fields of the next line, which hold until the one after it; false at the end.
+    bool read(std::array<char*, Columns>& fields) {
+        const auto read_row = [this](auto&... field) { return csv_.read_row(field...); };
+        return with_input_errors([&] { return std::apply(read_row, fields); });
+    }
+
+    // A field of the line that was read last, all of it.
+    template <class Number>
+    Number number(const char* text) const {
+        Number value{};
+        const char* const end = text + std::strlen(text);
+        const auto [stop, error] = std::from_chars(text, end, value);
+        if (error == std::errc() && stop == end) return value;
+        throw InputError(name_ + ":" + std::to_string(csv_.get_file_line()) + ": expected a number, got '" + text +
+                         "'");
+    }
+
+private:
+    static std::ifstream opened(const std::filesystem::path& file) {
+        std::ifstream stream(file);
+        if (!stream) throw FileError(file, std::strerror(errno));
+        return stream;
+    }
+
+    std::string name_;
+    std::ifstream stream_;
+    io::CSVReader<Columns, io::trim_chars<>, io::double_quote_escape<',', '"'>> csv_;
+};
+
+}  // namespace tumble::tools

@@ -1,0 +1,185 @@
+#include "tools/run/body_states.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "tools/output/csv_file.hpp"
+#include "tools/output/json_writer.hpp"
+#include "tools/run/step_files.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_run.hpp"
+#include "tumble/scene_world.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+// The numbers are x, y, the normal's x and y, separation and impulse, as text.
+std::string contact_text(const std::string& a, const std::string& b, const std::array<std::string, 6>& numbers) {
+    const auto& [x, y, normal_x, normal_y, separation, impulse] = numbers;
+    return a + " and " + b + " at [" + x + ", " + y + "], normal [" + normal_x + ", " + normal_y + "], separation " +
+           separation + " m, impulse " + impulse + " N s";
+}
+
+// The contacts of one step after the other, as --contacts writes them.
+class ContactFile {
+public:
+    explicit ContactFile(const std::filesystem::path& file)
+        : csv_(file, "step", "body_a", "body_b", "feature", "x", "y", "nx", "ny", "separation", "normal_impulse",
+               "tangent_impulse") {}
+
+    std::vector<std::string> contacts_of(const std::string& body, std::uint64_t step) {
+        while (!at_end_ && (!held_ || held_->step < step)) read();
+        for (lines_.clear(); held_ && held_->step == step; read()) lines_.push_back(*held_);
+        std::vector<std::string> found;
+        for (const Line& line : lines_)
+            if (line.body_a == body || line.body_b == body) found.push_back(line.text);
+        return found;
+    }
+
+private:
+    struct Line {
+        std::uint64_t step = 0;
+        std::string body_a, body_b, text;
+    };
+
+    void read() {
+        std::array<char*, 11> fields{};
+        held_.reset();
+        at_end_ = !csv_.read(fields);
+        if (at_end_) return;
+        const auto& [step, a, b, feature, x, y, nx, ny, separation, normal_impulse, tangent_impulse] = fields;
+        held_ = Line{csv_.number<std::uint64_t>(step), a, b,
+                     contact_text(a, b, {x, y, nx, ny, separation, normal_impulse})};
+    }
+
+    CsvFile<11> csv_;
+    std::optional<Line> held_;
+    std::vector<Line> lines_;
+    bool at_end_ = false;
+};
+
+class TrajectoryStates final : public StateSource {
+public:
+    explicit TrajectoryStates(const std::filesystem::path& file)
+        : csv_(file, "step", "time", "body", "x", "y", "angle", "vx", "vy", "omega") {
+        const std::filesystem::path contacts = file.parent_path() / "contacts.csv";
+        if (std::filesystem::exists(contacts)) contacts_.emplace(contacts);
+        read();
+    }
+
+    bool next(StepStates& states) override {
+        if (at_end_) return false;
+        states.bodies.clear();
+        states.step = step_ = held_step_;
+        states.time = held_time_;
+        while (!at_end_ && held_step_ == step_) {
+            states.bodies.push_back(held_);
+            read();
+        }
+        return true;
+    }
+
+    std::vector<std::string> contacts_of(const std::string& body) override {
+        return contacts_ ? contacts_->contacts_of(body, step_) : std::vector<std::string>{};
+    }
+
+private:
+    void read() {
+        std::array<char*, 9> fields{};
+        at_end_ = !csv_.read(fields);
+        if (at_end_) return;
+        held_step_ = csv_.number<std::uint64_t>(fields[0]);
+        held_time_ = csv_.number<double>(fields[1]);
+        held_.body = fields[2];
+        for (std::size_t i = 0; i < kComponents.size(); ++i) {
+            const char* const text = fields[3 + i];
+            held_.values[i] = i < kDoubleComponents ? csv_.number<double>(text) : double{csv_.number<float>(text)};
+        }
+    }
+
+    CsvFile<9> csv_;
+    std::optional<ContactFile> contacts_;
+    std::uint64_t step_ = 0, held_step_ = 0;  // `held` is the first body of the step after the one that was read last
+    double held_time_ = 0.0;
+    NamedState held_;
+    bool at_end_ = false;
+};
+
+// A scene that runs while it is read.
+class RunningStates final : public StateSource {
+public:
+    RunningStates(const std::filesystem::path& file, const LoadOptions& changes)
+        : scene_(load_scene(file, changes)), run_(scene_), last_step_(count_steps(scene_)) {}
+
+    bool next(StepStates& states) override {
+        if (started_ && run_.world().step_count() >= last_step_) return false;
+        if (started_) run_.step();
+        started_ = true;
+        states.step = run_.world().step_count();
+        states.time = run_.time();
+        states.bodies.clear();
+        const std::vector<SceneInstance>& bodies = run_.built().bodies;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            if (!run_.world().is_valid(bodies[i].id)) continue;
+            const BodyState state = run_.world().state(bodies[i].id);
+            const DVec2 position = state.pose.position;
+            states.bodies.push_back({output_name(bodies[i], i),
+                                     {position.x, position.y, angle(state.pose.rotation), double{state.velocity.x},
+                                      double{state.velocity.y}, double{state.angular_velocity}}});
+        }
+        return true;
+    }
+
+    std::vector<std::string> contacts_of(const std::string& body) override {
+        std::vector<std::string> found;
+        for (const ContactPoint& contact : run_.world().contacts()) {
+            const std::string a = name_of(contact.body_a), b = name_of(contact.body_b);
+            if (a == body || b == body) found.push_back(text_of(contact, a, b));
+        }
+        return found;
+    }
+
+private:
+    std::string name_of(BodyId id) const {
+        const auto& bodies = run_.built().bodies;
+        const auto found = std::ranges::find(bodies, id, &SceneInstance::id);
+        return output_name(*found, static_cast<std::size_t>(found - bodies.begin()));
+    }
+
+    static std::string text_of(const ContactPoint& contact, const std::string& a, const std::string& b) {
+        const auto text = [](auto number) {
+            std::string digits;
+            append_number(digits, number);
+            return digits;
+        };
+        return contact_text(a, b,
+                            {text(contact.point.x), text(contact.point.y), text(contact.normal.x),
+                             text(contact.normal.y), text(contact.separation), text(contact.normal_impulse)});
+    }
+
+    Scene scene_;
+    SceneRun run_;
+    std::uint64_t last_step_ = 0;
+    bool started_ = false;
+};
+
+}  // namespace
+
+bool is_scene_file(const std::filesystem::path& path) {
+    return !std::filesystem::is_directory(path) && path.extension() != ".csv";
+}
+
+std::unique_ptr<StateSource> open_states(const std::filesystem::path& path, const LoadOptions& changes) {
+    if (std::filesystem::is_directory(path)) {
+        const std::filesystem::path trajectory = path / "trajectory.csv";
+        if (!std::filesystem::exists(trajectory))
+            throw InputError(path.string() + ": holds no trajectory.csv; run the scene with --trajectory " +
+                             trajectory.string());
+        return std::make_unique<TrajectoryStates>(trajectory);
+    }
+    if (is_scene_file(path)) return std::make_unique<RunningStates>(path, changes);
+    return std::make_unique<TrajectoryStates>(path);
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,52 @@
+#include "tools/run/run_folder.hpp"
+
+#include <string>
+#include <system_error>
+
+#include "tumble/file.hpp"
+
+namespace tumble::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_frame(const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.starts_with("frame_") && file.extension() == ".png";
+}
+
+void remove_earlier_run(const fs::path& folder) {
+    const fs::path frames = folder / "frames";
+    if (fs::is_directory(frames))
+        for (const fs::directory_entry& entry : fs::directory_iterator(frames))
+            if (is_frame(entry.path())) fs::remove(entry.path());
+    fs::remove(summary_file(folder));
+    fs::remove(events_file(folder));
+}
+
+}  // namespace
+
+fs::path frame_file(const fs::path& folder, std::uint64_t frame) {
+    std::string digits = std::to_string(frame);
+    if (digits.size() < 6) digits.insert(0, 6 - digits.size(), '0');
+    return folder / "frames" / ("frame_" + digits + ".png");
+}
+
+fs::path summary_file(const fs::path& folder) { return folder / "summary.json"; }
+
+fs::path events_file(const fs::path& folder) { return folder / "events.csv"; }
+
+void prepare_run_folder(const fs::path& folder, bool with_frames, bool force) {
+    std::error_code error;
+    if (fs::is_directory(folder, error) && !fs::is_empty(folder, error)) {
+        if (!force)
+            throw FileError(folder, "is not empty; give another folder with -o, or --force to replace its frames");
+        remove_earlier_run(folder);
+    }
+    const fs::path innermost = with_frames ? folder / "frames" : folder;
+    fs::create_directories(innermost, error);
+    if (error) throw FileError(innermost, "cannot create the folder: " + error.message());
+}
+
+}  // namespace tumble::tools

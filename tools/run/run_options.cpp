@@ -1,0 +1,94 @@
+#include "tools/run/run_options.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+
+#include "tools/cli/command.hpp"
+#include "tools/cli/validators.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+constexpr double kMaxRate = 1e5;  // frames/s
+
+bool parse_side(std::string_view text, int& pixels) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), pixels);
+    return error == std::errc{} && end == text.data() + text.size() && pixels >= kSmallestFrame &&
+           pixels <= kLargestFrame;
+}
+
+FrameSize parse_size(const std::string& text) {
+    FrameSize size;
+    const std::size_t cross = text.find('x');
+    if (cross != std::string::npos && parse_side(std::string_view(text).substr(0, cross), size.width) &&
+        parse_side(std::string_view(text).substr(cross + 1), size.height))
+        return size;
+    throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, each from " + std::to_string(kSmallestFrame) + " to " +
+                                             std::to_string(kLargestFrame) + " pixels, got " + text);
+}
+
+std::string overlay_names() {
+    std::string names;
+    for (const OverlayPart& part : kOverlayParts) names += (names.empty() ? "" : ",") + std::string(part.name);
+    return names;
+}
+
+}  // namespace
+
+void add_size_option(CLI::App& subcommand, FrameSize& size) {
+    subcommand
+        .add_option_function<std::string>(
+            "--size", [&size](const std::string& text) { size = parse_size(text); }, "Frame size in pixels")
+        ->type_name("WxH")
+        ->default_str("1280x720");
+}
+
+void add_overlay_option(CLI::App& subcommand, Overlay& overlay) {
+    const auto parse = [&overlay](const std::string& text) {
+        std::istringstream list(text);
+        for (std::string name; std::getline(list, name, ',');) {
+            std::erase(name, ' ');
+            if (name == "all") {
+                for (const OverlayPart& part : kOverlayParts) overlay.*part.member = true;
+                continue;
+            }
+            const auto found = std::ranges::find(kOverlayParts, name, &OverlayPart::name);
+            if (found == kOverlayParts.end())
+                throw CLI::ValidationError("--overlay", "'" + name + "' is none of " + overlay_names());
+            overlay.*found->member = true;
+        }
+    };
+    subcommand
+        .add_option_function<std::string>("--overlay", parse, "Draw over the shapes: " + overlay_names() + ", or all")
+        ->type_name("LIST");
+}
+
+void add_run_options(CLI::App& subcommand, RunOptions& options) {
+    subcommand.add_option("-o,--output", options.folder, "Folder for the results, default out/<scene name>")
+        ->type_name("DIR");
+    subcommand.add_option("--duration", options.duration, "Simulated seconds, default the scene's")
+        ->type_name("S")
+        ->check(number_from_to(0.0, kMaxDuration));
+    subcommand.add_option("--fps", options.frames_per_second, "Frames per simulated second")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(number_from_to(1e-3, kMaxRate));
+    add_size_option(subcommand, options.size);
+    subcommand.add_flag("--no-frames", options.no_frames, "Simulate only");
+    add_overlay_option(subcommand, options.overlay);
+    subcommand.add_option("--trajectory", options.trajectory, "Write pose and velocity of each body after each step")
+        ->type_name("F.csv");
+    subcommand.add_option("--contacts", options.contacts, "Write every contact point after each step")
+        ->type_name("F.csv");
+    subcommand.add_option("--hashes", options.hashes, "Write the state hash after each step")->type_name("F.csv");
+    subcommand.add_flag("--force", options.force, "Replace what an earlier run left in the folder");
+    subcommand.parse_complete_callback([&subcommand] {
+        warn_of_idle(subcommand, {"--fps", "--size", "--overlay"}, "--no-frames");
+    });
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,62 @@
+#include "tools/scene/places.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "tumble/file.hpp"
+
+namespace tumble::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kSourceScenes = TUMBLE_SCENES_DIR;
+const fs::path kBuildFolder = TUMBLE_BUILD_DIR;
+
+fs::path own_folder() {
+    std::error_code ignored;
+    return fs::read_symlink("/proc/self/exe", ignored).parent_path();
+}
+
+bool runs_in_build_folder() {
+    std::error_code ignored;
+    return fs::equivalent(own_folder().parent_path(), kBuildFolder, ignored);
+}
+
+bool is_scene(const fs::path& file) { return file.extension() == ".json" && file.filename() != "scene.schema.json"; }
+
+}  // namespace
+
+fs::path find_scenes_folder() {
+    const fs::path installed = own_folder().parent_path() / "share" / "tumble" / "scenes";
+    for (const fs::path& folder : {installed, kSourceScenes})
+        if (fs::is_directory(folder)) return folder;
+    throw FileError(installed, "the shipped scenes are neither here nor in " + kSourceScenes.string());
+}
+
+std::vector<fs::path> find_scenes() {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(find_scenes_folder()))
+        if (is_scene(entry.path())) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+fs::path find_scene(const std::string& name) {
+    for (const fs::path& file : find_scenes())
+        if (file.stem() == name) return file;
+    return name;
+}
+
+fs::path demo_folder() { return runs_in_build_folder() ? kBuildFolder / "demo" : fs::path("out") / "demo"; }
+
+std::string command_to_type() {
+    if (!runs_in_build_folder()) return "tumble";
+    const fs::path source = kSourceScenes.parent_path();
+    std::error_code ignored;
+    if (fs::equivalent(source, fs::current_path(ignored), ignored)) return "./tools/run.sh";
+    return (source / "tools" / "run.sh").string();
+}
+
+}  // namespace tumble::tools
