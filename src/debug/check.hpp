@@ -1,0 +1,95 @@
+// TUMBLE_CHECK(a <= b): an invariant that a debug build tests. If it does not hold, the process prints the expression,
+// its place and both values, and aborts. A release build (NDEBUG) does not evaluate it.
+//
+// For errors of this library alone. A wrong argument of a caller is an exception (world/require.hpp), an outcome such
+// as an overlap is a status.
+#pragma once
+
+#include <type_traits>
+
+namespace tumble::debug {
+
+// A value as the message shows it.
+struct Shown {
+    enum class Kind { number, integer, truth, other };
+
+    Kind kind = Kind::other;
+    double number = 0.0;
+    long long integer = 0;
+};
+
+template <class T>
+constexpr Shown show(const T& value) {
+    using Plain = std::remove_cvref_t<T>;
+    if constexpr (std::is_same_v<Plain, bool>)
+        return {Shown::Kind::truth, 0.0, value};
+    else if constexpr (std::is_floating_point_v<Plain>)
+        return {Shown::Kind::number, static_cast<double>(value), 0};
+    else if constexpr (std::is_integral_v<Plain> || std::is_enum_v<Plain>)
+        return {Shown::Kind::integer, 0.0, static_cast<long long>(value)};
+    else
+        return {};
+}
+
+struct Outcome {
+    bool holds = false;
+    Shown left;
+    Shown right;
+    const char* comparison = "";  // empty if the expression is no comparison
+};
+
+// Prints to standard error and aborts.
+[[noreturn]] void fail_check(const char* expression, const char* file, int line, const Outcome& outcome);
+
+// The left side of a comparison: `Start{} << a <= b` keeps both values.
+template <class T>
+struct Left {
+    const T& value;
+
+    template <class U>
+    constexpr Outcome operator==(const U& right) const {
+        return {value == right, show(value), show(right), "=="};
+    }
+    template <class U>
+    constexpr Outcome operator!=(const U& right) const {
+        return {value != right, show(value), show(right), "!="};
+    }
+    template <class U>
+    constexpr Outcome operator<(const U& right) const {
+        return {value < right, show(value), show(right), "<"};
+    }
+    template <class U>
+    constexpr Outcome operator<=(const U& right) const {
+        return {value <= right, show(value), show(right), "<="};
+    }
+    template <class U>
+    constexpr Outcome operator>(const U& right) const {
+        return {value > right, show(value), show(right), ">"};
+    }
+    template <class U>
+    constexpr Outcome operator>=(const U& right) const {
+        return {value >= right, show(value), show(right), ">="};
+    }
+    constexpr operator Outcome() const { return {static_cast<bool>(value), show(static_cast<bool>(value)), {}, ""}; }
+};
+
+struct Start {
+    template <class T>
+    constexpr Left<T> operator<<(const T& value) const {
+        return {value};
+    }
+};
+
+constexpr void check(const Outcome& outcome, const char* expression, const char* file, int line) {
+    if (!outcome.holds) [[unlikely]]
+        fail_check(expression, file, line, outcome);
+}
+
+}  // namespace tumble::debug
+
+#ifdef NDEBUG
+#define TUMBLE_CHECK(condition) static_cast<void>(sizeof(condition))
+#else
+#define TUMBLE_CHECK(condition) \
+    ::tumble::debug::check(::tumble::debug::Start{} << condition, #condition, __FILE__, __LINE__)
+#endif
