@@ -1,4 +1,5 @@
-// The stages of a step, in the order in which it runs them.
+#include "dynamics/step.hpp"
+
 #include <chrono>
 
 #include "dynamics/bodies/integrate.hpp"
@@ -8,7 +9,7 @@
 #include "dynamics/stages/seams.hpp"
 #include "dynamics/stages/sensor_passes.hpp"
 #include "dynamics/stages/sleep.hpp"
-#include "dynamics/state/simulation.hpp"
+#include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {
 
@@ -41,16 +42,6 @@ SpeedLimits speed_limits(const Simulation& simulation) {
 JointContext joint_context(const Simulation& simulation) {
     const float h = simulation.settings.substep_duration();
     return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h)};
-}
-
-bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {
-    for (const JointId id : simulation.bodies.fewer_joints(body_a, body_b)) {
-        const JointDef& def = simulation.joints.def(id);
-        const std::uint32_t a = joint_body_a(def).index, b = joint_body_b(def).index;
-        const bool are_its_ends = (a == body_a && b == body_b) || (a == body_b && b == body_a);
-        if (are_its_ends && !collides_connected(def)) return true;
-    }
-    return false;
 }
 
 void collide_and_count(Simulation& simulation, Contact& contact) {
@@ -99,34 +90,6 @@ void step(Simulation& simulation) {
         clock.stop(ms.sleep);
     }
     ms.step = clock.total();
-}
-
-bool may_touch(const Simulation& simulation, ProxyPair shapes) {
-    const ShapeRecord& a = simulation.shapes[shapes.a];
-    const ShapeRecord& b = simulation.shapes[shapes.b];
-    return a.body != b.body && !a.is_sensor && !b.is_sensor && may_meet(a.filter, b.filter) &&
-           !joined_without_contact(simulation, a.body, b.body);
-}
-
-// Type and rest do not count: what falls asleep, or stops, still touches what it leans on.
-bool is_over(const Simulation& simulation, const Contact& contact) {
-    return !simulation.broad.overlap(contact.shapes) ||
-           (simulation.filters_changed && !may_touch(simulation, contact.shapes));
-}
-
-bool may_collide(const Simulation& simulation, ProxyPair shapes) {
-    const ShapeRecord& a = simulation.shapes[shapes.a];
-    const ShapeRecord& b = simulation.shapes[shapes.b];
-    if (!simulation.is_live(shapes)) return false;
-    const BodyStore& bodies = simulation.bodies;
-    if (a.is_sensor != b.is_sensor) {
-        const bool both_static =
-            bodies.frames[a.body].type == BodyType::static_body && bodies.frames[b.body].type == BodyType::static_body;
-        return a.body != b.body && !both_static && may_meet(a.filter, b.filter);
-    }
-    const bool can_give_way = bodies.is_dynamic(a.body) || bodies.is_dynamic(b.body);
-    const bool can_come_near = bodies.is_active(a.body) || bodies.is_active(b.body);
-    return can_give_way && can_come_near && may_touch(simulation, shapes);
 }
 
 // Once for what the caller has changed, and once for what the step has moved: nobody enters a sensor unseen. New pairs

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dynamics/state/collision_rules.hpp"
+
 namespace tumble {
 
 namespace {

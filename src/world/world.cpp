@@ -4,6 +4,7 @@
 #include <string>
 
 #include "dynamics/stages/sleep.hpp"
+#include "dynamics/step.hpp"
 #include "world/contact_report.hpp"
 #include "world/input_checks.hpp"
 #include "world/island_numbers.hpp"

@@ -77,7 +77,7 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"dynamics/contacts", {"simd", "broad", "narrow/manifold", "dynamics/bodies"}},
     {"dynamics/rows", {"dynamics/bodies"}},
     {"dynamics/joints", {"dynamics/bodies", "dynamics/rows"}},
-    {"dynamics/state", {"broad", "dynamics/bodies", "dynamics/contacts", "dynamics/joints"}},
+    {"dynamics/state", {"broad", "dynamics/bodies", "dynamics/contacts", "dynamics/rows", "dynamics/joints"}},
     {"dynamics/stages", {"dynamics/bodies", "dynamics/state"}},
     {"dynamics", {"dynamics/bodies", "dynamics/state", "dynamics/stages"}},
     {"world", {"dynamics"}},

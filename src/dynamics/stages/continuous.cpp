@@ -8,6 +8,7 @@
 #include "dynamics/bodies/sweeps.hpp"
 #include "dynamics/stages/chain_passes.hpp"
 #include "dynamics/stages/impact.hpp"
+#include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {
 

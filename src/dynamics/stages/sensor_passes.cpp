@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {
 

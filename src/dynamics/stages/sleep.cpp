@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/state/collision_rules.hpp"
+
 namespace tumble {
 
 namespace {

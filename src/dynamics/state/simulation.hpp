@@ -1,4 +1,4 @@
-// Everything that a world consists of, and the step as a list of named stages.
+// Everything that a world consists of.
 //
 // The soft-step solver [Catto 2024, "Solver2D"]: collision once a step, then several sub-steps of integrating, solving
 // each constraint once with a soft bias and once without.
@@ -120,30 +120,5 @@ struct Simulation {
     // False once one of the shapes is gone, for good or because its body is disabled.
     bool is_live(ProxyPair pair) const { return shapes[pair.a].is_placed && shapes[pair.b].is_placed; }
 };
-
-// One step. Afterwards find_diverged() tells whether its result is finite; the broad phase follows only if it is.
-void step(Simulation& simulation);
-
-// True if the two shapes may touch: their filters and the joints between their bodies allow it, one of them is dynamic
-// and one not at rest for good (asleep, static). A sensor notices all that is not as static as itself.
-bool may_collide(const Simulation& simulation, ProxyPair shapes);
-
-// The same without regard to type and rest, for solid shapes alone.
-bool may_touch(const Simulation& simulation, ProxyPair shapes);
-
-// True if what was changed since the last step has parted two solid shapes, or keeps them from touching: the next step
-// ends their contact.
-bool is_over(const Simulation& simulation, const Contact& contact);
-
-// The stages, in order.
-void find_pairs(Simulation& simulation);
-void collide_pairs(Simulation& simulation);
-void collide_woken(Simulation& simulation);
-void prepare_constraints(Simulation& simulation);
-void run_substep(Simulation& simulation);
-void bounce(Simulation& simulation);
-void store_results(Simulation& simulation);
-void forget_throws(Simulation& simulation);
-void update_proxies(Simulation& simulation);
 
 }  // namespace tumble
