@@ -7,7 +7,7 @@
 #include "dynamics/stages/continuous.hpp"
 #include "dynamics/stages/events.hpp"
 #include "dynamics/stages/seams.hpp"
-#include "dynamics/stages/sensor_passes.hpp"
+#include "dynamics/stages/sensor_crossings.hpp"
 #include "dynamics/stages/sleep.hpp"
 #include "dynamics/state/collision_rules.hpp"
 
@@ -48,22 +48,22 @@ void collide_and_count(Simulation& simulation, Contact& contact) {
     const bool was_apart = contact.came_from == LinkSide::apart;
     const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration);
     if (was_apart && contact.came_from != LinkSide::apart) keep_side(simulation, contact);
-    simulation.passes.now |= contact.came_from == LinkSide::solid;
-    ++simulation.collided.asked;
+    simulation.chain_crossings.now |= contact.came_from == LinkSide::solid;
+    ++simulation.report.collided.asked;
     if (!in_full) return;
-    ++simulation.collided.full;
-    simulation.collided.iterations += contact.cache.iterations;
+    ++simulation.report.collided.full;
+    simulation.report.collided.iterations += contact.cache.iterations;
 }
 
 }  // namespace
 
 void step(Simulation& simulation) {
-    StageTimes& ms = simulation.times = StageTimes{};
+    StageTimes& ms = simulation.report.times = StageTimes{};
     StageClock clock;
     clear(simulation.events);
     find_pairs(simulation);
     clock.stop(ms.pairs);
-    simulation.collided = {};
+    simulation.report.collided = {};
     collide_pairs(simulation);
     collide_woken(simulation);
     smooth_seams(simulation);
@@ -76,7 +76,7 @@ void step(Simulation& simulation) {
     forget_throws(simulation);
     clock.stop(ms.solve);
     stop_at_impacts(simulation);
-    find_sensor_passes(simulation);
+    find_sensor_crossings(simulation);
     finalize_poses(simulation.bodies, speed_limits(simulation));
     clock.stop(ms.continuous);
     if (find_diverged(simulation.bodies) == kNoBody) {
@@ -114,7 +114,7 @@ void find_pairs(Simulation& simulation) {
 }
 
 void collide_pairs(Simulation& simulation) {
-    simulation.passes = {.before = simulation.passes.now};
+    simulation.chain_crossings = {.before = simulation.chain_crossings.now};
     for (Contact& contact : simulation.contacts.all())
         if (contact.kind == ContactKind::solid) collide_and_count(simulation, contact);
 }
@@ -129,9 +129,9 @@ void collide_woken(Simulation& simulation) {
 }
 
 void prepare_constraints(Simulation& simulation) {
-    simulation.graph.build(simulation.contacts.all(), simulation.bodies);
-    prepare_contacts(simulation.contacts.all(), simulation.bodies, simulation.graph, simulation.settings.tuning,
-                     simulation.settings.gravity, simulation.settings.substep_duration(), simulation.blocks);
+    simulation.scratch.graph.build(simulation.contacts.all(), simulation.bodies);
+    prepare_contacts(simulation.contacts.all(), simulation.bodies, simulation.scratch.graph, simulation.settings.tuning,
+                     simulation.settings.gravity, simulation.settings.substep_duration(), simulation.scratch.blocks);
     simulation.joints.prepare(simulation.bodies);
 }
 
@@ -140,22 +140,22 @@ void run_substep(Simulation& simulation) {
     const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
     integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation));
     simulation.joints.warm_start(bodies);
-    warm_start_contacts(simulation.blocks, bodies);
+    warm_start_contacts(simulation.scratch.blocks, bodies);
     simulation.joints.solve(context, true, bodies);
-    solve_contacts(simulation.blocks, bodies, context.inv_h, simulation.settings.tuning.push_out_speed);
+    solve_contacts(simulation.scratch.blocks, bodies, context.inv_h, simulation.settings.tuning.push_out_speed);
     integrate_positions(simulation.bodies, context.h, speed_limits(simulation));
     simulation.joints.solve(context, false, bodies);
-    relax_contacts(simulation.blocks, bodies, context.inv_h);
+    relax_contacts(simulation.scratch.blocks, bodies, context.inv_h);
 }
 
 void bounce(Simulation& simulation) {
-    apply_restitution(simulation.blocks, simulation.bodies.solver_bodies,
+    apply_restitution(simulation.scratch.blocks, simulation.bodies.solver_bodies,
                       simulation.settings.tuning.restitution_threshold, simulation.settings.substep_duration(),
-                      simulation.given_work);
+                      simulation.scratch.returned_work);
 }
 
 void store_results(Simulation& simulation) {
-    store_impulses(simulation.blocks, simulation.graph, simulation.contacts.all());
+    store_impulses(simulation.scratch.blocks, simulation.scratch.graph, simulation.contacts.all());
     simulation.joints.store(joint_context(simulation));
     simulation.events.broken_joints = simulation.joints.broken();
 }

@@ -38,13 +38,13 @@ LinkSide side_met(const Simulation& simulation, ProxyPair pair) {
 }  // namespace
 
 bool passes_chain(const Simulation& simulation, ProxyPair pair) {
-    if (!simulation.passes.before && !simulation.passes.now) return false;
+    if (!simulation.chain_crossings.before && !simulation.chain_crossings.now) return false;
     return side_met(simulation, pair) == LinkSide::solid;
 }
 
 void keep_side(const Simulation& simulation, Contact& contact) {
     const LinkSide found = std::exchange(contact.came_from, LinkSide::apart);
-    const bool may_pass = simulation.passes.before || simulation.passes.now;
+    const bool may_pass = simulation.chain_crossings.before || simulation.chain_crossings.now;
     const LinkSide met = found == LinkSide::solid || may_pass ? side_met(simulation, contact.shapes) : LinkSide::apart;
     contact.came_from = met == LinkSide::apart ? found : met;
     if (found != LinkSide::open || met != LinkSide::solid) return;

@@ -58,7 +58,7 @@ bool is_ground(const Simulation& simulation, std::uint32_t body, std::uint32_t s
 }
 
 void find_footings(Simulation& simulation) {
-    std::vector<GroundContact>& found = simulation.footings;
+    std::vector<GroundContact>& found = simulation.scratch.ground_contacts;
     found.clear();
     const std::vector<Contact>& contacts = simulation.contacts.all();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -88,7 +88,7 @@ void drop_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint
 
 void smooth_seams(Simulation& simulation) {
     find_footings(simulation);
-    const std::vector<GroundContact>& found = simulation.footings;
+    const std::vector<GroundContact>& found = simulation.scratch.ground_contacts;
     for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
         while (last < found.size() && found[last].moving_shape == found[first].moving_shape) ++last;
         for (std::size_t i = first; i < last; ++i)
