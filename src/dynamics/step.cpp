@@ -129,33 +129,34 @@ void collide_woken(Simulation& simulation) {
 }
 
 void prepare_constraints(Simulation& simulation) {
-    simulation.scratch.graph.build(simulation.contacts.all(), simulation.bodies);
-    prepare_contacts(simulation.contacts.all(), simulation.bodies, simulation.scratch.graph, simulation.settings.tuning,
-                     simulation.settings.gravity, simulation.settings.substep_duration(), simulation.scratch.blocks);
+    const StepSettings& settings = simulation.settings;
+    simulation.scratch.contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
+                                              settings.gravity, settings.substep_duration());
     simulation.joints.prepare(simulation.bodies);
 }
 
 void run_substep(Simulation& simulation) {
     const JointContext context = joint_context(simulation);
     const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
+    ContactSolver& contacts = simulation.scratch.contact_solver;
     integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation));
     simulation.joints.warm_start(bodies);
-    warm_start_contacts(simulation.scratch.blocks, bodies);
+    contacts.warm_start(bodies);
     simulation.joints.solve(context, true, bodies);
-    solve_contacts(simulation.scratch.blocks, bodies, context.inv_h, simulation.settings.tuning.push_out_speed);
+    contacts.solve(bodies, context.inv_h, simulation.settings.tuning.push_out_speed);
     integrate_positions(simulation.bodies, context.h, speed_limits(simulation));
     simulation.joints.solve(context, false, bodies);
-    relax_contacts(simulation.scratch.blocks, bodies, context.inv_h);
+    contacts.relax(bodies, context.inv_h);
 }
 
 void bounce(Simulation& simulation) {
-    apply_restitution(simulation.scratch.blocks, simulation.bodies.solver_bodies,
-                      simulation.settings.tuning.restitution_threshold, simulation.settings.substep_duration(),
-                      simulation.scratch.returned_work);
+    const StepSettings& settings = simulation.settings;
+    simulation.scratch.contact_solver.apply_restitution(
+        simulation.bodies.solver_bodies, settings.tuning.restitution_threshold, settings.substep_duration());
 }
 
 void store_results(Simulation& simulation) {
-    store_impulses(simulation.scratch.blocks, simulation.scratch.graph, simulation.contacts.all());
+    simulation.scratch.contact_solver.store_impulses(simulation.contacts.all());
     simulation.joints.store(joint_context(simulation));
     simulation.events.broken_joints = simulation.joints.broken();
 }

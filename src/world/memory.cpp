@@ -74,8 +74,7 @@ std::size_t& total_of(WorldMemory& memory, const JointStore&) { return memory.jo
 std::size_t& total_of(WorldMemory& memory, const BroadPhase&) { return memory.broad_phase; }
 std::size_t& total_of(WorldMemory& memory, const ContactStore&) { return memory.contacts; }
 std::size_t& total_of(WorldMemory& memory, const SleepingIslands&) { return memory.contacts; }
-std::size_t& total_of(WorldMemory& memory, const ConstraintGraph&) { return memory.solver; }
-std::size_t& total_of(WorldMemory& memory, const std::vector<ContactBlock>&) { return memory.solver; }
+std::size_t& total_of(WorldMemory& memory, const ContactSolver&) { return memory.solver; }
 template <class T>
 std::size_t& total_of(WorldMemory& memory, const T&) {
     return memory.other;

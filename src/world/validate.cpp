@@ -130,24 +130,6 @@ void validate_contacts(const Simulation& simulation) {
     require(simulation.broad.known_count() == all, "known pairs are not the contacts", all);
 }
 
-// The graph is that of the last step: bodies that came later have no contacts in it.
-void validate_blocks(const Simulation& simulation) {
-    require(simulation.scratch.blocks.size() == simulation.scratch.graph.block_count(), "blocks are not the graph's",
-            0);
-    for (std::size_t i = 0; i < simulation.scratch.blocks.size(); ++i) {
-        std::vector<std::uint32_t> written;
-        for (int lane = 0; lane < kLaneCount; ++lane) {
-            const ContactBlock& block = simulation.scratch.blocks[i];
-            if (block.inv_mass_ax[lane] + block.inv_mass_ay[lane] + block.inv_inertia_a[lane] > 0.0f)
-                written.push_back(block.body_a[lane]);
-            if (block.inv_mass_bx[lane] + block.inv_mass_by[lane] + block.inv_inertia_b[lane] > 0.0f)
-                written.push_back(block.body_b[lane]);
-        }
-        std::sort(written.begin(), written.end());
-        require(std::adjacent_find(written.begin(), written.end()) == written.end(), "a block shares a body", i);
-    }
-}
-
 }  // namespace
 
 void validate(const Simulation& simulation) {
@@ -157,7 +139,7 @@ void validate(const Simulation& simulation) {
     validate_joints(simulation);
     validate_islands(simulation);
     validate_contacts(simulation);
-    validate_blocks(simulation);
+    simulation.scratch.contact_solver.audit();
 }
 
 }  // namespace tumble

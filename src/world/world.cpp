@@ -59,7 +59,7 @@ StepCounters World::Impl::count() const {
     StepCounters counters_now;
     counters_now.bodies = static_cast<int>(simulation.bodies.ids.live().size());
     counters_now.joints = static_cast<int>(simulation.joints.ids.live().size());
-    counters_now.colors = simulation.scratch.graph.color_count();
+    counters_now.colors = simulation.scratch.contact_solver.color_count();
     counters_now.awake_bodies = simulation.bodies.awake_dynamic_count();
     counters_now.sleeping_islands = static_cast<int>(simulation.sleeping.count());
     counters_now.contacts = static_cast<int>(simulation.contact_counts.contacts);

@@ -57,7 +57,8 @@ std::string place(const Include& include) {
 
 const fs::path root = TUMBLE_SOURCE_DIR;
 
-// What each folder may include besides its own files, debug and public headers. A name stands for a folder and all below it.
+// What each folder may include besides its own files, debug and public headers. A name stands for a folder and all
+// below it.
 const std::map<std::string, std::set<std::string>> kMaySee = {
     {"debug", {}},
     {"file", {}},
@@ -122,11 +123,13 @@ const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"math", {"math.hpp"}},
     {"simd", {"math.hpp"}},
     {"shape", {"math.hpp", "shape.hpp", "outline.hpp"}},
-    {"narrow", {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp"}},
+    {"narrow",
+     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
+      "chain_manifold.hpp"}},
     {"broad", {"math.hpp"}},
     {"dynamics",
-     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp", "id.hpp",
-      "body.hpp", "joint.hpp", "events.hpp", "counters.hpp"}},
+     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
+      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "events.hpp", "counters.hpp"}},
 };
 
 // Third-party headers by their first folder or whole name, and the rooms that may include them.

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "broad/pair_set.hpp"
-#include "dynamics/contacts/constraint_graph.hpp"
-#include "dynamics/contacts/contact_block.hpp"
+#include "dynamics/contacts/contact_solver.hpp"
 #include "dynamics/state/island_finder.hpp"
 #include "tumble/cast.hpp"
 #include "tumble/id.hpp"
@@ -48,9 +47,7 @@ struct Mover {
 // A plain aggregate: count_memory() finds its members through the compiler, so none can be left out.
 struct StepScratch {
     // Constraints.
-    ConstraintGraph graph;
-    std::vector<ContactBlock> blocks;
-    std::vector<float> returned_work;            // of restitution: by solver body, J
+    ContactSolver contact_solver;
     std::vector<GroundContact> ground_contacts;  // of seams
 
     // Falling asleep.
