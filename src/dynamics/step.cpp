@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "dynamics/bodies/integrate.hpp"
-#include "dynamics/stages/chain_passes.hpp"
+#include "dynamics/contacts/collide_contact.hpp"
 #include "dynamics/stages/continuous.hpp"
 #include "dynamics/stages/events.hpp"
 #include "dynamics/stages/seams.hpp"
@@ -45,10 +45,10 @@ JointContext joint_context(const Simulation& simulation) {
 }
 
 void collide_and_count(Simulation& simulation, Contact& contact) {
-    const bool was_apart = contact.came_from == LinkSide::apart;
+    const bool was_apart = contact.chain_state == ChainState::apart;
     const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration);
-    if (was_apart && contact.came_from != LinkSide::apart) keep_side(simulation, contact);
-    simulation.chain_crossings.now |= contact.came_from == LinkSide::solid;
+    if (was_apart) follow_neighbors(simulation.chain_contacts(), contact);
+    simulation.chain_crossings.now |= contact.chain_state == ChainState::crossing;
     ++simulation.report.collided.asked;
     if (!in_full) return;
     ++simulation.report.collided.full;

@@ -119,7 +119,7 @@ void validate_contacts(const Simulation& simulation) {
         const ShapeRecord& b = simulation.shapes[contact.shapes.b];
         if (!simulation.is_live(contact.shapes)) continue;  // dropped by the next step
         const bool both_sleep = simulation.bodies.is_asleep(a.body) && simulation.bodies.is_asleep(b.body);
-        const bool may_wait = contact.kind != ContactKind::solid || contact.came_from == LinkSide::solid;
+        const bool may_wait = contact.kind != ContactKind::solid || contact.chain_state == ChainState::crossing;
         require(!both_sleep || may_wait || is_over(simulation, contact), "a contact is awake alone", i);
         require(a.body == contact.body_a && b.body == contact.body_b, "a contact names a wrong body", i);
         require(contact.manifold.point_count >= 0 && contact.manifold.point_count <= 2, "manifold points", i);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "dynamics/contacts/make_contact.hpp"
 #include "dynamics/stages/sleep.hpp"
 #include "dynamics/step.hpp"
 #include "world/contact_report.hpp"

@@ -6,7 +6,6 @@
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/integrate.hpp"
 #include "dynamics/bodies/sweeps.hpp"
-#include "dynamics/stages/chain_passes.hpp"
 #include "dynamics/stages/impact.hpp"
 #include "dynamics/state/collision_rules.hpp"
 
@@ -95,7 +94,7 @@ private:
             const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
                                            sweep_of(simulation_.bodies, body), is_held(own, other));
             const ProxyPair pair = make_pair_of(own, other);
-            if (fraction >= mover.fraction || passes_chain(simulation_, pair)) return;
+            if (fraction >= mover.fraction || crosses_chain(simulation_.chain_contacts(), pair)) return;
             mover.fraction = fraction;
             mover.impact = pair;
         });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "dynamics/contacts/collide_contact.hpp"
+
 namespace tumble {
 
 namespace {
@@ -78,7 +80,7 @@ void begin_impacts(Simulation& simulation) {
         Contact* const found = simulation.contacts.find(pair);
         if (!found || found->is_touching) continue;
         collide_contact(*found, simulation.bodies, simulation.shapes, simulation.settings.duration);
-        found->is_touching = found->came_from != LinkSide::solid;  // else it passes a chain
+        found->is_touching = found->chain_state != ChainState::crossing;
     }
 }
 

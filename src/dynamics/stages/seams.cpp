@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/contacts/collide_contact.hpp"
+
 namespace tumble {
 
 namespace {
@@ -81,7 +83,7 @@ void drop_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint
     const Footing ground = footing_of(simulation, contact, moving_shape),
                   plane = footing_of(simulation, lies, moving_shape);
     const double tolerance = double{kRecyclingPart} * double{contact.speculative_distance};
-    if (!rises_above(ground, plane, tolerance)) drop(contact);
+    if (!rises_above(ground, plane, tolerance)) remove_manifold(contact);
 }
 
 }  // namespace

@@ -53,9 +53,9 @@ void find_islands(Simulation& simulation) {
 void set_contacts_aside(Simulation& simulation) {
     simulation.contacts.keep_if([&](const Contact& contact) {
         const BodyStore& bodies = simulation.bodies;
-        if (contact.kind != ContactKind::solid) return true;    // who sleeps in a sensor is still there
-        if (is_over(simulation, contact)) return true;          // the next step drops it
-        if (contact.came_from == LinkSide::solid) return true;  // who sleeps half through a chain is to pass it yet
+        if (contact.kind != ContactKind::solid) return true;           // who sleeps in a sensor is still there
+        if (is_over(simulation, contact)) return true;                 // the next step drops it
+        if (contact.chain_state == ChainState::crossing) return true;  // it must go on crossing after it wakes
         const bool sleeps_a = bodies.is_asleep(contact.body_a), sleeps_b = bodies.is_asleep(contact.body_b);
         if (!sleeps_a && !sleeps_b) return true;
         if (bodies.is_active(contact.body_a) || bodies.is_active(contact.body_b)) return true;

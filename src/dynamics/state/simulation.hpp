@@ -35,12 +35,6 @@ struct ContactCounts {
     std::size_t points = 0;
 };
 
-// Whether any shape crosses a one-sided chain.
-struct ChainCrossings {
-    bool before = false;  // in the last step
-    bool now = false;     // in this one, as far as pairs have been collided
-};
-
 // All that decides the future of a world, and the events of its last step: what a snapshot contains.
 //
 // A plain aggregate, and the only list of these members. Snapshots and count_memory() find them through the compiler
@@ -56,6 +50,8 @@ struct SimulationState {
     ContactCounts contact_counts;
     ChainCrossings chain_crossings;
     bool filters_changed = false;  // since the last step, by a joint, filter or type: contacts may have to end
+
+    ChainContacts chain_contacts() const { return {bodies, shapes, contacts, chain_crossings}; }
 
     // False once one of the shapes is destroyed, or its body disabled.
     bool is_live(ProxyPair pair) const { return shapes[pair.a].is_placed && shapes[pair.b].is_placed; }
