@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "dynamics/bodies/divergence.hpp"
+#include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/integrate.hpp"
 #include "dynamics/contacts/collide_contact.hpp"
 #include "dynamics/stages/continuous.hpp"
@@ -73,7 +75,7 @@ void step(Simulation& simulation) {
     for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation);
     bounce(simulation);
     store_results(simulation);
-    forget_throws(simulation);
+    forget_clamped_impulses(simulation);
     clock.stop(ms.solve);
     stop_at_impacts(simulation);
     find_sensor_crossings(simulation);
@@ -164,10 +166,10 @@ void store_results(Simulation& simulation) {
 // Joints that contradict each other, or pull a body against what it was stopped at, push the harder the longer they do.
 // Their impulses cancel only as long as nothing turns, and grow without bound (a hundredfold a step) once they throw
 // their bodies about: those are not carried over.
-void forget_throws(Simulation& simulation) {
+void forget_clamped_impulses(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i)
-        if (bodies.solver_bodies[i].flags & kThrownBody)
+        if (bodies.solver_bodies[i].flags & kClampedBody)
             for (const JointId id : bodies.records[bodies.moving[i].body].joints) simulation.joints.forget_impulses(id);
 }
 

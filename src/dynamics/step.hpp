@@ -19,7 +19,7 @@ void prepare_constraints(Simulation& simulation);
 void run_substep(Simulation& simulation);
 void bounce(Simulation& simulation);
 void store_results(Simulation& simulation);
-void forget_throws(Simulation& simulation);
+void forget_clamped_impulses(Simulation& simulation);
 void update_proxies(Simulation& simulation);
 
 }  // namespace tumble

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "dynamics/rows/joint_ends.hpp"
 #include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dynamics/bodies/constants.hpp"
-#include "dynamics/bodies/integrate.hpp"
+#include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/sweeps.hpp"
 #include "dynamics/stages/impact.hpp"
 #include "dynamics/state/collision_rules.hpp"

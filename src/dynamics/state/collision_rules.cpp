@@ -1,6 +1,6 @@
 #include "dynamics/state/collision_rules.hpp"
 
-#include "dynamics/rows/joint_bodies.hpp"
+#include "dynamics/rows/joint_ends.hpp"
 
 namespace tumble {
 
