@@ -4,6 +4,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "dynamics/rows/joint_ends.hpp"
+#include "dynamics/state/collision_rules.hpp"
+
 namespace tumble {
 
 namespace {
@@ -117,7 +120,7 @@ void validate_contacts(const Simulation& simulation) {
         const ShapeRecord& b = simulation.shapes[contact.shapes.b];
         if (!simulation.is_live(contact.shapes)) continue;  // dropped by the next step
         const bool both_sleep = simulation.bodies.is_asleep(a.body) && simulation.bodies.is_asleep(b.body);
-        const bool may_wait = contact.kind != ContactKind::solid || contact.came_from == LinkSide::solid;
+        const bool may_wait = contact.kind != ContactKind::solid || contact.chain_state == ChainState::crossing;
         require(!both_sleep || may_wait || is_over(simulation, contact), "a contact is awake alone", i);
         require(a.body == contact.body_a && b.body == contact.body_b, "a contact names a wrong body", i);
         require(contact.manifold.point_count >= 0 && contact.manifold.point_count <= 2, "manifold points", i);
@@ -126,23 +129,6 @@ void validate_contacts(const Simulation& simulation) {
     }
     const std::size_t all = contacts.size() + simulation.contacts.woken().size() + simulation.sleeping.contact_count();
     require(simulation.broad.known_count() == all, "known pairs are not the contacts", all);
-}
-
-// The graph is that of the last step: bodies that came later have no contacts in it.
-void validate_blocks(const Simulation& simulation) {
-    require(simulation.blocks.size() == simulation.graph.block_count(), "blocks are not the graph's", 0);
-    for (std::size_t i = 0; i < simulation.blocks.size(); ++i) {
-        std::vector<std::uint32_t> written;
-        for (int lane = 0; lane < kLaneCount; ++lane) {
-            const ContactBlock& block = simulation.blocks[i];
-            if (block.inv_mass_ax[lane] + block.inv_mass_ay[lane] + block.inv_inertia_a[lane] > 0.0f)
-                written.push_back(block.body_a[lane]);
-            if (block.inv_mass_bx[lane] + block.inv_mass_by[lane] + block.inv_inertia_b[lane] > 0.0f)
-                written.push_back(block.body_b[lane]);
-        }
-        std::sort(written.begin(), written.end());
-        require(std::adjacent_find(written.begin(), written.end()) == written.end(), "a block shares a body", i);
-    }
 }
 
 }  // namespace
@@ -154,7 +140,7 @@ void validate(const Simulation& simulation) {
     validate_joints(simulation);
     validate_islands(simulation);
     validate_contacts(simulation);
-    validate_blocks(simulation);
+    simulation.scratch.contact_solver.audit();
 }
 
 }  // namespace tumble

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "dynamics/rows/joint_ends.hpp"
 #include "dynamics/stages/sleep.hpp"
 #include "tumble/world.hpp"
 #include "world/input_checks.hpp"

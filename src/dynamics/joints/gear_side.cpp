@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "dynamics/rows/joint_ends.hpp"
+
 namespace tumble {
 
 namespace {

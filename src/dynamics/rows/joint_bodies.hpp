@@ -3,26 +3,11 @@
 
 #include <cstdint>
 #include <span>
-#include <variant>
 
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/softness.hpp"
-#include "tumble/joint.hpp"
 
 namespace tumble {
-
-// The bodies of a joint, whatever its kind.
-inline BodyId joint_body_a(const JointDef& def) {
-    return std::visit([](const auto& d) { return d.body_a; }, def);
-}
-inline BodyId joint_body_b(const JointDef& def) {
-    return std::visit([](const auto& d) { return d.body_b; }, def);
-}
-
-// Whether it has one free motion, which a gear may be on.
-inline bool can_be_geared(const JointDef& def) {
-    return std::holds_alternative<RevoluteJointDef>(def) || std::holds_alternative<PrismaticJointDef>(def);
-}
 
 // What all joints share in a step.
 struct JointContext {
