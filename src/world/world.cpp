@@ -10,7 +10,7 @@
 #include "world/memory.hpp"
 #include "world/snapshot.hpp"
 #include "world/state_hash.hpp"
-#include "world/validate.hpp"
+#include "world/audit.hpp"
 #include "world/world_impl.hpp"
 
 namespace tumble {
@@ -275,7 +275,7 @@ World World::load(std::span<const std::byte> snapshot) {
     return world;
 }
 
-void World::validate() const { tumble::validate(impl_->simulation); }
+void World::audit() const { tumble::audit(impl_->simulation); }
 
 SimulationDiverged::SimulationDiverged(BodyId body_, std::uint64_t step_)
     : std::runtime_error("the simulation diverged in step " + std::to_string(step_) + ": body " +

@@ -6,6 +6,6 @@
 namespace tumble {
 
 // Throws std::logic_error that names the first invariant broken.
-void validate(const Simulation& simulation);
+void audit(const Simulation& simulation);
 
 }  // namespace tumble

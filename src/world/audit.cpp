@@ -1,4 +1,4 @@
-#include "world/validate.hpp"
+#include "world/audit.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,7 +12,7 @@ void require(bool holds, const char* invariant, std::size_t index) {
     if (!holds) throw std::logic_error("world: " + std::string(invariant) + " (index " + std::to_string(index) + ")");
 }
 
-void validate_bodies(const BodyStore& bodies) {
+void audit_bodies(const BodyStore& bodies) {
     require(bodies.moving.size() == bodies.solver_bodies.size(), "solver bodies have no partner", bodies.moving.size());
     require(bodies.solver_bodies[kStaticSolverBody].velocity == Vec2{}, "the static body moves", 0);
     std::size_t moving = 1;
@@ -32,7 +32,7 @@ void validate_bodies(const BodyStore& bodies) {
     require(moving == bodies.moving.size(), "solver bodies are not those of the moving bodies", moving);
 }
 
-void validate_shapes(const Simulation& simulation) {
+void audit_shapes(const Simulation& simulation) {
     std::size_t owned = 0;
     for (const BodyId body : simulation.bodies.ids.live()) {
         for (const ShapeId id : simulation.bodies.records[body.index].shapes) {
@@ -49,7 +49,7 @@ void validate_shapes(const Simulation& simulation) {
     require(owned == simulation.shapes.ids.live().size(), "shapes without a body", owned);
 }
 
-void validate_gear(const JointStore& joints, JointId id, const GearJointDef& gear) {
+void audit_gear(const JointStore& joints, JointId id, const GearJointDef& gear) {
     require(gear.joint_a != gear.joint_b, "a gear is on one joint twice", id.index);
     for (const JointId joint : {gear.joint_a, gear.joint_b}) {
         require(joints.ids.is_live(joint), "a gear is on a joint that is gone", id.index);
@@ -60,11 +60,11 @@ void validate_gear(const JointStore& joints, JointId id, const GearJointDef& gea
         "a gear names other bodies than its joints", id.index);
 }
 
-void validate_joints(const Simulation& simulation) {
+void audit_joints(const Simulation& simulation) {
     std::size_t tied = 0;
     for (const JointId id : simulation.joints.ids.live()) {
         if (const auto* gear = std::get_if<GearJointDef>(&simulation.joints.def(id)))
-            validate_gear(simulation.joints, id, *gear);
+            audit_gear(simulation.joints, id, *gear);
         for (const BodyId body : simulation.joints.bodies(id)) {
             ++tied;
             require(simulation.bodies.ids.is_live(body), "a joint holds a body that is gone", id.index);
@@ -78,7 +78,7 @@ void validate_joints(const Simulation& simulation) {
     require(listed == tied, "bodies list joints that are gone", listed);
 }
 
-void validate_islands(const Simulation& simulation) {
+void audit_islands(const Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
     std::size_t listed = 0, count = 0, sleepers = 0;
     for (std::size_t i = 0; i < simulation.sleeping.all().size(); ++i) {
@@ -106,7 +106,7 @@ void validate_islands(const Simulation& simulation) {
     }
 }
 
-void validate_contacts(const Simulation& simulation) {
+void audit_contacts(const Simulation& simulation) {
     const std::vector<Contact>& contacts = simulation.contacts.all();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const Contact& contact = contacts[i];
@@ -129,7 +129,7 @@ void validate_contacts(const Simulation& simulation) {
 }
 
 // The graph is that of the last step: bodies that came later have no contacts in it.
-void validate_blocks(const Simulation& simulation) {
+void audit_blocks(const Simulation& simulation) {
     require(simulation.blocks.size() == simulation.graph.block_count(), "blocks are not the graph's", 0);
     for (std::size_t i = 0; i < simulation.blocks.size(); ++i) {
         std::vector<std::uint32_t> written;
@@ -147,14 +147,14 @@ void validate_blocks(const Simulation& simulation) {
 
 }  // namespace
 
-void validate(const Simulation& simulation) {
-    simulation.broad.validate();
-    validate_bodies(simulation.bodies);
-    validate_shapes(simulation);
-    validate_joints(simulation);
-    validate_islands(simulation);
-    validate_contacts(simulation);
-    validate_blocks(simulation);
+void audit(const Simulation& simulation) {
+    simulation.broad.audit();
+    audit_bodies(simulation.bodies);
+    audit_shapes(simulation);
+    audit_joints(simulation);
+    audit_islands(simulation);
+    audit_contacts(simulation);
+    audit_blocks(simulation);
 }
 
 }  // namespace tumble
