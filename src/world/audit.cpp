@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dynamics/contacts/contact_block.hpp"
+
 namespace tumble {
 
 namespace {
