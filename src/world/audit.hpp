@@ -1,11 +1,11 @@
-// Walks every invariant that the stores promise each other; for tests and for hunting defects.
+// Checks every invariant between the stores of a world. For tests, and to find defects.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"
 
 namespace tumble {
 
-// Throws std::logic_error that names the first invariant broken.
+// Throws std::logic_error that names the first broken invariant.
 void audit(const Simulation& simulation);
 
 }  // namespace tumble
