@@ -245,7 +245,7 @@ public:
     static World load(std::span<const std::byte> snapshot);
 
     // Walks every invariant of stores, tree and graph; throws std::logic_error that names the first one broken.
-    void validate() const;
+    void audit() const;
 
 private:
     struct Impl;

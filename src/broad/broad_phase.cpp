@@ -34,9 +34,9 @@ void BroadPhase::touch(std::uint32_t key) {
     asked_.push_back(key);
 }
 
-void BroadPhase::validate() const {
+void BroadPhase::audit() const {
     std::array<std::size_t, 3> counts{};
-    for (const AabbTree& tree : trees_) tree.validate();
+    for (const AabbTree& tree : trees_) tree.audit();
     for (std::uint32_t key = 0; key < proxies_.size(); ++key) {
         const Proxy& proxy = proxies_[key];
         if (proxy.leaf == AabbTree::kNone) continue;

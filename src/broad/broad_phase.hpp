@@ -59,7 +59,7 @@ public:
         for (const AabbTree& tree : trees_) tree.search(may_hold, visit);
     }
 
-    void validate() const;
+    void audit() const;
 
     // What is kept to be used again, bytes.
     std::size_t spare_bytes() const {

@@ -169,15 +169,15 @@ double AabbTree::cost() const {
     return sum;
 }
 
-void AabbTree::validate() const {
-    const std::size_t live = root_ == kNone ? 0 : validate_subtree(root_);
+void AabbTree::audit() const {
+    const std::size_t live = root_ == kNone ? 0 : audit_subtree(root_);
     if (root_ != kNone) require(at(root_).parent == kNone, "the root has a parent", root_);
     require(leaf_count_ == (live + 1) / 2, "the leaf count differs from the leaves reached", root_);
     require(live + free_.size() == nodes_.size(), "nodes are lost: live and free ones are not all", root_);
 }
 
 // The number of nodes below and with `root`. Depth first with an explicit stack: a broken link cannot overflow it.
-std::size_t AabbTree::validate_subtree(Node root) const {
+std::size_t AabbTree::audit_subtree(Node root) const {
     std::vector<Node> stack{root};
     std::size_t count = 0;
     while (!stack.empty()) {

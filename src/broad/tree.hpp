@@ -50,7 +50,7 @@ public:
     double cost() const;
 
     // Walks every link and box; throws std::logic_error that names the first one broken.
-    void validate() const;
+    void audit() const;
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
@@ -87,7 +87,7 @@ private:
     void rotate(Node node);
     template <class MayHold, class Visitor>
     void search_subtree(Node root, MayHold& may_hold, Visitor& visit) const;
-    std::size_t validate_subtree(Node root) const;
+    std::size_t audit_subtree(Node root) const;
 
     std::vector<NodeData> nodes_;
     std::vector<Node> free_;

@@ -24,13 +24,13 @@ ContactPoint report_point(const Simulation& simulation, const Contact& contact, 
     return point;
 }
 
-// All contacts of live shapes, awake or asleep, that have points: of one body, or with kNoBody of all.
+// The contacts with points between live shapes, awake or asleep: of one body, or with kNoBody of all.
 std::vector<const Contact*> sorted_contacts(const Simulation& simulation, std::uint32_t body) {
     std::vector<const Contact*> found;
     const auto add = [&](const std::vector<Contact>& contacts) {
         for (const Contact& contact : contacts) {
-            const bool is_asked = body == kNoBody || contact.body_a == body || contact.body_b == body;
-            if (is_asked && contact.manifold.point_count > 0 && simulation.is_live(contact.shapes))
+            const bool is_included = body == kNoBody || contact.body_a == body || contact.body_b == body;
+            if (is_included && contact.manifold.point_count > 0 && simulation.is_live(contact.shapes))
                 found.push_back(&contact);
         }
     };

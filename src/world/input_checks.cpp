@@ -8,8 +8,8 @@ namespace tumble {
 
 namespace {
 
-// A rotation given by cosine and sine may have this much less or more than unit length: far more than rounding to
-// float leaves, far less than a mistake.
+// How far the length of a rotation (cosine, sine) may be from 1: far above what rounding to float leaves, far below
+// what a mistake causes.
 constexpr double kUnitTolerance = 1e-4;
 
 }  // namespace
@@ -23,11 +23,11 @@ void check(const WorldDef& def) {
         throw std::invalid_argument("substeps must be at least 1, got " + std::to_string(def.substeps));
 }
 
-void check_pose(const Pose& pose, const std::string& whose) {
-    require(is_finite(pose.position), (whose + " position").c_str(), "finite", pose.position);
+void check_pose(const Pose& pose, const std::string& owner) {
+    require(is_finite(pose.position), (owner + " position").c_str(), "finite", pose.position);
     const Rotation q = pose.rotation;
     const double length = std::sqrt(double{q.c} * q.c + double{q.s} * q.s);
-    require(std::abs(length - 1.0) <= kUnitTolerance, (whose + " rotation (cosine, sine)").c_str(), "of length 1",
+    require(std::abs(length - 1.0) <= kUnitTolerance, (owner + " rotation (cosine, sine)").c_str(), "of length 1",
             Vec2{q.c, q.s});
 }
 

@@ -6,17 +6,17 @@ namespace tumble {
 
 namespace {
 
-// Sleeping bodies have no solver body: sets are made of body indices here, for all bodies alike.
+// Joins body indices, where the step joins solver bodies: sleeping bodies have none.
 class IslandNumbers {
 public:
     explicit IslandNumbers(const Simulation& simulation) : simulation_(simulation) {
         sets_.reset(simulation.bodies.frames.size());
-        for (const Contact& contact : simulation.contacts.all()) tie(contact);
-        for (const Contact& contact : simulation.contacts.woken()) tie(contact);
+        for (const Contact& contact : simulation.contacts.all()) join(contact);
+        for (const Contact& contact : simulation.contacts.woken()) join(contact);
         for (const SleepingIsland& island : simulation.sleeping.all())
-            for (const Contact& contact : island.contacts) tie(contact);
+            for (const Contact& contact : island.contacts) join(contact);
         for (const JointId id : simulation.joints.ids.live())
-            simulation.joints.bodies(id).for_each_pair([this](std::uint32_t a, std::uint32_t b) { tie(a, b); });
+            simulation.joints.bodies(id).for_each_pair([this](std::uint32_t a, std::uint32_t b) { join(a, b); });
     }
 
     std::vector<int> number() {
@@ -24,18 +24,18 @@ public:
         int count = 0;
         for (const BodyId id : simulation_.bodies.ids.live()) {
             int& number = of_root[sets_.root(id.index)];
-            const bool has_one = simulation_.bodies.is_dynamic(id.index);
-            if (has_one && number < 0) number = count++;
-            numbers.push_back(has_one ? number : -1);
+            const bool has_island = simulation_.bodies.is_dynamic(id.index);
+            if (has_island && number < 0) number = count++;
+            numbers.push_back(has_island ? number : -1);
         }
         return numbers;
     }
 
 private:
-    void tie(const Contact& contact) {
-        if (contact.manifold.point_count > 0 && !is_over(simulation_, contact)) tie(contact.body_a, contact.body_b);
+    void join(const Contact& contact) {
+        if (contact.manifold.point_count > 0 && !is_over(simulation_, contact)) join(contact.body_a, contact.body_b);
     }
-    void tie(std::uint32_t a, std::uint32_t b) {
+    void join(std::uint32_t a, std::uint32_t b) {
         if (simulation_.bodies.is_dynamic(a) && simulation_.bodies.is_dynamic(b)) sets_.join(a, b);
     }
 

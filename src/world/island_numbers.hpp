@@ -1,4 +1,4 @@
-// Islands as a user sees them: a number for each body.
+// Islands as the API reports them: a number for each body.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace tumble {
 
-// [bodies.ids.live().size()]; see World::islands().
+// The island of each live body in id order, -1 if it is not dynamic; see World::islands().
 std::vector<int> find_island_numbers(const Simulation& simulation);
 
 }  // namespace tumble

@@ -1,4 +1,5 @@
-// What a joint must not be given. What several kinds have is checked by its name, the rest kind by kind.
+// Checks of joint definitions. Members that several kinds of joint have are checked by their names, the rest kind by
+// kind.
 #include <cmath>
 #include <optional>
 
@@ -40,7 +41,7 @@ void check_axis(Vec2 axis) {
     require(std::isfinite(size) && size > 0.0f, "joint axis", "finite and longer than 0", axis);
 }
 
-// Strength that may be infinite.
+// A strength may be infinite.
 void check_strength(float value, const char* what) { require(value > 0.0f, what, "greater than 0", value); }
 
 void check_anchors(Vec2 a, Vec2 b) {

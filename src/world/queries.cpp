@@ -10,11 +10,12 @@ namespace tumble {
 
 namespace {
 
-// Boxes in the tree hold their shapes, but what is asked of them is computed in double and rounds: by a few ulp of the
-// coordinates, which this is far above and no box of a shape near.
+// The boxes in the tree contain their shapes exactly, but tests against them are computed in double and round by a few
+// ulp of the coordinates. This relative margin is far above that rounding and far below the size of any shape.
 constexpr double kBoxTolerance = 1e-12;
 
-double room_for_rounding(const Aabb& box, DVec2 from) {
+// The margin of a test of a box against a point, m.
+double rounding_margin(const Aabb& box, DVec2 from) {
     const double largest =
         std::max({std::abs(static_cast<double>(box.lower.x)), std::abs(static_cast<double>(box.lower.y)),
                   std::abs(static_cast<double>(box.upper.x)), std::abs(static_cast<double>(box.upper.y)),
@@ -22,7 +23,7 @@ double room_for_rounding(const Aabb& box, DVec2 from) {
     return kBoxTolerance * largest;
 }
 
-bool is_seen(const Simulation& simulation, std::uint32_t shape, const QueryFilter& filter) {
+bool is_included(const Simulation& simulation, std::uint32_t shape, const QueryFilter& filter) {
     const ShapeRecord& record = simulation.shapes[shape];
     return (filter.sensors || !record.is_sensor) && may_meet(filter.shape, record.filter) &&
            simulation.bodies.ids.at(record.body) != filter.except;
@@ -38,48 +39,49 @@ BodyId body_id(const Simulation& simulation, std::uint32_t shape) {
     return simulation.bodies.ids.at(simulation.shapes[shape].body);
 }
 
-// The boxes that a box meets on its way: those that the way of a point meets when they are grown by it. Clips the way
-// to a slab an axis.
+// A box that moves along a path. It touches another box where the path of its center touches that box grown by its half
+// size; the path is clipped to one slab per axis.
 class SweptBox {
 public:
-    SweptBox(DVec2 from, DVec2 way, DVec2 half) : from_(from), way_(way), half_(half) {}
+    SweptBox(DVec2 from, DVec2 translation, DVec2 half) : from_(from), translation_(translation), half_(half) {}
 
-    // No later than at a fraction of the way.
-    bool meets(const Aabb& box, double last) const {
-        const double room = room_for_rounding(box, from_);
+    // True if it touches the box no later than at the fraction `last` of the path.
+    bool touches(const Aabb& box, double last) const {
+        const double margin = rounding_margin(box, from_);
         double first = 0.0;
-        return clip(from_.x, way_.x, half_.x + room, box.lower.x, box.upper.x, first, last) &&
-               clip(from_.y, way_.y, half_.y + room, box.lower.y, box.upper.y, first, last);
+        return clip(from_.x, translation_.x, half_.x + margin, box.lower.x, box.upper.x, first, last) &&
+               clip(from_.y, translation_.y, half_.y + margin, box.lower.y, box.upper.y, first, last);
     }
 
 private:
-    static bool clip(double from, double way, double grown, double lower, double upper, double& first, double& last) {
-        const double to_lower = lower - grown - from, to_upper = upper + grown - from;
-        if (way == 0.0) return to_lower <= 0.0 && to_upper >= 0.0;
-        // A few ulp of the fractions themselves are room enough for the divisions.
-        constexpr double kRoom = 1e-15;
-        const double a = to_lower / way, b = to_upper / way;
-        first = std::max(first, std::min(a, b) - kRoom);
-        last = std::min(last, std::max(a, b) + kRoom);
+    static bool clip(double from, double translation, double half, double lower, double upper, double& first,
+                     double& last) {
+        const double to_lower = lower - half - from, to_upper = upper + half - from;
+        if (translation == 0.0) return to_lower <= 0.0 && to_upper >= 0.0;
+        constexpr double kMargin = 1e-15;  // a few ulp of a fraction, for the rounding of the divisions
+        const double a = to_lower / translation, b = to_upper / translation;
+        first = std::max(first, std::min(a, b) - kMargin);
+        last = std::min(last, std::max(a, b) + kMargin);
         return first <= last;
     }
 
-    DVec2 from_, way_, half_;
+    DVec2 from_, translation_, half_;
 };
 
 bool comes_first(const CastHit& a, const CastHit& b) {
     return a.fraction != b.fraction ? a.fraction < b.fraction : a.shape < b.shape;
 }
 
-std::optional<CastHit> meet_by_ray(const Simulation& simulation, std::uint32_t shape, DVec2 origin, DVec2 way) {
-    const CastResult cast = cast_ray(simulation.shapes[shape].shape, pose_of(simulation, shape), origin, way);
+std::optional<CastHit> hit_by_ray(const Simulation& simulation, std::uint32_t shape, DVec2 origin, DVec2 translation) {
+    const CastResult cast = cast_ray(simulation.shapes[shape].shape, pose_of(simulation, shape), origin, translation);
     if (cast.status != CastStatus::hit) return std::nullopt;
     return CastHit{shape_id(simulation, shape), body_id(simulation, shape), cast.fraction, cast.point, cast.normal};
 }
 
-std::optional<CastHit> meet_by_shape(const Simulation& simulation, std::uint32_t other, const Shape& shape,
-                                     const Pose& pose, DVec2 way) {
-    const CastResult cast = cast_shape(simulation.shapes[other].shape, pose_of(simulation, other), shape, pose, way);
+std::optional<CastHit> hit_by_shape(const Simulation& simulation, std::uint32_t other, const Shape& shape,
+                                    const Pose& pose, DVec2 translation) {
+    const CastResult cast =
+        cast_shape(simulation.shapes[other].shape, pose_of(simulation, other), shape, pose, translation);
     const bool inside = cast.status == CastStatus::overlapping;
     if (!inside && cast.status != CastStatus::hit) return std::nullopt;
     CastHit hit{
@@ -88,16 +90,16 @@ std::optional<CastHit> meet_by_shape(const Simulation& simulation, std::uint32_t
     return hit;
 }
 
-// The first of the hits that meet(shape) gives along a way.
-template <class Meet>
+// The first of the hits that find_hit(shape) returns along a path.
+template <class FindHit>
 std::optional<CastHit> find_first(const Simulation& simulation, const SweptBox& swept, const QueryFilter& filter,
-                                  Meet&& meet) {
+                                  FindHit&& find_hit) {
     std::optional<CastHit> first;
     double last = 1.0;
-    simulation.broad.search([&](const Aabb& box) { return swept.meets(box, last); },
+    simulation.broad.search([&](const Aabb& box) { return swept.touches(box, last); },
                             [&](std::uint32_t shape) {
-                                if (!is_seen(simulation, shape, filter)) return;
-                                const std::optional<CastHit> hit = meet(shape);
+                                if (!is_included(simulation, shape, filter)) return;
+                                const std::optional<CastHit> hit = find_hit(shape);
                                 if (!hit || (first && !comes_first(*hit, *first))) return;
                                 first = hit;
                                 last = hit->fraction;
@@ -110,17 +112,17 @@ std::optional<CastHit> find_first(const Simulation& simulation, const SweptBox& 
 std::optional<CastHit> find_ray_hit(const Simulation& simulation, DVec2 origin, DVec2 translation,
                                     const QueryFilter& filter) {
     return find_first(simulation, SweptBox(origin, translation, {}), filter,
-                      [&](std::uint32_t shape) { return meet_by_ray(simulation, shape, origin, translation); });
+                      [&](std::uint32_t shape) { return hit_by_ray(simulation, shape, origin, translation); });
 }
 
 std::vector<CastHit> find_ray_hits(const Simulation& simulation, DVec2 origin, DVec2 translation,
                                    const QueryFilter& filter) {
     const SweptBox swept(origin, translation, {});
     std::vector<CastHit> hits;
-    simulation.broad.search([&](const Aabb& box) { return swept.meets(box, 1.0); },
+    simulation.broad.search([&](const Aabb& box) { return swept.touches(box, 1.0); },
                             [&](std::uint32_t shape) {
-                                if (!is_seen(simulation, shape, filter)) return;
-                                if (const auto hit = meet_by_ray(simulation, shape, origin, translation))
+                                if (!is_included(simulation, shape, filter)) return;
+                                if (const auto hit = hit_by_ray(simulation, shape, origin, translation))
                                     hits.push_back(*hit);
                             });
     std::sort(hits.begin(), hits.end(), comes_first);
@@ -133,14 +135,14 @@ std::optional<CastHit> find_shape_hit(const Simulation& simulation, const Shape&
     const DVec2 lower(box.lower), upper(box.upper);
     const SweptBox swept(0.5 * (lower + upper), translation, 0.5 * (upper - lower));
     return find_first(simulation, swept, filter,
-                      [&](std::uint32_t other) { return meet_by_shape(simulation, other, shape, pose, translation); });
+                      [&](std::uint32_t other) { return hit_by_shape(simulation, other, shape, pose, translation); });
 }
 
 std::vector<ShapeId> find_overlaps(const Simulation& simulation, const Shape& shape, const Pose& pose,
                                    const QueryFilter& filter) {
     std::vector<ShapeId> found;
     simulation.broad.query(bounds(shape, pose), [&](std::uint32_t other) {
-        if (!is_seen(simulation, other, filter)) return;
+        if (!is_included(simulation, other, filter)) return;
         const DistanceResult gap = distance(simulation.shapes[other].shape, pose_of(simulation, other), shape, pose);
         if (gap.status == DistanceStatus::overlapping || gap.status == DistanceStatus::touching)
             found.push_back(shape_id(simulation, other));
@@ -150,14 +152,14 @@ std::vector<ShapeId> find_overlaps(const Simulation& simulation, const Shape& sh
 }
 
 std::vector<ShapeId> find_overlaps(const Simulation& simulation, DVec2 lower, DVec2 upper, const QueryFilter& filter) {
-    // Compared in double: a box that rounded its corners to float would see too much or too little far out.
-    const auto meets = [&](const Aabb& box) {
+    // Compared in double: far from the origin, corners rounded to float would include or leave out shapes.
+    const auto touches = [&](const Aabb& box) {
         return box.lower.x <= upper.x && lower.x <= box.upper.x && box.lower.y <= upper.y && lower.y <= box.upper.y;
     };
     std::vector<ShapeId> found;
-    simulation.broad.search(meets, [&](std::uint32_t shape) {
-        if (is_seen(simulation, shape, filter) &&
-            meets(bounds(simulation.shapes[shape].shape, pose_of(simulation, shape))))
+    simulation.broad.search(touches, [&](std::uint32_t shape) {
+        if (is_included(simulation, shape, filter) &&
+            touches(bounds(simulation.shapes[shape].shape, pose_of(simulation, shape))))
             found.push_back(shape_id(simulation, shape));
     });
     std::sort(found.begin(), found.end());
@@ -170,14 +172,14 @@ std::optional<ClosestHit> find_closest(const Simulation& simulation, DVec2 point
     const Pose at_point{point, {}};
     std::optional<ClosestHit> best;
     double limit = max_distance;
-    const auto may_hold = [&](const Aabb& box) {
+    const auto may_contain = [&](const Aabb& box) {
         const double x = std::max({box.lower.x - point.x, 0.0, point.x - box.upper.x});
         const double y = std::max({box.lower.y - point.y, 0.0, point.y - box.upper.y});
-        // Inside several shapes all of them count: below 0 the limit excludes no box that holds the point.
-        return length(DVec2{x, y}) <= std::max(limit, 0.0) + room_for_rounding(box, point);
+        // The deepest of several shapes around the point may have any box: a negative limit is no bound on boxes.
+        return length(DVec2{x, y}) <= std::max(limit, 0.0) + rounding_margin(box, point);
     };
-    simulation.broad.search(may_hold, [&](std::uint32_t shape) {
-        if (!is_seen(simulation, shape, filter)) return;
+    simulation.broad.search(may_contain, [&](std::uint32_t shape) {
+        if (!is_included(simulation, shape, filter)) return;
         const DistanceResult gap =
             distance(simulation.shapes[shape].shape, pose_of(simulation, shape), probe, at_point);
         if (gap.status == DistanceStatus::invalid || gap.distance > limit) return;

@@ -1,4 +1,5 @@
-// Queries: the broad phase proposes shapes, the narrow phase answers, and the best answer so far bounds the search.
+// Queries: the broad phase finds candidate shapes, the narrow phase computes the answers, and the best answer so far
+// bounds the search.
 #pragma once
 
 #include <optional>
@@ -9,7 +10,7 @@
 
 namespace tumble {
 
-// As World's members of these names; the input is checked already.
+// These answer the queries of World (tumble/world.hpp). The arguments have been checked.
 std::optional<CastHit> find_ray_hit(const Simulation& simulation, DVec2 origin, DVec2 translation,
                                     const QueryFilter& filter);
 std::vector<CastHit> find_ray_hits(const Simulation& simulation, DVec2 origin, DVec2 translation,

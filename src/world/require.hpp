@@ -1,4 +1,4 @@
-// Refusals: std::invalid_argument that names a value, says what was expected and what came.
+// require(): throws std::invalid_argument that names an argument, what was expected and the value that was passed.
 #pragma once
 
 #include <charconv>

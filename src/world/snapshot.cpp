@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "world/validate.hpp"
+#include "world/audit.hpp"
 #include "world/visit_members.hpp"
 
 #define XXH_INLINE_ALL
@@ -191,7 +191,7 @@ void read_snapshot(std::span<const std::byte> bytes, const SnapshotParts& parts)
     visit_saved(parts, [&](auto&... part) { (visit_value(payload, part), ...); });
     Reader::require(payload.is_at_end(), "it has more bytes than its state");
     try {
-        validate(parts.simulation);
+        audit(parts.simulation);
     } catch (const std::logic_error& broken) {
         throw SnapshotError(std::string("snapshot: its state is broken: ") + broken.what());
     }

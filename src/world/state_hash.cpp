@@ -11,7 +11,7 @@ namespace tumble {
 
 namespace {
 
-// One body's bytes, lowest first in each value, whatever the machine's order.
+// The bytes of one body, little-endian on every machine.
 class BodyBytes {
 public:
     template <class Value>

@@ -1,4 +1,4 @@
-// The state hash: what two runs compare to know that they are the same, bit for bit.
+// The state hash: two runs with equal hashes are equal bit for bit.
 #pragma once
 
 #include <cstdint>

@@ -1,60 +1,20 @@
-// The facade: what comes and goes, the step, and what a user may read.
+// The world as a whole: its settings, the step, its reports and its snapshots.
 #include "tumble/world.hpp"
 
 #include <string>
 
-#include "dynamics/contacts/make_contact.hpp"
 #include "dynamics/stages/sleep.hpp"
 #include "dynamics/step.hpp"
+#include "world/audit.hpp"
 #include "world/contact_report.hpp"
 #include "world/input_checks.hpp"
 #include "world/island_numbers.hpp"
 #include "world/memory.hpp"
 #include "world/snapshot.hpp"
 #include "world/state_hash.hpp"
-#include "world/validate.hpp"
 #include "world/world_impl.hpp"
 
 namespace tumble {
-
-ShapeId World::Impl::attach(BodyId body, const ShapeDef& shape) {
-    const ShapeId id = simulation.shapes.create(body.index, shape);
-    BodyRecord& record = simulation.bodies.records[body.index];
-    record.shapes.push_back(id);
-    if (record.is_enabled)
-        simulation.shapes.place(id.index, simulation.bodies.frames[body.index], simulation.settings.tuning,
-                                simulation.broad);
-    return id;
-}
-
-void World::Impl::touch_shapes(BodyId id) {
-    if (!simulation.bodies.records[id.index].is_enabled) return;
-    for (const ShapeId shape : simulation.bodies.records[id.index].shapes) simulation.broad.touch(shape.index);
-}
-
-void World::Impl::place_shapes(BodyId id) {
-    if (!simulation.bodies.records[id.index].is_enabled) return;
-    for (const ShapeId shape : simulation.bodies.records[id.index].shapes)
-        simulation.shapes.place(shape.index, simulation.bodies.frames[id.index], simulation.settings.tuning,
-                                simulation.broad);
-}
-
-void World::Impl::displace_shapes(BodyId id) {
-    for (const ShapeId shape : simulation.bodies.records[id.index].shapes)
-        simulation.shapes.displace(shape.index, simulation.broad);
-}
-
-void World::Impl::update_mass(BodyId id) {
-    BodyStore& bodies = simulation.bodies;
-    const BodyRecord& record = bodies.records[id.index];
-    const std::vector<ShapeId>& shapes = record.shapes;
-    BodyMass mass;
-    // Nobody asks how far a static body reaches, and one of thousands of shapes is made a shape at a time.
-    if (bodies.frames[id.index].type == BodyType::static_body) return bodies.set_mass(id, mass, 0.0f, 0.0f);
-    if (bodies.is_dynamic(id.index)) mass = record.own_mass ? *record.own_mass : body_mass(shapes, simulation.shapes);
-    bodies.set_mass(id, mass, body_reach(mass.center, shapes, simulation.shapes),
-                    smallest_extent(shapes, simulation.shapes));
-}
 
 StepCounters World::Impl::count() const {
     StepCounters counters_now;
@@ -88,87 +48,6 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-BodyId World::create_body(const BodyDef& def) {
-    check(def);
-    Simulation& simulation = impl_->simulation;
-    const BodyId id = simulation.bodies.create(def);
-    impl_->update_mass(id);
-    if (!def.awake && simulation.bodies.is_dynamic(id.index)) put_new_body_to_sleep(simulation, id.index);
-    return id;
-}
-
-BodyId World::create_body(const BodyDef& def, std::span<const ShapeDef> shapes) {
-    for (const ShapeDef& shape : shapes) check(shape);
-    const BodyId id = create_body(def);
-    for (const ShapeDef& shape : shapes) impl_->attach(id, shape);
-    impl_->update_mass(id);
-    // With the centre of mass its velocity has changed, if the body turns.
-    const BodyStore& bodies = impl_->simulation.bodies;
-    if (bodies.is_dynamic(id.index) && bodies.is_active(id.index)) set_velocity(id, def.velocity, def.angular_velocity);
-    return id;
-}
-
-void World::destroy_body(BodyId id) {
-    impl_->require(id);
-    Simulation& simulation = impl_->simulation;
-    wake_with_neighbors(simulation, id.index);
-    while (!simulation.bodies.records[id.index].joints.empty())
-        impl_->remove_joint(simulation.bodies.records[id.index].joints.back());
-    for (const ShapeId shape : simulation.bodies.records[id.index].shapes)
-        simulation.shapes.destroy(shape, simulation.broad);
-    simulation.bodies.destroy(id);
-}
-
-ShapeId World::add_shape(BodyId body, const ShapeDef& def) {
-    impl_->require(body);
-    check(def);
-    Simulation& simulation = impl_->simulation;
-    // A body that is being built asleep goes on sleeping; one that rests on something may no longer do so.
-    const std::uint32_t island = simulation.bodies.records[body.index].island;
-    if (island != kNoIsland && !simulation.sleeping[island].contacts.empty()) wake(simulation, body.index);
-    const ShapeId id = impl_->attach(body, def);
-    impl_->update_mass(body);
-    return id;
-}
-
-void World::remove_shape(ShapeId id) {
-    impl_->require(id);
-    Simulation& simulation = impl_->simulation;
-    const BodyId body = simulation.bodies.ids.at(simulation.shapes[id.index].body);
-    wake_with_neighbors(simulation, body.index);
-    std::erase(simulation.bodies.records[body.index].shapes, id);
-    simulation.shapes.destroy(id, simulation.broad);
-    impl_->update_mass(body);
-}
-
-void World::set_material(ShapeId id, const SurfaceMaterial& material) {
-    impl_->require(id);
-    check(material);
-    Simulation& simulation = impl_->simulation;
-    const BodyId body = simulation.bodies.ids.at(simulation.shapes[id.index].body);
-    wake_with_neighbors(simulation, body.index);
-    simulation.shapes.set_material(id.index, material);
-    const auto mix = [&](Contact& contact) {
-        const bool concerned = contact.shapes.a == id.index || contact.shapes.b == id.index;
-        if (concerned && simulation.is_live(contact.shapes)) mix_surfaces(contact, simulation.shapes);
-    };
-    for (Contact& contact : simulation.contacts.all()) mix(contact);
-    for (Contact& contact : simulation.contacts.woken()) mix(contact);
-    simulation.sleeping.for_each_contact(mix);
-    impl_->update_mass(body);
-}
-
-void World::set_filter(ShapeId id, const CollisionFilter& filter) {
-    impl_->require(id);
-    Simulation& simulation = impl_->simulation;
-    const BodyId body = simulation.bodies.ids.at(simulation.shapes[id.index].body);
-    wake_with_neighbors(simulation, body.index);
-    wake_met(simulation, body.index);
-    simulation.shapes.set_filter(id.index, filter);
-    impl_->touch_shapes(body);
-    simulation.filters_changed = true;
-}
-
 void World::set_gravity(Vec2 gravity) {
     check_action(gravity, "gravity");
     impl_->def.gravity = impl_->simulation.settings.gravity = gravity;
@@ -180,7 +59,8 @@ void World::step() {
     if (impl_->diverged_body == kNoBody) {
         tumble::step(simulation);
         for (const JointId id : simulation.events.broken_joints)
-            if (is_valid(id)) destroy_joint(id);  // a gear may have gone with its joint
+            if (simulation.joints.ids.is_live(id))  // a broken gear may be destroyed already, with one of its joints
+                impl_->destroy_joint(id);
         ++impl_->step_count;
         impl_->counters = impl_->count();
         impl_->diverged_body = find_diverged(simulation.bodies);
@@ -195,57 +75,7 @@ double World::time() const noexcept {
 }
 const WorldDef& World::def() const noexcept { return impl_->def; }
 
-bool World::is_valid(BodyId id) const noexcept { return impl_->simulation.bodies.ids.is_live(id); }
-bool World::is_valid(ShapeId id) const noexcept { return impl_->simulation.shapes.ids.is_live(id); }
-bool World::is_valid(JointId id) const noexcept { return impl_->simulation.joints.ids.is_live(id); }
-
-std::span<const BodyId> World::bodies() const noexcept { return impl_->simulation.bodies.ids.live(); }
-std::vector<BodyId> World::awake_bodies() const {
-    const BodyStore& bodies = impl_->simulation.bodies;
-    std::vector<BodyId> awake;
-    for (const BodyId id : bodies.ids.live())
-        if (bodies.is_active(id.index)) awake.push_back(id);
-    return awake;
-}
-
 std::vector<int> World::islands() const { return find_island_numbers(impl_->simulation); }
-
-std::span<const JointId> World::joints() const noexcept { return impl_->simulation.joints.ids.live(); }
-
-std::span<const JointId> World::joints(BodyId id) const {
-    impl_->require(id);
-    return impl_->simulation.bodies.records[id.index].joints;
-}
-
-std::span<const ShapeId> World::shapes(BodyId id) const {
-    impl_->require(id);
-    return impl_->simulation.bodies.records[id.index].shapes;
-}
-
-const Shape& World::shape(ShapeId id) const {
-    impl_->require(id);
-    return impl_->simulation.shapes[id.index].shape;
-}
-
-const SurfaceMaterial& World::material(ShapeId id) const {
-    impl_->require(id);
-    return impl_->simulation.shapes[id.index].material;
-}
-
-const CollisionFilter& World::filter(ShapeId id) const {
-    impl_->require(id);
-    return impl_->simulation.shapes[id.index].filter;
-}
-
-bool World::is_sensor(ShapeId id) const {
-    impl_->require(id);
-    return impl_->simulation.shapes[id.index].is_sensor;
-}
-
-BodyId World::body(ShapeId id) const {
-    impl_->require(id);
-    return impl_->simulation.bodies.ids.at(impl_->simulation.shapes[id.index].body);
-}
 
 const StepEvents& World::events() const noexcept { return impl_->simulation.events; }
 
@@ -277,7 +107,7 @@ World World::load(std::span<const std::byte> snapshot) {
     return world;
 }
 
-void World::validate() const { tumble::validate(impl_->simulation); }
+void World::audit() const { tumble::audit(impl_->simulation); }
 
 SimulationDiverged::SimulationDiverged(BodyId body_, std::uint64_t step_)
     : std::runtime_error("the simulation diverged in step " + std::to_string(step_) + ": body " +

@@ -1,20 +1,19 @@
-// Bodies between steps: what they are made to do, and what they are made into.
-#include <string>
-
-#include "dynamics/rows/joint_angle.hpp"
+// Bodies: creating and destroying them, what they are, and what they may do.
 #include "dynamics/stages/sleep.hpp"
-#include "tumble/world.hpp"
 #include "world/input_checks.hpp"
 #include "world/require.hpp"
 #include "world/world_impl.hpp"
 
 namespace tumble {
 
-MovingBody* World::Impl::wake_to_push(BodyId id) {
-    if (!simulation.bodies.is_dynamic(id.index)) return nullptr;
-    wake(simulation, id.index);
-    return &simulation.bodies.moving[simulation.bodies.frames[id.index].solver_body];
+namespace {
+
+void wake_with_bodies(Simulation& simulation, JointId id) {
+    for (const BodyId body : simulation.joints.bodies(id)) wake(simulation, body.index);
+    wake_joint(simulation, id);
 }
+
+}  // namespace
 
 template <class Change>
 void World::Impl::change_motion(BodyId id, Change&& change) {
@@ -23,6 +22,48 @@ void World::Impl::change_motion(BodyId id, Change&& change) {
     BodyMotion motion = simulation.bodies.records[id.index].motion;
     change(motion);
     simulation.bodies.set_motion(id.index, motion);
+}
+
+BodyId World::create_body(const BodyDef& def) {
+    check(def);
+    Simulation& simulation = impl_->simulation;
+    const BodyId id = simulation.bodies.create(def);
+    impl_->update_mass(id);
+    if (!def.awake && simulation.bodies.is_dynamic(id.index)) put_new_body_to_sleep(simulation, id.index);
+    return id;
+}
+
+BodyId World::create_body(const BodyDef& def, std::span<const ShapeDef> shapes) {
+    for (const ShapeDef& shape : shapes) check(shape);
+    const BodyId id = create_body(def);
+    for (const ShapeDef& shape : shapes) impl_->attach(id, shape);
+    impl_->update_mass(id);
+    // The velocity of the definition is that of the centre of mass, which the shapes have moved.
+    const BodyStore& bodies = impl_->simulation.bodies;
+    if (bodies.is_dynamic(id.index) && bodies.is_active(id.index)) set_velocity(id, def.velocity, def.angular_velocity);
+    return id;
+}
+
+void World::destroy_body(BodyId id) {
+    impl_->require(id);
+    Simulation& simulation = impl_->simulation;
+    wake_with_neighbors(simulation, id.index);
+    while (!simulation.bodies.records[id.index].joints.empty())
+        impl_->remove_joint(simulation.bodies.records[id.index].joints.back());
+    for (const ShapeId shape : simulation.bodies.records[id.index].shapes)
+        simulation.shapes.destroy(shape, simulation.broad);
+    simulation.bodies.destroy(id);
+}
+
+bool World::is_valid(BodyId id) const noexcept { return impl_->simulation.bodies.ids.is_live(id); }
+
+std::span<const BodyId> World::bodies() const noexcept { return impl_->simulation.bodies.ids.live(); }
+std::vector<BodyId> World::awake_bodies() const {
+    const BodyStore& bodies = impl_->simulation.bodies;
+    std::vector<BodyId> awake;
+    for (const BodyId id : bodies.ids.live())
+        if (bodies.is_active(id.index)) awake.push_back(id);
+    return awake;
 }
 
 BodyType World::type(BodyId id) const {
@@ -66,27 +107,16 @@ BodyDef World::definition(BodyId id) const {
     return def;
 }
 
-void World::set_transform(BodyId id, const Pose& pose) {
-    impl_->require(id);
-    check_pose(pose, "body");
-    Simulation& simulation = impl_->simulation;
-    wake_with_neighbors(simulation, id.index);
-    impl_->displace_shapes(id);
-    simulation.bodies.set_pose(id.index, pose);
-    impl_->place_shapes(id);
-    wake_met(simulation, id.index);
-}
-
 void World::set_type(BodyId id, BodyType type) {
     impl_->require(id);
     Simulation& simulation = impl_->simulation;
     if (type == simulation.bodies.records[id.index].type) return;
     wake_with_neighbors(simulation, id.index);
-    impl_->displace_shapes(id);
+    impl_->remove_proxies(id);
     simulation.bodies.set_type(id.index, type);
-    impl_->place_shapes(id);
+    impl_->add_proxies(id);
     impl_->update_mass(id);
-    simulation.filters_changed = true;  // two static bodies have no contact
+    simulation.filters_changed = true;  // contacts between two static bodies end
 }
 
 void World::set_enabled(BodyId id, bool enabled) {
@@ -95,12 +125,12 @@ void World::set_enabled(BodyId id, bool enabled) {
     BodyRecord& record = simulation.bodies.records[id.index];
     if (enabled == record.is_enabled) return;
     wake_with_neighbors(simulation, id.index);
-    impl_->displace_shapes(id);
+    impl_->remove_proxies(id);
     simulation.bodies.set_enabled(id.index, enabled);
-    impl_->place_shapes(id);
+    impl_->add_proxies(id);
     impl_->update_mass(id);
     if (!enabled) simulation.joints.put_to_sleep(record.joints);
-    for (const JointId joint : record.joints) impl_->wake_tied(joint);
+    for (const JointId joint : record.joints) wake_with_bodies(simulation, joint);
     wake_met(simulation, id.index);
     simulation.filters_changed = true;
 }
@@ -156,95 +186,6 @@ void World::set_mass(BodyId id, const std::optional<BodyMass>& mass) {
     wake(impl_->simulation, id.index);
     impl_->simulation.bodies.records[id.index].own_mass = mass;
     impl_->update_mass(id);
-}
-
-void World::set_velocity(BodyId id, Vec2 velocity, float angular_velocity) {
-    impl_->require(id);
-    check_velocity(velocity, angular_velocity);
-    BodyStore& bodies = impl_->simulation.bodies;
-    if (bodies.frames[id.index].type == BodyType::static_body)
-        throw std::invalid_argument("body " + std::to_string(id.index) +
-                                    " is static or disabled: it has no velocity to set");
-    if (bodies.is_dynamic(id.index)) wake(impl_->simulation, id.index);
-    const bool was_active = bodies.is_active(id.index);
-    SolverBody& body = bodies.solver_bodies[bodies.frames[id.index].solver_body];
-    body.velocity = allowed(body.flags, velocity);
-    body.angular_velocity = allowed(body.flags, angular_velocity);
-    if (was_active || !bodies.is_active(id.index)) return;
-    // A kinematic body starts to move: it takes along what leans on it, and may meet what sleeps.
-    wake_with_neighbors(impl_->simulation, id.index);
-    impl_->touch_shapes(id);
-}
-
-void World::move_towards(BodyId id, const Pose& pose) {
-    impl_->require(id);
-    check_pose(pose, "body");
-    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
-    const DVec2 way = transform_point(pose, impl_->simulation.bodies.records[id.index].mass.center) - frame.center;
-    const double turn = relative_angle(frame.pose.rotation, pose.rotation);
-    const double rate = double{impl_->def.steps_per_second};
-    set_velocity(id, to_float(rate * way), static_cast<float>(rate * turn));
-}
-
-void World::apply_force(BodyId id, Vec2 force) {
-    impl_->require(id);
-    apply_force(id, force, impl_->simulation.bodies.frames[id.index].center);
-}
-
-void World::apply_impulse(BodyId id, Vec2 impulse) {
-    impl_->require(id);
-    apply_impulse(id, impulse, impl_->simulation.bodies.frames[id.index].center);
-}
-
-void World::apply_force(BodyId id, Vec2 force, DVec2 point) {
-    impl_->require(id);
-    check_action(force, "force");
-    check_point(point);
-    MovingBody* const moving = impl_->wake_to_push(id);
-    if (!moving) return;
-    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
-    moving->acceleration += scaled(frame.inv_masses(), force);
-    moving->angular_acceleration += frame.inv_inertia * cross(to_float(point - frame.center), force);
-}
-
-void World::apply_torque(BodyId id, float torque) {
-    impl_->require(id);
-    check_action(torque, "torque");
-    MovingBody* const moving = impl_->wake_to_push(id);
-    if (moving) moving->angular_acceleration += impl_->simulation.bodies.frames[id.index].inv_inertia * torque;
-}
-
-void World::apply_impulse(BodyId id, Vec2 impulse, DVec2 point) {
-    impl_->require(id);
-    check_action(impulse, "impulse");
-    check_point(point);
-    if (!impl_->wake_to_push(id)) return;
-    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
-    SolverBody& body = impl_->simulation.bodies.solver_bodies[frame.solver_body];
-    body.velocity += scaled(frame.inv_masses(), impulse);
-    body.angular_velocity += frame.inv_inertia * cross(to_float(point - frame.center), impulse);
-}
-
-void World::apply_angular_impulse(BodyId id, float impulse) {
-    impl_->require(id);
-    check_action(impulse, "angular impulse");
-    if (!impl_->wake_to_push(id)) return;
-    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
-    impl_->simulation.bodies.solver_bodies[frame.solver_body].angular_velocity += frame.inv_inertia * impulse;
-}
-
-bool World::is_awake(BodyId id) const {
-    impl_->require(id);
-    return !impl_->simulation.bodies.is_asleep(id.index);
-}
-
-void World::set_awake(BodyId id, bool awake) {
-    impl_->require(id);
-    Simulation& simulation = impl_->simulation;
-    if (awake)
-        wake(simulation, id.index);
-    else if (simulation.bodies.is_dynamic(id.index) && !simulation.bodies.is_asleep(id.index))
-        put_island_to_sleep(simulation, id.index);
 }
 
 }  // namespace tumble

@@ -1,5 +1,7 @@
-// What the facade keeps, shared by the files that define World's members: each public call checks what comes in, turns
-// ids into indices, and leaves the physics to the dynamics room.
+// The private state of World, and the operations that the files of its members share.
+//
+// Each public call checks its arguments, turns ids into indices, and leaves the physics to src/dynamics. The members of
+// World are defined by subject, in world.cpp and world_*.cpp; all of these may call world_impl.cpp.
 #pragma once
 
 #include <stdexcept>
@@ -17,27 +19,42 @@ struct World::Impl {
     Simulation simulation;
     StepCounters counters;
     std::uint64_t step_count = 0;
-    std::uint32_t diverged_body = kNoBody;
+    std::uint32_t diverged_body = kNoBody;  // index of the first body that is not finite
 
     void require(BodyId id) const { require_live(simulation.bodies.ids, id, "body"); }
     void require(ShapeId id) const { require_live(simulation.shapes.ids, id, "shape"); }
     void require(JointId id) const { require_live(simulation.joints.ids, id, "joint"); }
 
-    JointDef complete(const JointDef& joint) const;      // a gear with its bodies; throws if it has no two joints
-    std::vector<JointId> gears_on(JointId id) const;     // in order of creation
-    void remove_joint(JointId id);                       // with its gears
-    ShapeId attach(BodyId body, const ShapeDef& shape);  // without its mass
-    void touch_shapes(BodyId id);
-    void place_shapes(BodyId id);  // proxies where the body is, of its type; none if it is disabled
-    void displace_shapes(BodyId id);
+    // Adds a shape to a body; the caller updates the body's mass.
+    ShapeId attach(BodyId body, const ShapeDef& shape);
+
+    // Computes mass, centre of mass and inertia anew from the body's shapes, or from its own mass if it has one.
     void update_mass(BodyId id);
-    void tie(JointId id);
-    MovingBody* wake_to_push(BodyId id);  // the body awake, or nullptr if it is not dynamic
-    void wake_tied(JointId id);
+
+    // Adds the proxies of a body's shapes to the broad phase, at its pose and in the layer of its type; a disabled body
+    // gets none. remove_proxies() takes them out again. touch_proxies() makes the next step search their pairs anew.
+    void add_proxies(BodyId id);
+    void remove_proxies(BodyId id);
+    void touch_proxies(BodyId id);
+
+    // The gears that a joint is part of, in the order of the joints of its bodies.
+    std::vector<JointId> gears_on(JointId id) const;
+
+    // Removes a joint and the gears on it. destroy_joint() wakes its bodies first.
+    void remove_joint(JointId id);
+    void destroy_joint(JointId id);
+
+    // world_joints.cpp: a gear with body_a and body_b filled in, any other joint as it is. Throws std::invalid_argument
+    // for a gear without two different joints that can be geared.
+    JointDef with_gear_bodies(const JointDef& joint) const;
+
+    // world_bodies.cpp: wakes a body and calls change(motion) with its BodyMotion.
     template <class Change>
-    void change_motion(BodyId id, Change&& change);  // change(BodyMotion&)
+    void change_motion(BodyId id, Change&& change);
+
+    // world.cpp: the counters of the last step, and the settings of the step from `def`.
     StepCounters count() const;
-    void apply_settings();  // of the definition
+    void apply_settings();
 
 private:
     template <class IdType>

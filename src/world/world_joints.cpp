@@ -1,10 +1,10 @@
-// Joints: what they may be, what they do to sleepers, and what goes with them.
+// Joints: creating, changing and destroying them, and what they report.
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "dynamics/rows/joint_ends.hpp"
 #include "dynamics/stages/sleep.hpp"
-#include "tumble/world.hpp"
 #include "world/input_checks.hpp"
 #include "world/world_impl.hpp"
 
@@ -12,51 +12,14 @@ namespace tumble {
 
 namespace {
 
-bool is_on_same_joints(const JointDef& a, const JointDef& b) {
+bool have_same_joints(const JointDef& a, const JointDef& b) {
     const auto *gear = std::get_if<GearJointDef>(&a), *other = std::get_if<GearJointDef>(&b);
     return !gear || !other || (gear->joint_a == other->joint_a && gear->joint_b == other->joint_b);
 }
 
-}  // namespace
-
-JointDef World::Impl::complete(const JointDef& joint) const {
-    if (!std::holds_alternative<GearJointDef>(joint)) return joint;
-    GearJointDef gear = std::get<GearJointDef>(joint);
-    for (const JointId geared : {gear.joint_a, gear.joint_b}) {
-        require(geared);
-        if (!can_be_geared(simulation.joints.def(geared)))
-            throw std::invalid_argument("gear needs revolute or prismatic joints: joint " +
-                                        std::to_string(geared.index) + " is neither");
-    }
-    if (gear.joint_a == gear.joint_b)
-        throw std::invalid_argument("gear needs two joints, got joint " + std::to_string(gear.joint_a.index) +
-                                    " twice");
-    gear.body_a = joint_body_b(simulation.joints.def(gear.joint_a));
-    gear.body_b = joint_body_b(simulation.joints.def(gear.joint_b));
-    return gear;
-}
-
-std::vector<JointId> World::Impl::gears_on(JointId id) const {
-    const JointDef& joint = simulation.joints.def(id);
-    std::vector<JointId> gears;
-    for (const JointId other : simulation.bodies.fewer_joints(joint_body_a(joint).index, joint_body_b(joint).index)) {
-        const auto* gear = std::get_if<GearJointDef>(&simulation.joints.def(other));
-        if (gear && (gear->joint_a == id || gear->joint_b == id)) gears.push_back(other);
-    }
-    return gears;
-}
-
-void World::Impl::remove_joint(JointId id) {
-    for (const JointId gear : gears_on(id)) remove_joint(gear);
-    for (const BodyId body : simulation.joints.bodies(id)) {
-        std::erase(simulation.bodies.records[body.index].joints, id);
-        touch_shapes(body);  // pairs that the joint forbade may come back
-    }
-    simulation.joints.destroy(id);
-}
-
-// What a new joint does to sleepers: a joint among them sleeps with them, any other wakes them.
-void World::Impl::tie(JointId id) {
+// A new joint between sleeping bodies sleeps with them, and joins their islands; a joint with an active body wakes all
+// of its bodies. A joint of a disabled body sleeps.
+void settle_sleep(Simulation& simulation, JointId id) {
     const BodyStore& bodies = simulation.bodies;
     bool all_enabled = true, any_active = false;
     std::optional<std::uint32_t> sleeper;
@@ -74,13 +37,36 @@ void World::Impl::tie(JointId id) {
     if (!all_enabled || (!any_active && sleeper)) simulation.joints.put_to_sleep({&id, 1});
 }
 
-void World::Impl::wake_tied(JointId id) {
-    for (const BodyId body : simulation.joints.bodies(id)) wake(simulation, body.index);
-    wake_joint(simulation, id);
+}  // namespace
+
+JointDef World::Impl::with_gear_bodies(const JointDef& joint) const {
+    if (!std::holds_alternative<GearJointDef>(joint)) return joint;
+    GearJointDef gear = std::get<GearJointDef>(joint);
+    for (const JointId geared : {gear.joint_a, gear.joint_b}) {
+        require(geared);
+        if (!can_be_geared(simulation.joints.def(geared)))
+            throw std::invalid_argument("gear needs revolute or prismatic joints: joint " +
+                                        std::to_string(geared.index) + " is neither");
+    }
+    if (gear.joint_a == gear.joint_b)
+        throw std::invalid_argument("gear needs two joints, got joint " + std::to_string(gear.joint_a.index) +
+                                    " twice");
+    gear.body_a = joint_body_b(simulation.joints.def(gear.joint_a));
+    gear.body_b = joint_body_b(simulation.joints.def(gear.joint_b));
+    return gear;
+}
+
+bool World::is_valid(JointId id) const noexcept { return impl_->simulation.joints.ids.is_live(id); }
+
+std::span<const JointId> World::joints() const noexcept { return impl_->simulation.joints.ids.live(); }
+
+std::span<const JointId> World::joints(BodyId id) const {
+    impl_->require(id);
+    return impl_->simulation.bodies.records[id.index].joints;
 }
 
 JointId World::create_joint(const JointDef& def) {
-    const JointDef joint = impl_->complete(def);
+    const JointDef joint = impl_->with_gear_bodies(def);
     const BodyId a = joint_body_a(joint), b = joint_body_b(joint);
     impl_->require(a);
     impl_->require(b);
@@ -91,10 +77,10 @@ JointId World::create_joint(const JointDef& def) {
     const JointId id = simulation.joints.create(joint);
     for (const BodyId body : simulation.joints.bodies(id)) simulation.bodies.records[body.index].joints.push_back(id);
     simulation.filters_changed |= !collides_connected(joint);
-    // What sleeps on what it may no longer touch has lost its hold.
+    // If the two bodies touch in their sleep, that contact ends now: one may have rested on the other.
     if (!collides_connected(joint) && touch_in_sleep(simulation, a.index, b.index))
         for (const BodyId body : {a, b}) wake(simulation, body.index);
-    impl_->tie(id);
+    settle_sleep(simulation, id);
     return id;
 }
 
@@ -102,15 +88,15 @@ void World::set_joint(JointId id, const JointDef& def) {
     impl_->require(id);
     Simulation& simulation = impl_->simulation;
     const JointDef& old = simulation.joints.def(id);
-    const JointDef joint = impl_->complete(def);
+    const JointDef joint = impl_->with_gear_bodies(def);
     if (joint.index() != old.index() || joint_body_a(joint) != joint_body_a(old) ||
-        joint_body_b(joint) != joint_body_b(old) || !is_on_same_joints(joint, old))
+        joint_body_b(joint) != joint_body_b(old) || !have_same_joints(joint, old))
         throw std::invalid_argument("joint " + std::to_string(id.index) +
                                     " must keep its kind, its bodies and its joints");
     check(joint);
     for (const BodyId body : simulation.joints.bodies(id)) {
         wake(simulation, body.index);
-        impl_->touch_shapes(body);
+        impl_->touch_proxies(body);
     }
     simulation.filters_changed |= !collides_connected(joint);
     simulation.joints.redefine(id, joint);
@@ -120,8 +106,7 @@ void World::set_joint(JointId id, const JointDef& def) {
 
 void World::destroy_joint(JointId id) {
     impl_->require(id);
-    for (const BodyId body : impl_->simulation.joints.bodies(id)) wake(impl_->simulation, body.index);
-    impl_->remove_joint(id);
+    impl_->destroy_joint(id);
 }
 
 const JointDef& World::joint(JointId id) const {
@@ -136,10 +121,12 @@ JointReaction World::reaction(JointId id) const {
 
 std::optional<JointAnchors> World::joint_anchors(JointId id) const {
     impl_->require(id);
-    const auto find = [this](const auto& def) -> std::optional<JointAnchors> {
+    const auto world_point = [this](BodyId body, Vec2 anchor) {
+        return transform_point(impl_->simulation.bodies.frames[body.index].pose, anchor);
+    };
+    const auto find = [&](const auto& def) -> std::optional<JointAnchors> {
         if constexpr (requires { def.anchor_a; })
-            return JointAnchors{transform_point(state(def.body_a).pose, def.anchor_a),
-                                transform_point(state(def.body_b).pose, def.anchor_b)};
+            return JointAnchors{world_point(def.body_a, def.anchor_a), world_point(def.body_b, def.anchor_b)};
         else if constexpr (requires { def.joint_a; })
             return JointAnchors{joint_anchors(def.joint_a)->b, joint_anchors(def.joint_b)->b};
         else

@@ -1,5 +1,4 @@
-// The queries of the facade: input checked, then asked.
-
+// Queries: each checks its arguments and calls queries.hpp.
 #include "world/input_checks.hpp"
 #include "world/queries.hpp"
 #include "world/require.hpp"
@@ -9,7 +8,7 @@ namespace tumble {
 
 namespace {
 
-void check_way(DVec2 origin, DVec2 translation) {
+void check_path(DVec2 origin, DVec2 translation) {
     require(is_finite(origin), "origin", "finite", origin);
     require(is_finite(translation), "translation", "finite", translation);
 }
@@ -17,12 +16,12 @@ void check_way(DVec2 origin, DVec2 translation) {
 }  // namespace
 
 std::optional<CastHit> World::cast_ray(DVec2 origin, DVec2 translation, const QueryFilter& filter) const {
-    check_way(origin, translation);
+    check_path(origin, translation);
     return find_ray_hit(impl_->simulation, origin, translation, filter);
 }
 
 std::vector<CastHit> World::cast_ray_all(DVec2 origin, DVec2 translation, const QueryFilter& filter) const {
-    check_way(origin, translation);
+    check_path(origin, translation);
     return find_ray_hits(impl_->simulation, origin, translation, filter);
 }
 
@@ -30,7 +29,7 @@ std::optional<CastHit> World::cast_shape(const Shape& shape, const Pose& pose, D
                                          const QueryFilter& filter) const {
     check(shape);
     check_pose(pose, "shape");
-    check_way(pose.position, translation);
+    check_path(pose.position, translation);
     return find_shape_hit(impl_->simulation, shape, pose, translation, filter);
 }
 

@@ -98,7 +98,7 @@ TEST_CASE("a query finds exactly the overlapping boxes through random edits") {
             tree.move(leaves[key], live[key]);
             ++moved;
         }
-        if (round % 50 == 0) tree.validate();
+        if (round % 50 == 0) tree.audit();
         const Aabb asked = boxes.next();
         std::vector<std::uint32_t> expected;
         for (const auto& [other, other_box] : live)
@@ -119,7 +119,7 @@ TEST_CASE("boxes inserted in a row do not make a list of the tree") {
         const auto x = static_cast<float>(i);
         tree.insert({{x, 0.0f}, {x + 1.0f, 1.0f}}, static_cast<std::uint32_t>(i));
     }
-    tree.validate();
+    tree.audit();
     CHECK(tree.cost() - 4.0 * n < 2.0 * (2.0 * n * 10.0));  // the inner nodes: within twice the balanced tree's
 }
 
@@ -171,7 +171,7 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
         });
         REQUIRE(known == all_overlaps(live));
         REQUIRE(broad.known_count() == known.size());
-        broad.validate();
+        broad.audit();
     }
     CHECK(reported > 1000);
 }

@@ -37,7 +37,7 @@ TEST_CASE("a body that is moved loses its contacts, wakes what it carried and fi
     CHECK(world.events().contact_ends.size() == 2);  // the floor and the upper box
     run(world, 120);
     CHECK(world.state(upper).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
-    world.validate();
+    world.audit();
 }
 
 TEST_CASE("a body made with its shapes is the one that gets them one by one, with the velocity that was given") {
@@ -58,7 +58,7 @@ TEST_CASE("a body made with its shapes is the one that gets them one by one, wit
         run(at_once, 10);
         run(one_by_one, 10);
         CHECK(at_once.state_hash() == one_by_one.state_hash());
-        at_once.validate();
+        at_once.audit();
     }
     World world;
     CHECK_THROWS_AS(world.create_body({}, std::vector<ShapeDef>{{.shape = kBox}, {}}), std::invalid_argument);
@@ -67,7 +67,7 @@ TEST_CASE("a body made with its shapes is the one that gets them one by one, wit
                  off = world.create_body({.enabled = false}, shapes);
     CHECK_FALSE(world.is_awake(asleep));
     CHECK(world.shapes(off).size() == 3);
-    world.validate();
+    world.audit();
 }
 
 TEST_CASE("a static body that is moved away lets fall what leant on it, and wakes what it comes to") {
@@ -102,7 +102,7 @@ TEST_CASE("what is disabled is not there: nothing rests on it, its joints do not
     run(world, 120);
     CHECK(world.state(box).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
     CHECK(world.state(bob).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
-    world.validate();
+    world.audit();
     world.set_enabled(shelf, true);
     CHECK(world.cast_ray({1.5, 5.0}, {0.0, -3.0}));
     run(world, 240);
@@ -143,7 +143,7 @@ TEST_CASE("a body may change its type at any time") {
     CHECK(world.mass(body).mass == 1.0f);
     run(world, 180);
     CHECK(world.state(body).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
-    world.validate();
+    world.audit();
 }
 
 // F = m a with the mass that was given: 6 N on 3 kg for a second.

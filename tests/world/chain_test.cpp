@@ -177,7 +177,7 @@ TEST_CASE("what falls asleep half through a chain passes it when it wakes") {
     REQUIRE_FALSE(world.is_awake(ball));
     const double rest = world.state(ball).pose.position.y;
     REQUIRE(rest > 0.0);
-    world.validate();
+    world.audit();
     world.set_velocity(ball, {0.0f, 0.06f}, 0.0f);
     run(world, 20);
     CHECK(world.state(ball).pose.position.y < rest + 0.06 / 3.0);

@@ -191,7 +191,7 @@ TEST_CASE("a sensor has no mass, notices kinematic bodies, and keeps who sleeps 
     World other;
     CHECK(other.mass(add_sensor(other, {}, kBox, BodyType::dynamic_body)).inertia == 0.0f);
     CHECK(world.is_valid(lift));
-    world.validate();
+    world.audit();
 }
 
 TEST_CASE("filters: categories must know each other, groups have the last word") {

@@ -64,5 +64,5 @@ TEST_CASE("a shape that is taken off no longer weighs nor touches, and the rest 
     // The new centre is 1 m to the left of the old one: v = v0 + w x (-1, 0).
     CHECK(world.state(body).velocity == Vec2{1.0f, -2.0f});
     world.step();
-    world.validate();
+    world.audit();
 }

@@ -102,7 +102,7 @@ TEST_CASE("a stack sleeps as one island, keeps its contacts, and costs no contac
     run(world, 100);
     CHECK(world.state(boxes.back()).pose.position == top);
     CHECK(world.state_hash() == hash);
-    world.validate();
+    world.audit();
 }
 
 TEST_CASE("two stacks apart sleep and wake by themselves") {
@@ -158,7 +158,7 @@ TEST_CASE("a ball that hits a sleeping stack wakes all of it, in the step in whi
     for (int step = 0; step < 60 && !world.is_awake(boxes[2]); ++step) {
         CHECK(world.state(ball).velocity.x > 11.9f);
         world.step();
-        world.validate();
+        world.audit();
     }
     CHECK(all_awake(world, boxes));
     CHECK(world.state(ball).velocity.x < 11.0f);
@@ -182,7 +182,7 @@ TEST_CASE("a wave of waking goes through sleepers that were never awake, within 
     world.set_velocity(ball, {6.0f, 0.0f}, 0.0f);
     while (!world.is_awake(row[0])) world.step();
     CHECK(all_awake(world, row));
-    world.validate();
+    world.audit();
 }
 
 TEST_CASE("what leans on a body wakes when that goes, static or not") {
@@ -194,14 +194,14 @@ TEST_CASE("what leans on a body wakes when that goes, static or not") {
     world.destroy_body(boxes[1]);
     CHECK(world.is_awake(boxes[0]));
     CHECK(world.is_awake(boxes[2]));
-    world.validate();
+    world.audit();
     run(world, 180);
     CHECK(world.state(boxes[2]).pose.position.y == doctest::Approx(1.5).epsilon(0.01));
     REQUIRE_FALSE(world.is_awake(boxes[2]));
     world.destroy_body(floor);
     CHECK(world.is_awake(boxes[2]));
     run(world, 60);
-    world.validate();
+    world.audit();
     CHECK(world.state(boxes[0]).pose.position.y < -3.0);
 }
 
@@ -231,7 +231,7 @@ TEST_CASE("a lift that was at rest beside a sleeper meets it when it starts") {
     run(world, 60);
     CHECK(world.is_awake(load));
     CHECK(world.state(load).pose.position.x == doctest::Approx(2.0).epsilon(0.01));
-    world.validate();
+    world.audit();
 }
 
 TEST_CASE("neighbours that did not touch are found again when they wake") {
@@ -244,7 +244,7 @@ TEST_CASE("neighbours that did not touch are found again when they wake") {
     world.set_velocity(left, {1.0f, 0.0f}, 0.0f);
     run(world, 30);
     CHECK(world.state(right).velocity.x > 0.4f);  // half of the momentum each
-    world.validate();
+    world.audit();
 }
 
 TEST_CASE("forces, impulses and joints wake") {
@@ -273,7 +273,7 @@ TEST_CASE("forces, impulses and joints wake") {
     world.destroy_joint(rod);
     CHECK(world.is_awake(a));
     CHECK(world.is_awake(b));
-    world.validate();
+    world.audit();
 }
 
 TEST_CASE("sleepers that are joined stay asleep and become one island") {
@@ -292,7 +292,7 @@ TEST_CASE("sleepers that are joined stay asleep and become one island") {
                                                 .anchor_b = {-0.5f, 0.0f}});
     }
     run(world, 10);
-    world.validate();
+    world.audit();
     CHECK(all_asleep(world, links));
     CHECK(world.counters().sleeping_islands == 1);
     CHECK(world.state(links[0]).pose.position.y == 0.0);
@@ -351,12 +351,12 @@ TEST_CASE("a body that is taken away and put to sleep there leaves its old neigh
     run(world, 30);
     world.set_transform(boxes[0], {{50.0, 50.0}, {}});
     world.set_awake(boxes[0], false);
-    world.validate();
+    world.audit();
     CHECK(world.is_awake(boxes[1]));
     world.step();
     // With the floor and with the upper box: the next step ends them, asleep or not.
     CHECK(world.events().contact_ends.size() == 2);
-    world.validate();
+    world.audit();
     run(world, 60);
     CHECK_FALSE(world.is_awake(boxes[0]));
     CHECK(std::abs(world.state(boxes[1]).pose.position.y - 0.5) < 0.01);
@@ -371,7 +371,7 @@ TEST_CASE("what may not touch any more is not held through sleep") {
     run(world, 10);
     for (const BodyId box : boxes) world.set_filter(world.shapes(box)[0], apart);
     for (const BodyId box : boxes) world.set_awake(box, false);
-    world.validate();
+    world.audit();
     world.step();
     CHECK(world.events().contact_ends.size() == 1);
     for (const BodyId box : boxes) world.set_awake(box, true);
@@ -390,7 +390,7 @@ TEST_CASE("a joint that keeps sleepers that touch from touching wakes them") {
         CHECK(all_awake(world, boxes));
         world.step();
         CHECK(world.events().contact_ends.size() == 1);
-        world.validate();
+        world.audit();
         run(world, 60);  // 5 m of fall
         CHECK(world.state(boxes[joins_floor ? 0 : 1]).pose.position.y < (joins_floor ? -4.0 : 0.51));
     }

@@ -102,7 +102,7 @@ TEST_CASE("a loaded world reads as the one that was saved") {
         CHECK(loaded.joint_position(id) == world.joint_position(id));
         CHECK(loaded.reaction(id).force == world.reaction(id).force);
     }
-    loaded.validate();
+    loaded.audit();
 }
 
 TEST_CASE("a snapshot that is cut short, damaged or of something else is refused") {

@@ -1,4 +1,8 @@
-// Keeps two anchors at a distance, as a weightless rod, a spring or a rope does: one row along the line between them.
+// Distance joint: constrains the distance d of two anchors. One linear row along the line between them, positive when
+// they move apart (m/s, N s).
+//   rod:              d = length, an equality constraint
+//   spring, limits:   a drive of d (joint_drive.hpp), where the spring's rest value is the length; a rope has limits
+// Reference: Catto, "Soft Constraints", GDC 2011.
 #pragma once
 
 #include <span>
@@ -28,7 +32,7 @@ public:
     }
 
 private:
-    // A rod holds its length itself; what has a spring or limits leaves it to the drive.
+    // True without spring and limits: the length is an equality constraint. Otherwise the drive alone acts on it.
     bool is_rod() const { return !drive_.needs_value(); }
     float impulse() const { return rod_impulse_ + drive_.impulse(); }
 
@@ -36,7 +40,7 @@ private:
     JointBodies bodies_;
     JointDrive drive_;
     JointLine line_;            // at the start of the step
-    float rod_impulse_ = 0.0f;  // along the axis on B, positive pushes, N s
+    float rod_impulse_ = 0.0f;  // on B along the line, positive pushes apart, N s
 };
 
 }  // namespace tumble

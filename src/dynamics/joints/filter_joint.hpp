@@ -1,4 +1,4 @@
-// Takes part in no solving: that its bodies do not touch is decided where pairs are found.
+// Filter joint: no constraint rows. The shapes of its bodies do not collide, as may_collide() rejects their pairs.
 #pragma once
 
 #include <span>

@@ -3,7 +3,7 @@
 namespace tumble {
 
 void GearJoint::prepare(const BodyStore& bodies) {
-    const double a = side_a_.advance(bodies, bodies_.first), b = side_b_.advance(bodies, bodies_.second);
+    const double a = side_a_.start_step(bodies, bodies_.first), b = side_b_.start_step(bodies, bodies_.second);
     slip_ += a + static_cast<double>(bodies_.ratio) * b;
 }
 
@@ -14,14 +14,16 @@ CoupledRow GearJoint::row(std::span<const SolverBody> bodies) const {
 void GearJoint::warm_start(std::span<SolverBody> bodies) const { apply_row(bodies_, row(bodies), impulse_, bodies); }
 
 void GearJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
-    const float moved = side_a_.follow(bodies_.first, bodies) + bodies_.ratio * side_b_.follow(bodies_.second, bodies);
+    const float moved =
+        side_a_.change_in_step(bodies_.first, bodies) + bodies_.ratio * side_b_.change_in_step(bodies_.second, bodies);
     solve_equality(bodies_, row(bodies), context.equality_softness(use_bias), static_cast<float>(slip_) + moved,
                    impulse_, bodies);
 }
 
-// The slip so far stays. What was measured last is no start for another measure, or another ratio of the two.
+// Keeps the slip. The last measurements are kept only if the new definition measures the same motions.
 void GearJoint::take_over(const GearJoint& old) {
-    if (bodies_.ratio == old.bodies_.ratio && side_a_.measures_as(old.side_a_) && side_b_.measures_as(old.side_b_)) {
+    if (bodies_.ratio == old.bodies_.ratio && side_a_.measures_same_as(old.side_a_) &&
+        side_b_.measures_same_as(old.side_b_)) {
         side_a_ = old.side_a_;
         side_b_ = old.side_b_;
     }

@@ -1,4 +1,6 @@
-// Ties the motions of two joints together: one row along both.
+// Gear joint: constrains motion_a + ratio motion_b of two joints to its value at creation. One coupled row
+// (coupled_row.hpp) along the motions of both, each the angle of a revolute joint (rad, N m s) or the displacement of a
+// prismatic one (m, N s).
 #pragma once
 
 #include <span>
@@ -34,8 +36,8 @@ private:
 
     GearSide side_a_, side_b_;
     CoupledBodies bodies_;
-    double slip_ = 0.0;     // of the teeth since they met, along A's motion: at the start of the step, rad or m
-    float impulse_ = 0.0f;  // along A's motion, N m s or N s
+    double slip_ = 0.0;     // the constraint's error at the start of the step, rad or m as motion_a
+    float impulse_ = 0.0f;  // along motion_a, N m s or N s
 };
 
 }  // namespace tumble

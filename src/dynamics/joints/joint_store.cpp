@@ -19,7 +19,7 @@ MouseJoint make_joint(const MouseJointDef& def) { return MouseJoint(def); }
 FilterJoint make_joint(const FilterJointDef& def) { return FilterJoint(def); }
 PulleyJoint make_joint(const PulleyJointDef& def) { return PulleyJoint(def); }
 
-// A filter bears nothing and has no choice; every other kind says what it bears, and whether its bodies collide.
+// A filter joint has neither a strength nor collide_connected; every other definition has both.
 struct Strength {
     JointStrength operator()(const FilterJointDef&) const { return {}; }
     JointStrength operator()(const auto& def) const { return {def.break_force, def.break_torque}; }
@@ -44,18 +44,17 @@ auto JointStore::make(const Def& kind) const {
         return make_joint(kind);
 }
 
-// Calls visit(list, def) with the list that holds a joint and its definition, both of the joint's kind.
 template <class Self, class Visitor>
 void JointStore::visit_list_of(Self& self, JointId id, Visitor&& visit) {
     std::visit([&](const auto& kind) { visit(std::get<JointList<decltype(self.make(kind))>>(self.lists_), kind); },
                self.records_[id.index].def);
 }
 
-TiedBodies JointStore::bodies(JointId id) const {
-    TiedBodies tied;
+JoinedBodies JointStore::bodies(JointId id) const {
+    JoinedBodies joined;
     const auto add = [&](const JointDef& joint) {
-        tied.add(joint_body_a(joint));
-        tied.add(joint_body_b(joint));
+        joined.add(joint_body_a(joint));
+        joined.add(joint_body_b(joint));
     };
     if (const auto* gear = std::get_if<GearJointDef>(&def(id))) {
         add(def(gear->joint_a));
@@ -63,11 +62,12 @@ TiedBodies JointStore::bodies(JointId id) const {
     } else {
         add(def(id));
     }
-    return tied;
+    return joined;
 }
 
 JointId JointStore::create(const JointDef& def) {
     const JointId id = ids.acquire();
+    TUMBLE_CHECK(id.index <= records_.size());
     if (id.index == records_.size()) {
         records_.emplace_back();
         loads_.emplace_back();
@@ -89,8 +89,13 @@ JointId JointStore::create(const JointDef& def) {
 }
 
 void JointStore::destroy(JointId id) {
+    TUMBLE_CHECK(ids.is_live(id));
     put_to_sleep({&id, 1});
-    visit_list_of(*this, id, [&](auto& list, const auto&) { list.free.push_back(records_[id.index].slot); });
+    visit_list_of(*this, id, [&](auto& list, const auto&) {
+        TUMBLE_CHECK(records_[id.index].slot < list.joints.size());
+        TUMBLE_CHECK(list.free.size() < list.joints.size());
+        list.free.push_back(records_[id.index].slot);
+    });
     ids.release(id);
     ids.recycle(id.index);
 }
@@ -103,6 +108,8 @@ float JointStore::position(JointId id) const {
 }
 
 void JointStore::redefine(JointId id, const JointDef& def) {
+    TUMBLE_CHECK(ids.is_live(id));
+    TUMBLE_CHECK(def.index() == records_[id.index].def.index());
     records_[id.index].def = def;
     loads_[id.index].strength = joint_strength(def);
     visit_list_of(*this, id, [&](auto& list, const auto& kind) {
@@ -118,6 +125,7 @@ void JointStore::forget_impulses(JointId id) {
 }
 
 void JointStore::wake(JointId id) {
+    TUMBLE_CHECK(ids.is_live(id));
     JointRecord& record = records_[id.index];
     if (record.is_awake) return;
     record.is_awake = true;
@@ -135,6 +143,10 @@ void JointStore::put_to_sleep(std::span<const JointId> sleepers) {
 void JointStore::prepare(const BodyStore& bodies) {
     if (is_unsorted_) for_each_list(*this, [](auto& list) { std::sort(list.awake.begin(), list.awake.end()); });
     is_unsorted_ = false;
+    for_each_list(*this, [](const auto& list) {
+        TUMBLE_CHECK(std::is_sorted(list.awake.begin(), list.awake.end()));
+        TUMBLE_CHECK(list.awake.size() + list.free.size() <= list.joints.size());
+    });
     for_each_awake(*this, [&](auto& joint) { joint.prepare(bodies); });
 }
 
@@ -152,9 +164,10 @@ void JointStore::store(const JointContext& context) {
         for (const AwakeJoint& awake : list.awake) {
             JointLoad& load = loads_[awake.joint];
             load.reaction = list.joints[awake.slot].reaction(context.inv_h);
-            const bool holds = length(load.reaction.force) <= load.strength.force &&
-                               std::abs(load.reaction.torque) <= load.strength.torque;
-            if (!holds) broken_.push_back(ids.at(awake.joint));
+            TUMBLE_CHECK(ids.at(awake.joint).index == awake.joint);
+            const bool is_intact = length(load.reaction.force) <= load.strength.force &&
+                                   std::abs(load.reaction.torque) <= load.strength.torque;
+            if (!is_intact) broken_.push_back(ids.at(awake.joint));
         }
     });
     std::sort(broken_.begin(), broken_.end());

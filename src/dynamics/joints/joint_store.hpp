@@ -1,8 +1,8 @@
-// All joints, an array a kind. Every kind has the same skeleton: prepare, warm_start, solve, reaction; a new kind is a
-// file, a line in KindList and a definition in joint.hpp.
+// All joints of a world, in one array for each kind. The kinds have the same member functions: prepare, warm_start,
+// solve, reaction, position, take_over, forget_impulses. README.md lists the files to touch for a new kind.
 //
-// A joint stays where it was created; each kind lists those that are awake, in order of their ids. A joint sleeps with
-// its bodies and costs nothing then.
+// A joint keeps its slot in the array of its kind from creation to destruction. Each kind lists its awake joints in
+// order of their ids, and a step visits only these: a sleeping joint costs nothing.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/id_pool.hpp"
 #include "dynamics/joints/distance_joint.hpp"
 #include "dynamics/joints/filter_joint.hpp"
@@ -26,18 +27,21 @@
 
 namespace tumble {
 
+// True if the shapes of the two bodies may collide.
 bool collides_connected(const JointDef& def);
 
-// The bodies that a joint acts on, each once.
-class TiedBodies {
+// The two to four bodies that a joint acts on, each once.
+class JoinedBodies {
 public:
     void add(BodyId body) {
-        if (std::find(begin(), end(), body) == end()) bodies_[count_++] = body;
+        if (std::find(begin(), end(), body) != end()) return;
+        TUMBLE_CHECK(count_ < bodies_.size());
+        bodies_[count_++] = body;
     }
     const BodyId* begin() const { return bodies_.data(); }
     const BodyId* end() const { return bodies_.data() + count_; }
 
-    // Calls visit(body, other), by index, for every two of them.
+    // Calls visit(body, other), by index, for each two of them.
     template <class Visitor>
     void for_each_pair(Visitor&& visit) const {
         for (const BodyId* body = begin(); body != end(); ++body)
@@ -49,7 +53,7 @@ private:
     std::size_t count_ = 0;
 };
 
-// What a joint bears.
+// The reaction beyond which a joint breaks.
 struct JointStrength {
     float force = kUnbreakable;   // N
     float torque = kUnbreakable;  // N m
@@ -58,17 +62,21 @@ JointStrength joint_strength(const JointDef& def);
 
 class JointStore {
 public:
+    // Adds an awake joint. The lists of joints of its bodies are the caller's.
     JointId create(const JointDef& def);
     void destroy(JointId id);
-    const JointDef& def(JointId id) const { return records_[id.index].def; }
-    TiedBodies bodies(JointId id) const;  // two; of a gear those of its joints
+    const JointDef& def(JointId id) const {
+        TUMBLE_CHECK(id.index < records_.size());
+        return records_[id.index].def;
+    }
+    JoinedBodies bodies(JointId id) const;  // of a gear those of its two joints
     JointReaction reaction(JointId id) const { return loads_[id.index].reaction; }
-    float position(JointId id) const;  // angle, way or length, as the kind has it
+    float position(JointId id) const;  // angle, displacement or length: see World::joint_position()
 
-    // Another definition of the same kind and bodies; the impulses go on.
+    // Gives a joint another definition of the same kind and bodies. Its accumulated impulses are kept.
     void redefine(JointId id, const JointDef& def);
 
-    // The next step solves the joint as if it had just been made.
+    // Clears the accumulated impulses: the next step solves the joint without warm start.
     void forget_impulses(JointId id);
 
     bool is_awake(JointId id) const { return records_[id.index].is_awake; }
@@ -78,12 +86,14 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+
+    // Stores the reactions of the awake joints, and lists those that break.
     void store(const JointContext& context);
 
-    // Those that broke in the last store(), in order of their ids.
+    // The joints whose reaction exceeded their strength in the last store(), in order of their ids.
     const std::vector<JointId>& broken() const { return broken_; }
 
-    // Calls visit(body, other), by index, for every two bodies of each joint that is awake.
+    // Calls visit(body, other), by index, for each two bodies of each awake joint.
     template <class Visitor>
     void for_each_awake_pair(Visitor&& visit) const {
         for_each_list(*this, [&](const auto& list) {
@@ -105,9 +115,9 @@ private:
         std::uint32_t slot = 0;  // in the list of its kind
         bool is_awake = false;
     };
-    // Apart from the record, as each step writes it.
+    // Kept apart from the record, as each step writes it.
     struct JointLoad {
-        JointReaction reaction;  // in the last step that it was awake
+        JointReaction reaction;  // of the last step in which the joint was awake
         JointStrength strength;
     };
     struct AwakeJoint {
@@ -119,12 +129,12 @@ private:
     template <class Joint>
     struct JointList {
         std::vector<Joint> joints;        // by slot
-        std::vector<std::uint32_t> free;  // slots
-        std::vector<AwakeJoint> awake;    // sorted unless woken since the last step
+        std::vector<std::uint32_t> free;  // slots without a joint
+        std::vector<AwakeJoint> awake;    // sorted by prepare()
     };
     template <class... Joints>
     using Lists = std::tuple<JointList<Joints>...>;
-    // In order of solving.
+    // In the order in which the kinds are solved: the last ones are the most exact.
     using KindList = Lists<MouseJoint, MotorJoint, DistanceJoint, PulleyJoint, GearJoint, WheelJoint, PrismaticJoint,
                            RevoluteJoint, WeldJoint, FilterJoint>;
 
@@ -138,9 +148,10 @@ private:
             for (const AwakeJoint& awake : list.awake) visit(list.joints[awake.slot]);
         });
     }
-    // The joint that a definition makes, as its list holds it.
+    // The joint of a definition, of the type of its kind.
     template <class Def>
     auto make(const Def& def) const;
+    // Calls visit(list, def) with the list that contains a joint and its definition, both of the joint's kind.
     template <class Self, class Visitor>
     static void visit_list_of(Self& self, JointId id, Visitor&& visit);
 
@@ -148,7 +159,7 @@ private:
     std::vector<JointLoad> loads_;      // by joint index
     KindList lists_;
     std::vector<JointId> broken_;
-    bool is_unsorted_ = false;  // joints were added to the awake ones
+    bool is_unsorted_ = false;  // an awake list has got joints since the last prepare()
 };
 
 }  // namespace tumble

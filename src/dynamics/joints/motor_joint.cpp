@@ -10,23 +10,23 @@ void MotorJoint::prepare(const BodyStore& bodies) {
 }
 
 void MotorJoint::warm_start(std::span<SolverBody> bodies) const {
-    apply_row(bodies_, kTurningRow, turning_impulse_, bodies);
+    apply_row(bodies_, kAngularRow, angular_impulse_, bodies);
     PointBlock::make(bodies_, bodies).apply(bodies_, impulse_, bodies);
 }
 
-// A spring's velocity bias is its rate times the error; the wanted velocity joins it as an error of its own.
+// The velocity bias of each row is the spring's rate times the error, less the wanted velocity.
 void MotorJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
-    if (def_.spring && !use_bias) return;  // springs belong to the biased pass alone, as in JointDrive
+    if (def_.spring && !use_bias) return;  // springs are solved in the pass with bias only, as in JointDrive
     Softness softness;
-    float turning_error = 0.0f;
+    float angular_error = 0.0f;
     Vec2 error;
     if (def_.spring) {
         softness = spring_softness(*def_.spring, context.h);
-        turning_error = angle_.now(bodies_, bodies);
+        angular_error = angle_.now(bodies_, bodies);
         error = bodies_.current_separation(bodies);
     }
-    solve_bounded_row(bodies_, kTurningRow, softness, softness.bias_rate * turning_error - def_.angular_velocity,
-                      context.h * def_.max_torque, turning_impulse_, bodies);
+    solve_bounded_row(bodies_, kAngularRow, softness, softness.bias_rate * angular_error - def_.angular_velocity,
+                      context.h * def_.max_torque, angular_impulse_, bodies);
     solve_bounded_block(bodies_, PointBlock::make(bodies_, bodies), softness,
                         softness.bias_rate * error - def_.velocity, context.h * def_.max_force, impulse_, bodies);
 }
@@ -34,7 +34,7 @@ void MotorJoint::solve(const JointContext& context, bool use_bias, std::span<Sol
 void MotorJoint::take_over(const MotorJoint& old) {
     angle_ = old.angle_;
     impulse_ = old.impulse_;
-    turning_impulse_ = old.turning_impulse_;
+    angular_impulse_ = old.angular_impulse_;
 }
 
 }  // namespace tumble

@@ -1,4 +1,7 @@
-// Drives point and angle, or their velocities, with bounded strength.
+// Motor joint: drives B's anchor and angle relative to A, with a bounded force and torque. An angular row and a point
+// block (joint_block.hpp), each with a bound on the accumulated impulse, h times max_torque and max_force.
+//   with a spring:     soft constraints, angle = reference angle and anchor = anchor, plus the wanted velocity
+//   without a spring:  the relative velocity equals the wanted velocity; with 0 this is dry friction
 #pragma once
 
 #include <span>
@@ -16,22 +19,22 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
-    JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * turning_impulse_}; }
+    JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * angular_impulse_}; }
     float position() const { return angle_.at_start(); }
     void take_over(const MotorJoint& old);
-    void forget_impulses() { impulse_ = {}, turning_impulse_ = 0.0f; }
+    void forget_impulses() { impulse_ = {}, angular_impulse_ = 0.0f; }
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.angle_, self.impulse_, self.turning_impulse_);
+        visit(self.def_, self.bodies_, self.angle_, self.impulse_, self.angular_impulse_);
     }
 
 private:
     MotorJointDef def_;
     JointBodies bodies_;
     JointAngle angle_;
-    Vec2 impulse_;                  // N s
-    float turning_impulse_ = 0.0f;  // N m s
+    Vec2 impulse_;                  // on B, N s
+    float angular_impulse_ = 0.0f;  // on B, N m s
 };
 
 }  // namespace tumble

@@ -12,7 +12,7 @@ void MouseJoint::warm_start(std::span<SolverBody> bodies) const {
 }
 
 void MouseJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
-    if (!use_bias) return;  // springs belong to the biased pass alone, as in JointDrive
+    if (!use_bias) return;  // springs are solved in the pass with bias only, as in JointDrive
     const Softness softness = spring_softness(def_.spring, context.h);
     solve_bounded_block(bodies_, PointBlock::make(bodies_, bodies), softness,
                         softness.bias_rate * bodies_.current_separation(bodies), context.h * def_.max_force, impulse_,

@@ -1,4 +1,5 @@
-// Pulls a point of B by a spring to a point of A, with bounded strength.
+// Mouse joint: a spring that pulls B's anchor to A's with a bounded force. A soft point constraint, solved as a block
+// (joint_block.hpp); errors in m, impulses on B in N s along the world axes, of length h max_force at most.
 #pragma once
 
 #include <span>
@@ -28,7 +29,7 @@ public:
 private:
     MouseJointDef def_;
     JointBodies bodies_;
-    Vec2 impulse_;  // N s
+    Vec2 impulse_;  // on B, N s
 };
 
 }  // namespace tumble

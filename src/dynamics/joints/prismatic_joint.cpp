@@ -15,28 +15,29 @@ PrismaticJoint::Rail PrismaticJoint::rail(std::span<const SolverBody> bodies) co
     const Vec2 separation = bodies_.current_separation(bodies);
     const Vec2 arm_a = bodies_.current_arm_a(bodies), arm_b = bodies_.current_arm_b(bodies);
     const JointRow along = sliding_row(axis, arm_a, separation, arm_b);
-    const RowBlock held{sliding_row(perp(axis), arm_a, separation, arm_b), kTurningRow};
-    const Vec2 answer = drive_.is_idle() ? Vec2{} : block_answer(bodies_, held, along);
-    return {axis, separation, held, answer, along + answer.x * held.first + answer.y * held.second};
+    const RowBlock constrained{sliding_row(perp(axis), arm_a, separation, arm_b), kAngularRow};
+    const Vec2 compensation = drive_.is_idle() ? Vec2{} : block_compensation(bodies_, constrained, along);
+    return {axis, separation, constrained, compensation,
+            along + compensation.x * constrained.first + compensation.y * constrained.second};
 }
 
 void PrismaticJoint::warm_start(std::span<SolverBody> bodies) const {
     const Rail now = rail(bodies);
     apply_row(bodies_, now.free, drive_.impulse(), bodies);
-    now.held.apply(bodies_, impulse_, bodies);
+    now.constrained.apply(bodies_, impulse_, bodies);
 }
 
 void PrismaticJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     const Rail now = rail(bodies);
     drive_.solve(bodies_, now.free, dot(now.axis, now.separation), 0.0f, context, use_bias, bodies);
     const Vec2 error{dot(perp(now.axis), now.separation), angle_.now(bodies_, bodies)};
-    solve_block(bodies_, now.held, context.equality_softness(use_bias), error, impulse_, bodies);
-    answer_ = now.answer;
+    solve_block(bodies_, now.constrained, context.equality_softness(use_bias), error, impulse_, bodies);
+    compensation_ = now.compensation;
 }
 
 JointReaction PrismaticJoint::reaction(float inv_h) const {
-    const Vec2 held = impulse_ + drive_.impulse() * answer_;
-    return {inv_h * (drive_.impulse() * axis_ + held.x * perp(axis_)), inv_h * held.y};
+    const Vec2 constrained = impulse_ + drive_.impulse() * compensation_;
+    return {inv_h * (drive_.impulse() * axis_ + constrained.x * perp(axis_)), inv_h * constrained.y};
 }
 
 void PrismaticJoint::take_over(const PrismaticJoint& old) {

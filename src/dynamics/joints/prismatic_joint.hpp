@@ -1,4 +1,6 @@
-// B slides along an axis of A and does not turn against it: two rows held, one driven.
+// Prismatic joint (slider): B moves along an axis of A and does not rotate against it. Two rows are constrained and
+// solved as a block: across the axis (m, N s) and the angle against the reference angle (rad, N m s). The third, along
+// the axis, is free for a drive: spring, motor and limits of the displacement of B's anchor from A's (m, N s on B).
 #pragma once
 
 #include <span>
@@ -25,18 +27,21 @@ public:
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.angle_, self.drive_, self.axis_, self.impulse_, self.answer_);
+        visit(self.def_, self.bodies_, self.angle_, self.drive_, self.axis_, self.impulse_, self.compensation_);
     }
 
 private:
-    // The geometry within the step. What drives the slider and what holds it would undo each other's work on a long
-    // rail, and slowly agree, or never: a light slider that its limits pull two ways was thrown about at 400 m/s.
+    // The geometry and the rows within the step. An impulse along the axis also changes the velocities of the
+    // constrained rows, the more the longer the rail. Solved one after the other, drive and block would converge slowly
+    // or not at all (a light slider between two limits reached 400 m/s), so the drive acts along a row without that
+    // effect.
     struct Rail {
-        Vec2 axis;  // turned with A
-        Vec2 separation;
-        RowBlock held;  // across the axis, and turning
-        Vec2 answer;    // of the held rows to a unit impulse along the axis
-        JointRow free;  // along the axis, with that answer: moves the slider and asks nothing of what holds it
+        Vec2 axis;             // world, unit, rotated with A
+        Vec2 separation;       // from A's anchor to B's, m
+        RowBlock constrained;  // across the axis, and the angle
+        Vec2 compensation;  // impulses of the constrained rows that cancel the effect on them of a unit impulse along
+                            // the axis
+        JointRow free;      // along the axis, with that compensation
     };
     Rail rail(std::span<const SolverBody> bodies) const;
 
@@ -44,9 +49,9 @@ private:
     JointBodies bodies_;
     JointAngle angle_;
     JointDrive drive_;
-    Vec2 axis_;     // world, unit, at the start of the step
-    Vec2 impulse_;  // of the held rows: across the axis (N s) and turning (N m s), but for their answer to the drive
-    Vec2 answer_;   // in the last solve
+    Vec2 axis_;          // world, unit, at the start of the step
+    Vec2 impulse_;       // of the constrained rows, without their compensation: across the axis (N s), angular (N m s)
+    Vec2 compensation_;  // of the last solve
 };
 
 }  // namespace tumble

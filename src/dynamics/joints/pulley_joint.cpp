@@ -4,6 +4,7 @@ namespace tumble {
 
 namespace {
 
+// One side of the rope: a static body at the wheel, and the body that hangs on it.
 JointBodies side(DVec2 wheel, const BodyFrame& body, Vec2 anchor) {
     BodyFrame world;
     world.center = wheel;

@@ -1,5 +1,6 @@
-// A rope over two fixed wheels: one row along both of its sides. Each side is a line from a point of the world, as that
-// of a distance joint is from body to body.
+// Pulley joint: constrains length_a + ratio length_b of a rope over two wheels that are fixed in the world. One coupled
+// row (coupled_row.hpp) along both sides of the rope, positive when they grow (m/s, N s); each side is a line from its
+// wheel, a point of the world, to its body's anchor.
 #pragma once
 
 #include <span>
@@ -29,9 +30,9 @@ public:
 
 private:
     PulleyJointDef def_;
-    CoupledBodies bodies_;       // of each side: the world, and the body
+    CoupledBodies bodies_;       // of each side: the world as A, the body as B
     JointLine line_a_, line_b_;  // from wheel to body, at the start of the step
-    float impulse_ = 0.0f;       // along A's line on A, positive pushes, N s
+    float impulse_ = 0.0f;       // on A along its line, positive pushes away from the wheel, N s
 };
 
 }  // namespace tumble

@@ -10,14 +10,14 @@ void RevoluteJoint::prepare(const BodyStore& bodies) {
 }
 
 void RevoluteJoint::warm_start(std::span<SolverBody> bodies) const {
-    if (!drive_.is_idle()) apply_row(bodies_, kTurningRow, drive_.impulse(), bodies);
+    if (!drive_.is_idle()) apply_row(bodies_, kAngularRow, drive_.impulse(), bodies);
     PointBlock::make(bodies_, bodies).apply(bodies_, impulse_, bodies);
 }
 
 void RevoluteJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     if (!drive_.is_idle()) {
         const float angle = drive_.needs_value() ? angle_.now(bodies_, bodies) : 0.0f;
-        drive_.solve(bodies_, kTurningRow, angle, 0.0f, context, use_bias, bodies);
+        drive_.solve(bodies_, kAngularRow, angle, 0.0f, context, use_bias, bodies);
     }
     solve_block(bodies_, PointBlock::make(bodies_, bodies), context.equality_softness(use_bias),
                 bodies_.current_separation(bodies), impulse_, bodies);

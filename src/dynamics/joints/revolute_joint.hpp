@@ -1,4 +1,6 @@
-// Holds two anchors together: a soft point constraint in two dimensions, solved as a block, with a drive of the angle.
+// Revolute joint (hinge): constrains B's anchor to A's. A point block (joint_block.hpp; m, N s on B along the world
+// axes), and an angular row that a drive may act on: spring, motor and limits of the joint angle (rad, N m s,
+// counter-clockwise positive for B against A).
 #pragma once
 
 #include <span>
@@ -35,7 +37,8 @@ public:
     }
 
 private:
-    // Not the whole definition: scenes have thousands of hinges, and each step reads them all.
+    // The members of the definition that a step reads. The whole definition would make this array larger, and scenes
+    // have thousands of hinges.
     std::uint32_t body_a_ = 0, body_b_ = 0;
     Vec2 anchor_a_, anchor_b_;
     float reference_angle_ = 0.0f;

@@ -8,7 +8,7 @@ Softness softness_of(const std::optional<JointSpring>& spring, const JointContex
     return spring ? spring_softness(*spring, context.h) : context.equality_softness(use_bias);
 }
 
-// Springs belong to the biased pass alone, as in JointDrive.
+// Springs are solved in the pass with bias only, as in JointDrive.
 bool is_solved(const std::optional<JointSpring>& spring, bool use_bias) { return use_bias || !spring; }
 
 }  // namespace
@@ -21,14 +21,14 @@ void WeldJoint::prepare(const BodyStore& bodies) {
 }
 
 void WeldJoint::warm_start(std::span<SolverBody> bodies) const {
-    apply_row(bodies_, kTurningRow, turning_impulse_, bodies);
+    apply_row(bodies_, kAngularRow, angular_impulse_, bodies);
     PointBlock::make(bodies_, bodies).apply(bodies_, impulse_, bodies);
 }
 
 void WeldJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     if (is_solved(def_.angular_spring, use_bias))
-        solve_equality(bodies_, kTurningRow, softness_of(def_.angular_spring, context, use_bias),
-                       angle_.now(bodies_, bodies), turning_impulse_, bodies);
+        solve_equality(bodies_, kAngularRow, softness_of(def_.angular_spring, context, use_bias),
+                       angle_.now(bodies_, bodies), angular_impulse_, bodies);
     if (is_solved(def_.linear_spring, use_bias))
         solve_block(bodies_, PointBlock::make(bodies_, bodies), softness_of(def_.linear_spring, context, use_bias),
                     bodies_.current_separation(bodies), impulse_, bodies);
@@ -37,7 +37,7 @@ void WeldJoint::solve(const JointContext& context, bool use_bias, std::span<Solv
 void WeldJoint::take_over(const WeldJoint& old) {
     angle_ = old.angle_;
     impulse_ = old.impulse_;
-    turning_impulse_ = old.turning_impulse_;
+    angular_impulse_ = old.angular_impulse_;
 }
 
 }  // namespace tumble

@@ -1,4 +1,5 @@
-// Glue: point and angle held, each rigidly or by a spring.
+// Weld joint: constrains B's anchor to A's and the angle of B against A to the reference angle. An angular row (rad, N
+// m s) and a point block (m, N s; joint_block.hpp), each an equality constraint or a spring.
 #pragma once
 
 #include <span>
@@ -16,22 +17,22 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
-    JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * turning_impulse_}; }
+    JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * angular_impulse_}; }
     float position() const { return angle_.at_start(); }
     void take_over(const WeldJoint& old);
-    void forget_impulses() { impulse_ = {}, turning_impulse_ = 0.0f; }
+    void forget_impulses() { impulse_ = {}, angular_impulse_ = 0.0f; }
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.angle_, self.impulse_, self.turning_impulse_);
+        visit(self.def_, self.bodies_, self.angle_, self.impulse_, self.angular_impulse_);
     }
 
 private:
     WeldJointDef def_;
     JointBodies bodies_;
     JointAngle angle_;
-    Vec2 impulse_;                  // N s
-    float turning_impulse_ = 0.0f;  // N m s
+    Vec2 impulse_;                  // on B, N s
+    float angular_impulse_ = 0.0f;  // on B, N m s
 };
 
 }  // namespace tumble

@@ -19,13 +19,13 @@ WheelJoint::Strut WheelJoint::strut(std::span<const SolverBody> bodies) const {
 void WheelJoint::warm_start(std::span<SolverBody> bodies) const {
     const Strut now = strut(bodies);
     apply_row(bodies_, now.along, suspension_.impulse(), bodies);
-    apply_row(bodies_, kTurningRow, axle_.impulse(), bodies);
+    apply_row(bodies_, kAngularRow, axle_.impulse(), bodies);
     apply_row(bodies_, now.across, across_impulse_, bodies);
 }
 
 void WheelJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     const Strut now = strut(bodies);
-    axle_.solve(bodies_, kTurningRow, 0.0f, 0.0f, context, use_bias, bodies);
+    axle_.solve(bodies_, kAngularRow, 0.0f, 0.0f, context, use_bias, bodies);
     suspension_.solve(bodies_, now.along, dot(now.axis, now.separation), 0.0f, context, use_bias, bodies);
     solve_equality(bodies_, now.across, context.equality_softness(use_bias), dot(perp(now.axis), now.separation),
                    across_impulse_, bodies);

@@ -1,4 +1,6 @@
-// A wheel on a suspension: one row held across the axis, one driven along it, and one driven about it.
+// Wheel joint: a wheel B on a suspension of chassis A. Three rows: across the axis of A an equality constraint (m, N
+// s); along it a drive, the suspension, with spring and limits of the displacement of B's anchor from A's (m, N s); and
+// the angular row with the motor (rad/s, N m s, counter-clockwise positive for B).
 #pragma once
 
 #include <span>
@@ -31,10 +33,10 @@ public:
     }
 
 private:
-    // The geometry within the step.
+    // The geometry and the linear rows within the step.
     struct Strut {
-        Vec2 axis;  // turned with A
-        Vec2 separation;
+        Vec2 axis;        // world, unit, rotated with A
+        Vec2 separation;  // from A's anchor to B's, m
         JointRow along, across;
     };
     Strut strut(std::span<const SolverBody> bodies) const;
@@ -44,7 +46,7 @@ private:
     JointDrive suspension_;
     JointDrive axle_;
     Vec2 axis_;                    // world, unit, at the start of the step
-    float across_impulse_ = 0.0f;  // N s
+    float across_impulse_ = 0.0f;  // on B along perp(axis), N s
 };
 
 }  // namespace tumble

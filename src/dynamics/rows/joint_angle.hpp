@@ -1,4 +1,5 @@
-// The angle of B against A, whole turns counted: a hinge may be limited to several turns.
+// The joint angle: the angle of B minus that of A, with whole turns counted, so that a hinge may have limits several
+// turns apart.
 #pragma once
 
 #include <cmath>
@@ -9,7 +10,7 @@
 
 namespace tumble {
 
-// From one rotation to another, in (-pi, pi].
+// The angle from rotation `a` to rotation `b`, rad in (-pi, pi]; NaN if one of them is not finite.
 inline double relative_angle(Rotation a, Rotation b) {
     const double ac = a.c, as = a.s, bc = b.c, bs = b.s;
     return arc_tangent(ac * bs - as * bc, ac * bc + as * bs);
@@ -17,14 +18,15 @@ inline double relative_angle(Rotation a, Rotation b) {
 
 class JointAngle {
 public:
-    // The angle at the start of the step: of the turns that fit, the one nearest to the angle before.
+    // Measures the angle at the start of the step, less `reference` (rad). Whole turns are chosen so that it is nearest
+    // to the angle of the last step.
     void prepare(const BodyFrame& a, const BodyFrame& b, float reference) {
         const double wrapped = relative_angle(a.pose.rotation, b.pose.rotation) - static_cast<double>(reference);
         const double turns = std::nearbyint((static_cast<double>(angle_) - wrapped) / (2.0 * kPi));
         angle_ = static_cast<float>(wrapped + turns * (2.0 * kPi));
     }
 
-    // The angle now, within the step.
+    // The angle within the step, rad: that at the start plus the relative rotation since then (up to half a turn).
     float now(const JointBodies& joint, std::span<const SolverBody> all) const {
         return angle_ + static_cast<float>(relative_angle(all[joint.a].delta_rotation, all[joint.b].delta_rotation));
     }

@@ -1,28 +1,30 @@
-// Two rows of a joint solved at once: what holds a point, or a slider across its axis and against turning.
+// A block: two constraint rows of a joint that are solved together. A point constraint is one, and so are the two rows
+// of a slider across its axis and against rotation.
 //
-// A block knows the relative velocities of its two rows, what impulses along them do, and the symmetric matrix of its
-// responses. The components of speeds, errors and impulses belong to the rows.
+// A block has the relative velocities of its two rows, applies impulses along them, and has the symmetric 2 x 2 matrix
+// K of inverse effective masses. In velocities, errors and impulses (Vec2) x belongs to the first row, y to the second.
 #pragma once
 
 #include <span>
 
+#include "debug/check.hpp"
 #include "dynamics/rows/joint_row.hpp"
 
 namespace tumble {
 
-// Inverse effective masses: K11, K12 = K21, K22.
+// K11, K12 = K21 and K22: the change of the velocity of each row by a unit impulse along each.
 struct BlockMatrix {
     float k11, k12, k22;
 
     float determinant() const { return k11 * k22 - k12 * k12; }
 
-    // True if rounding has eaten the determinant, known to 2^-24 of each product. For an arm r at 45 degrees it is
-    // about 4 I / (m r^2) of them: 1e-5, where it is known to a hundredth, is an arm of 630 radii of gyration, as when
-    // a joint has been torn far apart.
+    // True if rounding dominates the determinant, whose error is 2^-24 of each product. For an arm r at 45 degrees it
+    // is about 4 I / (m r^2) of the products. The threshold 1e-5, where its relative error is 1 %, is an arm of 630
+    // radii of gyration: a joint that has been torn far apart.
     bool is_singular() const { return !(determinant() > 1e-5f * k11 * k22); }
 };
 
-// Holds B's anchor on A's, along the axes of the world:
+// The point constraint: B's anchor coincides with A's. Its rows are along the axes of the world:
 //   K = (1/m_A + 1/m_B) 1 + sum over both bodies of 1/I (r_y^2, -r_x r_y; -r_x r_y, r_x^2).
 struct PointBlock {
     Vec2 arm_a, arm_b;
@@ -56,7 +58,7 @@ struct PointBlock {
     }
 };
 
-// Any two rows.
+// A block of any two rows.
 struct RowBlock {
     JointRow first, second;
 
@@ -78,8 +80,9 @@ struct RowBlock {
     }
 };
 
-// The impulses along the rows of a block that undo what a unit impulse along another row does to them: - K^-1 k.
-inline Vec2 block_answer(const JointBodies& joint, const RowBlock& block, const JointRow& row) {
+// The impulses along the rows of a block that cancel the change of their velocities by a unit impulse along another
+// row: - K^-1 k. Zero if the block is solved row by row.
+inline Vec2 block_compensation(const JointBodies& joint, const RowBlock& block, const JointRow& row) {
     const BlockMatrix matrix = block.matrix(joint);
     if (joint.may_be_singular() || matrix.is_singular()) return {};
     const float first = row_response(joint, block.first, row), second = row_response(joint, block.second, row);
@@ -87,14 +90,15 @@ inline Vec2 block_answer(const JointBodies& joint, const RowBlock& block, const 
     return {scale * (matrix.k12 * second - matrix.k22 * first), scale * (matrix.k12 * first - matrix.k11 * second)};
 }
 
-// As row_change(), for a matrix that is not singular.
+// row_change() for a block whose matrix is not singular.
 inline Vec2 block_change(const BlockMatrix& k, const Softness& softness, Vec2 speed, Vec2 impulse) {
+    TUMBLE_CHECK(k.determinant() > 0.0f);
     const float scale = softness.mass_scale / k.determinant();
     const Vec2 soft{scale * (k.k22 * speed.x - k.k12 * speed.y), scale * (k.k11 * speed.y - k.k12 * speed.x)};
     return -soft - softness.impulse_scale * impulse;
 }
 
-// As solve_equality(); row by row where the matrix cannot be inverted.
+// solve_equality() for a block; solves row by row where the matrix cannot be inverted.
 template <class Block>
 void solve_block(const JointBodies& joint, const Block& block, const Softness& softness, Vec2 error, Vec2& impulse,
                  std::span<SolverBody> all) {
@@ -110,10 +114,11 @@ void solve_block(const JointBodies& joint, const Block& block, const Softness& s
     block.apply(joint, change, all);
 }
 
-// As solve_bounded_row(), with a bound on the length of the accumulated impulse.
+// solve_bounded_row() for a block, with a bound on the length of the accumulated impulse.
 template <class Block>
 void solve_bounded_block(const JointBodies& joint, const Block& block, const Softness& softness, Vec2 bias,
                          float max_impulse, Vec2& impulse, std::span<SolverBody> all) {
+    TUMBLE_CHECK(max_impulse >= 0.0f);
     const Vec2 speed = block.velocity(joint, all) + bias;
     const BlockMatrix matrix = block.matrix(joint);
     Vec2 total = impulse;

@@ -1,38 +1,44 @@
-// What every joint knows of its two bodies: the frame of a point constraint, and how impulses act on them.
+// What every joint needs of its two bodies during a step: inverse masses and the arms of its anchors.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/softness.hpp"
 
 namespace tumble {
 
-// What all joints share in a step.
+// The values that all joints share in a step.
 struct JointContext {
     float h = 0.0f;  // sub-step, s
     float inv_h = 0.0f;
     Softness softness;
 
-    // Of what a joint holds: soft with the bias, rigid without.
+    // Of the equality constraints of joints: soft in the pass with bias, rigid in the relaxing pass without.
     Softness equality_softness(bool use_bias) const { return use_bias ? softness : Softness{}; }
 };
 
-// The vector at unit length; anything but zero has a direction.
-inline Vec2 unit(Vec2 v) { return (1.0f / length(v)) * v; }
+// The vector scaled to length 1; it must not be zero.
+inline Vec2 unit(Vec2 v) {
+    TUMBLE_CHECK(length(v) > 0.0f);
+    return (1.0f / length(v)) * v;
+}
 
-// Bodies and anchors of a joint during a step. Arms are in world axes at the start of the step.
+// The bodies and anchors of a joint during a step. Arms are in world axes, as they were at the start of the step.
 struct JointBodies {
-    std::uint32_t a = kStaticSolverBody;  // solver bodies
+    std::uint32_t a = kStaticSolverBody;  // indices of solver bodies
     std::uint32_t b = kStaticSolverBody;
-    Vec2 inv_mass_a, inv_mass_b;  // along the axes of the world: bodies may be locked
+    Vec2 inv_mass_a, inv_mass_b;  // 1/kg, along each world axis: 0 where a body is locked
     float inv_inertia_a = 0.0f, inv_inertia_b = 0.0f;
-    float locked_mass = 0.0f;  // inverse, of the bodies that are locked along an axis
-    Vec2 arm_a, arm_b;         // from the centres of mass to the anchors
-    Vec2 center_difference;    // of B's centre from A's
+    float locked_mass = 0.0f;  // 1/kg: the sum of the inverse masses of bodies that are locked along an axis
+    Vec2 arm_a, arm_b;         // from the centres of mass to the anchors, m
+    Vec2 center_difference;    // from A's centre of mass to B's, m
 
     static JointBodies make(const BodyFrame& a, Vec2 anchor_a, const BodyFrame& b, Vec2 anchor_b) {
+        TUMBLE_CHECK(!(a.inv_mass < 0.0f || b.inv_mass < 0.0f));
+        TUMBLE_CHECK(!(a.inv_inertia < 0.0f || b.inv_inertia < 0.0f));
         JointBodies bodies{a.solver_body,
                            b.solver_body,
                            a.inv_masses(),
@@ -48,15 +54,15 @@ struct JointBodies {
 
     static float locked_part(const BodyFrame& body) { return body.locks_x || body.locks_y ? body.inv_mass : 0.0f; }
 
-    // Locks, and bodies that do not turn, may leave two rows the same way to go, or one of them none: the matrix of a
-    // block is singular then, or nearly so.
+    // True if the matrix of a block may be singular, or nearly so: with locked axes, or if neither body can rotate, two
+    // rows may be left with one direction of motion, or a row with none.
     bool may_be_singular() const { return locked_mass > 0.0f || inv_inertia_a + inv_inertia_b == 0.0f; }
 
-    // Arms now, turned with the bodies.
+    // The arms now, rotated with the bodies since the start of the step.
     Vec2 current_arm_a(std::span<const SolverBody> all) const { return rotate(all[a].delta_rotation, arm_a); }
     Vec2 current_arm_b(std::span<const SolverBody> all) const { return rotate(all[b].delta_rotation, arm_b); }
 
-    // From A's anchor to B's: at the start of the step, and now.
+    // From A's anchor to B's, m, world axes: at the start of the step, and now.
     Vec2 separation_at_start() const { return center_difference + arm_b - arm_a; }
     Vec2 current_separation(std::span<const SolverBody> all) const {
         return center_difference + (all[b].delta_position - all[a].delta_position) +

@@ -1,16 +1,17 @@
-// What acts along one free row of a joint: a spring, a motor and limits, each there or not. The same for the angle of a
-// hinge, the way of a slider, the travel of a suspension and the length of a rope.
+// The drive of a free row of a joint: an optional spring, motor and limits. It serves the angle of a hinge, the
+// displacement of a slider, the travel of a suspension and the length of a rope.
 #pragma once
 
 #include <algorithm>
 #include <optional>
 
+#include "debug/check.hpp"
 #include "dynamics/rows/joint_row.hpp"
 #include "tumble/joint.hpp"
 
 namespace tumble {
 
-// Speed and greatest effort of a motor: rad/s and N m, or m/s and N.
+// The target speed and the largest effort of a motor: rad/s and N m along an angular row, m/s and N along a linear one.
 struct DriveMotor {
     float speed = 0.0f;
     float max_effort = 0.0f;
@@ -33,13 +34,14 @@ public:
     bool is_idle() const { return !spring_ && !motor_ && !limits_; }
     bool needs_value() const { return spring_ || limits_; }
 
-    // Along the row, in the direction of growing values.
+    // The accumulated impulse along the row (N m s or N s), positive towards greater values.
     float impulse() const { return spring_impulse_ + motor_impulse_ + lower_impulse_ - upper_impulse_; }
 
-    // `value` is where the row is now (rad or m), `rest` where the spring wants it. Springs belong to the biased pass
-    // alone: solved again after the positions have moved on, they would damp twice.
+    // Solves spring, motor and limits. `value` is the position of the row now (rad or m), `rest` the spring's rest
+    // value. Springs are solved in the pass with bias only: solved again in the relaxing pass, they would damp twice.
     void solve(const JointBodies& joint, const JointRow& row, float value, float rest, const JointContext& context,
                bool use_bias, std::span<SolverBody> all) {
+        TUMBLE_CHECK(!(lower_impulse_ < 0.0f || upper_impulse_ < 0.0f));
         if (spring_ && use_bias)
             solve_equality(joint, row, spring_softness(*spring_, context.h), value - rest, spring_impulse_, all);
         if (motor_)
@@ -51,7 +53,7 @@ public:
         }
     }
 
-    // Takes the impulses of the drive that this one replaces, where both have the part that they belong to.
+    // Takes over the accumulated impulses of the drive that this one replaces, of each part that this one has.
     void take_over(const JointDrive& old) {
         if (spring_) spring_impulse_ = old.spring_impulse_;
         if (motor_) motor_impulse_ = old.motor_impulse_;
@@ -67,9 +69,11 @@ public:
     }
 
 private:
-    // A motor stops at the limits: pushing on would only bend them.
+    // The motor's target speed, reduced so that a sub-step ends at the limits: a motor that pushed against a limit
+    // would only push through its softness.
     float motor_speed(float value, float inv_h) const {
         if (!limits_) return motor_->speed;
+        TUMBLE_CHECK(limits_->lower <= limits_->upper);
         const float slowest = std::min((limits_->lower - value) * inv_h, 0.0f);
         const float fastest = std::max((limits_->upper - value) * inv_h, 0.0f);
         return std::clamp(motor_->speed, slowest, fastest);

@@ -1,4 +1,4 @@
-// The line between the anchors of a joint, and the row along it: the length of a rod, a spring or a rope.
+// The line between the anchors of a joint, and the row along it: of a rod, a spring or a rope.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 namespace tumble {
 
 struct JointLine {
-    Vec2 axis;  // unit, from A's anchor to B's; zero if the length is
-    float length = 0.0f;
+    Vec2 axis;            // unit, world, from A's anchor to B's; zero if the length is zero
+    float length = 0.0f;  // m
 
     static JointLine along(Vec2 separation) {
         const float size = tumble::length(separation);
@@ -19,7 +19,7 @@ struct JointLine {
         return along(joint.current_separation(all));
     }
 
-    // Its velocity is that of the length.
+    // The row whose velocity is the rate of change of the length, m/s.
     JointRow row(const JointBodies& joint, std::span<const SolverBody> all) const {
         return point_row(axis, joint.current_arm_a(all), joint.current_arm_b(all));
     }

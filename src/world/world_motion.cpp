@@ -1,0 +1,124 @@
+// The motion of bodies between steps: poses, velocities, forces, impulses and sleep.
+#include <stdexcept>
+#include <string>
+
+#include "dynamics/rows/joint_angle.hpp"
+#include "dynamics/stages/sleep.hpp"
+#include "world/input_checks.hpp"
+#include "world/world_impl.hpp"
+
+namespace tumble {
+
+namespace {
+
+// Wakes a dynamic body and returns its entry among the moving bodies; nullptr for a body of another type.
+MovingBody* wake_dynamic(Simulation& simulation, BodyId id) {
+    if (!simulation.bodies.is_dynamic(id.index)) return nullptr;
+    wake(simulation, id.index);
+    return &simulation.bodies.moving[simulation.bodies.frames[id.index].solver_body];
+}
+
+}  // namespace
+
+void World::set_transform(BodyId id, const Pose& pose) {
+    impl_->require(id);
+    check_pose(pose, "body");
+    Simulation& simulation = impl_->simulation;
+    wake_with_neighbors(simulation, id.index);
+    impl_->remove_proxies(id);
+    simulation.bodies.set_pose(id.index, pose);
+    impl_->add_proxies(id);
+    wake_met(simulation, id.index);
+}
+
+void World::set_velocity(BodyId id, Vec2 velocity, float angular_velocity) {
+    impl_->require(id);
+    check_velocity(velocity, angular_velocity);
+    BodyStore& bodies = impl_->simulation.bodies;
+    if (bodies.frames[id.index].type == BodyType::static_body)
+        throw std::invalid_argument("body " + std::to_string(id.index) +
+                                    " is static or disabled: it has no velocity to set");
+    if (bodies.is_dynamic(id.index)) wake(impl_->simulation, id.index);
+    const bool was_active = bodies.is_active(id.index);
+    SolverBody& body = bodies.solver_bodies[bodies.frames[id.index].solver_body];
+    body.velocity = allowed(body.flags, velocity);
+    body.angular_velocity = allowed(body.flags, angular_velocity);
+    if (was_active || !bodies.is_active(id.index)) return;
+    // A kinematic body starts to move: it carries the bodies that rest on it, and may run into sleeping ones.
+    wake_with_neighbors(impl_->simulation, id.index);
+    impl_->touch_proxies(id);
+}
+
+void World::move_towards(BodyId id, const Pose& pose) {
+    impl_->require(id);
+    check_pose(pose, "body");
+    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
+    const DVec2 displacement =
+        transform_point(pose, impl_->simulation.bodies.records[id.index].mass.center) - frame.center;
+    const double turn = relative_angle(frame.pose.rotation, pose.rotation);
+    const double rate = double{impl_->def.steps_per_second};
+    set_velocity(id, to_float(rate * displacement), static_cast<float>(rate * turn));
+}
+
+void World::apply_force(BodyId id, Vec2 force) {
+    impl_->require(id);
+    apply_force(id, force, impl_->simulation.bodies.frames[id.index].center);
+}
+
+void World::apply_impulse(BodyId id, Vec2 impulse) {
+    impl_->require(id);
+    apply_impulse(id, impulse, impl_->simulation.bodies.frames[id.index].center);
+}
+
+void World::apply_force(BodyId id, Vec2 force, DVec2 point) {
+    impl_->require(id);
+    check_action(force, "force");
+    check_point(point);
+    MovingBody* const moving = wake_dynamic(impl_->simulation, id);
+    if (!moving) return;
+    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
+    moving->acceleration += scaled(frame.inv_masses(), force);
+    moving->angular_acceleration += frame.inv_inertia * cross(to_float(point - frame.center), force);
+}
+
+void World::apply_torque(BodyId id, float torque) {
+    impl_->require(id);
+    check_action(torque, "torque");
+    MovingBody* const moving = wake_dynamic(impl_->simulation, id);
+    if (moving) moving->angular_acceleration += impl_->simulation.bodies.frames[id.index].inv_inertia * torque;
+}
+
+void World::apply_impulse(BodyId id, Vec2 impulse, DVec2 point) {
+    impl_->require(id);
+    check_action(impulse, "impulse");
+    check_point(point);
+    if (!wake_dynamic(impl_->simulation, id)) return;
+    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
+    SolverBody& body = impl_->simulation.bodies.solver_bodies[frame.solver_body];
+    body.velocity += scaled(frame.inv_masses(), impulse);
+    body.angular_velocity += frame.inv_inertia * cross(to_float(point - frame.center), impulse);
+}
+
+void World::apply_angular_impulse(BodyId id, float impulse) {
+    impl_->require(id);
+    check_action(impulse, "angular impulse");
+    if (!wake_dynamic(impl_->simulation, id)) return;
+    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
+    impl_->simulation.bodies.solver_bodies[frame.solver_body].angular_velocity += frame.inv_inertia * impulse;
+}
+
+bool World::is_awake(BodyId id) const {
+    impl_->require(id);
+    return !impl_->simulation.bodies.is_asleep(id.index);
+}
+
+void World::set_awake(BodyId id, bool awake) {
+    impl_->require(id);
+    Simulation& simulation = impl_->simulation;
+    if (awake)
+        wake(simulation, id.index);
+    else if (simulation.bodies.is_dynamic(id.index) && !simulation.bodies.is_asleep(id.index))
+        put_island_to_sleep(simulation, id.index);
+}
+
+}  // namespace tumble
