@@ -30,12 +30,24 @@ inline constexpr int kTemplate<std::variant<T...>> = 3;
 template <class T, std::size_t n>
 inline constexpr int kTemplate<std::array<T, n>> = 4;
 
+// How many values in braces a member takes: an array takes one for each element.
+template <class T>
+inline constexpr std::size_t kBracedCount = 1;
+template <class T, std::size_t n>
+inline constexpr std::size_t kBracedCount<T[n]> = n;
+
 }  // namespace detail
 
 template <class Visitor, class T>
 void visit_value(Visitor& visitor, T& value) {
     using Plain = std::remove_const_t<T>;
-    const auto visit_all = [&](auto&... members) { (visit_value(visitor, members), ...); };
+    const auto visit_all = [&](auto&... members) {
+        constexpr std::size_t kListed =
+            (std::size_t{0} + ... + detail::kBracedCount<std::remove_cvref_t<decltype(members)>>);
+        if constexpr (std::is_aggregate_v<Plain> && !std::is_array_v<Plain>)
+            static_assert(kListed == detail::count_fields<Plain>(), "the list of members leaves one out");
+        (visit_value(visitor, members), ...);
+    };
     if constexpr (std::is_arithmetic_v<Plain> || std::is_enum_v<Plain>)
         visitor.leaf(value);
     else if constexpr (std::is_same_v<Plain, Shape>)

@@ -7,7 +7,7 @@ namespace tumble {
 
 namespace {
 
-// 1 / x, and 0 of 0. What is too light for a finite inverse acts as the lightest that has one.
+// 1 / x, and 0 for 0. A value too small for a finite inverse has the largest finite one.
 float inverse_of(float x) { return x > 0.0f ? 1.0f / std::max(x, std::numeric_limits<float>::min()) : 0.0f; }
 
 }  // namespace
@@ -37,7 +37,7 @@ BodyId BodyStore::create(const BodyDef& def) {
     return id;
 }
 
-// Gives a body that is not among the solver bodies the type that it is simulated as.
+// Gives a body without a solver body the type that it is simulated as.
 void BodyStore::place(std::uint32_t body, BodyType type, Vec2 velocity, float angular_velocity) {
     frames[body].type = type;
     std::uint32_t& flags = records[body].flags;
@@ -65,7 +65,7 @@ void BodyStore::set_flag(std::uint32_t body, BodyFlag flag, bool value) {
     apply_flags(body);
 }
 
-// Locks act on dynamic bodies alone.
+// Locks act on dynamic bodies only.
 void BodyStore::apply_flags(std::uint32_t body) {
     constexpr std::uint32_t kLocks = kLockX | kLockY | kLockRotation;
     const std::uint32_t flags = is_dynamic(body) ? records[body].flags : records[body].flags & ~kLocks;

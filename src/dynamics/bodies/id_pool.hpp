@@ -1,7 +1,7 @@
-// Hands out ids: indices with a generation that tells an index's former owners from its present one.
+// Ids: an index, and a generation that distinguishes the owners that the index has had.
 //
-// A released index may be taken again at once, the last one first; its generation has gone up, so that old ids are
-// recognised as stale.
+// release() raises the generation, which makes old ids stale; recycle() makes the index available again, the last
+// recycled first.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ public:
         return id;
     }
 
-    // The id becomes stale; its index is handed out again only after recycle().
+    // The id becomes stale. acquire() does not return its index before recycle().
     void release(IdType id) {
         ++generations_[id.index];
         live_.erase(std::lower_bound(live_.begin(), live_.end(), id));
@@ -42,7 +42,7 @@ public:
                std::binary_search(live_.begin(), live_.end(), id);
     }
 
-    // The id that lives, or will live, at an index.
+    // The id of the present owner of an index, or of the next one if there is none.
     IdType at(std::uint32_t index) const { return {index, generations_[index]}; }
 
     std::span<const IdType> live() const { return live_; }  // sorted
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    std::vector<std::uint32_t> generations_;  // by index, of its present or next owner
+    std::vector<std::uint32_t> generations_;  // by index, of the present or next owner
     std::vector<std::uint32_t> free_;
     std::vector<IdType> live_;
 };

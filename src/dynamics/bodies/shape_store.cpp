@@ -77,7 +77,7 @@ BodyMass body_mass(const std::vector<ShapeId>& shapes, const ShapeStore& store) 
         moment += part_mass * center;
         inertia += static_cast<double>(record.material.density) * part.inertia + part_mass * length_sq(center);
     }
-    // A mass between these has an inverse that is neither 0 nor infinite.
+    // The inverse of a mass between these is neither 0 nor infinite.
     constexpr double kLightest = std::numeric_limits<float>::min(), kHeaviest = std::numeric_limits<float>::max();
     if (!(mass >= kLightest)) return {1.0f, {}, 0.0f};
     const DVec2 center = (1.0 / mass) * moment;

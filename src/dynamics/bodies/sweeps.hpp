@@ -1,4 +1,4 @@
-// How a body moves in a step whose poses are not final yet, as a sweep.
+// The motion of a body during a step whose poses are not final yet.
 #pragma once
 
 #include "dynamics/bodies/body_store.hpp"
@@ -6,6 +6,7 @@
 
 namespace tumble {
 
+// The sweep of a body's centre of mass and angle; a body without a solver body rests.
 inline Sweep sweep_of(const BodyStore& bodies, std::uint32_t body) {
     const BodyFrame& frame = bodies.frames[body];
     const SolverBody& moved = bodies.solver_bodies[frame.solver_body];

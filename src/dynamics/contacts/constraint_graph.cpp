@@ -12,7 +12,7 @@ constexpr std::uint32_t kStaticMask = ((1u << kStaticColors) - 1u) << kDynamicCo
 
 }  // namespace
 
-// The lowest colour that neither body has; bodies that are not dynamic may have any number of contacts of a colour.
+// The lowest colour that neither dynamic body has. Static and kinematic bodies may have several contacts of a colour.
 std::uint8_t ConstraintGraph::choose_color(const Contact& contact, const BodyStore& bodies) {
     const bool dynamic_a = bodies.is_dynamic(contact.body_a), dynamic_b = bodies.is_dynamic(contact.body_b);
     std::uint32_t* const used_a = &used_colors_[bodies.frames[contact.body_a].solver_body];
@@ -30,14 +30,14 @@ std::uint8_t ConstraintGraph::choose_color(const Contact& contact, const BodySto
 void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& bodies) {
     used_colors_.assign(bodies.solver_bodies.size(), 0);
     contact_colors_.resize(contacts.size());
-    std::array<std::uint32_t, kColors + 1> count{};  // contacts of each colour; the last: without one
+    std::array<std::uint32_t, kColors + 1> count{};  // contacts by colour; the last: without a colour
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const bool touching = contacts[i].manifold.point_count > 0;
         contact_colors_[i] = touching ? choose_color(contacts[i], bodies) : kNotTouching;
         if (touching) ++count[contact_colors_[i]];
     }
 
-    // First lane of each colour, behind those that have none and take a whole block each.
+    // The first lane of each colour. Contacts without a colour come first, with a block for each.
     std::array<std::uint32_t, kColors> next{};
     std::uint32_t end = count[kNoColor] * kLaneCount;
     color_count_ = 0;

@@ -14,7 +14,7 @@ Rotation rotation_between(Rotation from, Rotation to) {
     return {to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s};
 }
 
-// (R(q) - 1) v without the cancellation of computing both.
+// (R(q) - 1) v without cancellation.
 Vec2 displacement(Rotation q, Vec2 v) {
     const float c = q.c - 1.0f;
     return {c * v.x - q.s * v.y, q.s * v.x + c * v.y};
@@ -27,7 +27,8 @@ bool recycle(const ManifoldReference& reference, const Pose& a, const Pose& b, f
     if (!reference.is_valid) return false;
     const Rotation turn_a = rotation_between(reference.rotation_a, a.rotation);
     const Rotation turn_b = rotation_between(reference.rotation_b, b.rotation);
-    // Seen from the body that reaches farther, the other's origin has moved by its shift and its points by turning.
+    // In the frame of the body that reaches farther, the other's origin has moved by `relative_shift`, and its points
+    // by the relative rotation.
     const DVec2 offset = b.position - a.position;
     const Vec2 shift = to_float(offset - reference.offset);
     const Rotation frame = reach_a >= reach_b ? turn_a : turn_b;
