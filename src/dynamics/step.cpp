@@ -106,7 +106,7 @@ void find_pairs(Simulation& simulation) {
         const bool keep = simulation.broad.overlap(contact.shapes) &&
                           !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
         if (!keep) {
-            report_parting(simulation, contact);
+            report_removal(simulation, contact);
             simulation.broad.forget(contact.shapes);
         }
         return keep;

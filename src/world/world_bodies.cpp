@@ -74,7 +74,7 @@ void World::set_transform(BodyId id, const Pose& pose) {
     impl_->displace_shapes(id);
     simulation.bodies.set_pose(id.index, pose);
     impl_->place_shapes(id);
-    wake_met(simulation, id.index);
+    wake_overlapping(simulation, id.index);
 }
 
 void World::set_type(BodyId id, BodyType type) {
@@ -101,7 +101,7 @@ void World::set_enabled(BodyId id, bool enabled) {
     impl_->update_mass(id);
     if (!enabled) simulation.joints.put_to_sleep(record.joints);
     for (const JointId joint : record.joints) impl_->wake_tied(joint);
-    wake_met(simulation, id.index);
+    wake_overlapping(simulation, id.index);
     simulation.filters_changed = true;
 }
 
