@@ -17,10 +17,10 @@ namespace tumble {
 
 namespace {
 
-// Reads the clock once between two stages.
+// Measures stages with one reading of the clock between two of them.
 class StageClock {
 public:
-    // Adds the time since the last call, or since the start, to a stage.
+    // Adds the time since the last call, or since the start, to a stage, ms.
     void stop(double& stage_ms) {
         const Clock::time_point now = Clock::now();
         stage_ms += milliseconds(now - last_);
@@ -94,8 +94,8 @@ void step(Simulation& simulation) {
     ms.step = clock.total();
 }
 
-// Once for what the caller has changed, and once for what the step has moved: nobody enters a sensor unseen. New pairs
-// come from boxes that have moved; pairs go when their boxes have parted, which only such a box can cause.
+// Runs twice in a step: for the caller's changes before it, and after the motion, so that sensors see every visitor.
+// New pairs begin, and pairs end, only where a box has moved.
 void find_pairs(Simulation& simulation) {
     simulation.contacts.merge_woken();
     const bool moved = simulation.broad.has_moved();
@@ -121,7 +121,7 @@ void collide_pairs(Simulation& simulation) {
         if (contact.kind == ContactKind::solid) collide_and_count(simulation, contact);
 }
 
-// What is touched wakes before it is solved, and may touch the next.
+// Touched bodies wake before they are solved, and may touch others that sleep.
 void collide_woken(Simulation& simulation) {
     while (wake_touched(simulation)) {
         find_pairs(simulation);
@@ -163,9 +163,9 @@ void store_results(Simulation& simulation) {
     simulation.events.broken_joints = simulation.joints.broken();
 }
 
-// Joints that contradict each other, or pull a body against what it was stopped at, push the harder the longer they do.
-// Their impulses cancel only as long as nothing turns, and grow without bound (a hundredfold a step) once they throw
-// their bodies about: those are not carried over.
+// Joints that contradict each other, or pull a body against an obstacle, accumulate large impulses. These cancel only
+// while the bodies do not turn; otherwise they grow without bound (a hundredfold per step) and drive the bodies into
+// the speed limits. The joints of clamped bodies therefore start the next step without impulses.
 void forget_clamped_impulses(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i)

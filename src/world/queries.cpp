@@ -24,7 +24,7 @@ double room_for_rounding(const Aabb& box, DVec2 from) {
 
 bool is_seen(const Simulation& simulation, std::uint32_t shape, const QueryFilter& filter) {
     const ShapeRecord& record = simulation.shapes[shape];
-    return (filter.sensors || !record.is_sensor) && may_meet(filter.shape, record.filter) &&
+    return (filter.sensors || !record.is_sensor) && may_touch(filter.shape, record.filter) &&
            simulation.bodies.ids.at(record.body) != filter.except;
 }
 

@@ -17,8 +17,8 @@ namespace {
 // The part of a sweep between two fractions; a body at rest if they are equal.
 Sweep part_of(const Sweep& sweep, double from, double to) {
     const DVec2 path = sweep.end - sweep.start;
-    return {sweep.local_center, sweep.start + from * path, sweep.start + to * path, sweep.start_angle + from * sweep.turn,
-            (to - from) * sweep.turn};
+    return {sweep.local_center, sweep.start + from * path, sweep.start + to * path,
+            sweep.start_angle + from * sweep.turn, (to - from) * sweep.turn};
 }
 
 // A box that covers a shape during its whole sweep, for any rotation.
@@ -123,8 +123,8 @@ private:
 
     // Takes the impact of two shapes as the bullet's next one if it is earlier. The other body follows its sweep up to
     // `other_fraction` and rests from then on.
-    void add_impact(Mover& mover, std::uint32_t own, std::uint32_t other, const Sweep& other_sweep, double other_fraction,
-              std::size_t partner) {
+    void add_impact(Mover& mover, std::uint32_t own, std::uint32_t other, const Sweep& other_sweep,
+                    double other_fraction, std::size_t partner) {
         const ShapeRecord& shape = simulation_.shapes[own];
         const ShapeRecord& other_shape = simulation_.shapes[other];
         const double both = std::min(mover.next, other_fraction);
@@ -143,8 +143,8 @@ private:
         mover.next_impact = make_pair_of(own, other);
     }
 
-    // Stops the bullet with the first impact of all, and its partner; finds the next impacts of other bullets nearby again.
-    // False if no bullet has an impact ahead.
+    // Stops the bullet with the first impact of all, and its partner; finds the next impacts of other bullets nearby
+    // again. False if no bullet has an impact ahead.
     bool stop_first_bullet() {
         std::size_t first = kNone;
         for (std::size_t i = 0; i < movers_.size(); ++i)
@@ -162,7 +162,7 @@ private:
         }
         for (std::size_t i = 0; i < movers_.size(); ++i) {
             const bool is_near = overlaps(movers_[i].box, movers_[first].box) ||
-                                   (partner != kNone && overlaps(movers_[i].box, movers_[partner].box));
+                                 (partner != kNone && overlaps(movers_[i].box, movers_[partner].box));
             if (movers_[i].is_bullet && i != first && i != partner && is_near) find_next(i);
         }
         return true;

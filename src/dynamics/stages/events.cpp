@@ -10,8 +10,8 @@ namespace tumble {
 
 namespace {
 
-// The id of a contact's shape, which may have been destroyed. The index of a destroyed shape is not used again before its
-// contacts end, so that its generation is one less than that of the next owner.
+// The id of a contact's shape, which may have been destroyed. The index of a destroyed shape is not used again before
+// its contacts end, so that its generation is one less than that of the next owner.
 ShapeId id_of(const ShapeStore& shapes, std::uint32_t index) {
     ShapeId id = shapes.ids.at(index);
     if (!shapes[index].is_live) --id.generation;
@@ -47,8 +47,7 @@ void report_hit(Simulation& simulation, Contact& contact) {
     contact.watched = -1;
     if (!is_hit) return;
     const ContactBegin hit = contact_begin(simulation, contact);
-    simulation.events.contact_hits.push_back(
-        {hit.shape_a, hit.shape_b, hit.point, hit.normal, hit.approach_speed});
+    simulation.events.contact_hits.push_back({hit.shape_a, hit.shape_b, hit.point, hit.normal, hit.approach_speed});
 }
 
 void report_begin(Simulation& simulation, const Contact& contact) {

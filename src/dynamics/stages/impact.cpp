@@ -22,8 +22,8 @@ Vec2 long_axis(const Shape& shape) {
     return longest;
 }
 
-// The shape shrunk about its middle to a part of its thickness, and by the same length along its long axis: the tip of a
-// bar sinks in as far as its side. The part 0 is the middle point.
+// The shape shrunk about its middle to a part of its thickness, and by the same length along its long axis: the tip of
+// a bar sinks in as far as its side. The part 0 is the middle point.
 Shape core_of(const ShapeRecord& record, float part) {
     const Shape& shape = record.shape;
     const Vec2 middle = mass_properties(shape).center;

@@ -10,8 +10,8 @@
 
 namespace tumble {
 
-// A stage of the step, between collision and the preparation of constraints. Tiles are shapes of at most eight vertices on
-// static and kinematic bodies that are not part of a chain. Costs O(n^2) in the tiles that one shape touches.
+// A stage of the step, between collision and the preparation of constraints. Tiles are shapes of at most eight vertices
+// on static and kinematic bodies that are not part of a chain. Costs O(n^2) in the tiles that one shape touches.
 void smooth_seams(Simulation& simulation);
 
 }  // namespace tumble

@@ -29,7 +29,8 @@ void find_sensor_crossings(Simulation& simulation) {
     std::sort(crossings.begin(), crossings.end());
     crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
     std::erase_if(crossings, [&](ProxyPair pair) {
-        return !may_collide(simulation, pair) || touched_before(simulation, pair) || !touch_during_step(simulation, pair);
+        return !may_collide(simulation, pair) || touched_before(simulation, pair) ||
+               !touch_during_step(simulation, pair);
     });
 }
 

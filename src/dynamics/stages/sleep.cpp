@@ -49,8 +49,8 @@ void find_islands(Simulation& simulation) {
         [&](std::uint32_t a, std::uint32_t b) { connect(islands, simulation.bodies, a, b); });
 }
 
-// Removes the contacts of sleeping bodies from those that are solved. A touching contact moves to its island; a pair that
-// does not touch is forgotten, unless one of its bodies is active.
+// Removes the contacts of sleeping bodies from those that are solved. A touching contact moves to its island; a pair
+// that does not touch is forgotten, unless one of its bodies is active.
 void set_contacts_aside(Simulation& simulation) {
     simulation.contacts.keep_if([&](const Contact& contact) {
         const BodyStore& bodies = simulation.bodies;

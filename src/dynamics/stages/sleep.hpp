@@ -1,8 +1,8 @@
 // Falling asleep and waking: an island leaves the arrays of moving bodies as a whole, and returns as a whole.
 //
-// An island is a set of dynamic bodies connected by touching contacts and joints. It falls asleep when each of its bodies
-// has been slow for half a second (Tuning::time_to_sleep). It wakes when an awake body touches one of its bodies, or when
-// the user changes a body that it rests on.
+// An island is a set of dynamic bodies connected by touching contacts and joints. It falls asleep when each of its
+// bodies has been slow for half a second (Tuning::time_to_sleep). It wakes when an awake body touches one of its
+// bodies, or when the user changes a body that it rests on.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +36,8 @@ void wake(Simulation& simulation, std::uint32_t body);
 // Wakes a joint, unless one of its bodies sleeps or is disabled.
 void wake_joint(Simulation& simulation, JointId id);
 
-// Call before a body is changed or destroyed: wakes a dynamic body, or the bodies that touch a static or kinematic one or
-// are joined to it.
+// Call before a body is changed or destroyed: wakes a dynamic body, or the bodies that touch a static or kinematic one
+// or are joined to it.
 void wake_with_neighbors(Simulation& simulation, std::uint32_t body);
 
 // Wakes the sleeping bodies whose boxes overlap those of a body.

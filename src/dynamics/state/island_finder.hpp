@@ -1,5 +1,5 @@
-// Islands: a forest of disjoint sets of bodies [Galler, Fischer 1964] that contacts and joints connect, new whenever a body
-// may fall asleep.
+// Islands: a forest of disjoint sets of bodies [Galler, Fischer 1964] that contacts and joints connect, new whenever a
+// body may fall asleep.
 //
 // The root of a set is its lowest body, so that the roots do not depend on the order of joining.
 #pragma once
@@ -40,7 +40,7 @@ public:
     std::size_t bytes() const { return parent_.capacity() * sizeof(std::uint32_t) + kept_awake_.capacity(); }
 
 private:
-    std::vector<std::uint32_t> parent_;  // by body
+    std::vector<std::uint32_t> parent_;     // by body
     std::vector<std::uint8_t> kept_awake_;  // by body, 0 or 1
 };
 
