@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/divergence.hpp"
 #include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/integrate.hpp"
@@ -138,6 +139,7 @@ void prepare_constraints(Simulation& simulation) {
 }
 
 void run_substep(Simulation& simulation) {
+    TUMBLE_CHECK(simulation.settings.substeps >= 1);
     const JointContext context = joint_context(simulation);
     const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
     ContactSolver& contacts = simulation.scratch.contact_solver;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "tumble/math.hpp"
 
 namespace tumble {
@@ -127,6 +128,7 @@ struct Tuning {
 };
 
 inline Tuning make_tuning(float scale) {
+    TUMBLE_CHECK(scale > 0.0f);
     const float root = std::sqrt(scale), inverse = 1.0f / root;
     return {.max_speculative_distance = scale * kSpeculativeDistance,
             .max_aabb_margin = scale * kAabbMargin,

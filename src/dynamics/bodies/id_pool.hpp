@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "tumble/id.hpp"
 
 namespace tumble {
@@ -25,6 +26,7 @@ public:
             index = free_.back();
             free_.pop_back();
         }
+        TUMBLE_CHECK(index < generations_.size());
         const IdType id{index, generations_[index]};
         live_.insert(std::lower_bound(live_.begin(), live_.end(), id), id);
         return id;
@@ -32,10 +34,14 @@ public:
 
     // The id becomes stale. acquire() does not return its index before recycle().
     void release(IdType id) {
+        TUMBLE_CHECK(is_live(id));
         ++generations_[id.index];
         live_.erase(std::lower_bound(live_.begin(), live_.end(), id));
     }
-    void recycle(std::uint32_t index) { free_.push_back(index); }
+    void recycle(std::uint32_t index) {
+        TUMBLE_CHECK(index < generations_.size());
+        free_.push_back(index);
+    }
 
     bool is_live(IdType id) const {
         return id.index < generations_.size() && generations_[id.index] == id.generation &&
@@ -43,7 +49,10 @@ public:
     }
 
     // The id of the present owner of an index, or of the next one if there is none.
-    IdType at(std::uint32_t index) const { return {index, generations_[index]}; }
+    IdType at(std::uint32_t index) const {
+        TUMBLE_CHECK(index < generations_.size());
+        return {index, generations_[index]};
+    }
 
     std::span<const IdType> live() const { return live_; }  // sorted
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "broad/broad_phase.hpp"
+#include "debug/check.hpp"
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/id_pool.hpp"
@@ -48,7 +49,10 @@ public:
     // Moves the proxy's box, with a new margin, if the shape at the body's pose is not inside it.
     void update_proxy(std::uint32_t shape, const Pose& world_from_body, const Tuning& tuning, BroadPhase& broad) const;
 
-    const ShapeRecord& operator[](std::uint32_t index) const { return records_[index]; }
+    const ShapeRecord& operator[](std::uint32_t index) const {
+        TUMBLE_CHECK(index < records_.size());
+        return records_[index];
+    }
     std::size_t capacity() const { return records_.size(); }
 
     IdPool<ShapeId> ids;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "tumble/joint.hpp"
 
@@ -20,6 +21,9 @@ struct Softness {
 
 // `h` is the sub-step, s.
 inline Softness make_softness(float hertz, float damping_ratio, float h) {
+    TUMBLE_CHECK(hertz >= 0.0f);
+    TUMBLE_CHECK(damping_ratio >= 0.0f);
+    TUMBLE_CHECK(h > 0.0f);
     const float omega = 2.0f * static_cast<float>(kPi) * hertz;
     const float a1 = 2.0f * damping_ratio + h * omega;
     const float a2 = h * omega * a1;

@@ -6,6 +6,7 @@
 // neglected until the block is loaded again.
 #pragma once
 
+#include "debug/check.hpp"
 #include "dynamics/contacts/contact_block.hpp"
 #include "simd/transpose.hpp"
 
@@ -19,7 +20,10 @@ struct BodyLanes {
 
 TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
     const float* rows[kLaneCount];
-    for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        TUMBLE_CHECK(index[lane] < bodies.size());
+        rows[lane] = &bodies[index[lane]].velocity.x;
+    }
     Lanes f[8];
     gather_rows(rows, f);
     return {f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]};
@@ -30,7 +34,10 @@ TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const 
 TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies,
                                              const std::uint32_t index[kLaneCount]) {
     float* rows[kLaneCount];
-    for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        TUMBLE_CHECK(index[lane] < bodies.size());
+        rows[lane] = &bodies[index[lane]].velocity.x;
+    }
     const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
     scatter_rows(fields, rows);
 }

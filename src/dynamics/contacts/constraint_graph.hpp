@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/contacts/contact.hpp"
@@ -29,6 +30,7 @@ public:
     // The contacts of a block, by lane: indices or kNoContact. Blocks are in the order of solving: contacts without a
     // colour, contacts between dynamic bodies, contacts with a static or kinematic body.
     std::span<const std::uint32_t, kLaneCount> block(std::size_t index) const {
+        TUMBLE_CHECK(index < block_count());
         return std::span<const std::uint32_t, kLaneCount>(lanes_.data() + index * kLaneCount, kLaneCount);
     }
 

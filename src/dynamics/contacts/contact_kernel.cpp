@@ -2,6 +2,7 @@
 // rigid.
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "dynamics/contacts/contact_normals.hpp"
 
 namespace tumble {
@@ -24,6 +25,7 @@ TUMBLE_LANE_FUNCTION NormalRow make_soft_row(const ContactBlock& block, const Co
     const Lanes zero = Lanes::Zero();
     const Lanes separation = current_separation(block, point, shift, state);
     const Lanes gap = separation.max(zero), overlap = separation.min(zero);
+    TUMBLE_CHECK(block.softness.mass_scale > 0.0f);
     const float max_push = push_out_speed / block.softness.mass_scale;  // before the mass scale
     const Lanes bias = gap * inv_h + (overlap * block.softness.bias_rate).max(-max_push);
     const Lanes soft = point.inverse_mass * (1.0f / block.softness.mass_scale);
@@ -56,6 +58,7 @@ TUMBLE_LANE_FUNCTION void push_tangent(ContactBlock& block, const ContactBlockPo
 
 // Coulomb friction against the normal impulse.
 TUMBLE_LANE_FUNCTION void solve_friction(ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
+    TUMBLE_CHECK((block.friction >= 0.0f).all());
     const Lanes old_impulse = point.tangent_impulse;
     const Lanes wanted = old_impulse - point.tangent_mass * slip_speed(block, point, state);
     point.tangent_impulse = clamp_magnitude(wanted, block.friction * point.normal_impulse);
@@ -67,6 +70,7 @@ TUMBLE_LANE_FUNCTION void solve_friction(ContactBlock& block, ContactBlockPoint&
 TUMBLE_LANE_FUNCTION void solve_rolling(ContactBlock& block, BlockState& state) {
     const Lanes roll = state.b.angular_velocity - state.a.angular_velocity;
     const Lanes normal_impulse = block.points[0].normal_impulse + block.points[1].normal_impulse;
+    TUMBLE_CHECK((block.rolling_resistance >= 0.0f).all());
     const Lanes old_impulse = block.rolling_impulse;
     const Lanes wanted = old_impulse - block.rolling_mass * roll;
     block.rolling_impulse = clamp_magnitude(wanted, block.rolling_resistance * normal_impulse);
@@ -87,6 +91,8 @@ void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> b
 }
 
 void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, float push_out_speed) {
+    TUMBLE_CHECK(inv_h > 0.0f);
+    TUMBLE_CHECK(push_out_speed >= 0.0f);
     for (ContactBlock& block : blocks) {
         BlockState state = load(block, bodies);
         const Lanes shift = center_shift(block, state);
@@ -98,6 +104,7 @@ void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
 }
 
 void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h) {
+    TUMBLE_CHECK(inv_h > 0.0f);
     for (ContactBlock& block : blocks) {
         BlockState state = load(block, bodies);
         const Lanes shift = center_shift(block, state);

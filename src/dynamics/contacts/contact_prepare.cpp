@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/ballistics.hpp"
 #include "dynamics/contacts/contact_block.hpp"
 
@@ -56,9 +57,14 @@ void fill_masses(ContactBlock& block, int lane, const BodyFrame& a, const BodyFr
 }
 
 void fill_lane(ContactBlock& block, int lane, const Contact& contact, const BodyFrame& a, const BodyFrame& b) {
+    TUMBLE_CHECK(lane < kLaneCount);
+    TUMBLE_CHECK(contact.kind == ContactKind::solid);
+    TUMBLE_CHECK(contact.manifold.point_count > 0);
+    TUMBLE_CHECK(contact.manifold.point_count <= 2);
     block.body_a[lane] = a.solver_body;
     block.body_b[lane] = b.solver_body;
     const Vec2 normal = contact.manifold.normal;
+    TUMBLE_CHECK(!(std::abs(length_sq(normal) - 1.0f) > 1e-3f));  // unit, or not finite in a world that diverges
     block.normal_x[lane] = normal.x;
     block.normal_y[lane] = normal.y;
     fill_masses(block, lane, a, b);
@@ -174,6 +180,7 @@ void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> 
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
                       const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks) {
     const Softness softness = contact_softness(tuning, h), static_softness = static_contact_softness(tuning, h);
+    TUMBLE_CHECK(h > 0.0f);
     const ContactBlock neutral = make_neutral_block();
     blocks.resize(graph.block_count());
     for (std::size_t index = 0; index < blocks.size(); ++index) {
@@ -184,6 +191,7 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
         for (int lane = 0; lane < kLaneCount; ++lane) {
             const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
             if (contact == ConstraintGraph::kNoContact) continue;
+            TUMBLE_CHECK(contact < contacts.size());
             const BodyFrame& a = bodies.frames[contacts[contact].body_a];
             const BodyFrame& b = bodies.frames[contacts[contact].body_b];
             fill_lane(block, lane, contacts[contact], a, b);
@@ -203,7 +211,9 @@ void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGra
         for (int lane = 0; lane < kLaneCount; ++lane) {
             const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
             if (contact == ConstraintGraph::kNoContact) continue;
+            TUMBLE_CHECK(contact < contacts.size());
             for (int i = 0; i < contacts[contact].manifold.point_count; ++i) {
+                TUMBLE_CHECK(!(block.points[i].normal_impulse[lane] < 0.0f));
                 contacts[contact].impulses[i] = {block.points[i].normal_impulse[lane],
                                                  block.points[i].tangent_impulse[lane]};
                 contacts[contact].applied[i] = {block.points[i].applied_normal[lane],

@@ -65,6 +65,8 @@ TUMBLE_LANE_FUNCTION void solve_restitution(ContactBlock& block, float threshold
     const Lanes absorbed = block.absorbed - block.friction_work.max(Lanes::Zero()) - returned;
     const Lanes energy = first.part.max(second.part) * absorbed;
     const Lanes part = affordable_part(block, change1, change2, energy, state);
+    TUMBLE_CHECK(!(part > 1.0f).any());
+    TUMBLE_CHECK(!(part < 0.0f).any());
     const Lanes bounce1 = part * change1, bounce2 = part * change2;
     change_normals(block, bounce1, bounce2, state);
     block.points[0].applied_normal += bounce1;
@@ -77,6 +79,8 @@ void find_returned_work(std::span<const ContactBlock> blocks, std::span<float> r
     for (const ContactBlock& block : blocks) {
         if (!block.has_restitution) continue;
         for (int lane = 0; lane < kLaneCount; ++lane) {
+            TUMBLE_CHECK(block.body_a[lane] < returned_work.size());
+            TUMBLE_CHECK(block.body_b[lane] < returned_work.size());
             const float work = std::max(-block.absorbed[lane], 0.0f);
             if (block.inv_mass_ax[lane] + block.inv_mass_ay[lane] > 0.0f) returned_work[block.body_a[lane]] += work;
             if (block.inv_mass_bx[lane] + block.inv_mass_by[lane] > 0.0f) returned_work[block.body_b[lane]] += work;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/solver_body.hpp"
 
 namespace tumble {
@@ -25,6 +26,10 @@ Vec2 displacement(Rotation q, Vec2 v) {
 bool recycle(const ManifoldReference& reference, const Pose& a, const Pose& b, float reach_a, float reach_b,
              float tolerance, Manifold& manifold) {
     if (!reference.is_valid) return false;
+    TUMBLE_CHECK(reference.manifold.point_count <= 2);
+    TUMBLE_CHECK(tolerance >= 0.0f);
+    TUMBLE_CHECK(reach_a >= 0.0f);
+    TUMBLE_CHECK(reach_b >= 0.0f);
     const Rotation turn_a = rotation_between(reference.rotation_a, a.rotation);
     const Rotation turn_b = rotation_between(reference.rotation_b, b.rotation);
     // In the frame of the body that reaches farther, the other's origin has moved by `relative_shift`, and its points

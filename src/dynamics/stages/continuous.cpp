@@ -16,6 +16,7 @@ namespace {
 
 // The part of a sweep between two fractions; a body at rest if they are equal.
 Sweep part_of(const Sweep& sweep, double from, double to) {
+    TUMBLE_CHECK(!(to < from));
     const DVec2 path = sweep.end - sweep.start;
     return {sweep.local_center, sweep.start + from * path, sweep.start + to * path,
             sweep.start_angle + from * sweep.turn, (to - from) * sweep.turn};
@@ -96,6 +97,7 @@ private:
                                            sweep_of(simulation_.bodies, body), was_pushed(own, other));
             const ProxyPair pair = make_pair_of(own, other);
             if (fraction >= mover.fraction || crosses_chain(simulation_.chain_contacts(), pair)) return;
+            TUMBLE_CHECK(!(fraction < 0.0));
             mover.fraction = fraction;
             mover.impact = pair;
         });
@@ -103,6 +105,7 @@ private:
 
     // The first impact of a bullet on a dynamic body before it stops.
     void find_next(std::size_t bullet) {
+        TUMBLE_CHECK(bullet < movers_.size());
         Mover& mover = movers_[bullet];
         mover.next = mover.fraction;
         mover.partner = kNone;
@@ -138,6 +141,7 @@ private:
             fraction = both + alone * (mover.next - both);
         }
         if (fraction >= mover.next) return;
+        TUMBLE_CHECK(!(fraction < 0.0));
         mover.next = fraction;
         mover.partner = partner;
         mover.next_impact = make_pair_of(own, other);
@@ -152,6 +156,10 @@ private:
                 first = i;
         if (first == kNone) return false;
         const std::size_t partner = movers_[first].partner;
+        TUMBLE_CHECK(movers_[first].is_bullet);
+        TUMBLE_CHECK((partner == kNone || partner < movers_.size()));
+        TUMBLE_CHECK(partner != first);
+
         const double fraction = movers_[first].next;
         movers_[first].fraction = fraction;
         movers_[first].impact = movers_[first].next_impact;

@@ -14,6 +14,7 @@ namespace {
 // its contacts end, so that its generation is one less than that of the next owner.
 ShapeId id_of(const ShapeStore& shapes, std::uint32_t index) {
     ShapeId id = shapes.ids.at(index);
+    TUMBLE_CHECK((shapes[index].is_live || id.generation > 0));
     if (!shapes[index].is_live) --id.generation;
     return id;
 }
@@ -41,6 +42,7 @@ bool is_struck(const Contact& contact) {
 
 // At most once per collision: afterwards no point is watched.
 void report_hit(Simulation& simulation, Contact& contact) {
+    TUMBLE_CHECK(contact.watched < 2);
     const bool is_hit =
         is_struck(contact) && !contact.was_hit && contact.approach.speed >= simulation.settings.tuning.hit_speed;
     contact.was_hit = is_hit;
@@ -80,6 +82,7 @@ void begin_impacts(Simulation& simulation) {
     for (const ProxyPair pair : simulation.scratch.impacts) {
         Contact* const found = simulation.contacts.find(pair);
         if (!found || found->is_touching) continue;
+        TUMBLE_CHECK(found->kind == ContactKind::solid);
         collide_contact(*found, simulation.bodies, simulation.shapes, simulation.settings.duration);
         found->is_touching = found->chain_state != ChainState::crossing;
     }
@@ -90,6 +93,7 @@ void report_sensor_crossings(Simulation& simulation) {
     for (const ProxyPair pair : simulation.scratch.sensor_crossings) {
         const Contact* const contact = simulation.contacts.find(pair);
         if (contact && contact->is_touching) continue;
+        TUMBLE_CHECK(simulation.shapes[pair.a].is_sensor != simulation.shapes[pair.b].is_sensor);
         const SensorEvent event = sensor_event(simulation, pair, simulation.shapes[pair.a].is_sensor);
         simulation.events.sensor_begins.push_back(event);
         simulation.events.sensor_ends.push_back(event);

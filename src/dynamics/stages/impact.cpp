@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "tumble/chain_manifold.hpp"
 
@@ -25,6 +26,8 @@ Vec2 long_axis(const Shape& shape) {
 // The shape shrunk about its middle to a part of its thickness, and by the same length along its long axis: the tip of
 // a bar sinks in as far as its side. The part 0 is the middle point.
 Shape core_of(const ShapeRecord& record, float part) {
+    TUMBLE_CHECK(part >= 0.0f);
+    TUMBLE_CHECK(part < 1.0f);
     const Shape& shape = record.shape;
     const Vec2 middle = mass_properties(shape).center;
     if (part == 0.0f || shape.vertex_count() > Shape::kInlineVertices)

@@ -31,6 +31,7 @@ struct GroundPlane {
 
 GroundPlane ground_plane(const Simulation& simulation, const Contact& contact, std::uint32_t moving_shape) {
     const bool on_a = contact.shapes.b == moving_shape;
+    TUMBLE_CHECK((on_a || contact.shapes.a == moving_shape));
     const Manifold& manifold = contact.manifold;
     TUMBLE_CHECK(manifold.point_count > 0);
     const BodyFrame& moving = simulation.bodies.frames[on_a ? contact.body_b : contact.body_a];
@@ -77,6 +78,8 @@ void find_ground_contacts(Simulation& simulation) {
 
 // Removes the manifold of a contact if its ground does not rise above the plane of the other contact.
 void remove_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint32_t index, std::uint32_t other) {
+    TUMBLE_CHECK(index < simulation.contacts.all().size());
+    TUMBLE_CHECK(other < simulation.contacts.all().size());
     Contact& contact = simulation.contacts.all()[index];
     const Contact& support = simulation.contacts.all()[other];
     if (contact.manifold.point_count == 0 || support.manifold.point_count == 0) return;

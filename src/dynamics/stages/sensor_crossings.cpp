@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
 #include "dynamics/state/collision_rules.hpp"
 
@@ -10,6 +11,7 @@ namespace tumble {
 namespace {
 
 bool touched_before(const Simulation& simulation, ProxyPair pair) {
+    TUMBLE_CHECK(pair.a < pair.b);
     const Contact* const contact = simulation.contacts.find(pair);
     return contact && contact->was_touching;
 }

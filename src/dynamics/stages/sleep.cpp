@@ -14,6 +14,7 @@ bool is_touching(const Contact& contact) { return contact.manifold.point_count >
 
 // True if some body has been slow for long enough.
 bool update_still_times(BodyStore& bodies, const StepSettings& settings) {
+    TUMBLE_CHECK(settings.duration > 0.0f);
     bool any_is_ready = false;
     for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
         const SolverBody& body = bodies.solver_bodies[i];
@@ -103,6 +104,7 @@ void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
 
 // The bodies whose boxes overlap those of an enabled body, one entry for each pair of shapes.
 std::vector<std::uint32_t> bodies_near(const Simulation& simulation, std::uint32_t body) {
+    TUMBLE_CHECK(simulation.bodies.records[body].is_enabled);
     std::vector<std::uint32_t> near;
     for (const ShapeId shape : simulation.bodies.records[body].shapes)
         simulation.broad.query(simulation.broad.box(shape.index),
@@ -130,6 +132,8 @@ void fall_asleep(Simulation& simulation) {
 }
 
 void put_island_to_sleep(Simulation& simulation, std::uint32_t body) {
+    TUMBLE_CHECK(simulation.bodies.is_dynamic(body));
+    TUMBLE_CHECK(!simulation.bodies.is_asleep(body));
     simulation.contacts.merge_woken();
     find_islands(simulation);
     const std::uint32_t root = simulation.scratch.islands.root(simulation.bodies.frames[body].solver_body);
@@ -217,6 +221,8 @@ void merge_sleeping_islands(Simulation& simulation, std::uint32_t body_a, std::u
 }
 
 void put_new_body_to_sleep(Simulation& simulation, std::uint32_t body) {
+    TUMBLE_CHECK(simulation.bodies.is_dynamic(body));
+    TUMBLE_CHECK(simulation.bodies.records[body].joints.empty());
     const std::uint32_t island = simulation.sleeping.add();
     simulation.sleeping[island].bodies.push_back(body);
     simulation.bodies.records[body].island = island;

@@ -34,7 +34,10 @@ public:
     }
 
     // Marks one body. The caller transfers the mark to the root: an island sleeps only if none of its bodies is marked.
-    void keep_awake(std::uint32_t body) { kept_awake_[body] = 1; }
+    void keep_awake(std::uint32_t body) {
+        TUMBLE_CHECK(body < kept_awake_.size());
+        kept_awake_[body] = 1;
+    }
     bool is_kept_awake(std::uint32_t body) const { return kept_awake_[body] != 0; }
 
     std::size_t bytes() const { return parent_.capacity() * sizeof(std::uint32_t) + kept_awake_.capacity(); }

@@ -29,6 +29,8 @@ public:
         }
         const std::uint32_t index = free_.back();
         free_.pop_back();
+        TUMBLE_CHECK(islands_[index].bodies.empty());
+        TUMBLE_CHECK(islands_[index].contacts.empty());
         return index;
     }
 
@@ -40,6 +42,7 @@ public:
         free_.push_back(index);
         SleepingIsland island = std::move(islands_[index]);
         islands_[index] = SleepingIsland{};
+        TUMBLE_CHECK(island.contacts.size() <= contact_count_);
         contact_count_ -= island.contacts.size();
         for (const Contact& contact : island.contacts) point_count_ -= points(contact);
         return island;
@@ -60,7 +63,10 @@ public:
             for (Contact& contact : island.contacts) visit(contact);
     }
 
-    SleepingIsland& operator[](std::uint32_t index) { return islands_[index]; }
+    SleepingIsland& operator[](std::uint32_t index) {
+        TUMBLE_CHECK(index < islands_.size());
+        return islands_[index];
+    }
     const std::vector<SleepingIsland>& all() const { return islands_; }  // removed ones are empty
     std::size_t count() const { return count_; }
     std::size_t contact_count() const { return contact_count_; }
