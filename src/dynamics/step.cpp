@@ -52,7 +52,7 @@ void collide_and_count(Simulation& simulation, Contact& contact) {
     const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration);
     if (was_apart) follow_neighbors(simulation.chain_contacts(), contact);
     simulation.chain_crossings.now |= contact.chain_state == ChainState::crossing;
-    ++simulation.report.collided.asked;
+    ++simulation.report.collided.pairs;
     if (!in_full) return;
     ++simulation.report.collided.full;
     simulation.report.collided.iterations += contact.cache.iterations;

@@ -1,4 +1,4 @@
-// Walks a value down to its numbers, whatever it is made of: one traversal for writing, reading and counting memory.
+// Visits the numbers of a value of any type: one traversal for writing, reading and counting memory.
 //
 // A visitor has leaf(number), shape(Shape), list(vector), optional(optional) and variant(variant). Classes with private
 // members, and structs with C arrays, list their members in a static visit_members(self, visit), in the order of their
@@ -34,7 +34,7 @@ inline constexpr int kTemplate<std::variant<T...>> = 3;
 template <class T, std::size_t n>
 inline constexpr int kTemplate<std::array<T, n>> = 4;
 
-// How many values in braces a member takes: an array takes one for each element.
+// The number of values in braces that initialize a member: for an array, the number of its elements.
 template <class T>
 inline constexpr std::size_t kBracedCount = 1;
 template <class T, std::size_t n>
