@@ -1,5 +1,5 @@
 // A world with one of everything that a snapshot can contain: rolling resistance, bounces, a large polygon, an island
-// that sleeps, a one-sided chain that a ball crosses, a sensor, a bullet, a kinematic body, locks, and every kind of
+// that sleeps, a one-sided chain that a ball crosses, a sensor, bullets, a kinematic body, locks, and every kind of
 // joint.
 #pragma once
 
@@ -61,7 +61,7 @@ inline void add_one_sided_chain(World& world) {
     world.set_velocity(riser, {0.1f, 0.9f}, 0.0f);
 }
 
-// A sensor with a box inside, a bullet, a kinematic lift, and a locked body.
+// A sensor with a box inside, a kinematic lift, and a locked body.
 inline void add_special_bodies(World& world) {
     const BodyId post = add_static(world, {10.0, 0.5}, make_box({0.1f, 0.1f}));
     ShapeDef sensor;
@@ -69,12 +69,6 @@ inline void add_special_bodies(World& world) {
     sensor.sensor = true;
     world.add_shape(post, sensor);
     add_dynamic(world, {10.5, 1.0}, make_box({0.4f, 0.4f}));
-    BodyDef bullet;
-    bullet.bullet = true;
-    bullet.allow_fast_rotation = true;
-    bullet.pose.position = {12.0, 5.0};
-    bullet.velocity = {3.0f, -2.0f};
-    world.add_shape(world.create_body(bullet), {make_circle(0.1f)});
     const BodyId lift = add_body(world, BodyType::kinematic_body, {15.0, 1.0}, make_box({1.0f, 0.2f}));
     world.set_velocity(lift, {0.0f, 0.3f}, 0.1f);
     const BodyId rider = add_dynamic(world, {15.0, 1.4}, make_box({0.5f, 0.5f}));
@@ -88,7 +82,7 @@ inline void add_special_bodies(World& world) {
 template <class Def>
 Def between(World& world, double x, Def def) {
     def.body_a = add_dynamic(world, {x, 6.0}, make_box({0.6f, 0.3f}));
-    def.body_b = add_dynamic(world, {x + 0.7, 6.1}, make_box({0.6f, 0.3f}), {}, 0.1);
+    def.body_b = add_dynamic(world, {x + 0.5, 6.1}, make_box({0.6f, 0.3f}), {}, 0.1);
     if constexpr (requires { def.anchor_a; }) {
         def.anchor_a = {0.35f, 0.05f};
         def.anchor_b = {-0.35f, 0.0f};
@@ -106,7 +100,7 @@ inline void add_joints(World& world) {
     const JointId hinge_id = world.create_joint(between(world, 20.0, hinge));
     PrismaticJointDef slider;
     slider.limits = JointLimits{-0.1f, 0.1f};
-    slider.motor = LinearMotor{1.0f, 5.0f};
+    slider.motor = LinearMotor{-2.0f, 50.0f};
     slider.spring = spring;
     slider.break_torque = 4000.0f;
     const JointId slider_id = world.create_joint(between(world, 23.0, slider));
@@ -133,7 +127,28 @@ inline void add_joints(World& world) {
     world.create_joint(pulley);
 }
 
-// All kinds of things in motion, after 40 steps.
+// Bullets on their way to a thin wall, a ball about to cross the chain, and a filter that was just changed.
+inline void add_last_things(World& world) {
+    add_static(world, {14.0, 5.0}, make_box({0.02f, 4.0f}));
+    for (int i = 0; i < 3; ++i) {
+        BodyDef bullet;
+        bullet.bullet = i != 1;
+        bullet.allow_fast_rotation = true;
+        bullet.pose.position = {10.0, 4.0 + 0.7 * i};
+        bullet.velocity = {60.0f + 40.0f * static_cast<float>(i), -2.0f};
+        bullet.angular_velocity = 30.0f;
+        world.add_shape(world.create_body(bullet), {make_capsule({-0.2f, 0.0f}, {0.1f, 0.0f}, 0.05f)});
+    }
+    const BodyId riser = add_dynamic(world, {4.4, 0.75}, make_circle(0.3f));
+    world.set_velocity(riser, {0.1f, 3.0f}, 0.0f);
+    world.step();
+    CollisionFilter filter;
+    filter.mask = 2;
+    for (const ShapeId shape : world.shapes(riser)) world.set_filter(shape, {});
+    for (const ShapeId shape : world.shapes(world.bodies()[1])) world.set_filter(shape, filter);
+}
+
+// All kinds of things in motion, after 41 steps.
 inline World make_world_of_all_kinds() {
     World world;
     add_rolling_things(world);
@@ -142,6 +157,7 @@ inline World make_world_of_all_kinds() {
     add_special_bodies(world);
     add_joints(world);
     run(world, 40);
+    add_last_things(world);
     return world;
 }
 

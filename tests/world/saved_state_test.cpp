@@ -6,6 +6,8 @@
 // each member is needed.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -139,8 +141,10 @@ public:
         const StepEvents& events = world.events();
         for (const ContactBegin& begin : events.contact_begins)
             add(begin.point.x), add(begin.point.y), add(begin.normal.x), add(begin.normal.y), add(begin.approach_speed);
-        for (const ContactHit& hit : events.contact_hits) add(hit.point.x), add(hit.approach_speed);
-        add(static_cast<double>(events.contact_ends.size() + 100 * events.sensor_begins.size()));
+        for (const ContactHit& hit : events.contact_hits)
+            add(hit.point.x), add(hit.point.y), add(hit.normal.x), add(hit.normal.y), add(hit.approach_speed);
+        for (const ContactEnd& end : events.contact_ends) add(end.shape_a), add(end.shape_b);
+        for (const SensorEvent& begin : events.sensor_begins) add(begin.sensor), add(begin.visitor);
         for (const JointId id : world.joints()) {
             const JointReaction reaction = world.reaction(id);
             add(reaction.force.x), add(reaction.force.y), add(reaction.torque), add(world.joint_position(id));
@@ -154,6 +158,7 @@ public:
     bool operator==(const Transcript&) const = default;
 
 private:
+    void add(ShapeId id) { add(id.index + 0.001 * id.generation); }
     void add(double number) { numbers_.push_back(number == number ? number : 1e300); }
 
     std::vector<double> numbers_;
@@ -166,13 +171,16 @@ void run_on(World& world, int steps, Transcript& transcript) {
     }
 }
 
-// Goes on for some steps, between them with edits that need what no step reads: definitions, materials, sleeping
-// contacts.
+// Goes on for some steps. The edits between them need what no step reads: definitions, materials, sleeping contacts.
 Transcript observe(const std::vector<std::byte>& saved) {
     World world = World::load(saved);
     Transcript transcript;
     transcript.add(world);
     run_on(world, 3, transcript);
+    for (int i = 0; i < 6; ++i) {  // over and through the chain
+        const BodyId ball = add_dynamic(world, {2.2 + 0.6 * i, i % 2 == 0 ? 1.7 : 0.6}, make_circle(0.25f));
+        world.set_velocity(ball, {0.5f, i % 2 == 0 ? -3.0f : 4.0f}, 0.0f);
+    }
     const std::vector<BodyId> bodies(world.bodies().begin(), world.bodies().end());
     for (const BodyId id : bodies) world.set_awake(id, true);
     run_on(world, 3, transcript);
@@ -181,13 +189,15 @@ Transcript observe(const std::vector<std::byte>& saved) {
         if (world.is_valid(id)) world.set_joint(id, world.joint(id));
     for (const BodyId id : bodies)
         for (const ShapeId shape : world.shapes(id)) world.set_material(shape, world.material(shape));
-    run_on(world, 3, transcript);
+    run_on(world, 20, transcript);
     for (const BodyId id : bodies) {
         const bool was_enabled = world.is_enabled(id);
         world.set_enabled(id, !was_enabled);
         world.set_enabled(id, was_enabled);
     }
     run_on(world, 3, transcript);
+    for (std::size_t i = 1; i < bodies.size(); i += 2) world.destroy_body(bodies[i]);
+    run_on(world, 40, transcript);
     return transcript;
 }
 
@@ -227,6 +237,37 @@ TEST_CASE("each saved number changes the snapshot") {
 
 // A debug build aborts at some of the states that this makes.
 #ifdef NDEBUG
+namespace {
+
+// Members that a user need not notice here: names, or the beginnings of names. The first number is the position among
+// the lists of SimulationState, the others are positions within an element.
+constexpr const char* kUnnoticed[] = {
+    // Reach, smallest extent and allow_sleep of a body: no body that is swept turns much, and none falls asleep twice.
+    ".4[].10", ".4[].11", ".6[].4", ".6[].6",
+    // Points of a chain beside a segment: no shape touches its corner.
+    ".11[].15?.0", ".11[].15?.1", ".11[].15?.3", ".11[].15?.4",
+    // Definitions of joints: collide_connected where the shapes do not touch, and limits that are not reached.
+    ".16[].0#",
+    // Joints are unsorted: sorting them once more changes nothing.
+    ".19",
+    // Working data of the kinds of joints, which prepare() derives from definitions and poses.
+    ".20[].", ".23[].", ".26[].", ".29[].", ".32[].", ".35[].", ".38[].", ".41[].", ".44[].",
+    // Contacts, awake and asleep: anchors, is_new, is_touching, was_hit and the approach are set before they are read.
+    ".66[].9", ".66[].10", ".66[].15", ".66[].16", ".66[].30", ".66[].31", ".66[].34", ".66[].35", ".66[].36",
+    ".66[].37", ".66[].44", ".66[].50", ".68[].1[].9", ".68[].1[].10", ".68[].1[].15", ".68[].1[].16", ".68[].1[].30",
+    ".68[].1[].31", ".68[].1[].34", ".68[].1[].35", ".68[].1[].36", ".68[].1[].37", ".68[].1[].50", ".68[].1[].71",
+    // Chain crossings before and in the step: they only skip a search that would find nothing.
+    ".82", ".83"};
+
+bool need_not_be_noticed(const std::string& member) {
+    return std::ranges::any_of(kUnnoticed, [&](const std::string name) {
+        const bool is_beginning = name.back() == '.' || name.back() == '#';
+        return is_beginning ? member.starts_with(name) : member == name;
+    });
+}
+
+}  // namespace
+
 TEST_CASE("a user notices each member that is missing from the saved state") {
     const std::vector<std::byte> saved = make_world_of_all_kinds().save();
     const Transcript whole = observe(saved);
@@ -237,13 +278,14 @@ TEST_CASE("a user notices each member that is missing from the saved state") {
         if constexpr (is_free<T>) members.insert(name);
     });
     parts.visit(walk);
-    std::string unnoticed;
-    int count = 0;
-    for (const std::string& member : members)
-        if (!is_noticed(saved, whole, member, 0) && !is_noticed(saved, whole, member, 1))
-            unnoticed += member + "\n", ++count;
-    INFO(unnoticed);
-    CHECK(members.size() > 100);
-    CHECK(count == 0);
+    int noticed = 0;
+    for (const std::string& member : members) {
+        const bool is_needed = is_noticed(saved, whole, member, 0) || is_noticed(saved, whole, member, 1);
+        noticed += is_needed;
+        CAPTURE(member);
+        CHECK((is_needed || need_not_be_noticed(member)));
+    }
+    CAPTURE(members.size());
+    CHECK(noticed > 200);
 }
 #endif
