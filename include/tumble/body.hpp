@@ -1,4 +1,5 @@
-// Bodies and the shapes on them, as a user defines them.
+// Definitions of bodies and of the shapes on them. Units are m, kg, s and rad; y points up, angles are
+// counter-clockwise.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +13,20 @@
 namespace tumble {
 
 enum class BodyType : std::uint8_t {
-    static_body,     // never moves
-    kinematic_body,  // moves by its velocity alone, as if of infinite mass
-    dynamic_body,
+    static_body,     // does not move
+    kinematic_body,  // moves by its velocity only, as if of infinite mass
+    dynamic_body,    // moves by forces, contacts and joints
 };
 
 struct BodyMass {
-    float mass = 0.0f;  // kg; 0 for static, kinematic and disabled bodies
-    Vec2 center;        // centre of mass, body coordinates
-    float inertia =
-        0.0f;  // about the centre of mass, kg m^2; 0: nothing turns it, and nothing stops a spin that it has
+    float mass = 0.0f;     // kg; 0 for static, kinematic and disabled bodies
+    Vec2 center;           // centre of mass, body coordinates
+    float inertia = 0.0f;  // about the centre of mass, kg m^2; 0 means infinite: nothing changes its angular velocity
 
     friend constexpr bool operator==(const BodyMass&, const BodyMass&) = default;
 };
 
-// What a dynamic body may not do, in the axes of the world: what is locked has no velocity, and no force changes that.
+// Motions that a dynamic body does not make, along the world axes and about its centre of mass. A locked velocity is 0.
 struct BodyLocks {
     bool x = false;
     bool y = false;
@@ -37,35 +37,35 @@ struct BodyLocks {
 
 struct BodyDef {
     BodyType type = BodyType::dynamic_body;
-    Pose pose{};                    // of the body's origin
-    Vec2 velocity{};                // of the centre of mass, m/s
-    float angular_velocity = 0.0f;  // rad/s
-    float linear_damping = 0.0f;    // 1/s: v / (1 + h c) in each sub-step
-    float angular_damping = 0.0f;   // 1/s
-    float gravity_scale = 1.0f;
-    bool allow_fast_rotation = false;  // more than an eighth of a turn a step; for round things
-    bool bullet = false;               // kept from passing through dynamic bodies too, not only through others
+    Pose pose{};                       // of the body's origin
+    Vec2 velocity{};                   // of the centre of mass, m/s
+    float angular_velocity = 0.0f;     // rad/s
+    float linear_damping = 0.0f;       // 1/s, >= 0: v / (1 + h c) in each sub-step of h seconds
+    float angular_damping = 0.0f;      // 1/s, >= 0
+    float gravity_scale = 1.0f;        // factor on the world's gravity
+    bool allow_fast_rotation = false;  // more than an eighth of a turn per step; for round shapes
+    bool bullet = false;               // continuous collision against dynamic bodies too, not only static and kinematic
     bool allow_sleep = true;           // false keeps the body's whole island awake
-    bool awake = true;                 // false: a dynamic body starts asleep, at rest, until something touches it
+    bool awake = true;                 // false: a dynamic body starts asleep, at rest, until an awake body touches it
     BodyLocks locks{};
-    bool enabled = true;             // false: it is kept, but nothing meets it and it does not move
-    std::optional<BodyMass> mass{};  // in place of what the shapes weigh; mass > 0, inertia >= 0; for dynamic bodies
+    bool enabled = true;             // false: it does not collide or move until World::set_enabled()
+    std::optional<BodyMass> mass{};  // replaces the mass of the shapes of a dynamic body; mass > 0, inertia >= 0
 };
 
-// How a surface behaves in contact. Of two surfaces the friction is sqrt(f1 f2), the restitution the larger, the
-// rolling resistance the larger times the radius, the tangent speed the sum.
+// How a surface behaves in contact. A contact of two surfaces has the friction sqrt(f1 f2), the larger restitution, the
+// larger rolling resistance times the larger radius, and the sum of the tangent speeds.
 struct SurfaceMaterial {
     float density = 1.0f;             // kg/m^2
     float friction = 0.6f;            // >= 0
-    float restitution = 0.0f;         // 0 to 1, applied above 1 m/s
-    float rolling_resistance = 0.0f;  // >= 0, of the shape's radius
-    float tangent_speed = 0.0f;       // m/s, conveyor belts; positive carries what lies on top to the left
+    float restitution = 0.0f;         // 0 to 1; applied to impacts faster than 1 m/s (WorldDef::scale changes it)
+    float rolling_resistance = 0.0f;  // >= 0, as a part of the shape's radius
+    float tangent_speed = 0.0f;       // m/s, of conveyor belts; positive carries a body on top to the left
 
     friend constexpr bool operator==(const SurfaceMaterial&, const SurfaceMaterial&) = default;
 };
 
-// Which shapes meet: two with the same group other than 0 do if it is positive and do not if it is negative; all others
-// do if each one's mask has a bit of the other's category.
+// Which shapes may touch. Two shapes of the same group other than 0 may if the group is positive and may not if it is
+// negative. All others may if each one's mask has a bit of the other's category.
 struct CollisionFilter {
     std::uint64_t category = 1;
     std::uint64_t mask = ~std::uint64_t{0};
@@ -74,7 +74,7 @@ struct CollisionFilter {
     friend constexpr bool operator==(const CollisionFilter&, const CollisionFilter&) = default;
 };
 
-constexpr bool may_meet(const CollisionFilter& a, const CollisionFilter& b) {
+constexpr bool may_touch(const CollisionFilter& a, const CollisionFilter& b) {
     if (a.group != 0 && a.group == b.group) return a.group > 0;
     return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
@@ -83,15 +83,16 @@ struct ShapeDef {
     Shape shape{};  // in the body's coordinates
     SurfaceMaterial material{};
     CollisionFilter filter{};
-    bool sensor = false;  // only notices what overlaps it (not other sensors, and not static if static); has no mass
-    std::optional<ChainLink> link{};  // of a chain's segment: the points beside it, so that no seam is felt
+    bool sensor = false;  // reports overlaps but does not collide, and has no mass; ignores other sensors, and static
+                          // bodies if its own body is static
+    std::optional<ChainLink> link{};  // if the shape is a chain's segment: see make_chain_links()
 };
 
-// What a body is doing at the end of a step.
+// The pose and velocity of a body at the end of a step.
 struct BodyState {
     Pose pose;                      // of the body's origin
     Vec2 velocity;                  // of the centre of mass, m/s
-    float angular_velocity = 0.0f;  // rad/s; a body asleep is at rest
+    float angular_velocity = 0.0f;  // rad/s; a sleeping body has velocity 0
 };
 
 }  // namespace tumble

@@ -1,4 +1,4 @@
-// What happened in a step, as lists in order of ids: nothing is lost, and nothing comes a step late.
+// Events of a step, as lists sorted by ids. Each event is in the list of the step in which it happened.
 #pragma once
 
 #include <vector>
@@ -8,28 +8,28 @@
 
 namespace tumble {
 
-// Two shapes began to touch: their surfaces met, or an impulse was needed to keep them apart.
+// Two shapes began to touch: their surfaces touched, or an impulse kept them apart.
 struct ContactBegin {
     ShapeId shape_a;
     ShapeId shape_b;
-    DVec2 point;  // world, where they were about to meet at the start of the step
-    Vec2 normal;  // from A to B
-    float approach_speed =
-        0.0f;  // at the point, before anything stopped it, m/s; negative if they were parting already
+    DVec2 point;                  // world, m: the deepest contact point, at the start of the step
+    Vec2 normal;                  // unit, from A to B, world axes
+    float approach_speed = 0.0f;  // at the point, before the impact, m/s; negative if the shapes were separating
 };
 
-// A point was struck, to be heard or to do damage: it bears a load that it did not bear before, and was approached at 1
-// m/s or more (times the root of WorldDef::scale). As two shapes begin to touch, or later: a plank that falls over its
-// one end hits with the other. A contact has one at most in a step, and none in the step after.
+// An impact at a contact point, for sounds and damage: an impulse at a point that had none, and an approach speed of at
+// least 1 m/s (times the square root of WorldDef::scale). It happens when two shapes begin to touch, or later: a plank
+// that rests on one end and falls over hits with the other. A contact has at most one hit in a step, and none in the
+// next.
 struct ContactHit {
     ShapeId shape_a;
     ShapeId shape_b;
-    DVec2 point;  // as of ContactBegin
+    DVec2 point;  // as in ContactBegin
     Vec2 normal;
     float approach_speed = 0.0f;
 };
 
-// They touch no more, or one of them was destroyed: its id is stale then.
+// Two shapes ceased to touch, or one of them was destroyed or disabled. The id of a destroyed shape is stale.
 struct ContactEnd {
     ShapeId shape_a;
     ShapeId shape_b;
@@ -37,9 +37,8 @@ struct ContactEnd {
     friend constexpr auto operator<=>(const ContactEnd&, const ContactEnd&) = default;
 };
 
-// A shape entered or left a sensor. Either may have been destroyed if it left. A dynamic body that continuous collision
-// sweeps, as it moves by more than half its size in a step, may pass a sensor within one: it enters and leaves in that
-// step.
+// A shape entered or left a sensor. If it left, either of the two may have been destroyed. A dynamic body that moves by
+// more than half its size in a step may cross a sensor within the step: it enters and leaves in the same step.
 struct SensorEvent {
     ShapeId sensor;
     ShapeId visitor;
@@ -53,7 +52,7 @@ struct StepEvents {
     std::vector<ContactHit> contact_hits;
     std::vector<SensorEvent> sensor_begins;
     std::vector<SensorEvent> sensor_ends;
-    std::vector<JointId> broken_joints;  // their ids are stale now; gears that went with them are not among them
+    std::vector<JointId> broken_joints;  // their ids are stale; gears destroyed with them are not listed
     std::vector<BodyId> fell_asleep;
 };
 

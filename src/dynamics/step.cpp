@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/divergence.hpp"
 #include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/integrate.hpp"
@@ -17,10 +18,10 @@ namespace tumble {
 
 namespace {
 
-// Reads the clock once between two stages.
+// Measures stages with one reading of the clock between two of them.
 class StageClock {
 public:
-    // Adds the time since the last call, or since the start, to a stage.
+    // Adds the time since the last call, or since the start, to a stage, ms.
     void stop(double& stage_ms) {
         const Clock::time_point now = Clock::now();
         stage_ms += milliseconds(now - last_);
@@ -51,7 +52,7 @@ void collide_and_count(Simulation& simulation, Contact& contact) {
     const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration);
     if (was_apart) follow_neighbors(simulation.chain_contacts(), contact);
     simulation.chain_crossings.now |= contact.chain_state == ChainState::crossing;
-    ++simulation.report.collided.asked;
+    ++simulation.report.collided.pairs;
     if (!in_full) return;
     ++simulation.report.collided.full;
     simulation.report.collided.iterations += contact.cache.iterations;
@@ -94,8 +95,8 @@ void step(Simulation& simulation) {
     ms.step = clock.total();
 }
 
-// Once for what the caller has changed, and once for what the step has moved: nobody enters a sensor unseen. New pairs
-// come from boxes that have moved; pairs go when their boxes have parted, which only such a box can cause.
+// Runs twice in a step: for the caller's changes before it, and after the motion, so that sensors see every visitor.
+// New pairs begin, and pairs end, only where a box has moved.
 void find_pairs(Simulation& simulation) {
     simulation.contacts.merge_woken();
     const bool moved = simulation.broad.has_moved();
@@ -106,7 +107,7 @@ void find_pairs(Simulation& simulation) {
         const bool keep = simulation.broad.overlap(contact.shapes) &&
                           !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
         if (!keep) {
-            report_parting(simulation, contact);
+            report_removal(simulation, contact);
             simulation.broad.forget(contact.shapes);
         }
         return keep;
@@ -121,7 +122,7 @@ void collide_pairs(Simulation& simulation) {
         if (contact.kind == ContactKind::solid) collide_and_count(simulation, contact);
 }
 
-// What is touched wakes before it is solved, and may touch the next.
+// Touched bodies wake before they are solved, and may touch others that sleep.
 void collide_woken(Simulation& simulation) {
     while (wake_touched(simulation)) {
         find_pairs(simulation);
@@ -138,6 +139,7 @@ void prepare_constraints(Simulation& simulation) {
 }
 
 void run_substep(Simulation& simulation) {
+    TUMBLE_CHECK(simulation.settings.substeps >= 1);
     const JointContext context = joint_context(simulation);
     const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
     ContactSolver& contacts = simulation.scratch.contact_solver;
@@ -163,9 +165,9 @@ void store_results(Simulation& simulation) {
     simulation.events.broken_joints = simulation.joints.broken();
 }
 
-// Joints that contradict each other, or pull a body against what it was stopped at, push the harder the longer they do.
-// Their impulses cancel only as long as nothing turns, and grow without bound (a hundredfold a step) once they throw
-// their bodies about: those are not carried over.
+// Joints that contradict each other, or pull a body against an obstacle, accumulate large impulses. These cancel only
+// while the bodies do not turn; otherwise they grow without bound (a hundredfold per step) and drive the bodies into
+// the speed limits. The joints of clamped bodies therefore start the next step without impulses.
 void forget_clamped_impulses(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i)

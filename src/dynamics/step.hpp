@@ -8,10 +8,11 @@ namespace tumble {
 
 struct Simulation;
 
-// One step. Afterwards find_diverged() tells whether its result is finite; the broad phase follows only if it is.
+// Advances by one step. Call find_diverged() afterwards: if a body is not finite, the stages after the final poses were
+// skipped, and the simulation cannot go on.
 void step(Simulation& simulation);
 
-// The stages, in order.
+// Stages of step(), in order; those of dynamics/stages come between. README.md has the whole list.
 void find_pairs(Simulation& simulation);
 void collide_pairs(Simulation& simulation);
 void collide_woken(Simulation& simulation);

@@ -1,7 +1,7 @@
-// The fields of plain structs, found by the compiler: what is written or counted field by field cannot forget one.
+// The fields of plain structs, found by the compiler, so that code that visits them cannot leave one out.
 //
-// The number of fields is that of the values which braces accept. A C array would count as its elements, so that
-// structs with one name their members themselves (see visit_members.hpp); a wrong count does not compile.
+// The number of fields is the number of values in braces that initialize the struct. A C array counts as its elements:
+// structs with one list their members themselves (see visit_members.hpp). A wrong count does not compile.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace tumble {
 
 namespace detail {
 
-// Stands for a value of any type; optionals need one of their own, as they accept what they could hold.
+// A value of any type. Optionals need one of their own, because they also accept a value of the type they contain.
 struct AnyValue {
     template <class T>
     operator T() const;

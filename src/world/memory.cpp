@@ -11,7 +11,7 @@ namespace tumble {
 
 namespace {
 
-// Adds up what vectors have allocated.
+// Adds up the memory that vectors have allocated.
 class MemoryCounter {
 public:
     template <class T>

@@ -25,7 +25,7 @@ double rounding_margin(const Aabb& box, DVec2 from) {
 
 bool is_included(const Simulation& simulation, std::uint32_t shape, const QueryFilter& filter) {
     const ShapeRecord& record = simulation.shapes[shape];
-    return (filter.sensors || !record.is_sensor) && may_meet(filter.shape, record.filter) &&
+    return (filter.sensors || !record.is_sensor) && may_touch(filter.shape, record.filter) &&
            simulation.bodies.ids.at(record.body) != filter.except;
 }
 

@@ -16,11 +16,11 @@ namespace tumble {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "numbers are copied as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "numbers are copied as they are in memory");
 
 constexpr char kMagic[8] = {'t', 'u', 'm', 'b', 'l', 'e', 'W', '\n'};
 
-// To be raised with every change of what is saved: a member more or less anywhere in the state.
+// Raise it with every change of the saved members, anywhere in the state.
 constexpr std::uint32_t kVersion = 4;
 
 constexpr std::size_t kHeaderBytes = sizeof kMagic + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
@@ -83,7 +83,7 @@ public:
         take(sizeof value);
         if constexpr (std::is_same_v<T, bool>) {
             const auto byte = std::to_integer<unsigned>(bytes_[at_ - 1]);
-            require(byte <= 1, "a truth value is neither");
+            require(byte <= 1, "a bool is neither 0 nor 1");
             value = byte == 1;
         } else {
             std::memcpy(&value, bytes_.data() + at_ - sizeof value, sizeof value);
@@ -94,7 +94,8 @@ public:
     void list(std::vector<T>& values) {
         std::uint64_t size = 0;
         leaf(size);
-        // Every element has at least one byte: a damaged size cannot ask for more memory than the file's own scale.
+        // Every element has at least one byte, so that a damaged size cannot allocate much more than the snapshot's
+        // size.
         require(std::is_empty_v<T> || size <= bytes_.size() - at_, "a list is longer than the snapshot");
         values.assign(static_cast<std::size_t>(size), T{});
         for (T& value : values) visit_value(*this, value);
@@ -112,7 +113,7 @@ public:
     void variant(std::variant<T...>& value) {
         std::uint8_t index = 0;
         leaf(index);
-        require(index < sizeof...(T), "a joint is of no kind");
+        require(index < sizeof...(T), "a joint has an unknown kind");
         emplace(value, index, std::index_sequence_for<T...>{});
         std::visit([&](auto& alternative) { visit_value(*this, alternative); }, value);
     }
@@ -139,7 +140,7 @@ public:
 
 private:
     void take(std::size_t size) {
-        require(size <= bytes_.size() - at_, "it ends too early");
+        require(size <= bytes_.size() - at_, "it ends early");
         at_ += size;
     }
 
@@ -172,7 +173,7 @@ void read_snapshot(std::span<const std::byte> bytes, const SnapshotParts& parts)
     Reader header(bytes);
     char magic[sizeof kMagic];
     for (char& letter : magic) header.leaf(letter);
-    Reader::require(std::memcmp(magic, kMagic, sizeof kMagic) == 0, "these bytes are none");
+    Reader::require(std::memcmp(magic, kMagic, sizeof kMagic) == 0, "these bytes are not a snapshot");
     std::uint32_t version = 0;
     header.leaf(version);
     if (version != kVersion)
@@ -183,17 +184,17 @@ void read_snapshot(std::span<const std::byte> bytes, const SnapshotParts& parts)
     header.leaf(hash);
     const std::span<const std::byte> state = bytes.subspan(kHeaderBytes);
     if (size != state.size())
-        throw SnapshotError("snapshot: it has " + std::to_string(state.size()) + " bytes of state, not the " +
-                            std::to_string(size) + " that it says");
-    Reader::require(hash == XXH64(state.data(), state.size(), 0), "it is damaged: the checksum does not fit");
+        throw SnapshotError("snapshot: it has " + std::to_string(state.size()) +
+                            " bytes of state, but its header states " + std::to_string(size));
+    Reader::require(hash == XXH64(state.data(), state.size(), 0), "it is damaged: the checksum does not match");
 
     Reader payload(state);
     visit_saved(parts, [&](auto&... part) { (visit_value(payload, part), ...); });
-    Reader::require(payload.is_at_end(), "it has more bytes than its state");
+    Reader::require(payload.is_at_end(), "bytes remain after its state");
     try {
         audit(parts.simulation);
     } catch (const std::logic_error& broken) {
-        throw SnapshotError(std::string("snapshot: its state is broken: ") + broken.what());
+        throw SnapshotError(std::string("snapshot: its state breaks an invariant: ") + broken.what());
     }
 }
 

@@ -1,7 +1,8 @@
-// Snapshots: a world's whole state as bytes, and back.
+// Snapshots: the whole state of a world as bytes.
 //
-// magic (8 bytes), version (4), size of the payload (8), its xxHash64 (8), payload: every number of the state in the
-// order of the members, little-endian. What a step computes afresh (blocks, colours, times) is left out.
+// Magic (8 bytes), version (4), size of the payload (8), its xxHash64 (8), payload. The payload has every number of the
+// definition, the counters and SimulationState, in the order of the members, little-endian. Scratch memory and
+// measurements of the last step (StepScratch, StepReport) are left out.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,7 @@
 
 namespace tumble {
 
-// What is saved of a world.
+// The parts of a world that a snapshot contains.
 struct SnapshotParts {
     WorldDef& def;
     Simulation& simulation;
@@ -24,7 +25,8 @@ struct SnapshotParts {
 
 std::vector<std::byte> write_snapshot(const SnapshotParts& parts);
 
-// Replaces the parts. Throws SnapshotError, and may leave them half read then.
+// Replaces the parts. Throws SnapshotError if the bytes are not a whole, undamaged snapshot of this version, or if the
+// state that they contain breaks an invariant; the parts are unspecified then.
 void read_snapshot(std::span<const std::byte> bytes, const SnapshotParts& parts);
 
 }  // namespace tumble

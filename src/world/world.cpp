@@ -25,7 +25,7 @@ StepCounters World::Impl::count() const {
     counters_now.sleeping_islands = static_cast<int>(simulation.sleeping.count());
     counters_now.contacts = static_cast<int>(simulation.contact_counts.contacts);
     counters_now.contact_points = static_cast<int>(simulation.contact_counts.points);
-    counters_now.pairs = simulation.report.collided.asked;
+    counters_now.pairs = simulation.report.collided.pairs;
     counters_now.collided = simulation.report.collided.full;
     counters_now.gjk_iterations = simulation.report.collided.iterations;
     counters_now.ms = simulation.report.times;

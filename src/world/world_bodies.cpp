@@ -131,7 +131,7 @@ void World::set_enabled(BodyId id, bool enabled) {
     impl_->update_mass(id);
     if (!enabled) simulation.joints.put_to_sleep(record.joints);
     for (const JointId joint : record.joints) wake_with_bodies(simulation, joint);
-    wake_met(simulation, id.index);
+    wake_overlapping(simulation, id.index);
     simulation.filters_changed = true;
 }
 

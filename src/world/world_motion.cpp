@@ -28,7 +28,7 @@ void World::set_transform(BodyId id, const Pose& pose) {
     impl_->remove_proxies(id);
     simulation.bodies.set_pose(id.index, pose);
     impl_->add_proxies(id);
-    wake_met(simulation, id.index);
+    wake_overlapping(simulation, id.index);
 }
 
 void World::set_velocity(BodyId id, Vec2 velocity, float angular_velocity) {

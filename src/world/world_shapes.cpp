@@ -50,7 +50,7 @@ void World::set_filter(ShapeId id, const CollisionFilter& filter) {
     Simulation& simulation = impl_->simulation;
     const BodyId body = simulation.bodies.ids.at(simulation.shapes[id.index].body);
     wake_with_neighbors(simulation, body.index);
-    wake_met(simulation, body.index);
+    wake_overlapping(simulation, body.index);
     simulation.shapes.set_filter(id.index, filter);
     impl_->touch_proxies(body);
     simulation.filters_changed = true;

@@ -1,4 +1,4 @@
-// The contact kernel, its blocks and its colours, against one contact at a time and closed forms.
+// The contact kernels, their blocks and colours, against closed forms and single contacts.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ double normal_speed(const Tangle& tangle, const Contact& contact) {
 
 }  // namespace
 
-TEST_CASE("every touching contact has one lane, and no block names a dynamic body twice") {
+TEST_CASE("every touching contact has one lane, and no block contains a dynamic body twice") {
     const Tangle tangle(1, 40, 200);
     std::multiset<std::uint32_t> seen;
     for (std::size_t i = 0; i < tangle.graph.block_count(); ++i) {
@@ -94,7 +94,7 @@ TEST_CASE("every touching contact has one lane, and no block names a dynamic bod
     CHECK(tangle.graph.color_count() <= 24);
 }
 
-TEST_CASE("contacts of a body with more of them than colours are solved alone") {
+TEST_CASE("contacts without a colour are solved in blocks of their own") {
     BodyStore bodies;
     const BodyId hub = add_body(bodies, BodyType::dynamic_body, {}, 1.0f, 1.0f);
     std::vector<Contact> contacts;
@@ -146,9 +146,9 @@ TEST_CASE("a soft contact gets the impulse of the closed form") {
     CHECK(bodies.solver_bodies[1].velocity.y == doctest::Approx(-0.5 + impulse / 2.0).epsilon(1e-5));
 }
 
-// As above without a bias: of its impulse x0 a contact keeps 1 - p a3, a3 = 1 / (1 + a2), with a part p of 0.5 of what
-// it carried into the step, and of 4 of what has come since.
-TEST_CASE("a soft contact takes back less of what it carried and more of what is new") {
+// As above without a bias: a contact keeps the part 1 - p a3 of its impulse, a3 = 1 / (1 + a2), with p = 0.5 for the
+// impulse at the start of the step and p = 4 for the impulse added since.
+TEST_CASE("a soft contact takes back less of its carried impulse and more of its fresh one") {
     const double omega = 2.0 * kPi * 60.0, h = 1.0 / 240.0;
     const double a2 = h * omega * (2.0 * 10.0 + h * omega), a3 = 1.0 / (1.0 + a2), before = 3.0;
     for (const bool is_carried : {true, false}) {

@@ -1,4 +1,4 @@
-// The small parts of a step: softness, rotations, recycling, ids.
+// Small parts of a step: softness, rotations, recycling, ids.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -22,12 +22,12 @@ TEST_CASE("softness is the implicit damped spring") {
     CHECK(soft.mass_scale + soft.impulse_scale == doctest::Approx(1.0));
 }
 
-TEST_CASE("softness gives way to the sub-step") {
+TEST_CASE("the frequency of softness is limited by the sub-step") {
     CHECK(contact_softness({}, 1.0f / 60.0f).bias_rate == make_softness(7.5f, 10.0f, 1.0f / 60.0f).bias_rate);
     CHECK(joint_softness({}, 1.0f / 60.0f).bias_rate == make_softness(15.0f, 2.0f, 1.0f / 60.0f).bias_rate);
 }
 
-TEST_CASE("a small rotation has unit length and the angle asked for") {
+TEST_CASE("a small rotation has unit length and the given angle") {
     for (const double wanted : {1e-6, 0.01, -0.05, 0.2}) {
         const Rotation q = small_rotation(static_cast<float>(wanted));
         CHECK(std::abs(double{q.c} * q.c + double{q.s} * q.s - 1.0) < 2e-7);
@@ -74,7 +74,7 @@ TEST_CASE("a recycled manifold moves with the bodies") {
     CHECK(manifold.normal.x == doctest::Approx(-std::sin(1.0)));
 }
 
-TEST_CASE("a manifold is not recycled beyond the tolerance, nor before it is known") {
+TEST_CASE("a manifold is not recycled beyond the tolerance, nor without a reference") {
     ManifoldReference reference;
     Manifold manifold;
     CHECK_FALSE(recycle(reference, {}, {}, 1.0f, 1.0f, 1e-3f, manifold));
@@ -84,7 +84,7 @@ TEST_CASE("a manifold is not recycled beyond the tolerance, nor before it is kno
     CHECK_FALSE(recycle(reference, {}, {{}, make_rotation(0.0011)}, 1.0f, 1.0f, 1e-3f, manifold));
     // Half a turn has no sine, and is a large motion all the same.
     CHECK_FALSE(recycle(reference, {}, {{}, {-1.0f, 0.0f}}, 1.0f, 1.0f, 1e-3f, manifold));
-    // The smaller of two bodies decides how far turning carries its points.
+    // The smaller of the two reaches bounds the displacement by a rotation.
     CHECK(recycle(reference, {}, {{}, make_rotation(0.001)}, 1000.0f, 0.5f, 1e-3f, manifold));
 }
 

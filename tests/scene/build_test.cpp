@@ -67,7 +67,7 @@ TEST_CASE("sleep, bullets, filters and sensors arrive") {
     CHECK_FALSE(world.is_sensor(shapes[1]));
     CHECK(world.filter(shapes[0]) == CollisionFilter{});
     CHECK(world.filter(shapes[1]) == CollisionFilter{4, 6, -2});
-    CHECK(may_meet(world.filter(shapes[2]), CollisionFilter{}));
+    CHECK(may_touch(world.filter(shapes[2]), CollisionFilter{}));
     CHECK(world.mass(built.bodies[0].id).mass == doctest::Approx(2.0 * kPi));
 }
 

@@ -85,7 +85,7 @@ TEST_CASE("no two bodies of a shipped scene that meet overlap at the start") {
             for (std::size_t j = i + 1; j < parts.size() && parts[j].box.lower.x <= parts[i].box.upper.x; ++j) {
                 const Part &a = parts[i], &b = parts[j];
                 if (a.body == b.body || !(a.movable || b.movable) || !overlaps(a.box, b.box)) continue;
-                if (!may_meet(a.filter, b.filter)) continue;
+                if (!may_touch(a.filter, b.filter)) continue;
                 if (jointed.contains(std::minmax(a.body, b.body))) continue;
                 ++compared;
                 // A rotation of two floats turns a point by up to 1e-7 of its distance from the origin.

@@ -196,12 +196,12 @@ TEST_CASE("a sensor has no mass, notices kinematic bodies, and keeps who sleeps 
 
 TEST_CASE("filters: categories must know each other, groups have the last word") {
     const CollisionFilter all{}, red{2, 1, 0}, blue{4, ~std::uint64_t{0}, 0};
-    CHECK(may_meet(all, red));
-    CHECK_FALSE(may_meet(red, blue));
-    CHECK(may_meet(all, blue));
-    CHECK_FALSE(may_meet({1, 1, -3}, {1, 1, -3}));
-    CHECK(may_meet({1, 0, 5}, {1, 0, 5}));
-    CHECK_FALSE(may_meet({1, 0, 5}, {1, 0, 6}));
+    CHECK(may_touch(all, red));
+    CHECK_FALSE(may_touch(red, blue));
+    CHECK(may_touch(all, blue));
+    CHECK_FALSE(may_touch({1, 1, -3}, {1, 1, -3}));
+    CHECK(may_touch({1, 0, 5}, {1, 0, 5}));
+    CHECK_FALSE(may_touch({1, 0, 5}, {1, 0, 6}));
     World world = weightless();
     const BodyId a = add_filtered(world, {}, red), b = add_filtered(world, {0.5, 0.0}, blue);
     const BodyId c = add_filtered(world, {1.0, 0.0}, all);

@@ -48,7 +48,7 @@ template <class Visitor>
 void for_each_seen(const World& world, const QueryFilter& filter, Visitor&& visit) {
     for (const BodyId body : world.bodies())
         for (const ShapeId id : world.shapes(body))
-            if ((filter.sensors || !world.is_sensor(id)) && may_meet(filter.shape, world.filter(id)) &&
+            if ((filter.sensors || !world.is_sensor(id)) && may_touch(filter.shape, world.filter(id)) &&
                 body != filter.except)
                 visit(world.shape(id), world.state(body).pose, id);
 }

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 namespace {
 
-// 1 / x, and 0 of 0. What is too light for a finite inverse acts as the lightest that has one.
+// 1 / x, and 0 for 0. A value too small for a finite inverse has the largest finite one.
 float inverse_of(float x) { return x > 0.0f ? 1.0f / std::max(x, std::numeric_limits<float>::min()) : 0.0f; }
 
 }  // namespace
@@ -18,6 +20,8 @@ BodyId BodyStore::create(const BodyDef& def) {
         frames.emplace_back();
         records.emplace_back();
     }
+    TUMBLE_CHECK(frames.size() == records.size());
+    TUMBLE_CHECK(id.index < frames.size());
     BodyFrame& frame = frames[id.index];
     frame = BodyFrame{};
     frame.pose = def.pose;
@@ -37,8 +41,9 @@ BodyId BodyStore::create(const BodyDef& def) {
     return id;
 }
 
-// Gives a body that is not among the solver bodies the type that it is simulated as.
+// Gives a body without a solver body the type that it is simulated as.
 void BodyStore::place(std::uint32_t body, BodyType type, Vec2 velocity, float angular_velocity) {
+    TUMBLE_CHECK(frames[body].solver_body == kStaticSolverBody);
     frames[body].type = type;
     std::uint32_t& flags = records[body].flags;
     flags = type == BodyType::dynamic_body ? flags | kDynamicBody : flags & ~kDynamicBody;
@@ -46,6 +51,7 @@ void BodyStore::place(std::uint32_t body, BodyType type, Vec2 velocity, float an
 }
 
 void BodyStore::set_type(std::uint32_t body, BodyType type) {
+    TUMBLE_CHECK(body < records.size());
     records[body].type = type;
     if (!records[body].is_enabled) return;
     const SolverBody old = solver_bodies[frames[body].solver_body];
@@ -54,24 +60,27 @@ void BodyStore::set_type(std::uint32_t body, BodyType type) {
 }
 
 void BodyStore::set_enabled(std::uint32_t body, bool enabled) {
+    TUMBLE_CHECK(body < records.size());
     records[body].is_enabled = enabled;
     if (frames[body].solver_body != kStaticSolverBody) remove_solver_body(body);
     place(body, enabled ? records[body].type : BodyType::static_body, {}, 0.0f);
 }
 
 void BodyStore::set_flag(std::uint32_t body, BodyFlag flag, bool value) {
+    TUMBLE_CHECK(body < records.size());
     std::uint32_t& flags = records[body].flags;
     flags = value ? flags | flag : flags & ~flag;
     apply_flags(body);
 }
 
-// Locks act on dynamic bodies alone.
+// Locks act on dynamic bodies only.
 void BodyStore::apply_flags(std::uint32_t body) {
     constexpr std::uint32_t kLocks = kLockX | kLockY | kLockRotation;
     const std::uint32_t flags = is_dynamic(body) ? records[body].flags : records[body].flags & ~kLocks;
     frames[body].locks_x = (flags & kLockX) != 0;
     frames[body].locks_y = (flags & kLockY) != 0;
     if (frames[body].solver_body == kStaticSolverBody) return;
+    TUMBLE_CHECK(moving[frames[body].solver_body].body == body);
     SolverBody& solved = solver_bodies[frames[body].solver_body];
     solved.flags = flags;
     solved.velocity = allowed(flags, solved.velocity);
@@ -79,11 +88,14 @@ void BodyStore::apply_flags(std::uint32_t body) {
 }
 
 void BodyStore::set_motion(std::uint32_t body, const BodyMotion& motion) {
+    TUMBLE_CHECK(motion.linear_damping >= 0.0f);
+    TUMBLE_CHECK(motion.angular_damping >= 0.0f);
     records[body].motion = motion;
     if (frames[body].solver_body != kStaticSolverBody) moving[frames[body].solver_body].motion = motion;
 }
 
 void BodyStore::set_pose(std::uint32_t body, const Pose& pose) {
+    TUMBLE_CHECK(body < frames.size());
     BodyFrame& frame = frames[body];
     frame.pose = pose;
     frame.center_offset = rotate(pose.rotation, records[body].mass.center);
@@ -91,6 +103,8 @@ void BodyStore::set_pose(std::uint32_t body, const Pose& pose) {
 }
 
 void BodyStore::add_solver_body(std::uint32_t body, Vec2 velocity, float angular_velocity) {
+    TUMBLE_CHECK(frames[body].solver_body == kStaticSolverBody);
+    TUMBLE_CHECK(solver_bodies.size() == moving.size());
     frames[body].solver_body = static_cast<std::uint32_t>(solver_bodies.size());
     SolverBody added;
     added.velocity = velocity;
@@ -106,6 +120,9 @@ void BodyStore::add_solver_body(std::uint32_t body, Vec2 velocity, float angular
 
 void BodyStore::remove_solver_body(std::uint32_t body) {
     const std::uint32_t gap = frames[body].solver_body;
+    TUMBLE_CHECK(gap != kStaticSolverBody);
+    TUMBLE_CHECK(gap < solver_bodies.size());
+    TUMBLE_CHECK(moving[gap].body == body);
     solver_bodies[gap] = solver_bodies.back();
     moving[gap] = moving.back();
     frames[moving[gap].body].solver_body = gap;
@@ -113,20 +130,30 @@ void BodyStore::remove_solver_body(std::uint32_t body) {
     moving.pop_back();
     frames[body].solver_body = kStaticSolverBody;
     awake_dynamic_count_ -= is_dynamic(body);
+    TUMBLE_CHECK(awake_dynamic_count_ >= 0);
 }
 
-void BodyStore::put_to_sleep(std::uint32_t body) { remove_solver_body(body); }
+void BodyStore::put_to_sleep(std::uint32_t body) {
+    TUMBLE_CHECK(is_dynamic(body));
+    remove_solver_body(body);
+}
 
-void BodyStore::wake(std::uint32_t body) { add_solver_body(body, {}, 0.0f); }
+void BodyStore::wake(std::uint32_t body) {
+    TUMBLE_CHECK(is_asleep(body));
+    add_solver_body(body, {}, 0.0f);
+}
 
 bool BodyStore::is_active(std::uint32_t body) const {
     const std::uint32_t index = frames[body].solver_body;
     if (index == kStaticSolverBody) return false;
+    TUMBLE_CHECK(index < solver_bodies.size());
     const SolverBody& moved = solver_bodies[index];
     return is_dynamic(body) || moved.velocity != Vec2{} || moved.angular_velocity != 0.0f;
 }
 
 void BodyStore::destroy(BodyId id) {
+    TUMBLE_CHECK(ids.is_live(id));
+    TUMBLE_CHECK(records[id.index].joints.empty());
     if (frames[id.index].solver_body != kStaticSolverBody) remove_solver_body(id.index);
     frames[id.index] = BodyFrame{};
     records[id.index] = BodyRecord{};
@@ -135,6 +162,8 @@ void BodyStore::destroy(BodyId id) {
 }
 
 void BodyStore::set_mass(BodyId id, const BodyMass& mass, float reach, float smallest_extent) {
+    TUMBLE_CHECK((mass.mass > 0.0f) == is_dynamic(id.index));
+    TUMBLE_CHECK(reach >= 0.0f);
     BodyFrame& frame = frames[id.index];
     records[id.index].mass = mass;
     records[id.index].motion.reach = reach;

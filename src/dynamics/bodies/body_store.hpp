@@ -1,5 +1,5 @@
-// Bodies: what the narrow phase and the solver's preparation read of each (one cache line), the hot solver bodies of
-// those that are awake and may move, and the rest, which only creation, destruction and sleep touch.
+// Bodies in three arrays by how often they are read: frames (one cache line each, for the narrow phase and the
+// preparation of constraints), solver bodies (only of bodies that may move in this step), and records (the rest).
 #pragma once
 
 #include <cstdint>
@@ -12,58 +12,58 @@
 
 namespace tumble {
 
-// Where a body is, and how heavy. By body index.
+// The pose and inverse mass of a body. By body index.
 struct alignas(64) BodyFrame {
     Pose pose;              // of the body's origin
     DVec2 center;           // centre of mass, world
     Vec2 center_offset;     // centre of mass from the origin, world axes
     float inv_mass = 0.0f;  // 0 if not dynamic
     float inv_inertia = 0.0f;
-    std::uint32_t solver_body = kStaticSolverBody;  // the static one if asleep
-    BodyType type = BodyType::static_body;          // as it is simulated: static if disabled
+    std::uint32_t solver_body = kStaticSolverBody;  // index; the static one if asleep
+    BodyType type = BodyType::static_body;          // as simulated: static if disabled
     bool locks_x = false;
     bool locks_y = false;
 
-    // What a unit impulse along each axis does to the velocity.
+    // The change of velocity per unit impulse along each world axis.
     Vec2 inv_masses() const { return {locks_x ? 0.0f : inv_mass, locks_y ? 0.0f : inv_mass}; }
 };
 static_assert(sizeof(BodyFrame) == 64);
 
-// How a body moves, as its definition says; what it has no say in is derived.
+// Parameters of a body's motion: from its definition, apart from the two lengths, which follow from its shapes.
 struct BodyMotion {
     float gravity_scale = 1.0f;
     float linear_damping = 0.0f;   // 1/s
     float angular_damping = 0.0f;  // 1/s
-    float reach = 0.0f;            // of the farthest point of its shapes from the centre of mass, m
-    float smallest_extent = 0.0f;  // of its shapes, m
+    float reach = 0.0f;            // distance of the farthest point of its shapes from the centre of mass, m
+    float smallest_extent = 0.0f;  // of its shapes that are not sensors, m; infinite if there are none
     bool allow_sleep = true;
 };
 
 inline constexpr std::uint32_t kNoIsland = 0xffffffffu;
 
-// What else is known of a body. By body index.
+// All other data of a body. By body index.
 struct BodyRecord {
     BodyMass mass;
-    std::optional<BodyMass> own_mass;       // in place of that of its shapes
+    std::optional<BodyMass> own_mass;       // replaces the mass of its shapes
     BodyType type = BodyType::static_body;  // as defined, disabled or not
     bool is_enabled = true;
     BodyMotion motion;
     std::uint32_t flags = 0;           // BodyFlag
-    std::uint32_t island = kNoIsland;  // the sleeping island that holds it
-    std::vector<ShapeId> shapes;       // in the order they were added
+    std::uint32_t island = kNoIsland;  // the sleeping island that it belongs to
+    std::vector<ShapeId> shapes;       // in order of creation
     std::vector<JointId> joints;       // in order of creation
 };
 
-// What the integrator needs of a moving body beside its SolverBody. By solver body.
+// What the integrator reads of a moving body beside its SolverBody. By solver body.
 struct MovingBody {
     std::uint32_t body = 0;  // index
     BodyMotion motion;
-    float still_time = 0.0f;  // for how long it has been slow enough to sleep, s
-    // By the forces of the next step.
+    float still_time = 0.0f;  // how long it has been slow enough to sleep, s
+    // From the forces and torques applied since the last step; they act during the next one.
     Vec2 acceleration;                  // m/s^2
     float angular_acceleration = 0.0f;  // rad/s^2
 
-    // Of the centre of mass, as long as nothing is in its way.
+    // Acceleration of the centre of mass without constraints, m/s^2.
     Vec2 free_acceleration(Vec2 gravity) const { return motion.gravity_scale * gravity + acceleration; }
 };
 
@@ -72,21 +72,21 @@ public:
     BodyStore() : solver_bodies(1), moving(1) {}
 
     BodyId create(const BodyDef& def);
-    void destroy(BodyId id);  // its shapes and joints are gone already
+    void destroy(BodyId id);  // after its shapes and joints
 
-    // Mass, centre of mass and inertia from the sum of the body's shapes. The origin stays where it is, and the
-    // velocity of every material point as it was. Reach and smallest extent are those of BodyMotion.
+    // Sets mass, centre of mass and inertia; all zero if the body is not dynamic. The pose of the origin and the
+    // velocity of every material point stay the same. `reach` and `smallest_extent` are those of BodyMotion.
     void set_mass(BodyId id, const BodyMass& mass, float reach, float smallest_extent);
 
-    // Changes what only creation could: keeps the velocity as far as type and locks allow. The mass is to be set anew.
+    // Each keeps the velocity as far as type and locks allow. After set_type, set_enabled and a change of locks the
+    // caller sets the mass again.
     void set_type(std::uint32_t body, BodyType type);
     void set_enabled(std::uint32_t body, bool enabled);
     void set_flag(std::uint32_t body, BodyFlag flag, bool value);
     void set_motion(std::uint32_t body, const BodyMotion& motion);
     void set_pose(std::uint32_t body, const Pose& pose);
 
-    // A dynamic body leaves or joins the solver bodies; asleep it is at rest. Whose island it is in is the caller's
-    // to keep.
+    // A dynamic body leaves the solver bodies, or joins them at rest. The caller updates its island.
     void put_to_sleep(std::uint32_t body);
     void wake(std::uint32_t body);
 
@@ -94,9 +94,9 @@ public:
     bool is_asleep(std::uint32_t body) const {
         return is_dynamic(body) && frames[body].solver_body == kStaticSolverBody;
     }
-    // True if it is among the solver bodies and can push others: dynamic and awake, or kinematic and moving.
+    // True if the body can push others in this step: dynamic and awake, or kinematic and moving.
     bool is_active(std::uint32_t body) const;
-    // Of the one that has fewer: the ground may have thousands.
+    // The joints of the body that has fewer: the ground may have thousands.
     const std::vector<JointId>& fewer_joints(std::uint32_t body_a, std::uint32_t body_b) const {
         const std::vector<JointId>&a = records[body_a].joints, &b = records[body_b].joints;
         return a.size() < b.size() ? a : b;
@@ -106,7 +106,7 @@ public:
     IdPool<BodyId> ids;
     std::vector<BodyFrame> frames;          // by body index
     std::vector<BodyRecord> records;        // by body index
-    std::vector<SolverBody> solver_bodies;  // [0] is the static one; the others move
+    std::vector<SolverBody> solver_bodies;  // [0] is the static one
     std::vector<MovingBody> moving;         // by solver body; [0] unused
 
     template <class Self, class Visitor>

@@ -1,110 +1,112 @@
-// Every tuning constant of the stepper, with unit, reason, and what breaks if it changes.
+// Every tuning constant of the stepper, with unit, reason, and the effect of a change.
 //
-// The values are those that today's soft-step engines agree on (Box2D 3.x, Rapier), so that scenes behave alike;
-// lengths are relative to the shapes, so that a 2 cm ball does not touch at a 2 cm gap. Those in m, m/s, Hz and s are
-// for things of 1 m: a world of another scale has the values of its Tuning.
+// The values are those on which soft-step engines agree (Box2D 3.x, Rapier), so that scenes behave alike. Lengths are
+// limited by the shapes, so that a 2 cm ball does not touch at a 2 cm gap. Values in m, m/s, Hz and s are for bodies of
+// 1 m; a world of another scale uses its Tuning. ../SOFTNESS.md derives the limits of frequencies.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "tumble/math.hpp"
 
 namespace tumble {
 
-// Contact softness, Hz and damping ratio. Stiff enough to hide the sag F / (m w^2), soft enough for the sub-step: the
-// frequency is further limited to kContactHertzPerSubstep / h. Higher: stacks jitter. Lower: they sink visibly.
+// Contact softness, Hz and damping ratio. Stiff enough to hide the sag F / (m w^2), soft enough for the sub-step h: the
+// frequency is also limited to kContactHertzPerSubstep / h. Higher: stacks jitter. Lower: they sink visibly.
 inline constexpr float kContactHertz = 30.0f;
 inline constexpr float kContactDampingRatio = 10.0f;
 inline constexpr float kContactHertzPerSubstep = 0.125f;
 
-// Of the part of an impulse that a soft contact takes back in a sub-step, how much of it acts on what the contact bore
-// when the step began, and on what has come since. The first is the sag, F / (m w^2) times this part: 1 is the plain
-// spring, where 20 boxes sink by 135 mm. The second is what keeps piles from bouncing: an impact of several boxes is
-// passed on in impulses too large, which fade.
+// A soft contact takes back a part of its impulse in each sub-step. These factors scale that part: kCarriedSoftness for
+// the impulse that the contact had when the step began, kFreshSoftness for the impulse added since. A factor of 1 is
+// the plain spring, with which 20 stacked boxes sag by 135 mm: the sag is F / (m w^2) times the carried factor. The
+// fresh factor keeps piles from bouncing, as the impulses of an impact of several bodies are too large at first, and
+// fade.
 //
-// Lower: 0.35 never comes to rest in a pyramid of 100 rows, 0.25 flies apart, and 0 shakes a stack of 20. Impulses and
-// velocities of a tall pile make a wave, whose stiffness m for slow motion is about 1.75 m / h^2 as one pass over the
-// contacts gives it; springs must stay softer, and (w h)^2 / part is 1.23. Load averaged over steps (5 to 30 % a step)
-// bounces less by itself and rocks large piles more. A higher frequency sags and rocks alike, and bounces more.
-// Faster fading than 4: bodies sink in more at impacts and rocking grows.
+// Carried lower: at 0.35 a pyramid of 100 rows never comes to rest, at 0.25 it flies apart, at 0 a stack of 20 shakes.
+// Fresh higher than 4: bodies sink in deeper at impacts and piles rock more. See ../SOFTNESS.md, section 3.
 inline constexpr float kCarriedSoftness = 0.5f;
 inline constexpr float kFreshSoftness = 4.0f;
 
-// Against a static body contacts are this much stiffer: it cannot give way, so that there is no risk of jitter.
+// Contacts with a static or kinematic body are stiffer by this factor: such a body cannot move, so they do not jitter.
 inline constexpr float kStaticStiffening = 2.0f;
 
-// The fastest that overlap is pushed out, m/s. Higher: bodies created inside each other explode. Lower: a fast impact
-// stays visibly sunk in for several steps.
+// Speed limit for removing overlap, m/s. Higher: bodies created inside each other explode. Lower: a body stays visibly
+// sunk in for several steps after a fast impact.
 inline constexpr float kPushOutSpeed = 3.0f;
 
-// Joint softness. Higher than contacts, as joints are never to open visibly; over 0.25 / h it would not be stable.
+// Joint softness, Hz and damping ratio. Stiffer than contacts, because joints must not open visibly; above 0.25 / h it
+// is not stable.
 inline constexpr float kJointHertz = 60.0f;
 inline constexpr float kJointDampingRatio = 2.0f;
 inline constexpr float kJointHertzPerSubstep = 0.25f;
 
-// Springs of joints: no stiffer than this / h, just under 1 / (2 pi). An implicit spring is stable on the mass that it
-// was made for. What else holds the bodies makes them heavier, and then the impulse of the last sub-step lags behind by
-// h (w h) a1 (see softness.hpp): of the damping a1 w there remains a1 w (1 - (w h)^2). Higher: a row of boards welded
-// by springs of 60 Hz shakes itself to pieces.
+// The highest frequency of a joint's spring, times h: just under 1 / (2 pi). Beyond, a spring whose bodies are also
+// constrained by others is not damped (../SOFTNESS.md, section 2). Higher: a row of boards welded by springs of 60 Hz
+// shakes itself to pieces.
 inline constexpr float kSpringHertzPerSubstep = 0.15f;
 
-// Approach speed below which a contact does not bounce, m/s. Lower: resting bodies hop for ever, as one sub-step of
-// gravity is read as an approach. Higher: slow bounces stick.
+// Approach speed below which a contact does not bounce, m/s. Lower: resting bodies keep hopping, because the speed that
+// gravity adds in one sub-step counts as an approach. Higher: slow bounces stick.
 inline constexpr float kRestitutionThreshold = 1.0f;
 
-// Approach speed from which a meeting is a hit, m/s. Lower: what rests and rocks is heard. Higher: what falls by 5 cm
-// is not.
+// Approach speed from which an impact is reported as a hit, m/s. Lower: bodies that rock at rest report hits. Higher: a
+// fall of 5 cm does not.
 inline constexpr float kHitSpeed = 1.0f;
 
-// Contacts begin at this gap (m; part of the smaller extent): bodies are stopped before they touch, not pushed out
-// afterwards. Larger: ghost contacts at corners that would be missed. Smaller: impacts sink in first.
+// Contacts begin at this gap (m; part of the smaller extent), so that the solver stops bodies before they overlap.
+// Larger: ghost contacts at corners that the shapes would miss. Smaller: bodies sink in at impacts.
 inline constexpr float kSpeculativeDistance = 0.02f;
 inline constexpr float kSpeculativePart = 0.1f;
 
-// A contact is recycled while its shapes have moved against each other by less than this part of the speculative
-// distance: 0.5 mm at human scale. Larger: contact points lag behind the shapes. Smaller: more full collisions.
+// A manifold is recycled while the relative displacement of its shapes is less than this part of the speculative
+// distance: 0.5 mm for bodies of 1 m. Larger: contact points lag behind the shapes. Smaller: more full collisions.
 inline constexpr float kRecyclingPart = 0.025f;
 
-// How much larger a box in the tree is than its shape (m; part of the smaller extent). Larger: more pairs to look at.
-// Smaller: the tree is updated more often.
+// The margin of a box in the tree around its shape (m; part of the smaller extent). Larger: more pairs to collide.
+// Smaller: more updates of the tree.
 inline constexpr float kAabbMargin = 0.05f;
 inline constexpr float kAabbMarginPart = 0.125f;
 
-// An island falls asleep when no point of it has moved faster than this (m/s) for this long (s). Faster: what creeps
-// is frozen in mid-air. Slower, or longer: settled piles go on costing time.
+// An island falls asleep when none of its points has moved faster than this (m/s) for this long (s). Faster: creeping
+// bodies freeze in mid-air. Slower, or longer: settled piles keep costing time.
 inline constexpr float kSleepSpeed = 0.05f;
 inline constexpr float kTimeToSleep = 0.5f;
 
-// Speed limit, m/s: 6.7 m in a step at 60 Hz. Beyond, float deltas and the tree lose their meaning.
+// Speed limit, m/s: 6.7 m in a step at 60 Hz. Beyond it float deltas lose their precision.
 inline constexpr float kMaxSpeed = 400.0f;
 
-// Continuous collision looks at bodies that move by more than this part of their smallest extent in a step: who moves
-// less overlaps visibly at most, and is pushed back. Smaller: more sweeps. Larger: thin things are passed.
+// Continuous collision sweeps bodies that move by more than this part of their smallest extent in a step. A body that
+// moves less can overlap visibly, but is pushed out on the side it came from. Smaller: more sweeps. Larger: bodies pass
+// through thin ones.
 inline constexpr float kContinuousPart = 0.5f;
 
-// The part of a shape that must not pass: the rest may sink in and is pushed out. Larger: sliding over seams stops.
-// Smaller: deeper overlap. The inner parts are for shapes that have sunk in deeper already: they go no further.
+// The core of a shape, as a part of its size, that continuous collision keeps out of other shapes; the solver pushes
+// the rest out. Larger: bodies stop when they slide over seams. Smaller: deeper overlap. The smaller cores apply to
+// shapes whose larger ones overlap already: they sink in no farther.
 inline constexpr float kContinuousCores[] = {0.75f, 0.5f, 0.25f, 0.0f};
 
-// Rotation limit a step, rad: an eighth of a turn. More breaks the linearisation of contacts within the step, and
-// continuous collision. A body may be allowed more (wheels, projectiles: round things), up to half a turn a sub-step:
-// beyond, nothing in the step tells which way it turned.
+// Rotation limit per step, rad: an eighth of a turn. More breaks the linearisation of contacts within the step, and
+// continuous collision. Bodies with kFastSpin (wheels, projectiles: round ones) may turn up to half a turn per
+// sub-step; beyond that the direction of the rotation is ambiguous.
 inline constexpr float kMaxRotation = static_cast<float>(0.25 * kPi);
 inline constexpr float kMaxFastRotation = static_cast<float>(kPi);
 
-// Bodies that are locked along an axis are at a dead point where they give way by less than this part of what they
-// would without the lock: pushed within 6 degrees of the locked axis. Smaller: such pushes throw them aside. Larger:
-// they are held less.
+// Of bodies locked along an axis: a contact row whose response is below this part of the response without the lock is
+// not solved. That is a push within 6 degrees of the locked axis. Smaller: such pushes give large speeds across the
+// axis. Larger: contacts near the axis stop working.
 inline constexpr float kDeadPoint = 0.01f;
 
-// Colours of the constraint graph: those of contacts between moving bodies, and of contacts with one that is not
-// dynamic. The latter are solved last in each pass, which makes the ground win. Together at most 24: with more, the
-// last colours hold too few contacts to fill lanes. What finds no colour is solved alone in a lane group.
+// Colours of the constraint graph: for contacts between dynamic bodies, and for contacts with a static or kinematic
+// one. The latter are solved last in each pass, so that the ground wins. Together at most 24: the last of more colours
+// have too few contacts to fill lanes. A contact without a colour has a block of its own.
 inline constexpr int kDynamicColors = 16;
 inline constexpr int kStaticColors = 8;
 
-// The constants of a world whose typical body is `scale` m large. Under the same gravity, lengths s take times sqrt(s).
+// The constants of a world whose typical body has the size `scale` (m). Under the same gravity a length s takes a time
+// sqrt(s).
 struct Tuning {
     float max_speculative_distance = kSpeculativeDistance;
     float max_aabb_margin = kAabbMargin;
@@ -126,6 +128,7 @@ struct Tuning {
 };
 
 inline Tuning make_tuning(float scale) {
+    TUMBLE_CHECK(scale > 0.0f);
     const float root = std::sqrt(scale), inverse = 1.0f / root;
     return {.max_speculative_distance = scale * kSpeculativeDistance,
             .max_aabb_margin = scale * kAabbMargin,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 namespace {
@@ -25,6 +27,7 @@ std::uint32_t find_diverged(const BodyStore& bodies) {
     std::uint32_t first = kNoBody;
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
         const SolverBody& body = bodies.solver_bodies[i];
+        TUMBLE_CHECK(bodies.moving[i].body < bodies.frames.size());
         const BodyFrame& frame = bodies.frames[bodies.moving[i].body];
         const bool finite = is_finite(body.velocity) && std::isfinite(body.angular_velocity) &&
                             is_finite(frame.center) && std::isfinite(frame.pose.rotation.c + frame.pose.rotation.s);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 namespace {
@@ -18,6 +20,11 @@ ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def) {
     if (id.index == records_.size()) records_.emplace_back();
     const float smaller = extent(def.shape).smaller;
     const float reach = farthest_distance(def.shape, {});
+    TUMBLE_CHECK(id.index < records_.size());
+    TUMBLE_CHECK(!records_[id.index].is_live);
+    TUMBLE_CHECK(smaller >= 0.0f);
+    TUMBLE_CHECK(reach >= 0.0f);
+
     records_[id.index] = {def.shape, def.material, def.filter, body, smaller, reach, def.sensor, true, false, def.link};
     return id;
 }
@@ -33,6 +40,8 @@ ProxyLayer layer_of(const ShapeRecord& shape, BodyType body) {
 
 void ShapeStore::place(std::uint32_t shape, const BodyFrame& frame, const Tuning& tuning, BroadPhase& broad) {
     ShapeRecord& record = records_[shape];
+    TUMBLE_CHECK(record.is_live);
+    TUMBLE_CHECK(!record.is_placed);
     record.is_placed = true;
     const ProxyLayer layer = layer_of(record, frame.type);
     const Aabb box = bounds(record.shape, frame.pose);
@@ -46,6 +55,7 @@ void ShapeStore::displace(std::uint32_t shape, BroadPhase& broad) {
 }
 
 void ShapeStore::destroy(ShapeId id, BroadPhase& broad) {
+    TUMBLE_CHECK(ids.is_live(id));
     displace(id.index, broad);
     records_[id.index] = ShapeRecord{};
     ids.release(id);
@@ -53,13 +63,17 @@ void ShapeStore::destroy(ShapeId id, BroadPhase& broad) {
 }
 
 void ShapeStore::forget_destroyed() {
-    for (const std::uint32_t index : destroyed_) ids.recycle(index);
+    for (const std::uint32_t index : destroyed_) {
+        TUMBLE_CHECK(!records_[index].is_live);
+        ids.recycle(index);
+    }
     destroyed_.clear();
 }
 
 void ShapeStore::update_proxy(std::uint32_t shape, const Pose& world_from_body, const Tuning& tuning,
                               BroadPhase& broad) const {
     const ShapeRecord& record = records_[shape];
+    TUMBLE_CHECK(record.is_placed);
     const Aabb box = bounds(record.shape, world_from_body);
     if (!contains(broad.box(shape), box)) broad.move(shape, enlarged(box, tuning.aabb_margin(record.smaller_extent)));
 }
@@ -69,6 +83,7 @@ BodyMass body_mass(const std::vector<ShapeId>& shapes, const ShapeStore& store) 
     DVec2 moment;
     for (const ShapeId id : shapes) {
         const ShapeRecord& record = store[id.index];
+        TUMBLE_CHECK(record.is_live);
         if (record.is_sensor) continue;
         const MassProperties part = mass_properties(record.shape);
         const double part_mass = static_cast<double>(record.material.density) * part.area;
@@ -77,7 +92,7 @@ BodyMass body_mass(const std::vector<ShapeId>& shapes, const ShapeStore& store) 
         moment += part_mass * center;
         inertia += static_cast<double>(record.material.density) * part.inertia + part_mass * length_sq(center);
     }
-    // A mass between these has an inverse that is neither 0 nor infinite.
+    // The inverse of a mass between these is neither 0 nor infinite.
     constexpr double kLightest = std::numeric_limits<float>::min(), kHeaviest = std::numeric_limits<float>::max();
     if (!(mass >= kLightest)) return {1.0f, {}, 0.0f};
     const DVec2 center = (1.0 / mass) * moment;

@@ -1,4 +1,4 @@
-// Shapes on bodies, and their proxies in the broad phase: a shape's index is its key there.
+// The shapes of bodies and their proxies in the broad phase, where a shape's index is its key.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "broad/broad_phase.hpp"
+#include "debug/check.hpp"
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/id_pool.hpp"
@@ -20,34 +21,38 @@ struct ShapeRecord {
     CollisionFilter filter;
     std::uint32_t body = 0;       // index
     float smaller_extent = 0.0f;  // m
-    float reach = 0.0f;           // of the farthest point from the body's origin, m
+    float reach = 0.0f;           // distance of the farthest point from the body's origin, m
     bool is_sensor = false;
     bool is_live = false;
-    bool is_placed = false;         // it has a proxy: its body is enabled
-    std::optional<ChainLink> link;  // of a chain's segment
+    bool is_placed = false;         // has a proxy: the body is enabled
+    std::optional<ChainLink> link;  // if the shape is a chain's segment
 };
 
 class ShapeStore {
 public:
-    // Without a proxy.
+    // Creates a shape without a proxy.
     ShapeId create(std::uint32_t body, const ShapeDef& def);
 
-    // A proxy where the body is, and none again. Its layer depends on the body's type, and on whether it is a sensor.
+    // Adds a proxy at the body's pose, and removes it. Its layer follows from the body's type, and from whether the
+    // shape is a sensor. displace() has no effect on a shape without a proxy.
     void place(std::uint32_t shape, const BodyFrame& frame, const Tuning& tuning, BroadPhase& broad);
     void displace(std::uint32_t shape, BroadPhase& broad);
 
     void set_material(std::uint32_t shape, const SurfaceMaterial& material) { records_[shape].material = material; }
     void set_filter(std::uint32_t shape, const CollisionFilter& filter) { records_[shape].filter = filter; }
 
-    // The index is not used again before forget_destroyed(): until then contacts may still name it.
+    // The index is not used again before forget_destroyed(), because contacts may still refer to it.
     void destroy(ShapeId id, BroadPhase& broad);
     bool has_destroyed() const { return !destroyed_.empty(); }
     void forget_destroyed();
 
-    // Follows the body: enlarges the proxy's box if the shape has left it.
+    // Moves the proxy's box, with a new margin, if the shape at the body's pose is not inside it.
     void update_proxy(std::uint32_t shape, const Pose& world_from_body, const Tuning& tuning, BroadPhase& broad) const;
 
-    const ShapeRecord& operator[](std::uint32_t index) const { return records_[index]; }
+    const ShapeRecord& operator[](std::uint32_t index) const {
+        TUMBLE_CHECK(index < records_.size());
+        return records_[index];
+    }
     std::size_t capacity() const { return records_.size(); }
 
     IdPool<ShapeId> ids;
@@ -62,13 +67,13 @@ private:
     std::vector<std::uint32_t> destroyed_;
 };
 
-// The mass of a dynamic body from its shapes: 1 kg that does not turn if they weigh nothing.
+// The mass of a dynamic body from its shapes, sensors apart. If they have none: 1 kg with infinite inertia.
 BodyMass body_mass(const std::vector<ShapeId>& shapes, const ShapeStore& store);
 
-// The distance of the farthest point of the shapes from a point in body coordinates.
+// The distance of the farthest point of the shapes from a point in body coordinates, m.
 float body_reach(Vec2 from, const std::vector<ShapeId>& shapes, const ShapeStore& store);
 
-// The smaller extent of the smallest shape that is no sensor; infinite if there is none.
+// The smallest extent of the shapes that are not sensors, m; infinite if there are none.
 float smallest_extent(const std::vector<ShapeId>& shapes, const ShapeStore& store);
 
 }  // namespace tumble

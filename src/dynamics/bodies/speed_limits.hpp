@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/solver_body.hpp"
 #include "tumble/math.hpp"
 
@@ -18,6 +19,8 @@ struct SpeedLimits {
 // Clamps the velocities of a body. Rotation beyond `spin` is common and only limited; a body beyond `speed` or
 // `fast_spin` gets kClampedBody.
 inline void clamp_speed(SolverBody& body, const SpeedLimits& limits) {
+    TUMBLE_CHECK(limits.speed > 0.0f);
+    TUMBLE_CHECK(limits.spin <= limits.fast_spin);
     const bool is_too_fast = length_sq(body.velocity) > limits.speed * limits.speed;
     if (is_too_fast) body.velocity = (limits.speed / length(body.velocity)) * body.velocity;
     if (is_too_fast || std::abs(body.angular_velocity) > limits.fast_spin) body.flags |= kClampedBody;

@@ -1,17 +1,18 @@
 // The bodies of a contact block while it is solved.
 //
-// Velocities are handled in the contact's frame: the relative normal velocity of the centres of mass and the two
-// angular velocities follow each impulse, and the linear velocities are updated once at the end of a block. Of a body
-// locked along one axis, a normal impulse changes the tangent velocity too: that is seen when the block is loaded
-// again.
+// Velocities are relative and in the contact's frame: each impulse updates the normal and tangent velocity of the
+// centres of mass and the two angular velocities; the linear velocities of the bodies are updated once, at the end of a
+// block. If a body is locked along one axis, a normal impulse changes the tangent velocity too. That change is
+// neglected until the block is loaded again.
 #pragma once
 
+#include "debug/check.hpp"
 #include "dynamics/contacts/contact_block.hpp"
 #include "simd/transpose.hpp"
 
 namespace tumble {
 
-// The bodies of one side of a block.
+// The bodies A, or the bodies B, of a block.
 struct BodyLanes {
     Lanes velocity_x, velocity_y, angular_velocity, flags;
     Lanes delta_x, delta_y, delta_c, delta_s;
@@ -19,17 +20,24 @@ struct BodyLanes {
 
 TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const std::uint32_t index[kLaneCount]) {
     const float* rows[kLaneCount];
-    for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        TUMBLE_CHECK(index[lane] < bodies.size());
+        rows[lane] = &bodies[index[lane]].velocity.x;
+    }
     Lanes f[8];
     gather_rows(rows, f);
     return {f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]};
 }
 
-// Lanes of the static body, and several of one kinematic body, write back what they read: their masses are zero.
+// Several lanes may write the static body, or the same kinematic one: they write back the values that they read,
+// because their inverse masses are zero.
 TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies,
                                              const std::uint32_t index[kLaneCount]) {
     float* rows[kLaneCount];
-    for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = &bodies[index[lane]].velocity.x;
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        TUMBLE_CHECK(index[lane] < bodies.size());
+        rows[lane] = &bodies[index[lane]].velocity.x;
+    }
     const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
     scatter_rows(fields, rows);
 }
@@ -37,9 +45,9 @@ TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<So
 // The two bodies of each lane while their block is solved.
 struct BlockState {
     BodyLanes a, b;
-    Lanes normal_velocity;  // of B's centre against A's
+    Lanes normal_velocity;  // of B's centre relative to A's, m/s
     Lanes tangent_velocity;
-    Lanes normal_impulse;  // applied in this pass, not yet in the linear velocities
+    Lanes normal_impulse;  // applied since load() and not yet in the bodies' linear velocities, N s
     Lanes tangent_impulse;
 };
 
@@ -97,17 +105,18 @@ TUMBLE_LANE_FUNCTION void apply_rolling(const ContactBlock& block, const Lanes& 
     state.b.angular_velocity += block.inv_inertia_b * impulse;
 }
 
-// How far the centres have come nearer along the normal since the start of the step, negative for nearer.
+// The change of the distance of the centres along the normal since the start of the step, m; negative if they approach.
 TUMBLE_LANE_FUNCTION Lanes center_shift(const ContactBlock& block, const BlockState& state) {
     const Lanes x = state.b.delta_x - state.a.delta_x;
     const Lanes y = state.b.delta_y - state.a.delta_y;
     return x * block.normal_x + y * block.normal_y;
 }
 
-// The separation now, from anchors fixed on the bodies: s0 + (dp_B - dp_A + (R(dq_B) - 1) r_B - (R(dq_A) - 1) r_A) . n
+// The present separation of a point, from anchors fixed on the bodies at the start of the step:
+//   s0 + (dp_B - dp_A + (R(dq_B) - 1) r_B - (R(dq_A) - 1) r_A) . n
 //
-// The anchors are those of the cores: the rounding stays between them along the normal while the bodies turn. Anchors
-// on the surface would lift a rolling ball by r (1 - cos) in every step, so that it lost its grip.
+// The anchors are on the cores, and the rounding stays along the normal while the bodies turn. Anchors on the surface
+// would lift a rolling ball by r (1 - cos) in every step, and it would lose its grip.
 TUMBLE_LANE_FUNCTION Lanes current_separation(const ContactBlock& block, const ContactBlockPoint& point,
                                               const Lanes& shift, const BlockState& state) {
     const Lanes one = Lanes::Ones();

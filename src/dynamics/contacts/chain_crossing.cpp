@@ -73,6 +73,7 @@ Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, 
 }
 
 void follow_neighbors(const ChainContacts& chains, Contact& contact) {
+    TUMBLE_CHECK(contact.kind == ContactKind::solid);
     const ChainState found = contact.chain_state;
     if (found == ChainState::apart || (found == ChainState::open && !chains.crossings.any())) return;
     contact.chain_state = agreed_state(found, state_of_neighbors(chains, contact.shapes, &contact));
@@ -82,6 +83,7 @@ void follow_neighbors(const ChainContacts& chains, Contact& contact) {
 }
 
 bool crosses_chain(const ChainContacts& chains, ProxyPair pair) {
+    TUMBLE_CHECK(pair.a < pair.b);
     return chains.crossings.any() && state_of_neighbors(chains, pair, nullptr) == ChainState::crossing;
 }
 

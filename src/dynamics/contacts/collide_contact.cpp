@@ -10,6 +10,8 @@ namespace {
 
 // Matches the points of the old manifold to those of a new one by their features.
 void carry_impulses_over(Contact& contact, const Manifold& manifold) {
+    TUMBLE_CHECK(contact.manifold.point_count <= 2);
+    TUMBLE_CHECK(manifold.point_count <= 2);
     PointImpulse impulses[2];
     for (int i = 0; i < manifold.point_count; ++i)
         for (int old = 0; old < contact.manifold.point_count; ++old)
@@ -25,6 +27,7 @@ int deepest_point(const Manifold& manifold) {
 
 // The deepest point without an impulse, or -1.
 int idle_point(const Contact& contact) {
+    TUMBLE_CHECK(contact.manifold.point_count > 0);
     const int deepest = deepest_point(contact.manifold);
     if (contact.impulses[deepest].normal == 0.0f) return deepest;
     const int other = 1 - deepest;
@@ -53,6 +56,7 @@ void update_touch(Contact& contact, const BodyStore& bodies) {
 
 // The same manifold from B to A.
 Manifold swapped(const Manifold& manifold) {
+    TUMBLE_CHECK(manifold.point_count <= 2);
     Manifold result;
     result.normal = -manifold.normal;
     result.point_count = manifold.point_count;

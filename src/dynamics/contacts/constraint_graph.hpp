@@ -1,14 +1,15 @@
-// Colours of contacts: no two contacts of a colour share a dynamic body, so that eight of them are solved side by side
-// in lanes as if one after the other.
+// Colours of contacts: no two contacts of a colour share a dynamic body, so that solving eight of them side by side in
+// lanes gives the same result as one after the other.
 //
-// Greedy in contact order and made afresh in every step: it costs a few nanoseconds a contact, and the order of
-// solving then depends on the present contacts alone, not on how they came about.
+// The colouring is greedy in the order of contacts, and new in each step. It costs a few nanoseconds per contact, and
+// the order of solving depends on the present contacts only, not on their history.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/contacts/contact.hpp"
@@ -18,7 +19,7 @@ namespace tumble {
 
 class ConstraintGraph {
 public:
-    static constexpr std::uint32_t kNoContact = 0xffffffffu;  // a lane that is not used
+    static constexpr std::uint32_t kNoContact = 0xffffffffu;  // in an unused lane
 
     // Groups the touching contacts into blocks of kLaneCount lanes.
     void build(std::span<const Contact> contacts, const BodyStore& bodies);
@@ -26,9 +27,10 @@ public:
     std::size_t block_count() const { return lanes_.size() / kLaneCount; }
     int color_count() const { return color_count_; }
 
-    // The contacts of a block, by lane. Blocks are in order of solving: without a colour, between moving bodies,
-    // against bodies that are not dynamic.
+    // The contacts of a block, by lane: indices or kNoContact. Blocks are in the order of solving: contacts without a
+    // colour, contacts between dynamic bodies, contacts with a static or kinematic body.
     std::span<const std::uint32_t, kLaneCount> block(std::size_t index) const {
+        TUMBLE_CHECK(index < block_count());
         return std::span<const std::uint32_t, kLaneCount>(lanes_.data() + index * kLaneCount, kLaneCount);
     }
 
@@ -44,9 +46,9 @@ private:
 
     std::uint8_t choose_color(const Contact& contact, const BodyStore& bodies);
 
-    std::vector<std::uint32_t> used_colors_;    // a bit a colour, by solver body
+    std::vector<std::uint32_t> used_colors_;    // by solver body, a bit for each colour
     std::vector<std::uint8_t> contact_colors_;  // by contact
-    std::vector<std::uint32_t> lanes_;          // contact or kNoContact
+    std::vector<std::uint32_t> lanes_;          // index of a contact, or kNoContact
     int color_count_ = 0;
 };
 

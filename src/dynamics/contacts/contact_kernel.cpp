@@ -1,28 +1,31 @@
-// The contact kernel: projected Gauss-Seidel over blocks of eight contacts, soft in the biased pass, rigid otherwise.
+// The contact kernels: projected Gauss-Seidel over blocks of eight contacts, soft in the pass with bias, otherwise
+// rigid.
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "dynamics/contacts/contact_normals.hpp"
 
 namespace tumble {
 
 namespace {
 
-// What a soft contact keeps of its impulse, if it is taken back less than a spring would for the load that it carries,
-// and more for what is new: all of it at most, where sub-steps are shorter than 0.8 ms.
+// The part of its impulse that a soft contact keeps (../SOFTNESS.md, section 3). Sub-steps shorter than 0.8 ms would
+// take back more than all of the fresh part, so that it is limited.
 TUMBLE_LANE_FUNCTION Lanes kept_impulse(const ContactBlock& block, const ContactBlockPoint& point) {
     const float back = block.softness.impulse_scale, fresh_back = std::min(kFreshSoftness * back, 1.0f);
     const float keeps_fresh = 1.0f - fresh_back, keeps_more_carried = fresh_back - kCarriedSoftness * back;
     return keeps_fresh * point.normal_impulse + keeps_more_carried * point.carried.min(point.normal_impulse);
 }
 
-// Gaps are speculative: rigid, and closed in one sub-step at the fastest. Overlap is removed softly, as by an implicit
-// spring and damper whose mass scale divides the diagonal, and no faster than the push-out speed.
+// A gap is speculative: the row is rigid and lets the gap close within the sub-step. Overlap is removed by an implicit
+// spring and damper, whose mass scale divides the diagonal, at most at the push-out speed.
 TUMBLE_LANE_FUNCTION NormalRow make_soft_row(const ContactBlock& block, const ContactBlockPoint& point,
                                              const Lanes& shift, float inv_h, float push_out_speed,
                                              const BlockState& state) {
     const Lanes zero = Lanes::Zero();
     const Lanes separation = current_separation(block, point, shift, state);
     const Lanes gap = separation.max(zero), overlap = separation.min(zero);
+    TUMBLE_CHECK(block.softness.mass_scale > 0.0f);
     const float max_push = push_out_speed / block.softness.mass_scale;  // before the mass scale
     const Lanes bias = gap * inv_h + (overlap * block.softness.bias_rate).max(-max_push);
     const Lanes soft = point.inverse_mass * (1.0f / block.softness.mass_scale);
@@ -38,14 +41,14 @@ TUMBLE_LANE_FUNCTION NormalRow make_rigid_row(const ContactBlock& block, const C
             normal_velocity(point, state) + gap * inv_h - point.inverse_mass * point.normal_impulse};
 }
 
-// How fast B's surface moves along A's; a belt's moves by itself.
+// The tangential velocity of B's surface relative to A's, with that of conveyor belts.
 TUMBLE_LANE_FUNCTION Lanes slip_speed(const ContactBlock& block, const ContactBlockPoint& point,
                                       const BlockState& state) {
     const Lanes velocity = tangent_velocity(point, state);
     return block.has_tangent_speed ? velocity + block.tangent_speed : velocity;
 }
 
-// Remembers the work that it does where it may be followed by a bounce, as push_normals() does.
+// Applies a tangent impulse. With restitution it also adds up the work, as push_normals() does.
 TUMBLE_LANE_FUNCTION void push_tangent(ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
                                        BlockState& state) {
     if (block.has_restitution) block.friction_work += 0.5f * impulse * slip_speed(block, point, state);
@@ -55,6 +58,7 @@ TUMBLE_LANE_FUNCTION void push_tangent(ContactBlock& block, const ContactBlockPo
 
 // Coulomb friction against the normal impulse.
 TUMBLE_LANE_FUNCTION void solve_friction(ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
+    TUMBLE_CHECK((block.friction >= 0.0f).all());
     const Lanes old_impulse = point.tangent_impulse;
     const Lanes wanted = old_impulse - point.tangent_mass * slip_speed(block, point, state);
     point.tangent_impulse = clamp_magnitude(wanted, block.friction * point.normal_impulse);
@@ -62,10 +66,11 @@ TUMBLE_LANE_FUNCTION void solve_friction(ContactBlock& block, ContactBlockPoint&
     push_tangent(block, point, point.tangent_impulse - old_impulse, state);
 }
 
-// A torque against rolling, at most resistance times the normal impulse.
+// An angular impulse against rolling, at most the resistance times the normal impulses.
 TUMBLE_LANE_FUNCTION void solve_rolling(ContactBlock& block, BlockState& state) {
     const Lanes roll = state.b.angular_velocity - state.a.angular_velocity;
     const Lanes normal_impulse = block.points[0].normal_impulse + block.points[1].normal_impulse;
+    TUMBLE_CHECK((block.rolling_resistance >= 0.0f).all());
     const Lanes old_impulse = block.rolling_impulse;
     const Lanes wanted = old_impulse - block.rolling_mass * roll;
     block.rolling_impulse = clamp_magnitude(wanted, block.rolling_resistance * normal_impulse);
@@ -86,6 +91,8 @@ void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> b
 }
 
 void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, float push_out_speed) {
+    TUMBLE_CHECK(inv_h > 0.0f);
+    TUMBLE_CHECK(push_out_speed >= 0.0f);
     for (ContactBlock& block : blocks) {
         BlockState state = load(block, bodies);
         const Lanes shift = center_shift(block, state);
@@ -97,6 +104,7 @@ void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
 }
 
 void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h) {
+    TUMBLE_CHECK(inv_h > 0.0f);
     for (ContactBlock& block : blocks) {
         BlockState state = load(block, bodies);
         const Lanes shift = center_shift(block, state);

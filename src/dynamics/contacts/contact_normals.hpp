@@ -5,15 +5,16 @@
 
 namespace tumble {
 
-// What the normal impulses x of the two points are to achieve: A x + q >= 0 with x >= 0, one of them zero for each
-// point. A is the matrix of inverse effective masses, softened on its diagonal, q the residual without impulses.
+// The linear complementarity problem for the normal impulses x of two points: A x + q >= 0, x >= 0, and for each point
+// one of the two is zero. A is the matrix of inverse effective masses with a softened diagonal, q the residual velocity
+// without impulses.
 struct NormalProblem {
     Lanes a11, a22, a12;
     Lanes q1, q2;
 };
 
-// The exact solution for two points by trying who carries: both, the first alone, the second alone [Catto 2007,
-// "Block solver"]. One after the other they would tip every box a little, which seeds the lean of a stack.
+// The exact solution, by trying which points get an impulse: both, the first alone, the second alone [Catto 2007,
+// "Block solver"]. Solving one point after the other would tip every box a little, and stacks would lean.
 TUMBLE_LANE_FUNCTION void solve_both(const NormalProblem& p, Lanes& x1, Lanes& x2) {
     const Lanes zero = Lanes::Zero();
     const Lanes scale = Lanes::Ones() / (p.a11 * p.a22 - p.a12 * p.a12);
@@ -29,14 +30,14 @@ TUMBLE_LANE_FUNCTION void solve_both(const NormalProblem& p, Lanes& x1, Lanes& x
     x2 = select_less(least, zero, lone2, both2);
 }
 
-// What impulses at both points and the velocities there make: x . v.
+// The power x . v of impulses at both points.
 TUMBLE_LANE_FUNCTION Lanes power(const ContactBlock& block, const Lanes& impulse1, const Lanes& impulse2,
                                  const BlockState& state) {
     return impulse1 * normal_velocity(block.points[0], state) + impulse2 * normal_velocity(block.points[1], state);
 }
 
-// Pushes at both points. What may bounce remembers the work that it takes: each impulse does as much as if its point
-// moved at the mean of the velocities before and after.
+// Applies impulses at both points. With restitution it also adds up the absorbed energy: an impulse does the work that
+// it would do at the mean of the velocities before and after.
 TUMBLE_LANE_FUNCTION void push_normals(ContactBlock& block, const Lanes& impulse1, const Lanes& impulse2,
                                        BlockState& state) {
     if (block.has_restitution) block.absorbed -= 0.5f * power(block, impulse1, impulse2, state);
@@ -45,13 +46,13 @@ TUMBLE_LANE_FUNCTION void push_normals(ContactBlock& block, const Lanes& impulse
     if (block.has_restitution) block.absorbed -= 0.5f * power(block, impulse1, impulse2, state);
 }
 
-// One point's share of the problem: its diagonal, softened, and its residual without the other's impulse.
+// One point's row of the problem: its diagonal, softened, and its residual without the other point's impulse.
 struct NormalRow {
     Lanes diagonal;
     Lanes residual;
 };
 
-// The impulses that solve two rows, less those that the points have already.
+// The change of the points' impulses that solves both rows.
 TUMBLE_LANE_FUNCTION void find_changes(const ContactBlock& block, const Lanes& coupling, const NormalRow& first,
                                        const NormalRow& second, Lanes& change1, Lanes& change2) {
     const Lanes& old1 = block.points[0].normal_impulse;

@@ -1,8 +1,9 @@
-// From contacts to blocks and back: the only place where lanes are filled one by one.
+// From contacts to blocks and back. Only here are lanes read and written one by one.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/ballistics.hpp"
 #include "dynamics/contacts/contact_block.hpp"
 
@@ -56,9 +57,14 @@ void fill_masses(ContactBlock& block, int lane, const BodyFrame& a, const BodyFr
 }
 
 void fill_lane(ContactBlock& block, int lane, const Contact& contact, const BodyFrame& a, const BodyFrame& b) {
+    TUMBLE_CHECK(lane < kLaneCount);
+    TUMBLE_CHECK(contact.kind == ContactKind::solid);
+    TUMBLE_CHECK(contact.manifold.point_count > 0);
+    TUMBLE_CHECK(contact.manifold.point_count <= 2);
     block.body_a[lane] = a.solver_body;
     block.body_b[lane] = b.solver_body;
     const Vec2 normal = contact.manifold.normal;
+    TUMBLE_CHECK(!(std::abs(length_sq(normal) - 1.0f) > 1e-3f));  // unit, or not finite in a world that diverges
     block.normal_x[lane] = normal.x;
     block.normal_y[lane] = normal.y;
     fill_masses(block, lane, a, b);
@@ -90,7 +96,7 @@ void fill_lane(ContactBlock& block, int lane, const Contact& contact, const Body
     }
 }
 
-// What an impulse at one arm does to the velocity at another: 1/m_A + 1/m_B + r r'/I_A + r r'/I_B.
+// The change of velocity at one arm per unit impulse at another: 1/m_A + 1/m_B + r r'/I_A + r r'/I_B.
 Lanes response(const ContactBlock& block, const Lanes& linear, const Lanes& arm_a, const Lanes& other_a,
                const Lanes& arm_b, const Lanes& other_b) {
     const Lanes angular_a = block.inv_inertia_a * arm_a * other_a;
@@ -98,8 +104,8 @@ Lanes response(const ContactBlock& block, const Lanes& linear, const Lanes& arm_
     return linear + (angular_a + angular_b);
 }
 
-// Two points close together make the matrix of the pair nearly singular. Coupled by a little less than they are, they
-// share the load instead, and the determinant keeps 1 - 0.98^2 = 4 % of its digits' range.
+// Two points close together make the matrix of the pair nearly singular. With a slightly smaller coupling they share
+// the load, and the determinant is at least 1 - 0.98^2 = 4 % of the product of the diagonal.
 constexpr float kMaxCoupling = 0.98f;
 
 void set_masses(ContactBlock& block) {
@@ -112,13 +118,13 @@ void set_masses(ContactBlock& block) {
             response(block, block.linear_normal, point->across_a, point->across_a, point->across_b, point->across_b);
         const Lanes tangent =
             response(block, block.linear_tangent, point->along_a, point->along_a, point->along_b, point->along_b);
-        // Where locks leave nothing that can give way, there is nothing to solve.
+        // A row that the locks leave without response is not solved.
         if (block.has_locks)
             point->separation =
                 select_less(block.least_response, normal, point->separation, Lanes::Constant(kAbsentGap));
         point->inverse_mass = select_less(point->separation, absent, normal, one);
-        const Lanes given = select_less(block.least_response, tangent, one / tangent, zero);
-        point->tangent_mass = select_less(point->separation, absent, given, zero);
+        const Lanes tangent_mass = select_less(block.least_response, tangent, one / tangent, zero);
+        point->tangent_mass = select_less(point->separation, absent, tangent_mass, zero);
     }
     const Lanes coupling =
         response(block, block.linear_normal, first.across_a, second.across_a, first.across_b, second.across_b);
@@ -134,7 +140,7 @@ Vec2 free_acceleration(const BodyStore& bodies, std::uint32_t body, Vec2 gravity
     return flags & kDynamicBody ? allowed(flags, bodies.moving[body].free_acceleration(gravity)) : Vec2{};
 }
 
-// The velocities at which points meet, either way, from those before the step and the free motion over the gap.
+// The normal velocities with which points reach separation 0, from those before the step (RESTITUTION.md, step 2).
 void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, float h) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
         const std::uint32_t body_a = block.body_a[lane], body_b = block.body_b[lane];
@@ -157,7 +163,7 @@ void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, 
     }
 }
 
-// The contacts of a block lie far apart, and no hardware guesses where.
+// The contacts of a block are far apart in memory, at addresses that the hardware does not predict.
 void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> block) {
     constexpr std::size_t kCacheLine = 64;
     for (const std::uint32_t index : block) {
@@ -174,16 +180,18 @@ void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> 
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
                       const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks) {
     const Softness softness = contact_softness(tuning, h), static_softness = static_contact_softness(tuning, h);
+    TUMBLE_CHECK(h > 0.0f);
     const ContactBlock neutral = make_neutral_block();
     blocks.resize(graph.block_count());
     for (std::size_t index = 0; index < blocks.size(); ++index) {
         ContactBlock& block = blocks[index];
         if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
         block = neutral;
-        bool is_static = false;  // of all lanes alike, by the colours
+        bool is_static = false;  // the same for all lanes: colours separate them
         for (int lane = 0; lane < kLaneCount; ++lane) {
             const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
             if (contact == ConstraintGraph::kNoContact) continue;
+            TUMBLE_CHECK(contact < contacts.size());
             const BodyFrame& a = bodies.frames[contacts[contact].body_a];
             const BodyFrame& b = bodies.frames[contacts[contact].body_b];
             fill_lane(block, lane, contacts[contact], a, b);
@@ -203,7 +211,9 @@ void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGra
         for (int lane = 0; lane < kLaneCount; ++lane) {
             const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
             if (contact == ConstraintGraph::kNoContact) continue;
+            TUMBLE_CHECK(contact < contacts.size());
             for (int i = 0; i < contacts[contact].manifold.point_count; ++i) {
+                TUMBLE_CHECK(!(block.points[i].normal_impulse[lane] < 0.0f));
                 contacts[contact].impulses[i] = {block.points[i].normal_impulse[lane],
                                                  block.points[i].tangent_impulse[lane]};
                 contacts[contact].applied[i] = {block.points[i].applied_normal[lane],

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "debug/check.hpp"
 #include "dynamics/contacts/contact_block.hpp"
 
 namespace tumble {
@@ -34,6 +35,7 @@ void ContactSolver::prepare(std::span<const Contact> contacts, const BodyStore& 
                             Vec2 gravity, float h) {
     graph_.build(contacts, bodies);
     prepare_contacts(contacts, bodies, graph_, tuning, gravity, h, blocks_);
+    TUMBLE_CHECK(blocks_.size() == graph_.block_count());
 }
 
 void ContactSolver::warm_start(std::span<SolverBody> bodies) { warm_start_contacts(blocks_, bodies); }
@@ -45,10 +47,12 @@ void ContactSolver::solve(std::span<SolverBody> bodies, float inv_h, float push_
 void ContactSolver::relax(std::span<SolverBody> bodies, float inv_h) { relax_contacts(blocks_, bodies, inv_h); }
 
 void ContactSolver::apply_restitution(std::span<SolverBody> bodies, float threshold, float h) {
+    TUMBLE_CHECK(threshold >= 0.0f);
     tumble::apply_restitution(blocks_, bodies, threshold, h, returned_work_);
 }
 
 void ContactSolver::store_impulses(std::span<Contact> contacts) const {
+    TUMBLE_CHECK(blocks_.size() == graph_.block_count());
     tumble::store_impulses(blocks_, graph_, contacts);
 }
 

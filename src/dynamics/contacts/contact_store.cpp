@@ -8,6 +8,7 @@ namespace {
 
 template <class Contacts>
 auto* find_in(Contacts& contacts, ProxyPair pair) {
+    TUMBLE_CHECK(pair.a < pair.b);
     const auto found = std::lower_bound(contacts.begin(), contacts.end(), pair,
                                         [](const Contact& contact, ProxyPair key) { return contact.shapes < key; });
     return found != contacts.end() && found->shapes == pair ? &*found : nullptr;

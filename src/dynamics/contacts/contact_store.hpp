@@ -66,6 +66,7 @@ void ContactStore::insert(std::size_t count, PairOf&& pair_of, Make&& make) {
     if (to > contacts_.capacity())
         contacts_.reserve(to + to / 8);  // less than usual: a contact is large, and the number of contacts settles
     contacts_.resize(to);
+    TUMBLE_CHECK(to - from == count);
     while (count > 0) {
         TUMBLE_CHECK((from == 0 || contacts_[from - 1].shapes != pair_of(count - 1)));
         const bool is_last = from == 0 || contacts_[from - 1].shapes < pair_of(count - 1);
@@ -77,6 +78,7 @@ template <class Keep>
 void ContactStore::keep_if(Keep&& keep) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        TUMBLE_CHECK(kept <= i);
         if (!keep(contacts_[i])) continue;
         if (kept < i) contacts_[kept] = contacts_[i];
         ++kept;

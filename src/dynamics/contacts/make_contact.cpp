@@ -46,6 +46,10 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tun
     if (a.is_sensor) contact.kind = ContactKind::sensor_a;
     if (b.is_sensor) contact.kind = ContactKind::sensor_b;
     mix_surfaces(contact, shapes);
+    TUMBLE_CHECK(contact.speculative_distance >= 0.0f);
+    TUMBLE_CHECK(contact.friction >= 0.0f);
+    TUMBLE_CHECK(contact.restitution >= 0.0f);
+    TUMBLE_CHECK(contact.rolling_resistance >= 0.0f);
     return contact;
 }
 

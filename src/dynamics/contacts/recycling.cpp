@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/solver_body.hpp"
 
 namespace tumble {
@@ -14,7 +15,7 @@ Rotation rotation_between(Rotation from, Rotation to) {
     return {to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s};
 }
 
-// (R(q) - 1) v without the cancellation of computing both.
+// (R(q) - 1) v without cancellation.
 Vec2 displacement(Rotation q, Vec2 v) {
     const float c = q.c - 1.0f;
     return {c * v.x - q.s * v.y, q.s * v.x + c * v.y};
@@ -25,9 +26,14 @@ Vec2 displacement(Rotation q, Vec2 v) {
 bool recycle(const ManifoldReference& reference, const Pose& a, const Pose& b, float reach_a, float reach_b,
              float tolerance, Manifold& manifold) {
     if (!reference.is_valid) return false;
+    TUMBLE_CHECK(reference.manifold.point_count <= 2);
+    TUMBLE_CHECK(tolerance >= 0.0f);
+    TUMBLE_CHECK(reach_a >= 0.0f);
+    TUMBLE_CHECK(reach_b >= 0.0f);
     const Rotation turn_a = rotation_between(reference.rotation_a, a.rotation);
     const Rotation turn_b = rotation_between(reference.rotation_b, b.rotation);
-    // Seen from the body that reaches farther, the other's origin has moved by its shift and its points by turning.
+    // In the frame of the body that reaches farther, the other's origin has moved by `relative_shift`, and its points
+    // by the relative rotation.
     const DVec2 offset = b.position - a.position;
     const Vec2 shift = to_float(offset - reference.offset);
     const Rotation frame = reach_a >= reach_b ? turn_a : turn_b;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/sweeps.hpp"
@@ -13,15 +14,16 @@ namespace tumble {
 
 namespace {
 
-// The part of a sweep from one fraction to another; equal ones give a body at rest.
+// The part of a sweep between two fractions; a body at rest if they are equal.
 Sweep part_of(const Sweep& sweep, double from, double to) {
-    const DVec2 way = sweep.end - sweep.start;
-    return {sweep.local_center, sweep.start + from * way, sweep.start + to * way, sweep.start_angle + from * sweep.turn,
-            (to - from) * sweep.turn};
+    TUMBLE_CHECK(!(to < from));
+    const DVec2 path = sweep.end - sweep.start;
+    return {sweep.local_center, sweep.start + from * path, sweep.start + to * path,
+            sweep.start_angle + from * sweep.turn, (to - from) * sweep.turn};
 }
 
-// The box of all that a shape may cover on its way, whatever it turns.
-Aabb box_on_way(const Shape& shape, const Sweep& sweep) {
+// A box that covers a shape during its whole sweep, for any rotation.
+Aabb box_of_sweep(const Shape& shape, const Sweep& sweep) {
     const Shape disc = make_circle(farthest_distance(shape, sweep.local_center));
     return merge(bounds(disc, {sweep.start, {}}), bounds(disc, {sweep.end, {}}));
 }
@@ -53,27 +55,27 @@ private:
             const SolverBody& body = bodies.solver_bodies[i];
             if (!(body.flags & kDynamicBody)) continue;
             const BodyMotion& motion = bodies.moving[i].motion;
-            const float way = length(body.delta_position) + std::abs(body.delta_rotation.s) * motion.reach;
-            if (way <= kContinuousPart * motion.smallest_extent) continue;
+            const float displacement = length(body.delta_position) + std::abs(body.delta_rotation.s) * motion.reach;
+            if (displacement <= kContinuousPart * motion.smallest_extent) continue;
             const std::uint32_t index = bodies.moving[i].body;
             Mover mover;
             mover.body = index;
             mover.sweep = sweep_of(bodies, index);
             mover.is_bullet = (body.flags & kBulletBody) != 0;
             for (const ShapeId shape : bodies.records[index].shapes)
-                mover.box = merge(mover.box, box_on_way(simulation_.shapes[shape.index].shape, mover.sweep));
+                mover.box = merge(mover.box, box_of_sweep(simulation_.shapes[shape.index].shape, mover.sweep));
             movers_.push_back(mover);
         }
         std::sort(movers_.begin(), movers_.end(), [](const Mover& a, const Mover& b) { return a.body < b.body; });
     }
 
-    // Calls visit(own shape, other shape) for each pair that may meet, of a mover and a shape of these layers near its
-    // way. A sensor of its own notices those of the layers above too.
+    // Calls visit(own shape, other shape) for each pair that may touch, of a mover's shape and a shape of these layers
+    // near its path. Pairs with a sensor become candidates for a crossing; a mover's own sensor sees all layers.
     template <class Visitor>
     void for_each_near(const Mover& mover, ProxyLayer first, ProxyLayer last, Visitor&& visit) {
         for (const ShapeId own : simulation_.bodies.records[mover.body].shapes) {
             const ShapeRecord& shape = simulation_.shapes[own.index];
-            const Aabb box = box_on_way(shape.shape, mover.sweep);
+            const Aabb box = box_of_sweep(shape.shape, mover.sweep);
             const ProxyLayer top = shape.is_sensor ? ProxyLayer::loose : last;
             near_.clear();
             simulation_.broad.query(
@@ -92,57 +94,61 @@ private:
         for_each_near(mover, ProxyLayer::fixed, ProxyLayer::firm, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
             const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
-                                           sweep_of(simulation_.bodies, body), is_held(own, other));
+                                           sweep_of(simulation_.bodies, body), was_pushed(own, other));
             const ProxyPair pair = make_pair_of(own, other);
             if (fraction >= mover.fraction || crosses_chain(simulation_.chain_contacts(), pair)) return;
+            TUMBLE_CHECK(!(fraction < 0.0));
             mover.fraction = fraction;
             mover.impact = pair;
         });
     }
 
-    // The first meeting of a bullet with anything dynamic before it is stopped.
+    // The first impact of a bullet on a dynamic body before it stops.
     void find_next(std::size_t bullet) {
+        TUMBLE_CHECK(bullet < movers_.size());
         Mover& mover = movers_[bullet];
         mover.next = mover.fraction;
         mover.partner = kNone;
         for_each_near(mover, ProxyLayer::loose, ProxyLayer::loose, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
             if (find_mover(body) != kNone) return;
-            meet(mover, own, other, sweep_of(simulation_.bodies, body), 1.0, kNone);
+            add_impact(mover, own, other, sweep_of(simulation_.bodies, body), 1.0, kNone);
         });
-        // Other fast bodies may come from outside the box.
+        // Other movers may come from outside the box of the bullet's sweep.
         for (std::size_t i = 0; i < movers_.size(); ++i) {
             if (i == bullet || !overlaps(mover.box, movers_[i].box)) continue;
             for (const ShapeId own : simulation_.bodies.records[mover.body].shapes)
                 for (const ShapeId other : simulation_.bodies.records[movers_[i].body].shapes)
                     if (may_touch(simulation_, make_pair_of(own.index, other.index)))
-                        meet(mover, own.index, other.index, movers_[i].sweep, movers_[i].fraction, i);
+                        add_impact(mover, own.index, other.index, movers_[i].sweep, movers_[i].fraction, i);
         }
     }
 
-    // The other goes along its sweep until it is stopped, and stands from then on.
-    void meet(Mover& mover, std::uint32_t own, std::uint32_t other, const Sweep& other_sweep, double other_fraction,
-              std::size_t partner) {
+    // Takes the impact of two shapes as the bullet's next one if it is earlier. The other body follows its sweep up to
+    // `other_fraction` and rests from then on.
+    void add_impact(Mover& mover, std::uint32_t own, std::uint32_t other, const Sweep& other_sweep,
+                    double other_fraction, std::size_t partner) {
         const ShapeRecord& shape = simulation_.shapes[own];
         const ShapeRecord& other_shape = simulation_.shapes[other];
         const double both = std::min(mover.next, other_fraction);
-        const bool held = is_held(own, other);
+        const bool pushed = was_pushed(own, other);
         const double together =
-            impact(shape, part_of(mover.sweep, 0.0, both), other_shape, part_of(other_sweep, 0.0, both), held);
+            impact(shape, part_of(mover.sweep, 0.0, both), other_shape, part_of(other_sweep, 0.0, both), pushed);
         double fraction = together * both;
         if (together >= 1.0 && both < mover.next) {
             const double alone = impact(shape, part_of(mover.sweep, both, mover.next), other_shape,
-                                        part_of(other_sweep, both, both), held);
+                                        part_of(other_sweep, both, both), pushed);
             fraction = both + alone * (mover.next - both);
         }
         if (fraction >= mover.next) return;
+        TUMBLE_CHECK(!(fraction < 0.0));
         mover.next = fraction;
         mover.partner = partner;
         mover.next_impact = make_pair_of(own, other);
     }
 
-    // Of all meetings ahead the first one happens; those who may come by are
-    // looked at again.
+    // Stops the bullet with the first impact of all, and its partner; finds the next impacts of other bullets nearby
+    // again. False if no bullet has an impact ahead.
     bool stop_first_bullet() {
         std::size_t first = kNone;
         for (std::size_t i = 0; i < movers_.size(); ++i)
@@ -150,23 +156,28 @@ private:
                 first = i;
         if (first == kNone) return false;
         const std::size_t partner = movers_[first].partner;
+        TUMBLE_CHECK(movers_[first].is_bullet);
+        TUMBLE_CHECK((partner == kNone || partner < movers_.size()));
+        TUMBLE_CHECK(partner != first);
+
         const double fraction = movers_[first].next;
         movers_[first].fraction = fraction;
         movers_[first].impact = movers_[first].next_impact;
-        // The partner may stand already.
+        // The partner may have stopped before.
         if (partner != kNone && movers_[partner].fraction > fraction) {
             movers_[partner].fraction = movers_[partner].next = fraction;
             movers_[partner].impact = movers_[first].impact;
         }
         for (std::size_t i = 0; i < movers_.size(); ++i) {
-            const bool concerned = overlaps(movers_[i].box, movers_[first].box) ||
-                                   (partner != kNone && overlaps(movers_[i].box, movers_[partner].box));
-            if (movers_[i].is_bullet && i != first && i != partner && concerned) find_next(i);
+            const bool is_near = overlaps(movers_[i].box, movers_[first].box) ||
+                                 (partner != kNone && overlaps(movers_[i].box, movers_[partner].box));
+            if (movers_[i].is_bullet && i != first && i != partner && is_near) find_next(i);
         }
         return true;
     }
 
-    bool is_held(std::uint32_t own, std::uint32_t other) const {
+    // True if the solver pushed the two shapes apart in this step.
+    bool was_pushed(std::uint32_t own, std::uint32_t other) const {
         const Contact* const contact = simulation_.contacts.find(make_pair_of(own, other));
         return contact && (contact->applied[0].normal > 0.0f || contact->applied[1].normal > 0.0f);
     }
@@ -179,6 +190,8 @@ private:
     }
 
     void stop(const Mover& mover) {
+        TUMBLE_CHECK(mover.fraction < 1.0);
+        TUMBLE_CHECK(mover.impact.a < mover.impact.b);
         simulation_.scratch.impacts.push_back(mover.impact);
         shorten_motion(simulation_.bodies, mover.body, mover.fraction, simulation_.settings.gravity,
                        {simulation_.settings.duration, simulation_.settings.substep_duration()});

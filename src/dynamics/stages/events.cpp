@@ -3,21 +3,24 @@
 #include <algorithm>
 #include <tuple>
 
+#include "debug/check.hpp"
 #include "dynamics/contacts/collide_contact.hpp"
 
 namespace tumble {
 
 namespace {
 
-// The id that a shape of a contact has, or had: the index of a destroyed shape is not used again before its contacts
-// are gone, so that its generation is one less than the next owner's.
+// The id of a contact's shape, which may have been destroyed. The index of a destroyed shape is not used again before
+// its contacts end, so that its generation is one less than that of the next owner.
 ShapeId id_of(const ShapeStore& shapes, std::uint32_t index) {
     ShapeId id = shapes.ids.at(index);
+    TUMBLE_CHECK((shapes[index].is_live || id.generation > 0));
     if (!shapes[index].is_live) --id.generation;
     return id;
 }
 
 SensorEvent sensor_event(const Simulation& simulation, ProxyPair pair, bool a_is_sensor) {
+    TUMBLE_CHECK(pair.a < pair.b);
     const ShapeId a = id_of(simulation.shapes, pair.a), b = id_of(simulation.shapes, pair.b);
     return a_is_sensor ? SensorEvent{a, b} : SensorEvent{b, a};
 }
@@ -31,22 +34,22 @@ ContactBegin contact_begin(const Simulation& simulation, const Contact& contact)
             contact.approach.point, contact.manifold.normal, contact.approach.speed};
 }
 
-// What the solver has struck, or continuous collision has stopped before the solver was asked.
+// True if the solver applied an impulse at the watched point, or continuous collision stopped a body at it.
 bool is_struck(const Contact& contact) {
     if (contact.watched < 0 || contact.watched >= contact.manifold.point_count) return false;
     return contact.applied[contact.watched].normal > 0.0f || (contact.is_touching && !contact.was_touching);
 }
 
-// Once: nothing is watched until the pair is collided again.
+// At most once per collision: afterwards no point is watched.
 void report_hit(Simulation& simulation, Contact& contact) {
+    TUMBLE_CHECK(contact.watched < 2);
     const bool is_hit =
         is_struck(contact) && !contact.was_hit && contact.approach.speed >= simulation.settings.tuning.hit_speed;
     contact.was_hit = is_hit;
     contact.watched = -1;
     if (!is_hit) return;
-    const ContactBegin meeting = contact_begin(simulation, contact);
-    simulation.events.contact_hits.push_back(
-        {meeting.shape_a, meeting.shape_b, meeting.point, meeting.normal, meeting.approach_speed});
+    const ContactBegin hit = contact_begin(simulation, contact);
+    simulation.events.contact_hits.push_back({hit.shape_a, hit.shape_b, hit.point, hit.normal, hit.approach_speed});
 }
 
 void report_begin(Simulation& simulation, const Contact& contact) {
@@ -64,8 +67,8 @@ void report_end(Simulation& simulation, const Contact& contact) {
         simulation.events.sensor_ends.push_back(sensor_event(simulation, contact));
 }
 
-// A sensor whose bodies are all at rest overlaps what it did. Of bodies that are not dynamic nobody notices if they are
-// moved by hand: their places are compared.
+// Skips a sensor whose overlap cannot have changed: a dynamic body is among the two, and neither moves. Static and
+// kinematic bodies may have been moved by set_transform(), which sense_contact() finds by comparing poses.
 void update_sensor(const Simulation& simulation, Contact& contact) {
     const BodyStore& bodies = simulation.bodies;
     const bool may_sleep = bodies.is_dynamic(contact.body_a) || bodies.is_dynamic(contact.body_b);
@@ -74,21 +77,23 @@ void update_sensor(const Simulation& simulation, Contact& contact) {
     if (may_change) sense_contact(contact, bodies, simulation.shapes);
 }
 
-// Who was stopped on the way touches from this step on, although the narrow phase has not seen it yet.
+// A body that continuous collision stopped touches from this step on, although its pair was collided before it moved.
 void begin_impacts(Simulation& simulation) {
     for (const ProxyPair pair : simulation.scratch.impacts) {
         Contact* const found = simulation.contacts.find(pair);
         if (!found || found->is_touching) continue;
+        TUMBLE_CHECK(found->kind == ContactKind::solid);
         collide_contact(*found, simulation.bodies, simulation.shapes, simulation.settings.duration);
         found->is_touching = found->chain_state != ChainState::crossing;
     }
 }
 
-// Who has met a sensor on the way and is not in it now has entered and left it.
+// A body that touched a sensor during the step and does not overlap it at the end has entered and left it.
 void report_sensor_crossings(Simulation& simulation) {
     for (const ProxyPair pair : simulation.scratch.sensor_crossings) {
         const Contact* const contact = simulation.contacts.find(pair);
         if (contact && contact->is_touching) continue;
+        TUMBLE_CHECK(simulation.shapes[pair.a].is_sensor != simulation.shapes[pair.b].is_sensor);
         const SensorEvent event = sensor_event(simulation, pair, simulation.shapes[pair.a].is_sensor);
         simulation.events.sensor_begins.push_back(event);
         simulation.events.sensor_ends.push_back(event);
@@ -107,7 +112,7 @@ void clear(StepEvents& events) {
     events.fell_asleep.clear();
 }
 
-void report_parting(Simulation& simulation, Contact& contact) {
+void report_removal(Simulation& simulation, Contact& contact) {
     report_hit(simulation, contact);
     if (contact.is_touching && !contact.was_touching) report_begin(simulation, contact);
     if (contact.is_touching || contact.was_touching) report_end(simulation, contact);
@@ -130,7 +135,7 @@ void report_events(Simulation& simulation) {
     }
     simulation.contact_counts = counts;
     report_sensor_crossings(simulation);
-    // They come from two places; sensors are not in the order of their pairs.
+    // Events of removed contacts came first, and sensor events have the sensor first, whatever the order of the pair.
     StepEvents& events = simulation.events;
     const auto is_first = [](const auto& a, const auto& b) {
         return std::tie(a.shape_a, a.shape_b) < std::tie(b.shape_a, b.shape_b);

@@ -1,17 +1,18 @@
-// Notices what begins and ends, for the user's lists of events.
+// Finds out which contacts began and ended in a step, for the user's lists of events.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"
 
 namespace tumble {
 
-// A stage of the step: compares whether pairs touch with whether they did. Sensors look where bodies are now.
-// Counts contacts by the way.
+// A stage of the step, at the final poses: updates sensors, reports pairs that began or ended to touch and hits, and
+// counts contacts.
 void report_events(Simulation& simulation);
 
 void clear(StepEvents& events);
 
-// A contact is about to be dropped: it ends if it touched, and begins before if it came and went within the step.
-void report_parting(Simulation& simulation, Contact& contact);
+// Reports the events of a contact before it is removed: its end if it touched, and its beginning too if it began within
+// the step.
+void report_removal(Simulation& simulation, Contact& contact);
 
 }  // namespace tumble

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "tumble/chain_manifold.hpp"
 
@@ -11,7 +12,7 @@ namespace tumble {
 
 namespace {
 
-// Along the longest edge, unit.
+// The direction of the longest edge, unit; (1, 0) if the shape has none.
 Vec2 long_axis(const Shape& shape) {
     Vec2 longest{1.0f, 0.0f};
     float size = 0.0f;
@@ -22,9 +23,11 @@ Vec2 long_axis(const Shape& shape) {
     return longest;
 }
 
-// A shape shrunk about its middle to a part of its thickness, and by as much of its length: the tip of a bar is no more
-// to pass than its side. 0 leaves the middle point.
+// The shape shrunk about its middle to a part of its thickness, and by the same length along its long axis: the tip of
+// a bar sinks in as far as its side. The part 0 is the middle point.
 Shape core_of(const ShapeRecord& record, float part) {
+    TUMBLE_CHECK(part >= 0.0f);
+    TUMBLE_CHECK(part < 1.0f);
     const Shape& shape = record.shape;
     const Vec2 middle = mass_properties(shape).center;
     if (part == 0.0f || shape.vertex_count() > Shape::kInlineVertices)
@@ -36,7 +39,7 @@ Shape core_of(const ShapeRecord& record, float part) {
         reach = {std::max(reach.x, std::abs(dot(along, arm))), std::max(reach.y, std::abs(dot(across, arm)))};
     }
     const float inset = (1.0f - part) * (0.5f * record.smaller_extent - shape.radius());
-    const auto scale = [&](float way) { return way > 0.0f ? std::max(part, 1.0f - inset / way) : part; };
+    const auto scale = [&](float half) { return half > 0.0f ? std::max(part, 1.0f - inset / half) : part; };
     const float scale_along = scale(reach.x), scale_across = scale(reach.y);
     std::array<Vec2, Shape::kInlineVertices> vertices;
     for (int i = 0; i < shape.vertex_count(); ++i) {
@@ -50,7 +53,7 @@ Shape core_of(const ShapeRecord& record, float part) {
 }  // namespace
 
 double impact(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other, const Sweep& other_sweep,
-              bool is_held) {
+              bool was_pushed) {
     if (other.link && is_behind(other.shape, *other.link, pose_at(other_sweep, 0.0), moving.shape, pose_at(sweep, 0.0)))
         return 1.0;
     for (const float part : kContinuousCores) {
@@ -58,7 +61,7 @@ double impact(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& 
         if (core.status == CastStatus::overlapping) continue;
         if (core.status != CastStatus::hit) return 1.0;
         if (part < kContinuousCores[0]) return 0.0;
-        if (is_held) return core.fraction;
+        if (was_pushed) return core.fraction;
         const CastResult surface = time_of_impact(other.shape, other_sweep, moving.shape, sweep);
         const bool touched = surface.status != CastStatus::hit || surface.fraction <= 0.0;
         return touched ? core.fraction : surface.fraction;

@@ -1,7 +1,7 @@
-// When a shape must stop for another on its way through a step.
+// The fraction of a step at which a moving shape must stop at another.
 //
-// Only what would pass deeply counts: the sweep of a shape's core, smaller than the shape, decides whether to stop, so
-// that sliding over the seam of two floors is no impact; the sweep of the shape itself says when.
+// The core of the moving shape, smaller than the shape, decides whether it stops: only then sliding over the seam of
+// two floors is not an impact. The sweep of the whole shape decides when.
 #pragma once
 
 #include "dynamics/bodies/shape_store.hpp"
@@ -9,10 +9,11 @@
 
 namespace tumble {
 
-// The fraction of the step, 1 if it may go all the way. Apart, a shape stops at the surface; it may sink in as far as
-// its core if it touches already, or the solver held the two apart in this step. One whose core is in goes no deeper,
-// up to its middle: 0.
+// The fraction of the sweep that the moving shape may make, 0 to 1. A shape that is apart stops when the surfaces
+// touch. A shape that touches already, or `was_pushed` apart by the solver in this step, may sink in as far as its
+// core. A shape whose core overlaps already stops at once (0) if a smaller core would sink in; a shape that overlaps
+// with its middle is left to the solver (1), as is one that starts behind a one-sided segment.
 double impact(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other, const Sweep& other_sweep,
-              bool is_held);
+              bool was_pushed);
 
 }  // namespace tumble

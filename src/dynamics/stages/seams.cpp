@@ -4,33 +4,36 @@
 #include <cmath>
 #include <limits>
 
+#include "debug/check.hpp"
 #include "dynamics/contacts/collide_contact.hpp"
 
 namespace tumble {
 
 namespace {
 
-// Sine of the angle between normals that are one: a box that lies on two tiles is tilted by less, in rounding and
-// sinking. Greater: what is faster is kicked at seams.
+// Normals with a smaller sine between them count as equal: a box that rests on two tiles is tilted by less, by rounding
+// and overlap. Larger: fast shapes are deflected at seams.
 constexpr float kSameNormal = 1e-4f;
 
-// Out of the ground.
+// The contact's normal, out of the ground.
 Vec2 ground_normal(const Contact& contact, std::uint32_t moving_shape) {
     return contact.shapes.b == moving_shape ? contact.manifold.normal : -contact.manifold.normal;
 }
 
-// A contact as the moving shape feels it: positions are from its body's.
-struct Footing {
+// A ground contact, with positions relative to the moving body's.
+struct GroundPlane {
     const ShapeRecord& ground;
     Rotation rotation;  // of the ground's body
-    DVec2 offset;       // to the ground's body
+    DVec2 offset;       // of the ground's body, m
     Vec2 normal;        // out of the ground
-    double height;      // of the ground's surface along the normal
+    double height;      // of the ground's surface along the normal, m
 };
 
-Footing footing_of(const Simulation& simulation, const Contact& contact, std::uint32_t moving_shape) {
+GroundPlane ground_plane(const Simulation& simulation, const Contact& contact, std::uint32_t moving_shape) {
     const bool on_a = contact.shapes.b == moving_shape;
+    TUMBLE_CHECK((on_a || contact.shapes.a == moving_shape));
     const Manifold& manifold = contact.manifold;
+    TUMBLE_CHECK(manifold.point_count > 0);
     const BodyFrame& moving = simulation.bodies.frames[on_a ? contact.body_b : contact.body_a];
     const BodyFrame& ground = simulation.bodies.frames[on_a ? contact.body_a : contact.body_b];
     const Vec2 normal = ground_normal(contact, moving_shape);
@@ -44,8 +47,8 @@ Footing footing_of(const Simulation& simulation, const Contact& contact, std::ui
             ground.pose.position - moving.pose.position, normal, height};
 }
 
-// Large polygons are no tiles.
-bool rises_above(const Footing& ground, const Footing& plane, double tolerance) {
+// Large polygons are not tiles: they count as rising above every plane.
+bool rises_above(const GroundPlane& ground, const GroundPlane& plane, double tolerance) {
     const Shape& shape = ground.ground.shape;
     if (shape.vertex_count() > Shape::kInlineVertices) return true;
     const DVec2 normal(plane.normal);
@@ -59,7 +62,7 @@ bool is_ground(const Simulation& simulation, std::uint32_t body, std::uint32_t s
     return !simulation.bodies.is_dynamic(body) && !simulation.shapes[shape].link;
 }
 
-void find_footings(Simulation& simulation) {
+void find_ground_contacts(Simulation& simulation) {
     std::vector<GroundContact>& found = simulation.scratch.ground_contacts;
     found.clear();
     const std::vector<Contact>& contacts = simulation.contacts.all();
@@ -73,15 +76,17 @@ void find_footings(Simulation& simulation) {
     std::sort(found.begin(), found.end());
 }
 
-// Drops the contact if its ground does not rise above the plane that the shape lies on by the other one.
-void drop_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint32_t index, std::uint32_t other) {
+// Removes the manifold of a contact if its ground does not rise above the plane of the other contact.
+void remove_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint32_t index, std::uint32_t other) {
+    TUMBLE_CHECK(index < simulation.contacts.all().size());
+    TUMBLE_CHECK(other < simulation.contacts.all().size());
     Contact& contact = simulation.contacts.all()[index];
-    const Contact& lies = simulation.contacts.all()[other];
-    if (contact.manifold.point_count == 0 || lies.manifold.point_count == 0) return;
-    const Vec2 normal = ground_normal(contact, moving_shape), normal_of_plane = ground_normal(lies, moving_shape);
+    const Contact& support = simulation.contacts.all()[other];
+    if (contact.manifold.point_count == 0 || support.manifold.point_count == 0) return;
+    const Vec2 normal = ground_normal(contact, moving_shape), normal_of_plane = ground_normal(support, moving_shape);
     if (std::abs(cross(normal, normal_of_plane)) < kSameNormal) return;
-    const Footing ground = footing_of(simulation, contact, moving_shape),
-                  plane = footing_of(simulation, lies, moving_shape);
+    const GroundPlane ground = ground_plane(simulation, contact, moving_shape),
+                      plane = ground_plane(simulation, support, moving_shape);
     const double tolerance = double{kRecyclingPart} * double{contact.speculative_distance};
     if (!rises_above(ground, plane, tolerance)) remove_manifold(contact);
 }
@@ -89,13 +94,13 @@ void drop_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint
 }  // namespace
 
 void smooth_seams(Simulation& simulation) {
-    find_footings(simulation);
+    find_ground_contacts(simulation);
     const std::vector<GroundContact>& found = simulation.scratch.ground_contacts;
     for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
         while (last < found.size() && found[last].moving_shape == found[first].moving_shape) ++last;
         for (std::size_t i = first; i < last; ++i)
             for (std::size_t other = first; other < last; ++other)
-                drop_if_below(simulation, found[first].moving_shape, found[i].contact, found[other].contact);
+                remove_if_below(simulation, found[first].moving_shape, found[i].contact, found[other].contact);
     }
 }
 

@@ -1,10 +1,9 @@
-// Floors of several shapes, static or kinematic: the corner of one is not felt by what lies on another.
+// Ground of several tiles, static or kinematic: shapes slide from one tile to the next without a ghost collision.
 //
-// Two shapes know nothing of a third. What slides over tiles sinks in by a hair and finds the next tile's side in its
-// way: a ghost collision. A shape that lies on the plane of one ground cannot meet another that does not rise
-// above this plane, except on the plane itself: its contact with another normal is dropped for the step. Chains need no
-// such care, they know their neighbours; and of two faces that meet in a ridge both may carry, if they carry different
-// shapes.
+// A shape that slides over tiles overlaps them slightly, so that the narrow phase finds a contact with the side of the
+// next tile. But a shape that rests on the plane of one tile can touch another that does not rise above this plane only
+// on the plane itself. Its contact with that tile is removed for the step if it has another normal. Chains store their
+// neighbours and need no such rule. Of two faces that form a ridge, both may support a shape, if it is not the same.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"
@@ -12,7 +11,7 @@
 namespace tumble {
 
 // A stage of the step, between collision and the preparation of constraints. Tiles are shapes of at most eight vertices
-// on bodies that are not dynamic; for each moving shape all pairs of those that it touches are looked at.
+// on static and kinematic bodies that are not part of a chain. Costs O(n^2) in the tiles that one shape touches.
 void smooth_seams(Simulation& simulation);
 
 }  // namespace tumble

@@ -1,16 +1,16 @@
-// Sensors that a fast body passes within a step: it is in them neither before nor after, and would not be noticed.
+// Sensors that a fast body crosses within a step: it overlaps them neither before the step nor after it.
 //
-// Who is swept by continuous collision has the sensors near its way among the candidates; both go their ways of the
-// step, stops included, and pass if they meet. Left out: two fast bodies of which neither was near the other's way
-// before.
+// The candidates are the sensors near the path of a body that continuous collision sweeps. A body crosses a sensor if
+// their motions of the step, shortened by impacts, touch. Left out: two fast bodies neither of which was near the
+// other's path at the start of the step.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"
 
 namespace tumble {
 
-// A stage of the step, once the motion is what it will be and before the poses are: keeps of the candidates those that
-// meet on the way and did not touch before.
+// A stage of the step, after impacts and before poses are final: keeps those candidates that touch during the step and
+// did not touch before it.
 void find_sensor_crossings(Simulation& simulation);
 
 }  // namespace tumble

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {
@@ -13,6 +14,7 @@ bool is_touching(const Contact& contact) { return contact.manifold.point_count >
 
 // True if some body has been slow for long enough.
 bool update_still_times(BodyStore& bodies, const StepSettings& settings) {
+    TUMBLE_CHECK(settings.duration > 0.0f);
     bool any_is_ready = false;
     for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
         const SolverBody& body = bodies.solver_bodies[i];
@@ -25,9 +27,9 @@ bool update_still_times(BodyStore& bodies, const StepSettings& settings) {
     return any_is_ready;
 }
 
-// Two bodies that touch or are joined: awake dynamic ones share an island, and a kinematic one that moves keeps the
-// other's awake.
-void tie(IslandFinder& islands, const BodyStore& bodies, std::uint32_t body_a, std::uint32_t body_b) {
+// For two bodies that touch or are joined: dynamic ones share an island, and a moving kinematic one keeps the other's
+// island awake.
+void connect(IslandFinder& islands, const BodyStore& bodies, std::uint32_t body_a, std::uint32_t body_b) {
     if (!bodies.is_active(body_a) || !bodies.is_active(body_b)) return;
     const std::uint32_t a = bodies.frames[body_a].solver_body, b = bodies.frames[body_b].solver_body;
     if (bodies.is_dynamic(body_a) && bodies.is_dynamic(body_b)) {
@@ -43,18 +45,18 @@ void find_islands(Simulation& simulation) {
     islands.reset(simulation.bodies.solver_bodies.size());
     for (const Contact& contact : simulation.contacts.all())
         if (is_touching(contact) && !is_over(simulation, contact))
-            tie(islands, simulation.bodies, contact.body_a, contact.body_b);
+            connect(islands, simulation.bodies, contact.body_a, contact.body_b);
     simulation.joints.for_each_awake_pair(
-        [&](std::uint32_t a, std::uint32_t b) { tie(islands, simulation.bodies, a, b); });
+        [&](std::uint32_t a, std::uint32_t b) { connect(islands, simulation.bodies, a, b); });
 }
 
-// Takes the contacts of the sleepers out of those that are solved. What touches waits in its island; a pair that does
-// not is forgotten, unless an active body may still bring it together.
+// Removes the contacts of sleeping bodies from those that are solved. A touching contact moves to its island; a pair
+// that does not touch is forgotten, unless one of its bodies is active.
 void set_contacts_aside(Simulation& simulation) {
     simulation.contacts.keep_if([&](const Contact& contact) {
         const BodyStore& bodies = simulation.bodies;
-        if (contact.kind != ContactKind::solid) return true;           // who sleeps in a sensor is still there
-        if (is_over(simulation, contact)) return true;                 // the next step drops it
+        if (contact.kind != ContactKind::solid) return true;           // a sleeping body still overlaps its sensor
+        if (is_over(simulation, contact)) return true;                 // the next step removes it
         if (contact.chain_state == ChainState::crossing) return true;  // it must go on crossing after it wakes
         const bool sleeps_a = bodies.is_asleep(contact.body_a), sleeps_b = bodies.is_asleep(contact.body_b);
         if (!sleeps_a && !sleeps_b) return true;
@@ -67,12 +69,12 @@ void set_contacts_aside(Simulation& simulation) {
     });
 }
 
-bool leans_on(const SleepingIsland& island, std::uint32_t body) {
+bool touches(const SleepingIsland& island, std::uint32_t body) {
     return std::any_of(island.contacts.begin(), island.contacts.end(),
                        [&](const Contact& contact) { return contact.body_a == body || contact.body_b == body; });
 }
 
-// Puts the bodies whose solver body is chosen by is_chosen(solver body) to sleep: whole islands, as found.
+// Puts the dynamic bodies for which is_chosen(solver body) holds to sleep. They must be whole islands.
 template <class IsChosen>
 void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
     BodyStore& bodies = simulation.bodies;
@@ -82,13 +84,14 @@ void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
             simulation.scratch.sleepers.push_back({bodies.moving[i].body, simulation.scratch.islands.root(i)});
     std::sort(simulation.scratch.sleepers.begin(), simulation.scratch.sleepers.end());
 
-    // The lowest body of an island comes first and opens it.
+    // The lowest body of an island comes first and creates it.
     simulation.scratch.island_of_root.assign(bodies.solver_bodies.size(), kNoIsland);
     simulation.scratch.sleeping_joints.clear();
     for (const Sleeper& sleeper : simulation.scratch.sleepers) {
         std::uint32_t& island = simulation.scratch.island_of_root[sleeper.root];
         if (island == kNoIsland) island = simulation.sleeping.add();
         BodyRecord& record = bodies.records[sleeper.body];
+        TUMBLE_CHECK(record.island == kNoIsland);
         record.island = island;
         simulation.sleeping[island].bodies.push_back(sleeper.body);
         bodies.put_to_sleep(sleeper.body);
@@ -97,6 +100,16 @@ void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
     }
     simulation.joints.put_to_sleep(simulation.scratch.sleeping_joints);
     set_contacts_aside(simulation);
+}
+
+// The bodies whose boxes overlap those of an enabled body, one entry for each pair of shapes.
+std::vector<std::uint32_t> bodies_near(const Simulation& simulation, std::uint32_t body) {
+    TUMBLE_CHECK(simulation.bodies.records[body].is_enabled);
+    std::vector<std::uint32_t> near;
+    for (const ShapeId shape : simulation.bodies.records[body].shapes)
+        simulation.broad.query(simulation.broad.box(shape.index),
+                               [&](std::uint32_t other) { near.push_back(simulation.shapes[other].body); });
+    return near;
 }
 
 }  // namespace
@@ -119,6 +132,8 @@ void fall_asleep(Simulation& simulation) {
 }
 
 void put_island_to_sleep(Simulation& simulation, std::uint32_t body) {
+    TUMBLE_CHECK(simulation.bodies.is_dynamic(body));
+    TUMBLE_CHECK(!simulation.bodies.is_asleep(body));
     simulation.contacts.merge_woken();
     find_islands(simulation);
     const std::uint32_t root = simulation.scratch.islands.root(simulation.bodies.frames[body].solver_body);
@@ -137,6 +152,7 @@ void wake(Simulation& simulation, std::uint32_t body) {
         bodies.moving[bodies.frames[body].solver_body].still_time = 0.0f;
         return;
     }
+    TUMBLE_CHECK(bodies.records[body].island != kNoIsland);
     const SleepingIsland island = simulation.sleeping.take(bodies.records[body].island);
     for (const std::uint32_t sleeper : island.bodies) {
         BodyRecord& record = bodies.records[sleeper];
@@ -167,23 +183,15 @@ void wake_with_neighbors(Simulation& simulation, std::uint32_t body) {
     if (bodies.is_dynamic(body)) return wake(simulation, body);
     if (!bodies.records[body].is_enabled) return;
     for (const JointId id : bodies.records[body].joints)
-        for (const BodyId tied : simulation.joints.bodies(id)) wake(simulation, tied.index);
-    std::vector<std::uint32_t> near;
-    for (const ShapeId shape : bodies.records[body].shapes)
-        simulation.broad.query(simulation.broad.box(shape.index),
-                               [&](std::uint32_t other) { near.push_back(simulation.shapes[other].body); });
-    for (const std::uint32_t other : near)
-        if (bodies.is_asleep(other) && leans_on(simulation.sleeping[bodies.records[other].island], body))
+        for (const BodyId joined : simulation.joints.bodies(id)) wake(simulation, joined.index);
+    for (const std::uint32_t other : bodies_near(simulation, body))
+        if (bodies.is_asleep(other) && touches(simulation.sleeping[bodies.records[other].island], body))
             wake(simulation, other);
 }
 
-void wake_met(Simulation& simulation, std::uint32_t body) {
+void wake_overlapping(Simulation& simulation, std::uint32_t body) {
     if (!simulation.bodies.records[body].is_enabled) return;
-    std::vector<std::uint32_t> near;
-    for (const ShapeId shape : simulation.bodies.records[body].shapes)
-        simulation.broad.query(simulation.broad.box(shape.index),
-                               [&](std::uint32_t other) { near.push_back(simulation.shapes[other].body); });
-    for (const std::uint32_t other : near)
+    for (const std::uint32_t other : bodies_near(simulation, body))
         if (simulation.bodies.is_asleep(other)) wake(simulation, other);
 }
 
@@ -201,6 +209,8 @@ bool touch_in_sleep(const Simulation& simulation, std::uint32_t body_a, std::uin
 void merge_sleeping_islands(Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {
     const std::uint32_t kept = simulation.bodies.records[body_a].island;
     const std::uint32_t dissolved = simulation.bodies.records[body_b].island;
+    TUMBLE_CHECK(kept != kNoIsland);
+    TUMBLE_CHECK(dissolved != kNoIsland);
     if (kept == dissolved) return;
     const SleepingIsland other = simulation.sleeping.take(dissolved);
     SleepingIsland& island = simulation.sleeping[kept];
@@ -211,6 +221,8 @@ void merge_sleeping_islands(Simulation& simulation, std::uint32_t body_a, std::u
 }
 
 void put_new_body_to_sleep(Simulation& simulation, std::uint32_t body) {
+    TUMBLE_CHECK(simulation.bodies.is_dynamic(body));
+    TUMBLE_CHECK(simulation.bodies.records[body].joints.empty());
     const std::uint32_t island = simulation.sleeping.add();
     simulation.sleeping[island].bodies.push_back(body);
     simulation.bodies.records[body].island = island;

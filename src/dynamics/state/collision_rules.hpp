@@ -5,15 +5,17 @@
 
 namespace tumble {
 
-// True if the two shapes may touch: their filters and the joints between their bodies allow it, one of them is dynamic
-// and one not at rest for good (asleep, static). A sensor notices all that is not as static as itself.
-bool may_collide(const Simulation& simulation, ProxyPair shapes);
-
-// The same without regard to type and rest, for solid shapes alone.
+// True if two solid shapes may touch: their filters and the joints between their bodies allow it.
 bool may_touch(const Simulation& simulation, ProxyPair shapes);
 
-// True if what was changed since the last step has parted two solid shapes, or keeps them from touching: the next step
-// ends their contact.
+// True if a pair needs a contact in this step. Two solid shapes do if they may touch, one of them is dynamic, and one
+// is active (awake and dynamic, or a moving kinematic one). A sensor and a solid shape do if their filters allow it and
+// not both are static. False if a shape is destroyed or disabled.
+bool may_collide(const Simulation& simulation, ProxyPair shapes);
+
+// True if the next step will end a contact of two solid shapes, because their boxes are apart or a change since the
+// last step does not allow them to touch. Type and rest do not count: a body that falls asleep still touches its
+// support.
 bool is_over(const Simulation& simulation, const Contact& contact);
 
 }  // namespace tumble

@@ -1,7 +1,7 @@
-// Which awake bodies belong together: a forest of disjoint sets over the solver bodies [Galler, Fischer 1964], joined
-// by contacts and joints and made afresh whenever somebody may fall asleep.
+// Islands: a forest of disjoint sets of bodies [Galler, Fischer 1964] that contacts and joints connect, new whenever a
+// body may fall asleep.
 //
-// The root of a set is its lowest solver body, so that the sets do not depend on the order in which they were joined.
+// The root of a set is its lowest body, so that the roots do not depend on the order of joining.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,21 @@
 #include <numeric>
 #include <vector>
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 class IslandFinder {
 public:
-    // Every solver body on its own.
-    void reset(std::size_t solver_body_count) {
-        parent_.resize(solver_body_count);
+    // Each body becomes a set of its own.
+    void reset(std::size_t body_count) {
+        parent_.resize(body_count);
         std::iota(parent_.begin(), parent_.end(), 0u);
-        kept_awake_.assign(solver_body_count, 0);
+        kept_awake_.assign(body_count, 0);
     }
 
     std::uint32_t root(std::uint32_t body) {
+        TUMBLE_CHECK(body < parent_.size());
         while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
         return body;
     }
@@ -30,15 +33,18 @@ public:
         parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
     }
 
-    // One body is enough to keep its island from sleeping.
-    void keep_awake(std::uint32_t body) { kept_awake_[body] = 1; }
+    // Marks one body. The caller transfers the mark to the root: an island sleeps only if none of its bodies is marked.
+    void keep_awake(std::uint32_t body) {
+        TUMBLE_CHECK(body < kept_awake_.size());
+        kept_awake_[body] = 1;
+    }
     bool is_kept_awake(std::uint32_t body) const { return kept_awake_[body] != 0; }
 
     std::size_t bytes() const { return parent_.capacity() * sizeof(std::uint32_t) + kept_awake_.capacity(); }
 
 private:
-    std::vector<std::uint32_t> parent_;  // by solver body
-    std::vector<std::uint8_t> kept_awake_;
+    std::vector<std::uint32_t> parent_;     // by body
+    std::vector<std::uint8_t> kept_awake_;  // by body, 0 or 1
 };
 
 }  // namespace tumble

@@ -59,8 +59,8 @@ struct SimulationState {
 
 // What the narrow phase did in the last step before the constraints were solved.
 struct CollisionCounts {
-    std::int64_t asked = 0;       // pairs that were collided, in full or by recycling
-    std::int64_t full = 0;        // of these, collisions in full
+    std::int64_t pairs = 0;       // of solid shapes, collided in full or recycled
+    std::int64_t full = 0;        // of these, collided in full
     std::int64_t iterations = 0;  // of the distance queries of the full ones
 };
 

@@ -1,13 +1,14 @@
-// The islands that sleep: their bodies and what keeps them in touch, set aside until something wakes them.
+// Sleeping islands: their bodies and touching contacts.
 //
-// A contact is here if it touches and none of its bodies is awake; pairs of sleeping bodies that do not touch are
-// forgotten, and found again when one of them wakes.
+// A contact is here if it touches and none of its bodies is awake. Pairs of sleeping bodies that do not touch are not
+// stored, and found again when one of the bodies wakes.
 #pragma once
 
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "dynamics/contacts/contact.hpp"
 
 namespace tumble {
@@ -19,7 +20,7 @@ struct SleepingIsland {
 
 class SleepingIslands {
 public:
-    // An empty island, and its number.
+    // Adds an empty island and returns its number.
     std::uint32_t add() {
         ++count_;
         if (free_.empty()) {
@@ -28,35 +29,45 @@ public:
         }
         const std::uint32_t index = free_.back();
         free_.pop_back();
+        TUMBLE_CHECK(islands_[index].bodies.empty());
+        TUMBLE_CHECK(islands_[index].contacts.empty());
         return index;
     }
 
-    // Hands an island out; its number may be used again.
+    // Removes an island and returns it. Its number may be used again.
     SleepingIsland take(std::uint32_t index) {
+        TUMBLE_CHECK(index < islands_.size());
+        TUMBLE_CHECK(!islands_[index].bodies.empty());
         --count_;
         free_.push_back(index);
         SleepingIsland island = std::move(islands_[index]);
         islands_[index] = SleepingIsland{};
+        TUMBLE_CHECK(island.contacts.size() <= contact_count_);
         contact_count_ -= island.contacts.size();
         for (const Contact& contact : island.contacts) point_count_ -= points(contact);
         return island;
     }
 
     void add_contact(std::uint32_t index, const Contact& contact) {
+        TUMBLE_CHECK(index < islands_.size());
+        TUMBLE_CHECK(contact.manifold.point_count > 0);
         islands_[index].contacts.push_back(contact);
         ++contact_count_;
         point_count_ += points(contact);
     }
 
-    // Calls visit(contact) for each contact that sleeps; it is not to change the number of its points.
+    // Calls visit(contact) for each contact. It must not change the number of manifold points.
     template <class Visitor>
     void for_each_contact(Visitor&& visit) {
         for (SleepingIsland& island : islands_)
             for (Contact& contact : island.contacts) visit(contact);
     }
 
-    SleepingIsland& operator[](std::uint32_t index) { return islands_[index]; }
-    const std::vector<SleepingIsland>& all() const { return islands_; }  // those handed out are empty
+    SleepingIsland& operator[](std::uint32_t index) {
+        TUMBLE_CHECK(index < islands_.size());
+        return islands_[index];
+    }
+    const std::vector<SleepingIsland>& all() const { return islands_; }  // removed ones are empty
     std::size_t count() const { return count_; }
     std::size_t contact_count() const { return contact_count_; }
     std::size_t point_count() const { return point_count_; }
