@@ -152,7 +152,7 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
                 broad.remove(key);
                 std::erase_if(known, [&](ProxyPair pair) {
                     if (pair.a != key && pair.b != key) return false;
-                    broad.forget(pair);
+                    broad.remove_pair(pair);
                     return true;
                 });
             } else {
@@ -166,11 +166,11 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
         reported += found.size();
         std::erase_if(known, [&](ProxyPair pair) {
             if (broad.overlap(pair)) return false;
-            broad.forget(pair);
+            broad.remove_pair(pair);
             return true;
         });
         REQUIRE(known == all_overlaps(live));
-        REQUIRE(broad.known_count() == known.size());
+        REQUIRE(broad.pair_count() == known.size());
         broad.audit();
     }
     CHECK(reported > 1000);
@@ -178,8 +178,8 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
 
 TEST_CASE("a rejected pair is offered again when one of its proxies is touched") {
     BroadPhase broad;
-    broad.add(0, {{0, 0}, {1, 1}}, ProxyLayer::loose);
-    broad.add(1, {{0.5f, 0}, {1.5f, 1}}, ProxyLayer::loose);
+    broad.add(0, {{0, 0}, {1, 1}}, ProxyLayer::dynamic);
+    broad.add(1, {{0.5f, 0}, {1.5f, 1}}, ProxyLayer::dynamic);
     CHECK(broad.find_new_pairs([](ProxyPair) { return false; }).empty());
     CHECK(broad.find_new_pairs(accept_all).empty());
     broad.touch(1);
@@ -191,7 +191,7 @@ TEST_CASE("a rejected pair is offered again when one of its proxies is touched")
 TEST_CASE("boxes that touch in a point are a pair, fixed ones are not") {
     BroadPhase broad;
     broad.add(3, {{0, 0}, {1, 1}}, ProxyLayer::fixed);
-    broad.add(1, {{1, 1}, {2, 2}}, ProxyLayer::loose);
+    broad.add(1, {{1, 1}, {2, 2}}, ProxyLayer::dynamic);
     broad.add(2, {{0, 0}, {0.5f, 0.5f}}, ProxyLayer::fixed);
     CHECK(broad.find_new_pairs(accept_all) == std::vector<ProxyPair>{{1, 3}});
 }

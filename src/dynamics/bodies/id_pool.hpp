@@ -1,7 +1,7 @@
-// Hands out ids: indices with a generation that tells an index's former owners from its present one.
+// Hands out ids: an index, and a generation that distinguishes the successive owners of the index.
 //
-// A released index may be taken again at once, the last one first; its generation has gone up, so that old ids are
-// recognised as stale.
+// A recycled index is handed out again, the last recycled first. Its generation has grown by one, so that ids of former
+// owners are recognised as stale.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "tumble/id.hpp"
 
 namespace tumble {
@@ -25,6 +26,7 @@ public:
             index = free_.back();
             free_.pop_back();
         }
+        TUMBLE_CHECK(index < generations_.size());
         const IdType id{index, generations_[index]};
         live_.insert(std::lower_bound(live_.begin(), live_.end(), id), id);
         return id;
@@ -32,18 +34,26 @@ public:
 
     // The id becomes stale; its index is handed out again only after recycle().
     void release(IdType id) {
+        TUMBLE_CHECK(is_live(id));
         ++generations_[id.index];
         live_.erase(std::lower_bound(live_.begin(), live_.end(), id));
     }
-    void recycle(std::uint32_t index) { free_.push_back(index); }
+    void recycle(std::uint32_t index) {
+        TUMBLE_CHECK(!is_live(at(index)));
+        TUMBLE_CHECK(free_.size() + live_.size() < generations_.size());
+        free_.push_back(index);
+    }
 
     bool is_live(IdType id) const {
         return id.index < generations_.size() && generations_[id.index] == id.generation &&
                std::binary_search(live_.begin(), live_.end(), id);
     }
 
-    // The id that lives, or will live, at an index.
-    IdType at(std::uint32_t index) const { return {index, generations_[index]}; }
+    // The id of the present or next owner of an index.
+    IdType at(std::uint32_t index) const {
+        TUMBLE_CHECK(index < generations_.size());
+        return {index, generations_[index]};
+    }
 
     std::span<const IdType> live() const { return live_; }  // sorted
 
@@ -53,7 +63,7 @@ public:
     }
 
 private:
-    std::vector<std::uint32_t> generations_;  // by index, of its present or next owner
+    std::vector<std::uint32_t> generations_;  // by index: of its present or next owner
     std::vector<std::uint32_t> free_;
     std::vector<IdType> live_;
 };
