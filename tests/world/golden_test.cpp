@@ -1,8 +1,8 @@
 // One world of everything, against hashes written down here: each build of the project is compared with every other, by
 // compiler, optimisation and instruction set.
 //
-// Whoever changes what the step computes writes the new hashes down, from any build; that all builds agree on them is
-// what the test is about.
+// After a deliberate change of results, replace the hashes by those of any build. The test is about all builds
+// agreeing.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -40,7 +40,7 @@ Shape draw_shape(Draw& draw, int kind) {
     }
 }
 
-// One of each kind, with what it can have.
+// A joint of each kind, with springs, motors and limits.
 void add_joint(World& world, int kind, BodyId a, BodyId b) {
     const Vec2 right{0.5f, 0.0f}, left{-0.5f, 0.1f};
     const JointLimits limits{-0.3f, 0.4f};
@@ -143,7 +143,7 @@ World make_falling_hinges() {
 
 }  // namespace
 
-TEST_CASE("falling hinges fall alike in every build, in every step") {
+TEST_CASE("falling hinges have the same hash in every build, in every step") {
     World world = make_falling_hinges();
     std::uint64_t all_steps = 0;
     for (int step = 0; step < 400; ++step) {

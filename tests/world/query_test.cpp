@@ -1,4 +1,4 @@
-// Queries against what a look at every shape says, and by hand.
+// Queries against a loop over all shapes, and against hand-worked cases.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ World make_field(DVec2 origin, Draw& draw) {
     return world;
 }
 
-// Calls visit(shape, pose, id) for all that the filter lets through, in id order.
+// Calls visit(shape, pose, id) for all shapes that the filter includes, in id order.
 template <class Visitor>
 void for_each_seen(const World& world, const QueryFilter& filter, Visitor&& visit) {
     for (const BodyId body : world.bodies())
@@ -55,7 +55,7 @@ void for_each_seen(const World& world, const QueryFilter& filter, Visitor&& visi
 
 }  // namespace
 
-TEST_CASE("rays find what a look at every shape finds, at the origin and 10 km away") {
+TEST_CASE("rays find what a loop over all shapes finds, at the origin and 10 km away") {
     for (const DVec2 origin : {DVec2{}, DVec2{10000.0, -7000.0}}) {
         Draw draw{std::mt19937(5)};
         const World world = make_field(origin, draw);
@@ -96,7 +96,7 @@ TEST_CASE("rays find what a look at every shape finds, at the origin and 10 km a
     }
 }
 
-TEST_CASE("a moving shape meets first what a look at every shape says") {
+TEST_CASE("a shape cast hits first what a loop over all shapes finds") {
     Draw draw{std::mt19937(6)};
     const World world = make_field({}, draw);
     const Shape shape = make_box({0.6f, 0.3f}, 0.05f);
@@ -127,7 +127,7 @@ TEST_CASE("a moving shape meets first what a look at every shape says") {
     CHECK(inside < hits - 40);
 }
 
-TEST_CASE("overlaps and the nearest shape are those that a look at every shape finds") {
+TEST_CASE("overlaps and the nearest shape are those of a loop over all shapes") {
     for (const DVec2 origin : {DVec2{}, DVec2{-9000.0, 10000.0}}) {
         Draw draw{std::mt19937(7)};
         const World world = make_field(origin, draw);
@@ -168,7 +168,7 @@ TEST_CASE("overlaps and the nearest shape are those that a look at every shape f
 }
 
 // A ray down the y axis onto a unit box at the origin: it enters at y = 0.5, after 2.5 of 4 m.
-TEST_CASE("a ray's hit has the point, the normal and the fraction that one works out by hand") {
+TEST_CASE("the point, normal and fraction of a ray's hit are those of a hand-worked case") {
     World world;
     const BodyId box = add_static(world, {0.0, 0.0}, kBox);
     const auto hit = world.cast_ray({0.25, 3.0}, {0.0, -4.0});
@@ -182,7 +182,7 @@ TEST_CASE("a ray's hit has the point, the normal and the fraction that one works
     CHECK_FALSE(world.cast_ray({0.25, 3.0}, {0.0, -4.0}, {.except = box}));
 }
 
-TEST_CASE("of two shapes met at once the one with the lower id is the first") {
+TEST_CASE("of two shapes hit at the same fraction the one with the lower id is first") {
     World world;
     const BodyId first = add_static(world, {0.0, 0.0}, kBox);
     add_static(world, {0.0, 0.0}, kBox);
@@ -205,7 +205,7 @@ TEST_CASE("the distance of two bodies is that of their nearest solid shapes") {
     CHECK(world.distance(a, bare).nearest.status == DistanceStatus::invalid);
 }
 
-TEST_CASE("queries refuse what they cannot answer") {
+TEST_CASE("queries throw for invalid arguments") {
     const World world;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_AS(world.cast_ray({nan, 0.0}, {1.0, 0.0}), std::invalid_argument);

@@ -1,5 +1,5 @@
-// How far soft constraints give way, against closed forms: stacks, pyramids, bridges and chains; that what has settled
-// neither creeps nor leans, and sleeps.
+// How far soft constraints give way, against closed forms: stacks, pyramids, bridges and chains. Settled bodies neither
+// creep nor lean, and fall asleep.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -116,8 +116,8 @@ TEST_CASE("a stack of 20 boxes sinks by half of what springs would, whatever the
     }
 }
 
-// Nothing can come to rest better than to the last bit of its velocity: a contact between boxes of which 20 weigh down
-// passes on 20 g h = 0.8 m/s in each sub-step, rounded by 2^-24 of that, in some tens of sums.
+// A body can come to rest only to the last bit of its velocity: a contact under 20 boxes transmits
+// 20 g h = 0.8 m/s in each sub-step, rounded by 2^-24 of that, in some tens of sums.
 TEST_CASE("a settled stack neither creeps, nor leans, nor moves") {
     constexpr double kRounding = 50 * 0x1p-24 * 0.8;  // m/s
     constexpr double kCreep = 1e-8;                   // m/s: 0.3 m in a year
@@ -132,7 +132,7 @@ TEST_CASE("a settled stack neither creeps, nor leans, nor moves") {
     for (const BodyId box : boxes) CHECK(std::abs(world.state(box).pose.position.x) < 0.01);
 }
 
-TEST_CASE("a stack comes to rest at any number of sub-steps, and sinks alike") {
+TEST_CASE("a stack comes to rest at any number of sub-steps, and sinks by the same") {
     for (const int substeps : {8, 22, 40, 200}) {
         CAPTURE(substeps);
         World world({.substeps = substeps, .sleeping = false});

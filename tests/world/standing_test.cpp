@@ -1,4 +1,4 @@
-// What stands by friction alone: arch and card house.
+// Structures that stand by friction alone: an arch and a card house.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-// The farthest that a body is from where it was put.
+// The largest distance of a body from its initial position.
 double farthest_moved(const World& world, const std::vector<BodyId>& bodies, const std::vector<DVec2>& places) {
     double way = 0.0;
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -77,7 +77,7 @@ Building make_card_house(int storeys) {
 }  // namespace
 
 TEST_CASE("an arch stands by friction, and falls without it") {
-    // The thrust may leave a joint's normal by 35 degrees, or by 6.
+    // With the two frictions the thrust may be up to 35 degrees off a joint's normal, or up to 6.
     for (const float friction : {0.7f, 0.1f}) {
         CAPTURE(friction);
         Building arch = make_arch(friction);

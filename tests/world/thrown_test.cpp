@@ -1,4 +1,4 @@
-// Joints that ask for what cannot be: the world stays finite, and whoever is freed behaves again.
+// Joints that contradict each other: the world stays finite, and bodies behave again once the contradiction ends.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ using namespace tumble::test;
 
 namespace {
 
-// A body over a floor between two carriers that part for good and turn against each other.
+// A body over a floor, joined to two carriers that move apart for ever and rotate against each other.
 struct Torn {
     World world{WorldDef{}};
     BodyId left{}, right{}, held{};
@@ -66,7 +66,7 @@ DistanceJointDef rod() {
 
 }  // namespace
 
-TEST_CASE("a body that two joints tear apart stays finite, whatever joins it") {
+TEST_CASE("a body between two joints that move apart stays finite, for every kind of joint") {
     const std::vector<JointDef> kinds{slider(), strut(), rod(), RevoluteJointDef{}, WeldJointDef{}};
     for (const JointDef& kind : kinds)
         for (const float speed : {1.0f, 5.0f, 10.0f})
@@ -86,8 +86,8 @@ TEST_CASE("a body that two joints tear apart stays finite, whatever joins it") {
                 }
 }
 
-// Off both rails nothing pulls it but the limits, which differ by rounding.
-TEST_CASE("a slider that its limits pull two ways moves no faster than its carriers") {
+// Off both rails only the limits act on it, and they differ by rounding.
+TEST_CASE("a slider between two contradicting limits moves no faster than its carriers") {
     for (const float speed : {1.0f, 5.0f, 10.0f}) {
         Torn torn(speed, 0.0f, 1.0f);
         torn.hold_by(slider());
@@ -98,8 +98,8 @@ TEST_CASE("a slider that its limits pull two ways moves no faster than its carri
     }
 }
 
-// It hangs 2 cm below the line of its carriers again, which sags by F / (m w^2) = 0.1 mm.
-TEST_CASE("what was torn is whole again once its carriers have come back") {
+// It hangs 2 cm below the line of its carriers again; the joints give way by F / (m w^2) = 0.1 mm.
+TEST_CASE("joints that were pulled apart close again once their carriers have come back") {
     const auto check = [](const auto& def) {
         Torn torn(5.0f, 0.0f, 1.0f);
         torn.hold_by(def);
