@@ -179,7 +179,7 @@ struct FilterJointDef {
 //   distance of anchor_a from ground_anchor_a + ratio * distance of anchor_b from ground_anchor_b = length.
 // With ratio 2 it is a block and tackle: B moves half as far as A, and the force on B is twice that on A. As in
 // Box2D 2.4 the rope is rigid: it also pushes, where a real one would go slack. A side of length 0 has no direction and
-// exerts no force: a body that is pulled up to its wheel passes it, and hangs on the other side.
+// exerts no force: a body that is pulled up to its wheel moves past it, and hangs on the other side.
 struct PulleyJointDef {
     BodyId body_a{};
     BodyId body_b{};
