@@ -32,6 +32,8 @@ test_packages=(
     'libvalijson-dev:checks the published scene schema'
     'clang-14:the second compiler: must give the same state hashes'
     'libclang-rt-14-dev:its sanitizers and libFuzzer'
+    'clang-format-14:checks the format of the sources'
+    'clang-tidy-14:finds mistakes in the sources'
     'shellcheck:checks these scripts'
 )
 

@@ -1,15 +1,28 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything with warnings as errors, and runs all tests:
-#   1. g++, release, this machine's instruction set: every test
-#   2. clang, debug, the baseline instruction set, address and undefined-behaviour sanitizers: must give the same state
-#      hash after each step and the same parity results, pass the tests of the rooms that keep stores and of the command
-#      line (of the shipped scenes each twelfth), and hold out against each fuzz target
+#   1. the format of all sources, and clang-tidy for those that changed
+#   2. g++, release, this machine's instruction set: every test
+#   3. clang, debug, the baseline instruction set, address and undefined-behaviour sanitizers, TUMBLE_CHECK: the same
+#      state hashes after each step and the same parity results; the tests of the rooms that keep stores, of the command
+#      line (each twelfth of the shipped scenes) and of the golden hashes; each fuzz target for a short time
+#   4. g++, release, AVX2 and AVX-512: the golden hashes
+# tools/test.sh --full does the same with clang-tidy for all sources, a million pairs of each parity family, and ten
+# minutes for each fuzz target.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project"
 jobs=${TUMBLE_JOBS:-2}
-sanitized_rooms=(broad dynamics tools)
+sanitized_labels=(broad dynamics tools golden fuzz)
+lint_arguments=()
+case ${1-} in
+    --full)
+        lint_arguments=(--all)
+        export TUMBLE_PAIRS=1000000 TUMBLE_FUZZ_SECONDS=600
+        ;;
+    '') ;;
+    *) echo "usage: ${0##*/} [--full]" >&2; exit 2 ;;
+esac
 
 say() { printf 'test: %s (%d s)\n' "$*" "$SECONDS" >&2; }
 
@@ -48,17 +61,29 @@ compare_parity() {
     say "parity: equal results over $1 pairs"
 }
 
+# check_golden_hashes INSTRUCTION_SET FLAG: FLAG is what /proc/cpuinfo calls it.
+check_golden_hashes() {
+    grep -q -w "$2" /proc/cpuinfo || { say "this processor has no $1, so the build for it cannot run"; return 1; }
+    build "$1" golden
+    "build/$1/tests/golden"
+}
+
 mkdir -p build
 tools/setup.sh all
+say "checking the sources"
+tools/lint.sh "${lint_arguments[@]}"
 say "building with g++, release"
 build ci all
 say "running all tests"
 ctest --preset ci --parallel "$jobs"
 say "building with clang, debug, sanitizers, baseline instruction set"
-build sanitize tumble_cli "${sanitized_rooms[@]/#/test_}" fuzz_targets
+build sanitize tumble_cli test_broad test_dynamics test_tools golden fuzz_targets
 compare_hashes pyramid 5
 compare_hashes mixed_rain 2
 compare_parity 20000
 say "running tests and the fuzz targets with sanitizers"
-TUMBLE_ONE_SCENE_OF=12 ctest --preset sanitize -L "^($(IFS='|'; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
+TUMBLE_ONE_SCENE_OF=12 ctest --preset sanitize -L "^($(IFS='|'; echo "${sanitized_labels[*]}"))\$" --parallel "$jobs"
+say "building for AVX2 and AVX-512"
+check_golden_hashes avx2 avx2
+check_golden_hashes avx512 avx512vl
 say "all tests passed"

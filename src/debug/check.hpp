@@ -90,6 +90,8 @@ constexpr void check(const Outcome& outcome, const char* expression, const char*
 #ifdef NDEBUG
 #define TUMBLE_CHECK(condition) static_cast<void>(sizeof(condition))
 #else
+// NOLINTBEGIN(bugprone-macro-parentheses): parentheses around the condition would hide its two sides
 #define TUMBLE_CHECK(condition) \
     ::tumble::debug::check(::tumble::debug::Start{} << condition, #condition, __FILE__, __LINE__)
+// NOLINTEND(bugprone-macro-parentheses)
 #endif

@@ -8,11 +8,10 @@
 
 #include <Eigen/Core>
 
+#include "simd/lane_count.hpp"
 #include "simd/lane_function.hpp"
 
 namespace tumble {
-
-inline constexpr int kLaneCount = 8;
 
 using Lanes = Eigen::Array<float, kLaneCount, 1>;
 

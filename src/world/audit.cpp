@@ -4,7 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "dynamics/contacts/contact_block.hpp"
+#include "dynamics/rows/joint_ends.hpp"
+#include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {
 
@@ -125,7 +126,7 @@ void audit_contacts(const Simulation& simulation) {
         const ShapeRecord& b = simulation.shapes[contact.shapes.b];
         if (!simulation.is_live(contact.shapes)) continue;  // the next step drops it
         const bool both_sleep = simulation.bodies.is_asleep(a.body) && simulation.bodies.is_asleep(b.body);
-        const bool may_wait = contact.kind != ContactKind::solid || contact.came_from == LinkSide::solid;
+        const bool may_wait = contact.kind != ContactKind::solid || contact.chain_state == ChainState::crossing;
         require(!both_sleep || may_wait || is_over(simulation, contact), "a contact is awake between sleeping bodies",
                 i);
         require(a.body == contact.body_a && b.body == contact.body_b, "a contact's bodies are not those of its shapes",
@@ -140,26 +141,6 @@ void audit_contacts(const Simulation& simulation) {
             all);
 }
 
-// The bodies of one block must differ, as its lanes are solved at once. Graph and blocks are those of the last step:
-// bodies created later are not in them.
-void audit_blocks(const Simulation& simulation) {
-    require(simulation.blocks.size() == simulation.graph.block_count(),
-            "the contact blocks and the blocks of the graph differ in number", 0);
-    for (std::size_t i = 0; i < simulation.blocks.size(); ++i) {
-        std::vector<std::uint32_t> written;
-        for (int lane = 0; lane < kLaneCount; ++lane) {
-            const ContactBlock& block = simulation.blocks[i];
-            if (block.inv_mass_ax[lane] + block.inv_mass_ay[lane] + block.inv_inertia_a[lane] > 0.0f)
-                written.push_back(block.body_a[lane]);
-            if (block.inv_mass_bx[lane] + block.inv_mass_by[lane] + block.inv_inertia_b[lane] > 0.0f)
-                written.push_back(block.body_b[lane]);
-        }
-        std::sort(written.begin(), written.end());
-        require(std::adjacent_find(written.begin(), written.end()) == written.end(),
-                "a body is in two lanes of a block", i);
-    }
-}
-
 }  // namespace
 
 void audit(const Simulation& simulation) {
@@ -169,7 +150,7 @@ void audit(const Simulation& simulation) {
     audit_joints(simulation);
     audit_islands(simulation);
     audit_contacts(simulation);
-    audit_blocks(simulation);
+    simulation.scratch.contact_solver.audit();
 }
 
 }  // namespace tumble

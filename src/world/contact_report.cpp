@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dynamics/bodies/integrate.hpp"
+#include "dynamics/bodies/divergence.hpp"
 
 namespace tumble {
 

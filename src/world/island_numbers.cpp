@@ -1,5 +1,7 @@
 #include "world/island_numbers.hpp"
 
+#include "dynamics/state/collision_rules.hpp"
+
 namespace tumble {
 
 namespace {

@@ -45,33 +45,49 @@ private:
     std::size_t bytes_ = 0;
 };
 
-template <class... Part>
-std::size_t bytes_of(const Part&... part) {
+template <class Part>
+std::size_t bytes_of(const Part& part) {
     MemoryCounter counter;
-    (visit_value(counter, part), ...);
+    visit_value(counter, part);
     return counter.bytes();
 }
+std::size_t bytes_of(const BroadPhase& broad) {
+    MemoryCounter counter;
+    visit_value(counter, broad);
+    return counter.bytes() + broad.spare_bytes();
+}
 
-// Of vectors of plain values.
-template <class... T>
-std::size_t capacity_bytes(const std::vector<T>&... values) {
-    return ((values.capacity() * sizeof(T)) + ...);
+// Members of the scratch memory are vectors of plain values, or count themselves.
+template <class T>
+std::size_t scratch_bytes(const std::vector<T>& values) {
+    return values.capacity() * sizeof(T);
+}
+template <class T>
+std::size_t scratch_bytes(const T& value) {
+    return value.bytes();
+}
+
+// The total that a member's memory belongs to: `other`, unless its type has a line here.
+std::size_t& total_of(WorldMemory& memory, const BodyStore&) { return memory.bodies; }
+std::size_t& total_of(WorldMemory& memory, const ShapeStore&) { return memory.shapes; }
+std::size_t& total_of(WorldMemory& memory, const JointStore&) { return memory.joints; }
+std::size_t& total_of(WorldMemory& memory, const BroadPhase&) { return memory.broad_phase; }
+std::size_t& total_of(WorldMemory& memory, const ContactStore&) { return memory.contacts; }
+std::size_t& total_of(WorldMemory& memory, const SleepingIslands&) { return memory.contacts; }
+std::size_t& total_of(WorldMemory& memory, const ContactSolver&) { return memory.solver; }
+template <class T>
+std::size_t& total_of(WorldMemory& memory, const T&) {
+    return memory.other;
 }
 
 }  // namespace
 
 WorldMemory count_memory(const Simulation& simulation) {
     WorldMemory memory;
-    memory.bodies = bytes_of(simulation.bodies);
-    memory.shapes = bytes_of(simulation.shapes);
-    memory.joints = bytes_of(simulation.joints);
-    memory.broad_phase = bytes_of(simulation.broad) + simulation.broad.spare_bytes();
-    memory.contacts = bytes_of(simulation.contacts, simulation.sleeping);
-    memory.solver = simulation.graph.bytes() + capacity_bytes(simulation.blocks);
-    memory.other = bytes_of(simulation.events) + simulation.islands.bytes() +
-                   capacity_bytes(simulation.sleepers, simulation.island_of_root, simulation.sleeping_joints,
-                                  simulation.given_work, simulation.footings, simulation.movers, simulation.near_shapes,
-                                  simulation.impacts, simulation.sensor_passes);
+    const SimulationState& state = simulation;
+    visit_fields_of(state, [&](const auto&... member) { ((total_of(memory, member) += bytes_of(member)), ...); });
+    visit_fields_of(simulation.scratch,
+                    [&](const auto&... member) { ((total_of(memory, member) += scratch_bytes(member)), ...); });
     return memory;
 }
 

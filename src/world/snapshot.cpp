@@ -25,12 +25,11 @@ constexpr std::uint32_t kVersion = 4;
 
 constexpr std::size_t kHeaderBytes = sizeof kMagic + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
-template <class Parts, class Visit>
-void visit_state(Parts& parts, Visit&& visit) {
-    auto& simulation = parts.simulation;
-    visit(parts.def, parts.step_count, parts.diverged_body, simulation.bodies, simulation.shapes, simulation.joints,
-          simulation.broad, simulation.contacts, simulation.sleeping, simulation.events, simulation.contact_counts,
-          simulation.passes, simulation.filters_changed);
+// Calls visit(parts...) with all that is saved, in the order of the bytes.
+template <class Visit>
+void visit_saved(const SnapshotParts& parts, Visit&& visit) {
+    SimulationState& state = parts.simulation;
+    visit(parts.def, parts.step_count, parts.diverged_body, state);
 }
 
 class Writer {
@@ -157,7 +156,7 @@ private:
 
 std::vector<std::byte> write_snapshot(const SnapshotParts& parts) {
     Writer payload;
-    visit_state(parts, [&](const auto&... part) { (visit_value(payload, part), ...); });
+    visit_saved(parts, [&](const auto&... part) { (visit_value(payload, part), ...); });
     const std::vector<std::byte> state = payload.take();
     Writer snapshot;
     for (const char letter : kMagic) snapshot.leaf(letter);
@@ -189,7 +188,7 @@ void read_snapshot(std::span<const std::byte> bytes, const SnapshotParts& parts)
     Reader::require(hash == XXH64(state.data(), state.size(), 0), "it is damaged: the checksum does not fit");
 
     Reader payload(state);
-    visit_state(parts, [&](auto&... part) { (visit_value(payload, part), ...); });
+    visit_saved(parts, [&](auto&... part) { (visit_value(payload, part), ...); });
     Reader::require(payload.is_at_end(), "it has more bytes than its state");
     try {
         audit(parts.simulation);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "dynamics/stages/sleep.hpp"
+#include "dynamics/step.hpp"
 #include "world/audit.hpp"
 #include "world/contact_report.hpp"
 #include "world/input_checks.hpp"
@@ -19,15 +20,15 @@ StepCounters World::Impl::count() const {
     StepCounters counters_now;
     counters_now.bodies = static_cast<int>(simulation.bodies.ids.live().size());
     counters_now.joints = static_cast<int>(simulation.joints.ids.live().size());
-    counters_now.colors = simulation.graph.color_count();
+    counters_now.colors = simulation.scratch.contact_solver.color_count();
     counters_now.awake_bodies = simulation.bodies.awake_dynamic_count();
     counters_now.sleeping_islands = static_cast<int>(simulation.sleeping.count());
     counters_now.contacts = static_cast<int>(simulation.contact_counts.contacts);
     counters_now.contact_points = static_cast<int>(simulation.contact_counts.points);
-    counters_now.pairs = simulation.collided.asked;
-    counters_now.collided = simulation.collided.full;
-    counters_now.gjk_iterations = simulation.collided.iterations;
-    counters_now.ms = simulation.times;
+    counters_now.pairs = simulation.report.collided.asked;
+    counters_now.collided = simulation.report.collided.full;
+    counters_now.gjk_iterations = simulation.report.collided.iterations;
+    counters_now.ms = simulation.report.times;
     return counters_now;
 }
 

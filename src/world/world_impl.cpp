@@ -1,6 +1,7 @@
 // What the members of World share: the shapes of a body and their proxies, mass, and the removal of joints.
 #include "world/world_impl.hpp"
 
+#include "dynamics/rows/joint_ends.hpp"
 #include "dynamics/stages/sleep.hpp"
 
 namespace tumble {

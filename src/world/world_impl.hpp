@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/bodies/integrate.hpp"
+#include "dynamics/bodies/divergence.hpp"
 #include "dynamics/state/simulation.hpp"
 #include "tumble/world.hpp"
 

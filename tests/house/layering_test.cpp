@@ -57,7 +57,8 @@ std::string place(const Include& include) {
 
 const fs::path root = TUMBLE_SOURCE_DIR;
 
-// What each folder may include besides its own files, debug and public headers. A name stands for a folder and all below it.
+// What each folder may include besides its own files, debug and public headers. A name stands for a folder and all
+// below it.
 const std::map<std::string, std::set<std::string>> kMaySee = {
     {"debug", {}},
     {"file", {}},
@@ -77,9 +78,9 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"dynamics/contacts", {"simd", "broad", "narrow/manifold", "dynamics/bodies"}},
     {"dynamics/rows", {"dynamics/bodies"}},
     {"dynamics/joints", {"dynamics/bodies", "dynamics/rows"}},
-    {"dynamics/state", {"broad", "dynamics/bodies", "dynamics/contacts", "dynamics/joints"}},
-    {"dynamics/stages", {"dynamics/bodies", "dynamics/state"}},
-    {"dynamics", {"dynamics/bodies", "dynamics/state", "dynamics/stages"}},
+    {"dynamics/state", {"broad", "dynamics/bodies", "dynamics/contacts", "dynamics/rows", "dynamics/joints"}},
+    {"dynamics/stages", {"dynamics/bodies", "dynamics/contacts", "dynamics/state"}},
+    {"dynamics", {"dynamics/bodies", "dynamics/contacts", "dynamics/state", "dynamics/stages"}},
     {"world", {"dynamics"}},
     {"scene/json", {}},
     {"scene/format", {"scene/json"}},
@@ -122,11 +123,13 @@ const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"math", {"math.hpp"}},
     {"simd", {"math.hpp"}},
     {"shape", {"math.hpp", "shape.hpp", "outline.hpp"}},
-    {"narrow", {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp"}},
+    {"narrow",
+     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
+      "chain_manifold.hpp"}},
     {"broad", {"math.hpp"}},
     {"dynamics",
-     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp", "id.hpp",
-      "body.hpp", "joint.hpp", "events.hpp", "counters.hpp"}},
+     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
+      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "events.hpp", "counters.hpp"}},
 };
 
 // Third-party headers by their first folder or whole name, and the rooms that may include them.
@@ -224,9 +227,9 @@ TEST_CASE("folders include only what the table allows") {
 }
 
 TEST_CASE("the table has no circle") {
-    for (const auto& [folder, unused] : kMaySee) {
+    for (const auto& wall : kMaySee) {
         std::set<std::string> seen;
-        CHECK_MESSAGE(!leads_back(folder, folder, seen), folder);
+        CHECK_MESSAGE(!leads_back(wall.first, wall.first, seen), wall.first);
     }
 }
 
@@ -238,8 +241,8 @@ TEST_CASE("public headers include the standard library and each other only") {
 }
 
 TEST_CASE("no folder has more than 30 sources") {
-    for (const auto& [folder, sources] : count_sources()) {
-        CAPTURE(folder);
-        CHECK(sources <= 30);
+    for (const auto& counted : count_sources()) {
+        CAPTURE(counted.first);
+        CHECK(counted.second <= 30);
     }
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/query/random.hpp"
-#include "tumble/chain.hpp"
+#include "tumble/chain_manifold.hpp"
 
 using namespace tumble;
 

@@ -47,7 +47,7 @@ int main() {
 constexpr const char* kListFile = R"(
 cmake_minimum_required(VERSION 3.25)
 project(consumer LANGUAGES CXX)
-find_package(tumble 0.1 REQUIRED)
+find_package(tumble 0.2 REQUIRED)
 add_executable(ten_lines ten_lines.cpp)
 target_link_libraries(ten_lines PRIVATE tumble::tumble)
 add_executable(readme_example readme_example.cpp)

@@ -18,7 +18,7 @@ enum BodyFlag : std::uint32_t {
     kLockX = 1u << 3,         // has no velocity along the world's x axis,
     kLockY = 1u << 4,         // along y,
     kLockRotation = 1u << 5,  // or of turning
-    kThrownBody = 1u << 6,    // went faster than anything may, since the last step ended
+    kClampedBody = 1u << 6,    // went faster than anything may, since the last step ended
 };
 
 struct alignas(32) SolverBody {

@@ -12,7 +12,7 @@
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/contacts/contact.hpp"
-#include "simd/lanes.hpp"
+#include "simd/lane_count.hpp"
 
 namespace tumble {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "dynamics/bodies/integrate.hpp"
+#include "dynamics/bodies/ballistics.hpp"
 #include "dynamics/contacts/contact_block.hpp"
 
 namespace tumble {

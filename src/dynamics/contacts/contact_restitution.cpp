@@ -1,7 +1,7 @@
 // Bounces: what was approaching fast parts again, once after the sub-steps.
 #include <algorithm>
 
-#include "dynamics/bodies/integrate.hpp"
+#include "dynamics/bodies/ballistics.hpp"
 #include "dynamics/contacts/contact_normals.hpp"
 
 namespace tumble {

@@ -1,112 +1,69 @@
-// The contact kernel: projected Gauss-Seidel over blocks of eight contacts, soft in the biased pass, rigid otherwise.
-#include <algorithm>
+#include "dynamics/contacts/contact_solver.hpp"
 
-#include "dynamics/contacts/contact_normals.hpp"
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "dynamics/contacts/contact_block.hpp"
 
 namespace tumble {
 
 namespace {
 
-// What a soft contact keeps of its impulse, if it is taken back less than a spring would for the load that it carries,
-// and more for what is new: all of it at most, where sub-steps are shorter than 0.8 ms.
-TUMBLE_LANE_FUNCTION Lanes kept_impulse(const ContactBlock& block, const ContactBlockPoint& point) {
-    const float back = block.softness.impulse_scale, fresh_back = std::min(kFreshSoftness * back, 1.0f);
-    const float keeps_fresh = 1.0f - fresh_back, keeps_more_carried = fresh_back - kCarriedSoftness * back;
-    return keeps_fresh * point.normal_impulse + keeps_more_carried * point.carried.min(point.normal_impulse);
-}
-
-// Gaps are speculative: rigid, and closed in one sub-step at the fastest. Overlap is removed softly, as by an implicit
-// spring and damper whose mass scale divides the diagonal, and no faster than the push-out speed.
-TUMBLE_LANE_FUNCTION NormalRow make_soft_row(const ContactBlock& block, const ContactBlockPoint& point,
-                                             const Lanes& shift, float inv_h, float push_out_speed,
-                                             const BlockState& state) {
-    const Lanes zero = Lanes::Zero();
-    const Lanes separation = current_separation(block, point, shift, state);
-    const Lanes gap = separation.max(zero), overlap = separation.min(zero);
-    const float max_push = push_out_speed / block.softness.mass_scale;  // before the mass scale
-    const Lanes bias = gap * inv_h + (overlap * block.softness.bias_rate).max(-max_push);
-    const Lanes soft = point.inverse_mass * (1.0f / block.softness.mass_scale);
-    const Lanes diagonal = select_less(zero, separation, point.inverse_mass, soft);
-    const Lanes kept = select_less(zero, separation, point.normal_impulse, kept_impulse(block, point));
-    return {diagonal, normal_velocity(point, state) + bias - diagonal * kept};
-}
-
-TUMBLE_LANE_FUNCTION NormalRow make_rigid_row(const ContactBlock& block, const ContactBlockPoint& point,
-                                              const Lanes& shift, float inv_h, const BlockState& state) {
-    const Lanes gap = current_separation(block, point, shift, state).max(Lanes::Zero());
-    return {point.inverse_mass,
-            normal_velocity(point, state) + gap * inv_h - point.inverse_mass * point.normal_impulse};
-}
-
-// How fast B's surface moves along A's; a belt's moves by itself.
-TUMBLE_LANE_FUNCTION Lanes slip_speed(const ContactBlock& block, const ContactBlockPoint& point,
-                                      const BlockState& state) {
-    const Lanes velocity = tangent_velocity(point, state);
-    return block.has_tangent_speed ? velocity + block.tangent_speed : velocity;
-}
-
-// Remembers the work that it does where it may be followed by a bounce, as push_normals() does.
-TUMBLE_LANE_FUNCTION void push_tangent(ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
-                                       BlockState& state) {
-    if (block.has_restitution) block.friction_work += 0.5f * impulse * slip_speed(block, point, state);
-    apply_tangent(block, point, impulse, state);
-    if (block.has_restitution) block.friction_work += 0.5f * impulse * slip_speed(block, point, state);
-}
-
-// Coulomb friction against the normal impulse.
-TUMBLE_LANE_FUNCTION void solve_friction(ContactBlock& block, ContactBlockPoint& point, BlockState& state) {
-    const Lanes old_impulse = point.tangent_impulse;
-    const Lanes wanted = old_impulse - point.tangent_mass * slip_speed(block, point, state);
-    point.tangent_impulse = clamp_magnitude(wanted, block.friction * point.normal_impulse);
-    point.applied_tangent += point.tangent_impulse;
-    push_tangent(block, point, point.tangent_impulse - old_impulse, state);
-}
-
-// A torque against rolling, at most resistance times the normal impulse.
-TUMBLE_LANE_FUNCTION void solve_rolling(ContactBlock& block, BlockState& state) {
-    const Lanes roll = state.b.angular_velocity - state.a.angular_velocity;
-    const Lanes normal_impulse = block.points[0].normal_impulse + block.points[1].normal_impulse;
-    const Lanes old_impulse = block.rolling_impulse;
-    const Lanes wanted = old_impulse - block.rolling_mass * roll;
-    block.rolling_impulse = clamp_magnitude(wanted, block.rolling_resistance * normal_impulse);
-    const Lanes change = block.rolling_impulse - old_impulse;
-    apply_rolling(block, change, state);
+// The solver bodies that a block moves, sorted.
+std::vector<std::uint32_t> moved_bodies(const ContactBlock& block) {
+    std::vector<std::uint32_t> moved;
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        if (block.inv_mass_ax[lane] + block.inv_mass_ay[lane] + block.inv_inertia_a[lane] > 0.0f)
+            moved.push_back(block.body_a[lane]);
+        if (block.inv_mass_bx[lane] + block.inv_mass_by[lane] + block.inv_inertia_b[lane] > 0.0f)
+            moved.push_back(block.body_b[lane]);
+    }
+    std::sort(moved.begin(), moved.end());
+    return moved;
 }
 
 }  // namespace
 
-void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies) {
-    for (ContactBlock& block : blocks) {
-        BlockState state = load(block, bodies);
-        push_normals(block, block.points[0].normal_impulse, block.points[1].normal_impulse, state);
-        for (const ContactBlockPoint& point : block.points) push_tangent(block, point, point.tangent_impulse, state);
-        if (block.has_rolling_resistance) apply_rolling(block, block.rolling_impulse, state);
-        finish(block, state, bodies);
-    }
+ContactSolver::ContactSolver() = default;
+ContactSolver::~ContactSolver() = default;
+ContactSolver::ContactSolver(ContactSolver&&) noexcept = default;
+ContactSolver& ContactSolver::operator=(ContactSolver&&) noexcept = default;
+
+void ContactSolver::prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning,
+                            Vec2 gravity, float h) {
+    graph_.build(contacts, bodies);
+    prepare_contacts(contacts, bodies, graph_, tuning, gravity, h, blocks_);
 }
 
-void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, float push_out_speed) {
-    for (ContactBlock& block : blocks) {
-        BlockState state = load(block, bodies);
-        const Lanes shift = center_shift(block, state);
-        const NormalRow first = make_soft_row(block, block.points[0], shift, inv_h, push_out_speed, state);
-        const NormalRow second = make_soft_row(block, block.points[1], shift, inv_h, push_out_speed, state);
-        solve_normals(block, first, second, state);
-        finish(block, state, bodies);
-    }
+void ContactSolver::warm_start(std::span<SolverBody> bodies) { warm_start_contacts(blocks_, bodies); }
+
+void ContactSolver::solve(std::span<SolverBody> bodies, float inv_h, float push_out_speed) {
+    solve_contacts(blocks_, bodies, inv_h, push_out_speed);
 }
 
-void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h) {
-    for (ContactBlock& block : blocks) {
-        BlockState state = load(block, bodies);
-        const Lanes shift = center_shift(block, state);
-        for (ContactBlockPoint& point : block.points) solve_friction(block, point, state);
-        if (block.has_rolling_resistance) solve_rolling(block, state);
-        const NormalRow first = make_rigid_row(block, block.points[0], shift, inv_h, state);
-        const NormalRow second = make_rigid_row(block, block.points[1], shift, inv_h, state);
-        solve_normals(block, first, second, state);
-        for (ContactBlockPoint& point : block.points) point.applied_normal += point.normal_impulse;
-        finish(block, state, bodies);
+void ContactSolver::relax(std::span<SolverBody> bodies, float inv_h) { relax_contacts(blocks_, bodies, inv_h); }
+
+void ContactSolver::apply_restitution(std::span<SolverBody> bodies, float threshold, float h) {
+    tumble::apply_restitution(blocks_, bodies, threshold, h, returned_work_);
+}
+
+void ContactSolver::store_impulses(std::span<Contact> contacts) const {
+    tumble::store_impulses(blocks_, graph_, contacts);
+}
+
+std::size_t ContactSolver::bytes() const {
+    return graph_.bytes() + blocks_.capacity() * sizeof(ContactBlock) + returned_work_.capacity() * sizeof(float);
+}
+
+void ContactSolver::audit() const {
+    if (blocks_.size() != graph_.block_count())
+        throw std::logic_error("contact solver: " + std::to_string(blocks_.size()) + " blocks, but the graph has " +
+                               std::to_string(graph_.block_count()));
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        const std::vector<std::uint32_t> moved = moved_bodies(blocks_[i]);
+        if (std::adjacent_find(moved.begin(), moved.end()) != moved.end())
+            throw std::logic_error("contact solver: block " + std::to_string(i) + " moves a body twice");
     }
 }
 

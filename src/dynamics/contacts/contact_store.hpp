@@ -1,42 +1,37 @@
-// The contacts of awake bodies, contiguous and sorted by shape indices: every loop over them runs in an order that
+// The contacts of awake bodies, contiguous and sorted by shape indices, so that the order of every loop over them
 // depends on ids alone.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "dynamics/contacts/contact.hpp"
+#include "dynamics/contacts/make_contact.hpp"
 
 namespace tumble {
 
-class BodyStore;
-class ShapeStore;
-struct Tuning;
-
 class ContactStore {
 public:
-    // Drops the contacts for which keep(contact) does not hold and adds one for each new pair (sorted, none present
-    // yet).
+    // Removes the contacts for which keep(contact) is false, and adds one for each new pair. `new_pairs` is sorted and
+    // contains no pair of all().
     template <class Keep>
     void update(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning, Keep&& keep);
 
-    // Takes out the contacts for which keep(contact), called in order, does not hold.
+    // Removes the contacts for which keep(contact), called in order, is false.
     template <class Keep>
     void keep_if(Keep&& keep);
 
-    // Contacts come back from an island that woke: at once for whoever asks, in their place by merge_woken().
-    void add_woken(const std::vector<Contact>& contacts) {
-        for (const Contact& contact : contacts) {
-            woken_.push_back(contact);
-            woken_.back().is_new = true;
-        }
-    }
-    const std::vector<Contact>& woken() const { return woken_; }
+    // Adds the contacts of an island that woke. They are in woken() until merge_woken() sorts them into all().
+    void add_woken(std::span<const Contact> contacts);
     void merge_woken();
 
     // The contact of a pair among all(), or nullptr.
     Contact* find(ProxyPair pair);
     const Contact* find(ProxyPair pair) const;
 
+    const std::vector<Contact>& woken() const { return woken_; }
     std::vector<Contact>& woken() { return woken_; }
     std::vector<Contact>& all() { return contacts_; }
     const std::vector<Contact>& all() const { return contacts_; }
@@ -47,29 +42,14 @@ public:
     }
 
 private:
-    // Puts `count` contacts in their places, from the back and without a second buffer: pair_of(i) ascends, make(i) is
+    // Inserts `count` contacts in order, from the back and without a second buffer. pair_of(i) ascends, and make(i) is
     // the contact of that pair.
     template <class PairOf, class Make>
     void insert(std::size_t count, PairOf&& pair_of, Make&& make);
 
-    std::vector<Contact> contacts_;
-    std::vector<Contact> woken_;
+    std::vector<Contact> contacts_;  // sorted
+    std::vector<Contact> woken_;     // in order of waking
 };
-
-// Radii, friction and what else the pair has of its two surfaces.
-void mix_surfaces(Contact& contact, const ShapeStore& shapes);
-
-Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tuning);
-
-// Whether a sensor overlaps now. Its contact has no manifold: nothing that is solved may see one.
-void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes);
-
-// The two do not touch in this step: takes manifold and impulses away.
-void drop(Contact& contact);
-
-// The manifold of this step of `duration` (s); impulses stay with the points whose features go on. False if it was
-// recycled.
-bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, float duration);
 
 template <class Keep>
 void ContactStore::update(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning,
@@ -83,9 +63,11 @@ void ContactStore::update(const std::vector<ProxyPair>& new_pairs, const ShapeSt
 template <class PairOf, class Make>
 void ContactStore::insert(std::size_t count, PairOf&& pair_of, Make&& make) {
     std::size_t from = contacts_.size(), to = from + count;
-    if (to > contacts_.capacity()) contacts_.reserve(to + to / 8);  // a contact is large, and their number settles
+    if (to > contacts_.capacity())
+        contacts_.reserve(to + to / 8);  // less than usual: a contact is large, and the number of contacts settles
     contacts_.resize(to);
     while (count > 0) {
+        TUMBLE_CHECK((from == 0 || contacts_[from - 1].shapes != pair_of(count - 1)));
         const bool is_last = from == 0 || contacts_[from - 1].shapes < pair_of(count - 1);
         contacts_[--to] = is_last ? make(--count) : contacts_[--from];
     }

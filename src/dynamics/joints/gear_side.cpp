@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "debug/check.hpp"
+#include "dynamics/rows/joint_ends.hpp"
 
 namespace tumble {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/rows/joint_ends.hpp"
+
 namespace tumble {
 
 namespace {

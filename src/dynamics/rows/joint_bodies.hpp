@@ -3,27 +3,12 @@
 
 #include <cstdint>
 #include <span>
-#include <variant>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/softness.hpp"
-#include "tumble/joint.hpp"
 
 namespace tumble {
-
-// The bodies of a joint of any kind.
-inline BodyId joint_body_a(const JointDef& def) {
-    return std::visit([](const auto& d) { return d.body_a; }, def);
-}
-inline BodyId joint_body_b(const JointDef& def) {
-    return std::visit([](const auto& d) { return d.body_b; }, def);
-}
-
-// True for a joint that a gear may couple: revolute or prismatic, with one free motion.
-inline bool can_be_geared(const JointDef& def) {
-    return std::holds_alternative<RevoluteJointDef>(def) || std::holds_alternative<PrismaticJointDef>(def);
-}
 
 // The values that all joints share in a step.
 struct JointContext {

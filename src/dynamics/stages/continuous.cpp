@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "dynamics/bodies/constants.hpp"
-#include "dynamics/bodies/integrate.hpp"
+#include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/sweeps.hpp"
-#include "dynamics/stages/chain_passes.hpp"
 #include "dynamics/stages/impact.hpp"
+#include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {
 
@@ -28,7 +28,7 @@ Aabb box_on_way(const Shape& shape, const Sweep& sweep) {
 
 class ImpactFinder {
 public:
-    explicit ImpactFinder(Simulation& simulation) : simulation_(simulation), movers_(simulation.movers) {}
+    explicit ImpactFinder(Simulation& simulation) : simulation_(simulation), movers_(simulation.scratch.movers) {}
 
     void run() {
         find_movers();
@@ -40,7 +40,7 @@ public:
         }
         for (const Mover& mover : movers_)
             if (mover.fraction < 1.0) stop(mover);
-        std::vector<ProxyPair>& impacts = simulation_.impacts;
+        std::vector<ProxyPair>& impacts = simulation_.scratch.impacts;
         std::sort(impacts.begin(), impacts.end());
         impacts.erase(std::unique(impacts.begin(), impacts.end()), impacts.end());
     }
@@ -83,7 +83,7 @@ private:
                 if (may_touch(simulation_, pair))
                     visit(own.index, other);
                 else if (shape.is_sensor != simulation_.shapes[other].is_sensor)
-                    simulation_.sensor_passes.push_back(pair);
+                    simulation_.scratch.sensor_crossings.push_back(pair);
             }
         }
     }
@@ -94,9 +94,9 @@ private:
             const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
                                            sweep_of(simulation_.bodies, body), is_held(own, other));
             const ProxyPair pair = make_pair_of(own, other);
-            if (fraction >= mover.fraction || passes_chain(simulation_, pair)) return;
+            if (fraction >= mover.fraction || crosses_chain(simulation_.chain_contacts(), pair)) return;
             mover.fraction = fraction;
-            mover.meeting = pair;
+            mover.impact = pair;
         });
     }
 
@@ -104,11 +104,11 @@ private:
     void find_next(std::size_t bullet) {
         Mover& mover = movers_[bullet];
         mover.next = mover.fraction;
-        mover.partner = kNobody;
+        mover.partner = kNone;
         for_each_near(mover, ProxyLayer::dynamic, ProxyLayer::dynamic, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
-            if (find_mover(body) != kNobody) return;
-            meet(mover, own, other, sweep_of(simulation_.bodies, body), 1.0, kNobody);
+            if (find_mover(body) != kNone) return;
+            meet(mover, own, other, sweep_of(simulation_.bodies, body), 1.0, kNone);
         });
         // Other fast bodies may come from outside the box.
         for (std::size_t i = 0; i < movers_.size(); ++i) {
@@ -138,29 +138,29 @@ private:
         if (fraction >= mover.next) return;
         mover.next = fraction;
         mover.partner = partner;
-        mover.next_meeting = make_pair_of(own, other);
+        mover.next_impact = make_pair_of(own, other);
     }
 
     // Of all meetings ahead the first one happens; those who may come by are
     // looked at again.
     bool stop_first_bullet() {
-        std::size_t first = kNobody;
+        std::size_t first = kNone;
         for (std::size_t i = 0; i < movers_.size(); ++i)
-            if (movers_[i].next < movers_[i].fraction && (first == kNobody || movers_[i].next < movers_[first].next))
+            if (movers_[i].next < movers_[i].fraction && (first == kNone || movers_[i].next < movers_[first].next))
                 first = i;
-        if (first == kNobody) return false;
+        if (first == kNone) return false;
         const std::size_t partner = movers_[first].partner;
         const double fraction = movers_[first].next;
         movers_[first].fraction = fraction;
-        movers_[first].meeting = movers_[first].next_meeting;
+        movers_[first].impact = movers_[first].next_impact;
         // The partner may stand already.
-        if (partner != kNobody && movers_[partner].fraction > fraction) {
+        if (partner != kNone && movers_[partner].fraction > fraction) {
             movers_[partner].fraction = movers_[partner].next = fraction;
-            movers_[partner].meeting = movers_[first].meeting;
+            movers_[partner].impact = movers_[first].impact;
         }
         for (std::size_t i = 0; i < movers_.size(); ++i) {
             const bool concerned = overlaps(movers_[i].box, movers_[first].box) ||
-                                   (partner != kNobody && overlaps(movers_[i].box, movers_[partner].box));
+                                   (partner != kNone && overlaps(movers_[i].box, movers_[partner].box));
             if (movers_[i].is_bullet && i != first && i != partner && concerned) find_next(i);
         }
         return true;
@@ -175,27 +175,27 @@ private:
         const auto found = std::lower_bound(movers_.begin(), movers_.end(), body,
                                             [](const Mover& mover, std::uint32_t key) { return mover.body < key; });
         return found != movers_.end() && found->body == body ? static_cast<std::size_t>(found - movers_.begin())
-                                                             : kNobody;
+                                                             : kNone;
     }
 
     void stop(const Mover& mover) {
-        simulation_.impacts.push_back(mover.meeting);
+        simulation_.scratch.impacts.push_back(mover.impact);
         shorten_motion(simulation_.bodies, mover.body, mover.fraction, simulation_.settings.gravity,
                        {simulation_.settings.duration, simulation_.settings.substep_duration()});
     }
 
-    static constexpr std::size_t kNobody = Mover::kNobody;
+    static constexpr std::size_t kNone = Mover::kNone;
 
     Simulation& simulation_;
     std::vector<Mover>& movers_;  // by body index
-    std::vector<std::uint32_t>& near_ = simulation_.near_shapes;
+    std::vector<std::uint32_t>& near_ = simulation_.scratch.near_shapes;
 };
 
 }  // namespace
 
 void stop_at_impacts(Simulation& simulation) {
-    simulation.impacts.clear();
-    simulation.sensor_passes.clear();
+    simulation.scratch.impacts.clear();
+    simulation.scratch.sensor_crossings.clear();
     if (simulation.settings.continuous) ImpactFinder(simulation).run();
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "dynamics/contacts/collide_contact.hpp"
+
 namespace tumble {
 
 namespace {
@@ -74,17 +76,17 @@ void update_sensor(const Simulation& simulation, Contact& contact) {
 
 // Who was stopped on the way touches from this step on, although the narrow phase has not seen it yet.
 void begin_impacts(Simulation& simulation) {
-    for (const ProxyPair pair : simulation.impacts) {
+    for (const ProxyPair pair : simulation.scratch.impacts) {
         Contact* const found = simulation.contacts.find(pair);
         if (!found || found->is_touching) continue;
         collide_contact(*found, simulation.bodies, simulation.shapes, simulation.settings.duration);
-        found->is_touching = found->came_from != LinkSide::solid;  // else it passes a chain
+        found->is_touching = found->chain_state != ChainState::crossing;
     }
 }
 
 // Who has met a sensor on the way and is not in it now has entered and left it.
-void report_sensor_passes(Simulation& simulation) {
-    for (const ProxyPair pair : simulation.sensor_passes) {
+void report_sensor_crossings(Simulation& simulation) {
+    for (const ProxyPair pair : simulation.scratch.sensor_crossings) {
         const Contact* const contact = simulation.contacts.find(pair);
         if (contact && contact->is_touching) continue;
         const SensorEvent event = sensor_event(simulation, pair, simulation.shapes[pair.a].is_sensor);
@@ -127,7 +129,7 @@ void report_events(Simulation& simulation) {
         contact.was_touching = contact.is_touching;
     }
     simulation.contact_counts = counts;
-    report_sensor_passes(simulation);
+    report_sensor_crossings(simulation);
     // They come from two places; sensors are not in the order of their pairs.
     StepEvents& events = simulation.events;
     const auto is_first = [](const auto& a, const auto& b) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dynamics/bodies/constants.hpp"
+#include "tumble/chain_manifold.hpp"
 
 namespace tumble {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/contacts/collide_contact.hpp"
+
 namespace tumble {
 
 namespace {
@@ -58,7 +60,7 @@ bool is_ground(const Simulation& simulation, std::uint32_t body, std::uint32_t s
 }
 
 void find_footings(Simulation& simulation) {
-    std::vector<GroundContact>& found = simulation.footings;
+    std::vector<GroundContact>& found = simulation.scratch.ground_contacts;
     found.clear();
     const std::vector<Contact>& contacts = simulation.contacts.all();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -81,14 +83,14 @@ void drop_if_below(Simulation& simulation, std::uint32_t moving_shape, std::uint
     const Footing ground = footing_of(simulation, contact, moving_shape),
                   plane = footing_of(simulation, lies, moving_shape);
     const double tolerance = double{kRecyclingPart} * double{contact.speculative_distance};
-    if (!rises_above(ground, plane, tolerance)) drop(contact);
+    if (!rises_above(ground, plane, tolerance)) remove_manifold(contact);
 }
 
 }  // namespace
 
 void smooth_seams(Simulation& simulation) {
     find_footings(simulation);
-    const std::vector<GroundContact>& found = simulation.footings;
+    const std::vector<GroundContact>& found = simulation.scratch.ground_contacts;
     for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
         while (last < found.size() && found[last].moving_shape == found[first].moving_shape) ++last;
         for (std::size_t i = first; i < last; ++i)

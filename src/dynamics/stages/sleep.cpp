@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/state/collision_rules.hpp"
+
 namespace tumble {
 
 namespace {
@@ -37,7 +39,7 @@ void tie(IslandFinder& islands, const BodyStore& bodies, std::uint32_t body_a, s
 }
 
 void find_islands(Simulation& simulation) {
-    IslandFinder& islands = simulation.islands;
+    IslandFinder& islands = simulation.scratch.islands;
     islands.reset(simulation.bodies.solver_bodies.size());
     for (const Contact& contact : simulation.contacts.all())
         if (is_touching(contact) && !is_over(simulation, contact))
@@ -51,9 +53,9 @@ void find_islands(Simulation& simulation) {
 void set_contacts_aside(Simulation& simulation) {
     simulation.contacts.keep_if([&](const Contact& contact) {
         const BodyStore& bodies = simulation.bodies;
-        if (contact.kind != ContactKind::solid) return true;    // who sleeps in a sensor is still there
-        if (is_over(simulation, contact)) return true;          // the next step drops it
-        if (contact.came_from == LinkSide::solid) return true;  // who sleeps half through a chain is to pass it yet
+        if (contact.kind != ContactKind::solid) return true;           // who sleeps in a sensor is still there
+        if (is_over(simulation, contact)) return true;                 // the next step drops it
+        if (contact.chain_state == ChainState::crossing) return true;  // it must go on crossing after it wakes
         const bool sleeps_a = bodies.is_asleep(contact.body_a), sleeps_b = bodies.is_asleep(contact.body_b);
         if (!sleeps_a && !sleeps_b) return true;
         if (bodies.is_active(contact.body_a) || bodies.is_active(contact.body_b)) return true;
@@ -74,25 +76,26 @@ bool leans_on(const SleepingIsland& island, std::uint32_t body) {
 template <class IsChosen>
 void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
     BodyStore& bodies = simulation.bodies;
-    simulation.sleepers.clear();
+    simulation.scratch.sleepers.clear();
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
         if ((bodies.solver_bodies[i].flags & kDynamicBody) && is_chosen(i))
-            simulation.sleepers.push_back({bodies.moving[i].body, simulation.islands.root(i)});
-    std::sort(simulation.sleepers.begin(), simulation.sleepers.end());
+            simulation.scratch.sleepers.push_back({bodies.moving[i].body, simulation.scratch.islands.root(i)});
+    std::sort(simulation.scratch.sleepers.begin(), simulation.scratch.sleepers.end());
 
     // The lowest body of an island comes first and opens it.
-    simulation.island_of_root.assign(bodies.solver_bodies.size(), kNoIsland);
-    simulation.sleeping_joints.clear();
-    for (const Sleeper& sleeper : simulation.sleepers) {
-        std::uint32_t& island = simulation.island_of_root[sleeper.root];
+    simulation.scratch.island_of_root.assign(bodies.solver_bodies.size(), kNoIsland);
+    simulation.scratch.sleeping_joints.clear();
+    for (const Sleeper& sleeper : simulation.scratch.sleepers) {
+        std::uint32_t& island = simulation.scratch.island_of_root[sleeper.root];
         if (island == kNoIsland) island = simulation.sleeping.add();
         BodyRecord& record = bodies.records[sleeper.body];
         record.island = island;
         simulation.sleeping[island].bodies.push_back(sleeper.body);
         bodies.put_to_sleep(sleeper.body);
-        simulation.sleeping_joints.insert(simulation.sleeping_joints.end(), record.joints.begin(), record.joints.end());
+        simulation.scratch.sleeping_joints.insert(simulation.scratch.sleeping_joints.end(), record.joints.begin(),
+                                                  record.joints.end());
     }
-    simulation.joints.put_to_sleep(simulation.sleeping_joints);
+    simulation.joints.put_to_sleep(simulation.scratch.sleeping_joints);
     set_contacts_aside(simulation);
 }
 
@@ -102,7 +105,7 @@ void fall_asleep(Simulation& simulation) {
     BodyStore& bodies = simulation.bodies;
     if (!simulation.settings.sleeping || !update_still_times(bodies, simulation.settings)) return;
     find_islands(simulation);
-    IslandFinder& islands = simulation.islands;
+    IslandFinder& islands = simulation.scratch.islands;
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
         if (bodies.moving[i].still_time < simulation.settings.tuning.time_to_sleep || islands.is_kept_awake(i))
             islands.keep_awake(islands.root(i));
@@ -111,15 +114,15 @@ void fall_asleep(Simulation& simulation) {
         any = (bodies.solver_bodies[i].flags & kDynamicBody) && !islands.is_kept_awake(islands.root(i));
     if (!any) return;
     put_to_sleep(simulation, [&](std::uint32_t i) { return !islands.is_kept_awake(islands.root(i)); });
-    for (const Sleeper& sleeper : simulation.sleepers)
+    for (const Sleeper& sleeper : simulation.scratch.sleepers)
         simulation.events.fell_asleep.push_back(bodies.ids.at(sleeper.body));
 }
 
 void put_island_to_sleep(Simulation& simulation, std::uint32_t body) {
     simulation.contacts.merge_woken();
     find_islands(simulation);
-    const std::uint32_t root = simulation.islands.root(simulation.bodies.frames[body].solver_body);
-    put_to_sleep(simulation, [&](std::uint32_t i) { return simulation.islands.root(i) == root; });
+    const std::uint32_t root = simulation.scratch.islands.root(simulation.bodies.frames[body].solver_body);
+    put_to_sleep(simulation, [&](std::uint32_t i) { return simulation.scratch.islands.root(i) == root; });
 }
 
 void wake_joint(Simulation& simulation, JointId id) {

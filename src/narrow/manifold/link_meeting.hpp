@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "tumble/chain.hpp"
+#include "tumble/chain_manifold.hpp"
 
 namespace tumble {
 

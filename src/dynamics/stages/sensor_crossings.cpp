@@ -1,8 +1,9 @@
-#include "dynamics/stages/sensor_passes.hpp"
+#include "dynamics/stages/sensor_crossings.hpp"
 
 #include <algorithm>
 
 #include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {
 
@@ -23,8 +24,8 @@ bool meet_on_the_way(const Simulation& simulation, ProxyPair pair) {
 
 }  // namespace
 
-void find_sensor_passes(Simulation& simulation) {
-    std::vector<ProxyPair>& passes = simulation.sensor_passes;
+void find_sensor_crossings(Simulation& simulation) {
+    std::vector<ProxyPair>& passes = simulation.scratch.sensor_crossings;
     std::sort(passes.begin(), passes.end());
     passes.erase(std::unique(passes.begin(), passes.end()), passes.end());
     std::erase_if(passes, [&](ProxyPair pair) {

@@ -11,6 +11,6 @@ namespace tumble {
 
 // A stage of the step, once the motion is what it will be and before the poses are: keeps of the candidates those that
 // meet on the way and did not touch before.
-void find_sensor_passes(Simulation& simulation);
+void find_sensor_crossings(Simulation& simulation);
 
 }  // namespace tumble

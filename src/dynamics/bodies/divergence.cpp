@@ -1,0 +1,36 @@
+#include "dynamics/bodies/divergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble {
+
+namespace {
+
+std::uint32_t find_moved_static(const BodyStore& bodies) {
+    const SolverBody& body = bodies.solver_bodies[kStaticSolverBody];
+    if (body.velocity == Vec2{} && body.angular_velocity == 0.0f) return kNoBody;
+    std::uint32_t first = kNoBody;
+    for (const BodyId id : bodies.ids.live()) {
+        if (bodies.frames[id.index].solver_body != kStaticSolverBody || bodies.is_asleep(id.index)) continue;
+        if (!bodies.records[id.index].joints.empty()) return id.index;
+        first = std::min(first, id.index);
+    }
+    return first;
+}
+
+}  // namespace
+
+std::uint32_t find_diverged(const BodyStore& bodies) {
+    std::uint32_t first = kNoBody;
+    for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
+        const SolverBody& body = bodies.solver_bodies[i];
+        const BodyFrame& frame = bodies.frames[bodies.moving[i].body];
+        const bool finite = is_finite(body.velocity) && std::isfinite(body.angular_velocity) &&
+                            is_finite(frame.center) && std::isfinite(frame.pose.rotation.c + frame.pose.rotation.s);
+        if (!finite) first = std::min(first, bodies.moving[i].body);
+    }
+    return first != kNoBody ? first : find_moved_static(bodies);
+}
+
+}  // namespace tumble

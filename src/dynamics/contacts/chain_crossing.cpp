@@ -1,0 +1,88 @@
+#include "dynamics/contacts/chain_crossing.hpp"
+
+#include "debug/check.hpp"
+#include "dynamics/bodies/shape_store.hpp"
+#include "dynamics/contacts/collide_contact.hpp"
+#include "dynamics/contacts/contact_store.hpp"
+#include "narrow/manifold/link_meeting.hpp"
+
+namespace tumble {
+
+namespace {
+
+// The first table.
+ChainState next_state(ChainState state, LinkSide side, bool came_through) {
+    if (side == LinkSide::apart) return ChainState::apart;
+    if (state != ChainState::apart) return state;
+    return side == LinkSide::solid || came_through ? ChainState::crossing : ChainState::open;
+}
+
+// The second table. `neighbors` is apart if no neighbour decides.
+ChainState agreed_state(ChainState state, ChainState neighbors) {
+    return neighbors == ChainState::apart ? state : neighbors;
+}
+
+bool came_through(const PosedShape& segment, const PosedShape& other, Vec2 displacement, Vec2 normal) {
+    if (!(dot(displacement, normal) > 0.0f)) return false;
+    const Pose before{other.world_from_body.position - DVec2(displacement), other.world_from_body.rotation};
+    return is_behind(segment.record.shape, *segment.record.link, segment.world_from_body, other.record.shape, before);
+}
+
+// True for a segment and itself too.
+bool continues(const Shape& segment, const Shape& other) {
+    const bool is_adjacent = segment.vertex(1) == other.vertex(0) || segment.vertex(0) == other.vertex(1) ||
+                             segment.vertex(0) == other.vertex(0);
+    return is_adjacent && dot(segment.vertex(1) - segment.vertex(0), other.vertex(1) - other.vertex(0)) > 0.0f;
+}
+
+// What a shape's contacts with a segment and those that it continues decide, apart from the contact `except`.
+ChainState state_of_neighbors(const ChainContacts& chains, const ShapeRecord& segment, std::uint32_t shape,
+                              const Contact* except) {
+    ChainState state = ChainState::apart;
+    for (const ShapeId id : chains.bodies.records[segment.body].shapes) {
+        const ShapeRecord& neighbor = chains.shapes[id.index];
+        if (!neighbor.link || !continues(neighbor.shape, segment.shape)) continue;
+        const Contact* const contact = chains.contacts.find(make_pair_of(id.index, shape));
+        if (!contact || contact == except) continue;
+        if (contact->chain_state == ChainState::crossing) state = ChainState::crossing;
+        const bool pushes = contact->manifold.point_count > 0 || contact->was_touching;
+        if (contact->chain_state == ChainState::open && pushes) return ChainState::open;
+    }
+    return state;
+}
+
+// The same for a pair; apart if neither is a one-sided segment.
+ChainState state_of_neighbors(const ChainContacts& chains, ProxyPair pair, const Contact* except) {
+    const bool segment_is_a = chains.shapes[pair.a].link.has_value();
+    const ShapeRecord& segment = chains.shapes[segment_is_a ? pair.a : pair.b];
+    if (!segment.link || !segment.link->one_sided) return ChainState::apart;
+    return state_of_neighbors(chains, segment, segment_is_a ? pair.b : pair.a, except);
+}
+
+}  // namespace
+
+Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, Vec2 displacement, Contact& contact) {
+    TUMBLE_CHECK(segment.record.link.has_value());
+    const LinkMeeting seen =
+        meet_link(segment.record.shape, *segment.record.link, segment.world_from_body, other.record.shape,
+                  other.world_from_body, contact.speculative_distance, contact.cache);
+    const bool is_first = contact.chain_state == ChainState::apart && seen.side == LinkSide::open;
+    const bool through = is_first && came_through(segment, other, displacement, seen.manifold.normal);
+    contact.chain_state = next_state(contact.chain_state, seen.side, through);
+    return contact.chain_state == ChainState::crossing ? Manifold{} : seen.manifold;
+}
+
+void follow_neighbors(const ChainContacts& chains, Contact& contact) {
+    const ChainState found = contact.chain_state;
+    if (found == ChainState::apart || (found == ChainState::open && !chains.crossings.any())) return;
+    contact.chain_state = agreed_state(found, state_of_neighbors(chains, contact.shapes, &contact));
+    if (found != ChainState::open || contact.chain_state != ChainState::crossing) return;
+    remove_manifold(contact);
+    contact.reference.is_valid = false;  // or recycling would restore the manifold
+}
+
+bool crosses_chain(const ChainContacts& chains, ProxyPair pair) {
+    return chains.crossings.any() && state_of_neighbors(chains, pair, nullptr) == ChainState::crossing;
+}
+
+}  // namespace tumble

@@ -1,0 +1,82 @@
+// One-sided chains: which contacts with a chain's segments push, as a state machine for each contact.
+//
+// A one-sided segment is solid on its left. A shape that comes from the right, the open side, collides with it. A shape
+// that comes from the left crosses the chain: half way its middle is already on the open side, where a contact would
+// push it away. Therefore each contact with a segment stores the side that the shape came from, until the two are
+// apart. A segment of a two-sided chain has two open sides.
+//
+//   state      meaning                                       manifold
+//   apart      farther away than the speculative distance    none
+//   open       the shape came from an open side              the segment's; none while the middle is behind it
+//   crossing   the shape came from the solid side            none
+//
+// First transition, at each full collision: by the side on which the middle of the shape is (LinkSide).
+//
+//   state      side: apart    open                                   solid
+//   apart      apart          open, or crossing if it came through   crossing
+//   open       apart          open                                   open
+//   crossing   apart          crossing                               crossing
+//
+// The shape came through if it moves away from the segment and its middle was on the solid side one step earlier.
+//
+// Second transition, for a contact that left `apart` in this step: by the shape's contacts with the segments that
+// continue this one. A segment continues another if they share a point and turn by less than a right angle: beyond
+// that they have no solid side in common.
+//
+//   state      no neighbour decides   one crosses, none pushes            one is open and pushes
+//   open       open                   crossing; the manifold is removed   open
+//   crossing   crossing               crossing                            open
+//
+// So a shape that crosses goes on crossing when it drifts to the next segment, and a shape that a chain supports does
+// not begin to cross when its middle is pressed through.
+#pragma once
+
+#include <cstdint>
+
+#include "broad/pair_set.hpp"
+#include "tumble/manifold.hpp"
+#include "tumble/math.hpp"
+
+namespace tumble {
+
+class BodyStore;
+class ContactStore;
+class ShapeStore;
+struct Contact;
+struct ShapeRecord;
+
+enum class ChainState : std::uint8_t { apart, open, crossing };
+
+// Whether any contact is in the state `crossing`.
+struct ChainCrossings {
+    bool before = false;  // after the last step's collisions
+    bool now = false;     // after those of this step, as far as pairs have been collided
+
+    bool any() const { return before || now; }
+};
+
+// What the second transition reads.
+struct ChainContacts {
+    const BodyStore& bodies;
+    const ShapeStore& shapes;
+    const ContactStore& contacts;
+    ChainCrossings crossings;
+};
+
+struct PosedShape {
+    const ShapeRecord& record;
+    const Pose& world_from_body;
+};
+
+// The first transition. Returns the manifold from the segment to the other shape, empty unless the contact is open.
+// `displacement` is that of the other shape relative to the segment in a step (m, world axes).
+Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, Vec2 displacement, Contact& contact);
+
+// The second transition. No effect on a contact that is apart.
+void follow_neighbors(const ChainContacts& chains, Contact& contact);
+
+// True if one of the pair is a one-sided segment and the other crosses it, or a segment that it continues. Costs
+// O(segments of the body * log(contacts)), and O(1) while nothing crosses any chain.
+bool crosses_chain(const ChainContacts& chains, ProxyPair pair);
+
+}  // namespace tumble

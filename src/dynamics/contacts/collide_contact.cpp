@@ -1,0 +1,140 @@
+#include "dynamics/contacts/collide_contact.hpp"
+
+#include "debug/check.hpp"
+#include "dynamics/bodies/constants.hpp"
+#include "dynamics/bodies/shape_store.hpp"
+
+namespace tumble {
+
+namespace {
+
+// Matches the points of the old manifold to those of a new one by their features.
+void carry_impulses_over(Contact& contact, const Manifold& manifold) {
+    PointImpulse impulses[2];
+    for (int i = 0; i < manifold.point_count; ++i)
+        for (int old = 0; old < contact.manifold.point_count; ++old)
+            if (contact.manifold.points[old].feature == manifold.points[i].feature) impulses[i] = contact.impulses[old];
+    contact.impulses[0] = impulses[0];
+    contact.impulses[1] = impulses[1];
+    if (manifold.point_count == 0) contact.rolling_impulse = 0.0f;
+}
+
+int deepest_point(const Manifold& manifold) {
+    return manifold.point_count > 1 && manifold.points[1].separation < manifold.points[0].separation ? 1 : 0;
+}
+
+// The deepest point without an impulse, or -1.
+int idle_point(const Contact& contact) {
+    const int deepest = deepest_point(contact.manifold);
+    if (contact.impulses[deepest].normal == 0.0f) return deepest;
+    const int other = 1 - deepest;
+    return other < contact.manifold.point_count && contact.impulses[other].normal == 0.0f ? other : -1;
+}
+
+// Sets is_touching, and the watched point with its approach. The velocities are those before the step, or after it if
+// continuous collision stopped a body.
+void update_touch(Contact& contact, const BodyStore& bodies) {
+    contact.is_touching = false;
+    contact.watched = -1;
+    if (contact.manifold.point_count == 0) return;
+    const int deepest = deepest_point(contact.manifold);
+    contact.is_touching = contact.manifold.points[deepest].separation <= 0.0f;
+    const int watched = contact.was_touching ? idle_point(contact) : deepest;
+    if (watched < 0) return;
+    TUMBLE_CHECK(watched < contact.manifold.point_count);
+    contact.watched = static_cast<std::int8_t>(watched);
+    const ManifoldPoint& point = contact.manifold.points[watched];
+    const BodyFrame& a = bodies.frames[contact.body_a];
+    const BodyFrame& b = bodies.frames[contact.body_b];
+    const Vec2 velocity_a = velocity_at(bodies.solver_bodies[a.solver_body], point.anchor_a - a.center_offset);
+    const Vec2 velocity_b = velocity_at(bodies.solver_bodies[b.solver_body], point.anchor_b - b.center_offset);
+    contact.approach = {a.pose.position + DVec2(point.anchor_a), dot(velocity_a - velocity_b, contact.manifold.normal)};
+}
+
+// The same manifold from B to A.
+Manifold swapped(const Manifold& manifold) {
+    Manifold result;
+    result.normal = -manifold.normal;
+    result.point_count = manifold.point_count;
+    for (int i = 0; i < manifold.point_count; ++i) {
+        const ManifoldPoint& point = manifold.points[manifold.point_count - 1 - i];
+        result.points[i] = {point.anchor_b, point.anchor_a, point.separation,
+                            point.feature >> 16 | point.feature << 16};
+    }
+    return result;
+}
+
+// `displacement` is that of B relative to A in a step. The cache belongs to the order of the shapes chosen here: a
+// chain's segment comes first.
+Manifold collide_shapes(const PosedShape& a, const PosedShape& b, Vec2 displacement, Contact& contact) {
+    if (a.record.link) return collide_with_chain(a, b, displacement, contact);
+    if (b.record.link) return swapped(collide_with_chain(b, a, -displacement, contact));
+    return collide(a.record.shape, a.world_from_body, b.record.shape, b.world_from_body, contact.speculative_distance,
+                   contact.cache);
+}
+
+void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b, Vec2 displacement) {
+    const Manifold manifold = collide_shapes(a, b, displacement, contact);
+    TUMBLE_CHECK(manifold.point_count >= 0);
+    TUMBLE_CHECK(manifold.point_count <= 2);
+    carry_impulses_over(contact, manifold);
+    contact.applied[0] = contact.applied[1] = {};
+    contact.manifold = manifold;
+    contact.reference = {manifold, a.world_from_body.rotation, b.world_from_body.rotation,
+                         b.world_from_body.position - a.world_from_body.position, true};
+}
+
+// The displacement of B's centre relative to A's in a step, m.
+Vec2 displacement_in_step(const Contact& contact, const BodyStore& bodies, float duration) {
+    const SolverBody& a = bodies.solver_bodies[bodies.frames[contact.body_a].solver_body];
+    const SolverBody& b = bodies.solver_bodies[bodies.frames[contact.body_b].solver_body];
+    return duration * (b.velocity - a.velocity);
+}
+
+}  // namespace
+
+void remove_manifold(Contact& contact) {
+    contact.manifold.point_count = 0;
+    contact.impulses[0] = contact.impulses[1] = {};
+    contact.applied[0] = contact.applied[1] = {};
+    contact.watched = -1;
+    contact.rolling_impulse = 0.0f;
+    contact.is_touching = false;
+}
+
+bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, float duration) {
+    TUMBLE_CHECK(contact.kind == ContactKind::solid);
+    const ShapeRecord& a = shapes[contact.shapes.a];
+    const ShapeRecord& b = shapes[contact.shapes.b];
+    const Pose& pose_a = bodies.frames[contact.body_a].pose;
+    const Pose& pose_b = bodies.frames[contact.body_b].pose;
+    const float tolerance = kRecyclingPart * contact.speculative_distance;
+    const bool is_recycled = recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold);
+    if (!is_recycled) {
+        const bool is_with_chain = a.link || b.link;
+        collide_in_full(contact, {a, pose_a}, {b, pose_b},
+                        is_with_chain ? displacement_in_step(contact, bodies, duration) : Vec2{});
+    }
+    update_touch(contact, bodies);
+    contact.is_new = false;
+    return !is_recycled;
+}
+
+void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {
+    TUMBLE_CHECK(contact.kind != ContactKind::solid);
+    TUMBLE_CHECK(contact.manifold.point_count == 0);
+    const Pose& a = bodies.frames[contact.body_a].pose;
+    const Pose& b = bodies.frames[contact.body_b].pose;
+    ManifoldReference& reference = contact.reference;
+    const DVec2 offset = b.position - a.position;
+    if (!contact.is_new && a.rotation == reference.rotation_a && b.rotation == reference.rotation_b &&
+        offset == reference.offset)
+        return;
+    const Manifold overlap =
+        collide(shapes[contact.shapes.a].shape, a, shapes[contact.shapes.b].shape, b, 0.0, contact.cache);
+    reference = {{}, a.rotation, b.rotation, offset, false};
+    contact.is_touching = overlap.point_count > 0;
+    contact.is_new = false;
+}
+
+}  // namespace tumble

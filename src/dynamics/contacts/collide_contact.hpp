@@ -1,0 +1,22 @@
+// The collision of one contact: its manifold in this step, and whether its shapes touch.
+#pragma once
+
+#include "dynamics/contacts/contact.hpp"
+
+namespace tumble {
+
+class BodyStore;
+class ShapeStore;
+
+// Updates the manifold of a solid contact from the poses and velocities of its bodies. A point keeps its impulses while
+// its feature stays the same. `duration` is that of a step, s. Returns false if the manifold was recycled.
+bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, float duration);
+
+// Updates whether the shapes of a sensor's contact overlap. Such a contact has no manifold, so that the solver has
+// nothing to solve.
+void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes);
+
+// Removes the manifold and the impulses: the two shapes do not push each other in this step.
+void remove_manifold(Contact& contact);
+
+}  // namespace tumble

@@ -1,0 +1,48 @@
+// The contacts of a step while they are solved: coloured, packed into blocks of lanes, solved, and unpacked.
+//
+// The blocks are an incomplete type here, so that only the solver's own sources parse the lanes.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "dynamics/contacts/constraint_graph.hpp"
+
+namespace tumble {
+
+struct ContactBlock;
+
+class ContactSolver {
+public:
+    ContactSolver();
+    ~ContactSolver();
+    ContactSolver(ContactSolver&&) noexcept;
+    ContactSolver& operator=(ContactSolver&&) noexcept;
+
+    // Once a step, with poses and velocities of its start. `h` is the length of a sub-step, s.
+    void prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning, Vec2 gravity,
+                 float h);
+
+    // In each sub-step, in this order: see contact_block.hpp.
+    void warm_start(std::span<SolverBody> bodies);
+    void solve(std::span<SolverBody> bodies, float inv_h, float push_out_speed);
+    void relax(std::span<SolverBody> bodies, float inv_h);
+
+    // After the last sub-step.
+    void apply_restitution(std::span<SolverBody> bodies, float threshold, float h);
+    void store_impulses(std::span<Contact> contacts) const;
+
+    int color_count() const { return graph_.color_count(); }
+    std::size_t bytes() const;
+
+    // Throws std::logic_error if the blocks are not those of the graph, or if a block moves a body twice.
+    void audit() const;
+
+private:
+    ConstraintGraph graph_;
+    std::vector<ContactBlock> blocks_;  // in the order of the graph
+    std::vector<float> returned_work_;  // scratch of restitution: by solver body, J
+};
+
+}  // namespace tumble

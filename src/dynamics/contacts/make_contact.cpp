@@ -1,0 +1,52 @@
+#include "dynamics/contacts/make_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "debug/check.hpp"
+#include "dynamics/bodies/constants.hpp"
+#include "dynamics/bodies/shape_store.hpp"
+
+namespace tumble {
+
+namespace {
+
+// The smaller one. A segment has the extent 0 and leaves the scale to the other shape.
+float extent_of_pair(float a, float b) {
+    const float smaller = std::min(a, b);
+    return smaller > 0.0f ? smaller : std::max(a, b);
+}
+
+}  // namespace
+
+void mix_surfaces(Contact& contact, const ShapeStore& shapes) {
+    const ShapeRecord& a = shapes[contact.shapes.a];
+    const ShapeRecord& b = shapes[contact.shapes.b];
+    contact.radius_a = a.shape.radius();
+    contact.radius_b = b.shape.radius();
+    contact.friction = std::sqrt(a.material.friction * b.material.friction);
+    contact.restitution = std::max(b.material.restitution, a.material.restitution);
+    const float rolling_resistance = std::max(b.material.rolling_resistance, a.material.rolling_resistance);
+    contact.rolling_resistance = rolling_resistance * std::max(a.shape.radius(), b.shape.radius());
+    contact.tangent_speed = a.material.tangent_speed + b.material.tangent_speed;
+}
+
+Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tuning) {
+    TUMBLE_CHECK(pair.a < pair.b);
+    const ShapeRecord& a = shapes[pair.a];
+    const ShapeRecord& b = shapes[pair.b];
+    TUMBLE_CHECK(a.is_live);
+    TUMBLE_CHECK(b.is_live);
+    TUMBLE_CHECK(a.body != b.body);
+    Contact contact;
+    contact.shapes = pair;
+    contact.body_a = a.body;
+    contact.body_b = b.body;
+    contact.speculative_distance = tuning.speculative_distance(extent_of_pair(a.smaller_extent, b.smaller_extent));
+    if (a.is_sensor) contact.kind = ContactKind::sensor_a;
+    if (b.is_sensor) contact.kind = ContactKind::sensor_b;
+    mix_surfaces(contact, shapes);
+    return contact;
+}
+
+}  // namespace tumble
