@@ -9,7 +9,7 @@ namespace tumble {
 struct WorldLimits {
     float rest_speed = 0.0f;         // m/s: islands slower than this for long enough fall asleep
     float max_speed = 0.0f;          // m/s: the speed limit of dynamic bodies
-    float most_turn = 0.0f;          // rad in a step: the rotation limit of dynamic bodies without allow_fast_rotation
+    float max_rotation = 0.0f;       // rad in a step: the rotation limit of dynamic bodies without allow_fast_rotation
     float push_out_speed = 0.0f;     // m/s: the largest speed at which overlapping shapes are pushed apart
     float contact_hertz = 0.0f;      // Hz: of the soft constraint of a contact point, on its effective mass
     float static_stiffening = 0.0f;  // the factor of that frequency in contacts with static and kinematic bodies

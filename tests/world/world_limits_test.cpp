@@ -37,9 +37,9 @@ TEST_CASE("a body faster than max_speed is clamped to it, in worlds of all scale
     }
 }
 
-TEST_CASE("a body rotates by most_turn in a step at most, unless it may rotate fast") {
+TEST_CASE("a body rotates by max_rotation in a step at most, unless it may rotate fast") {
     const WorldDef def{.gravity = {}};
-    const float limit = world_limits(def).most_turn * def.steps_per_second;
+    const float limit = world_limits(def).max_rotation * def.steps_per_second;
     const auto spin_after_step = [&](float spin, bool may) {
         World world(def);
         const BodyId body = world.create_body({.angular_velocity = spin, .allow_fast_rotation = may});
