@@ -113,10 +113,10 @@ TEST_CASE("a disabled dynamic body keeps its pose, and is at rest when it is ena
     World world;
     const BodyId body = add_dynamic(world, {0.0, 10.0}, kBox);
     run(world, 30);
-    const DVec2 place = world.state(body).pose.position;
+    const DVec2 position = world.state(body).pose.position;
     world.set_enabled(body, false);
     run(world, 30);
-    CHECK(world.state(body).pose.position == place);
+    CHECK(world.state(body).pose.position == position);
     CHECK(world.type(body) == BodyType::dynamic_body);
     CHECK(world.mass(body).mass == 0.0f);
     world.set_enabled(body, true);
@@ -130,9 +130,9 @@ TEST_CASE("a body may change its type at any time") {
     const BodyId body = add_dynamic(world, {0.0, 5.0}, kBox), load = add_dynamic(world, {0.0, 8.0}, kBox);
     run(world, 20);
     world.set_type(body, BodyType::static_body);
-    const DVec2 place = world.state(body).pose.position;
+    const DVec2 position = world.state(body).pose.position;
     run(world, 120);
-    CHECK(world.state(body).pose.position == place);
+    CHECK(world.state(body).pose.position == position);
     CHECK(touches(world, body, load));
     world.set_type(body, BodyType::kinematic_body);
     world.set_velocity(body, {1.0f, 0.0f}, 0.0f);

@@ -66,10 +66,10 @@ TEST_CASE("colliding bodies keep the sum of their momenta to rounding") {
     std::uniform_real_distribution<float> speed(-3.0f, 3.0f);
     double scale = 0.0;
     for (int i = 0; i < 25; ++i) {
-        const DVec2 place{1.5 * (i % 5) - 3.0, 1.5 * (i / 5) - 3.0};
-        const BodyId id = add_dynamic(world, place, random_shape(random), {.restitution = 0.3f});
+        const DVec2 position{1.5 * (i % 5) - 3.0, 1.5 * (i / 5) - 3.0};
+        const BodyId id = add_dynamic(world, position, random_shape(random), {.restitution = 0.3f});
         const Vec2 noise{speed(random), speed(random)};
-        const Vec2 velocity = noise - to_float(place);  // towards the middle, where they meet
+        const Vec2 velocity = noise - to_float(position);  // towards the middle, where they collide
         world.set_velocity(id, velocity, speed(random));
         scale += double{world.mass(id).mass * length(velocity)};
     }
@@ -238,8 +238,8 @@ TEST_CASE("machines without motors never gain more than 1 % of energy in a minut
     world.create_joint(
         WheelJointDef{.body_a = frame, .body_b = wheel, .anchor_a = {8.0f, 5.0f}, .spring = JointSpring{1.0f, 0.0f}});
     const auto spring_energy = [&](BodyId body, DVec2 rest, DVec2 axis, double hertz) {
-        const double way = dot(world.state(body).pose.position - rest, axis), omega = 2.0 * kPi * hertz;
-        return 0.5 * double{world.mass(body).mass} * omega * omega * way * way;
+        const double displacement = dot(world.state(body).pose.position - rest, axis), omega = 2.0 * kPi * hertz;
+        return 0.5 * double{world.mass(body).mass} * omega * omega * displacement * displacement;
     };
     const auto energy = [&] {
         return total_energy(world) + spring_energy(slider, {-4.0, 5.0}, {1.0, 0.0}, 0.5) +

@@ -215,7 +215,7 @@ TEST_CASE("filters: both masks must accept the other category, and groups overri
 // Balls of 10 cm that fly at each other, 5 cm off the middle, are apart again within two steps; the phase is the time
 // of the impact within a step. They touch for less than a step, and their boxes are apart at its end.
 TEST_CASE("a deflected body has a begin event, even if both are far apart at the end of the step") {
-    int met = 0, within_a_step = 0;
+    int deflections = 0, within_a_step = 0;
     for (int phase = 0; phase < 200; ++phase) {
         World world = weightless();
         BodyDef def;
@@ -235,11 +235,11 @@ TEST_CASE("a deflected body has a begin event, even if both are far apart at the
             within_a_step += !world.events().contact_begins.empty() && !world.events().contact_ends.empty();
         }
         const bool deflected = world.state(left).velocity != Vec2{300.0f, 0.0f};
-        met += deflected;
+        deflections += deflected;
         CHECK(begins == (deflected ? 1u : 0u));
         CHECK(ends == begins);
     }
-    CHECK(met == 200);
+    CHECK(deflections == 200);
     CHECK(within_a_step > 0);
 }
 

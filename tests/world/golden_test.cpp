@@ -125,8 +125,8 @@ World make_falling_hinges() {
     for (int column = 0; column < 4; ++column) {
         BodyId before{};
         for (int row = 0; row < 20; ++row) {
-            const DVec2 place{1.2 * column + 0.2 * (row % 5), 0.3 + 0.55 * row};
-            const BodyId body = add_dynamic(world, place, box, {.friction = 0.3f}, 0.1 * (row % 3) - 0.1);
+            const DVec2 position{1.2 * column + 0.2 * (row % 5), 0.3 + 0.55 * row};
+            const BodyId body = add_dynamic(world, position, box, {.friction = 0.3f}, 0.1 * (row % 3) - 0.1);
             if (row % 2 == 1)
                 world.create_joint(RevoluteJointDef{.body_a = before,
                                                     .body_b = body,

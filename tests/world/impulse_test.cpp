@@ -110,12 +110,13 @@ TEST_CASE("in every step the change of momentum of each body is that of gravity 
         std::vector<Balance> balances(bodies.size());
         for (const ContactPoint& point : world.contacts()) {
             largest_tangent = std::max(largest_tangent, std::abs(double{point.tangent_impulse}));
-            DVec2 place = point.point;  // has gone with A
+            DVec2 position = point.point;  // has moved with A
             for (std::size_t i = 0; i < bodies.size(); ++i)
-                if (point.body_a == bodies[i]) place -= world.state(bodies[i]).pose.position - before[i].pose.position;
+                if (point.body_a == bodies[i])
+                    position -= world.state(bodies[i]).pose.position - before[i].pose.position;
             for (std::size_t i = 0; i < bodies.size(); ++i) {
                 const double side = point.body_b == bodies[i] ? 1.0 : point.body_a == bodies[i] ? -1.0 : 0.0;
-                if (side != 0.0) balances[i].add(side * impulse_on_b(point), place - centers[i]);
+                if (side != 0.0) balances[i].add(side * impulse_on_b(point), position - centers[i]);
             }
         }
         for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -133,6 +134,6 @@ TEST_CASE("in every step the change of momentum of each body is that of gravity 
             largest_turn = std::max(largest_turn, std::abs(turned));
         }
     }
-    CHECK(largest_tangent > 1.0);  // else the balance says nothing of friction
+    CHECK(largest_tangent > 1.0);  // so that the balance includes friction
     CHECK(largest_turn > 0.5);
 }

@@ -71,7 +71,7 @@ TEST_CASE("definitions out of range throw with the value") {
 }
 
 TEST_CASE("a world that diverges reports the body, and can still be read") {
-    World world(WorldDef{.steps_per_second = 0.1f});  // 10 s at 3e38 m/s: more than a float holds
+    World world(WorldDef{.steps_per_second = 0.1f});  // 10 s at 3e38 m/s: more than a float can represent
     add_static(world, {}, make_circle(1.0f));
     const BodyId lost = world.create_body({.type = BodyType::kinematic_body, .velocity = {3e38f, 0.0f}});
     try {

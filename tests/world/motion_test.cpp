@@ -36,7 +36,7 @@ TEST_CASE("a body in free fall follows the sum of the semi-implicit scheme") {
     }
 }
 
-TEST_CASE("a projectile lands where the parabola of the scheme says") {
+TEST_CASE("a projectile lands where the parabola of the scheme ends") {
     World world;
     const BodyId ball = add_dynamic(world, {}, make_circle(0.1f));
     world.set_velocity(ball, {8.0f, 6.0f}, 0.0f);

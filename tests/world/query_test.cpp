@@ -63,27 +63,27 @@ TEST_CASE("rays find what a loop over all shapes finds, at the origin and 10 km 
         for (int i = 0; i < 400; ++i) {
             CAPTURE(i);
             const DVec2 from = origin + DVec2{draw.between(-12.0, 12.0), draw.between(-12.0, 12.0)};
-            const DVec2 way = i % 10 == 0 ? DVec2{draw.between(-20.0, 20.0), 0.0}
-                                          : DVec2{draw.between(-20.0, 20.0), draw.between(-20.0, 20.0)};
+            const DVec2 translation = i % 10 == 0 ? DVec2{draw.between(-20.0, 20.0), 0.0}
+                                                  : DVec2{draw.between(-20.0, 20.0), draw.between(-20.0, 20.0)};
             QueryFilter filter;
             filter.sensors = i % 2 == 0;
             filter.shape.mask = i % 3 == 0 ? 1 : 3;
             std::vector<CastHit> expected;
             for_each_seen(world, filter, [&](const Shape& shape, const Pose& pose, ShapeId id) {
-                const CastResult cast = cast_ray(shape, pose, from, way);
+                const CastResult cast = cast_ray(shape, pose, from, translation);
                 if (cast.status == CastStatus::hit)
                     expected.push_back({id, world.body(id), cast.fraction, cast.point, cast.normal});
             });
             std::stable_sort(expected.begin(), expected.end(),
                              [](const CastHit& a, const CastHit& b) { return a.fraction < b.fraction; });
-            const std::vector<CastHit> all = world.cast_ray_all(from, way, filter);
+            const std::vector<CastHit> all = world.cast_ray_all(from, translation, filter);
             REQUIRE(all.size() == expected.size());
             for (std::size_t k = 0; k < all.size(); ++k) {
                 CHECK(all[k].shape == expected[k].shape);
                 CHECK(all[k].fraction == expected[k].fraction);
                 CHECK(all[k].point == expected[k].point);
             }
-            const std::optional<CastHit> first = world.cast_ray(from, way, filter);
+            const std::optional<CastHit> first = world.cast_ray(from, translation, filter);
             REQUIRE(first.has_value() == !expected.empty());
             if (!first) continue;
             ++hits;
@@ -104,16 +104,16 @@ TEST_CASE("a shape cast hits first what a loop over all shapes finds") {
     for (int i = 0; i < 400; ++i) {
         CAPTURE(i);
         const Pose pose{{draw.between(-12.0, 12.0), draw.between(-12.0, 12.0)}, make_rotation(draw.between(-3.0, 3.0))};
-        const DVec2 way{draw.between(-10.0, 10.0), draw.between(-10.0, 10.0)};
+        const DVec2 translation{draw.between(-10.0, 10.0), draw.between(-10.0, 10.0)};
         std::optional<CastHit> expected;
         for_each_seen(world, {}, [&](const Shape& other, const Pose& other_pose, ShapeId id) {
-            const CastResult cast = cast_shape(other, other_pose, shape, pose, way);
+            const CastResult cast = cast_shape(other, other_pose, shape, pose, translation);
             if (cast.status != CastStatus::hit && cast.status != CastStatus::overlapping) return;
             const double fraction = cast.status == CastStatus::hit ? cast.fraction : 0.0;
             if (!expected || fraction < expected->fraction)
                 expected = CastHit{id, {}, fraction, cast.point, cast.normal, cast.status == CastStatus::overlapping};
         });
-        const std::optional<CastHit> hit = world.cast_shape(shape, pose, way);
+        const std::optional<CastHit> hit = world.cast_shape(shape, pose, translation);
         REQUIRE(hit.has_value() == expected.has_value());
         if (!hit) continue;
         ++hits;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kGravity = 10.0;
 constexpr double kContactOmega = 2.0 * kPi * 30.0;  // contact softness, rad/s
 constexpr double kJointOmega = 2.0 * kPi * 60.0;
-constexpr double kSagPart = 0.5;  // of a plain spring's, of what contacts give way under a load that they carry on
+constexpr double kSagPart = 0.5;  // of the sag of a plain spring under a constant load
 
 // How far the top of n equal boxes would sink on plain springs. A contact that carries k boxes above it gives way by
 // F / (m_eff w^2) with F = k m g and the effective mass of two points on two boxes, m / 2.5; on the ground m / 1.25 at
@@ -46,8 +46,8 @@ std::vector<BodyId> add_links(World& world, BodyId anchor, Vec2 from, Vec2 along
     const Vec2 half = 0.5f * along;
     const Shape link = make_box(along.x > 0.0f ? Vec2{1.0f, 0.25f} : Vec2{0.25f, 1.0f});
     for (int i = 0; i < n; ++i) {
-        const DVec2 place = DVec2(from) + (i + 0.5) * DVec2(along);
-        const BodyId body = add_dynamic(world, place, link, {.density = 4.0f});
+        const DVec2 position = DVec2(from) + (i + 0.5) * DVec2(along);
+        const BodyId body = add_dynamic(world, position, link, {.density = 4.0f});
         const bool first = links.empty();
         world.create_joint(RevoluteJointDef{.body_a = first ? anchor : links.back(),
                                             .body_b = body,

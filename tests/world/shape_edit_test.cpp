@@ -21,8 +21,8 @@ TEST_CASE("a new material under a body acts at once: it slides on ice, and stays
     const DVec2 on_top = rotate(tilt, DVec2{0.0, 1.0});
     const BodyId box = add_dynamic(world, on_top, kBox, {.friction = 1.0f}, 0.3);
     run(world, 90);
-    const DVec2 place = world.state(box).pose.position;
-    REQUIRE(length(place - on_top) < 0.01);
+    const DVec2 position = world.state(box).pose.position;
+    REQUIRE(length(position - on_top) < 0.01);
     world.set_material(world.shapes(ramp)[0], {.friction = 0.0f});
     CHECK(world.is_awake(box));
     run(world, 60);

@@ -68,7 +68,7 @@ TEST_CASE("a motor rotates a hinge at its speed, with no more than its torque") 
     CHECK(rig.world.state(rig.box).angular_velocity == doctest::Approx(3.0).epsilon(1e-5));
 }
 
-TEST_CASE("a rope is slack until it is taut, and then holds the weight") {
+TEST_CASE("a rope is slack until it is taut, and then carries the weight") {
     Rig rig(true, {0.0, -1.0});
     const JointId rope = rig.world.create_joint(
         DistanceJointDef{.body_a = rig.pivot, .body_b = rig.box, .limits = JointLimits{0.0f, 2.0f}});
