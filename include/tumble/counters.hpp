@@ -1,4 +1,4 @@
-// What a world has to say of itself: how much there was to do in a step, how long it took, and the memory it holds.
+// Statistics of a world: the work of the last step, its times, and the allocated memory.
 #pragma once
 
 #include <cstddef>
@@ -6,38 +6,38 @@
 
 namespace tumble {
 
-// Wall clock of the stages of a step, in their order, ms.
+// Wall-clock times of the stages of a step, in their order, ms.
 struct StageTimes {
-    double pairs = 0.0;       // the broad phase: before the step, and after its motion
-    double collide = 0.0;     // manifolds, and the waking of what is touched
-    double prepare = 0.0;     // colouring, constraint blocks, joints
-    double solve = 0.0;       // the sub-steps, restitution, impulses kept
-    double continuous = 0.0;  // impacts of fast bodies, and the final poses
-    double proxies = 0.0;     // boxes of what has moved
-    double events = 0.0;      // what begins and ends, sensors
+    double pairs = 0.0;       // the broad phase, at the start of the step and after the motion
+    double collide = 0.0;     // contact manifolds; waking of touched islands
+    double prepare = 0.0;     // graph colouring, contact blocks, joints
+    double solve = 0.0;       // sub-steps, restitution, storing of impulses
+    double continuous = 0.0;  // impacts of fast bodies, final poses
+    double proxies = 0.0;     // boxes of moved shapes
+    double events = 0.0;      // contact and sensor events
     double sleep = 0.0;       // falling asleep
-    double step = 0.0;        // all of it
+    double step = 0.0;        // the whole step
 };
 
-// What the last step did.
+// Counts of the last step.
 struct StepCounters {
     int bodies = 0;        // all live bodies
-    int awake_bodies = 0;  // of those that can sleep: dynamic ones
+    int awake_bodies = 0;  // awake dynamic bodies
     int sleeping_islands = 0;
-    int contacts = 0;  // pairs with at least one manifold point, those of sleeping bodies too
+    int contacts = 0;  // pairs with at least one contact point, those of sleeping bodies too
     int contact_points = 0;
     int joints = 0;
-    int colors = 0;                   // of the constraint graph
-    std::int64_t pairs = 0;           // of shapes that the narrow phase was asked about, sensors apart...
-    std::int64_t collided = 0;        // ...and of these, in full: the rest had barely moved and kept their manifolds
-    std::int64_t gjk_iterations = 0;  // of all full ones, as DistanceResult::iterations counts them
+    int colors = 0;             // of the constraint graph
+    std::int64_t pairs = 0;     // pairs of solid shapes in the narrow phase
+    std::int64_t collided = 0;  // those of them collided in full; the others had hardly moved and kept their manifolds
+    std::int64_t gjk_iterations = 0;  // of the full collisions, as in DistanceResult::iterations
     StageTimes ms;
 };
 
-// Memory that a world has allocated, by what it is for, bytes. What is free for later growth counts.
+// The memory that a world has allocated, bytes, unused capacity included.
 struct WorldMemory {
     std::size_t bodies = 0;
-    std::size_t shapes = 0;  // large polygons once for each shape that shares them
+    std::size_t shapes = 0;  // a large polygon is counted once for each shape that shares it
     std::size_t joints = 0;
     std::size_t broad_phase = 0;
     std::size_t contacts = 0;  // those of sleeping islands too

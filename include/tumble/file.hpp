@@ -1,5 +1,5 @@
-// Files that are whole or not there. What the library and its command line write (scenes, pictures, tables) goes
-// through OutputFile, so that an interrupted or failed write leaves what stood there before.
+// Reading and writing of whole files. OutputFile replaces a file only when everything is written, so that an
+// interrupted or failed write leaves the old file unchanged.
 #pragma once
 
 #include <cstdint>
@@ -11,30 +11,33 @@
 
 namespace tumble {
 
-// A file that cannot be opened, read or written: path and reason.
+// A file that cannot be opened, read or written. The message is the path and the reason.
 class FileError : public std::runtime_error {
 public:
     FileError(const std::filesystem::path& path, std::string_view reason);
 };
 
-// At most `limit` + 1 bytes of a file, so that the caller sees that there are more; by default all. Throws FileError.
+// The bytes of a file, by default all; else at most limit + 1, where more than `limit` bytes mean that the file is
+// longer than that. Throws FileError.
 std::string read_file(const std::filesystem::path& file,
                       std::size_t limit = std::numeric_limits<std::size_t>::max() - 1);
 
-// Writes under a temporary name in the same folder (one that no other thread or process uses), and takes the file's
-// name at commit(). All functions throw FileError with the system's reason, for instance on a full disk.
+// A file to be written. The bytes go to a temporary file in the same folder, with a name that no other thread or
+// process uses, and commit() renames it. All functions throw FileError with the system's reason, such as a full disk.
 class OutputFile {
 public:
     explicit OutputFile(std::filesystem::path file);
-    ~OutputFile();  // removes the temporary file if commit() was not reached
+    ~OutputFile();  // without commit(): removes the temporary file
     OutputFile(OutputFile&& other) noexcept;
     OutputFile& operator=(OutputFile&&) = delete;
 
     const std::filesystem::path& path() const noexcept { return path_; }
 
-    void write(std::string_view bytes);  // appends; buffered
+    // Appends bytes. They are buffered.
+    void write(std::string_view bytes);
 
-    // Writes what is buffered, closes, checks the size, and replaces a file of that name. Returns the number of bytes.
+    // Writes the buffered bytes, closes the file, checks its size, and replaces the file at path(). Returns the size in
+    // bytes. To be called once, last.
     std::uint64_t commit();
 
 private:

@@ -1,4 +1,5 @@
-// Ids of what a world holds: an index and a generation, so that an id of something destroyed is recognised as stale.
+// Ids of the bodies, shapes and joints of a world: an index and a generation. Ids of destroyed objects are recognised,
+// as their index gets another generation.
 #pragma once
 
 #include <compare>
@@ -6,7 +7,7 @@
 
 namespace tumble {
 
-// The default id names nothing. Ids order by index: the order in which a world lists and steps its things.
+// A default id is not valid in any world. Ids are ordered by index, the order in which a world lists and steps objects.
 template <class Tag>
 struct Id {
     std::uint32_t index = 0xffffffffu;

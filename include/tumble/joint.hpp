@@ -1,8 +1,14 @@
-// Joints, as a user defines them. Anchors are in the coordinates of each body.
+// Definitions of joints, for World::create_joint().
 //
-// A joint holds some of the relative motion of its bodies and leaves the rest free. What is free may have a spring, a
-// motor and limits, in any combination. A joint whose reaction passes break_force or break_torque is destroyed at the
-// end of the step, with an event.
+// A joint constrains the relative motion of two bodies A and B and leaves some of it free. A free motion may have a
+// spring, a motor and limits, in any combination.
+//
+// Anchors and axes are in the coordinates of their own body (m from the body's origin, not its centre of mass).
+// Positions, speeds, forces and torques of a joint are those of B relative to A, and counter-clockwise is positive.
+//
+// A joint whose reaction (JointReaction) exceeds break_force (N) or break_torque (N m) is destroyed at the end of the
+// step, with an event (StepEvents::broken_joints). Both must be greater than 0 and may be infinite. With
+// collide_connected false the shapes of the two bodies do not collide.
 #pragma once
 
 #include <limits>
@@ -14,7 +20,7 @@
 
 namespace tumble {
 
-// Where a joint's free motion ends: rad or m, lower <= upper.
+// The range of a free motion: rad or m, lower <= upper.
 struct JointLimits {
     float lower = 0.0f;
     float upper = 0.0f;
@@ -22,17 +28,17 @@ struct JointLimits {
     friend constexpr bool operator==(const JointLimits&, const JointLimits&) = default;
 };
 
-// A spring and damper by how they would move the two bodies on their own: frequency and damping ratio (0: swings on,
-// 1: no overshoot). The stiffest is 0.15 of the sub-steps' frequency, 36 Hz at four of them sixty times a second: any
-// stiffer one acts as that.
+// A spring and damper, given by the oscillation that they alone would make of the two bodies. A step limits the
+// frequency to 0.15 of the number of sub-steps in a second: 36 Hz for 60 steps of 4 sub-steps
+// (WorldLimits::stiffest_spring).
 struct JointSpring {
-    float hertz = 1.0f;          // > 0
-    float damping_ratio = 0.0f;  // >= 0
+    float hertz = 1.0f;          // Hz, > 0
+    float damping_ratio = 0.0f;  // >= 0; 0: no damping, 1: critical damping, no overshoot
 
     friend constexpr bool operator==(const JointSpring&, const JointSpring&) = default;
 };
 
-// Drives B against A at a speed, as far as its strength goes. At speed 0 it is friction.
+// A motor drives a free motion to a target speed with a bounded torque or force. With speed 0 it acts as friction.
 struct AngularMotor {
     float speed = 0.0f;       // rad/s, counter-clockwise positive
     float max_torque = 0.0f;  // N m, >= 0
@@ -40,7 +46,7 @@ struct AngularMotor {
     friend constexpr bool operator==(const AngularMotor&, const AngularMotor&) = default;
 };
 struct LinearMotor {
-    float speed = 0.0f;      // m/s, along the axis
+    float speed = 0.0f;      // m/s, towards greater displacement or length
     float max_force = 0.0f;  // N, >= 0
 
     friend constexpr bool operator==(const LinearMotor&, const LinearMotor&) = default;
@@ -48,39 +54,43 @@ struct LinearMotor {
 
 inline constexpr float kUnbreakable = std::numeric_limits<float>::infinity();
 
-// A hinge: holds two points together; the bodies turn about them.
+// Revolute joint (hinge): the two anchors coincide, and the bodies rotate about them. Its free motion is the joint
+// angle: angle of B - angle of A - reference_angle, with whole turns counted.
 struct RevoluteJointDef {
     BodyId body_a{};
     BodyId body_b{};
     Vec2 anchor_a{};
     Vec2 anchor_b{};
-    float reference_angle = 0.0f;         // angle of B minus angle of A at joint angle 0, rad
-    std::optional<JointLimits> limits{};  // of the joint angle, rad; whole turns count, from within half a turn of 0
+    float reference_angle = 0.0f;         // rad
+    std::optional<JointLimits> limits{};  // of the joint angle, rad; it starts within half a turn of 0
     std::optional<AngularMotor> motor{};
-    std::optional<JointSpring> spring{};  // towards joint angle 0
+    std::optional<JointSpring> spring{};  // its rest position is joint angle 0
     float break_force = kUnbreakable;     // N
     float break_torque = kUnbreakable;    // N m
-    bool collide_connected = false;       // whether the shapes of the two bodies touch each other
+    bool collide_connected = false;
 };
 
-// A slider: B moves along an axis of A and does not turn against it.
+// Prismatic joint (slider): B moves along an axis fixed in A and does not rotate relative to A. Its free motion is the
+// displacement of B's anchor from A's along the axis.
 struct PrismaticJointDef {
     BodyId body_a{};
     BodyId body_b{};
     Vec2 anchor_a{};
     Vec2 anchor_b{};
-    Vec2 axis_a{1.0f, 0.0f};  // in A's coordinates, any length but 0
-    float reference_angle = 0.0f;
-    std::optional<JointLimits> limits{};  // of the way of B's anchor from A's along the axis, m
+    Vec2 axis_a{1.0f, 0.0f};              // the direction in A's coordinates, of any length but 0
+    float reference_angle = 0.0f;         // angle of B - angle of A, rad
+    std::optional<JointLimits> limits{};  // of the displacement, m
     std::optional<LinearMotor> motor{};
-    std::optional<JointSpring> spring{};  // towards way 0
+    std::optional<JointSpring> spring{};  // its rest position is displacement 0
     float break_force = kUnbreakable;
     float break_torque = kUnbreakable;
     bool collide_connected = false;
 };
 
-// Keeps two points at a distance, as a weightless rod does. With a spring the length is what the spring wants; with
-// limits the distance is free between them: a rope has limits from 0 to its length.
+// Distance joint: constrains the distance of the two anchors.
+//   without spring and limits   a massless rod: the distance is `length`
+//   with a spring               the distance is free, and `length` is the rest length of the spring
+//   with limits                 the distance is free between the limits: a rope has limits from 0 to its length
 struct DistanceJointDef {
     BodyId body_a{};
     BodyId body_b{};
@@ -88,52 +98,55 @@ struct DistanceJointDef {
     Vec2 anchor_b{};
     float length = 1.0f;                  // m, > 0
     std::optional<JointLimits> limits{};  // m, lower >= 0
-    std::optional<LinearMotor> motor{};   // positive pushes apart; needs a spring or limits, as a rod does not move
+    std::optional<LinearMotor> motor{};   // positive pushes the anchors apart; only with a spring or limits
     std::optional<JointSpring> spring{};
     float break_force = kUnbreakable;
     float break_torque = kUnbreakable;
     bool collide_connected = false;
 };
 
-// Glue: neither point nor angle gives way, except by a spring.
+// Weld joint: the two anchors coincide and the bodies do not rotate relative to each other, or both only softly, by a
+// spring each.
 struct WeldJointDef {
     BodyId body_a{};
     BodyId body_b{};
     Vec2 anchor_a{};
     Vec2 anchor_b{};
-    float reference_angle = 0.0f;
-    std::optional<JointSpring> linear_spring{};
-    std::optional<JointSpring> angular_spring{};
+    float reference_angle = 0.0f;                 // angle of B - angle of A, rad
+    std::optional<JointSpring> linear_spring{};   // of the anchors; none: rigid
+    std::optional<JointSpring> angular_spring{};  // of the angle; none: rigid
     float break_force = kUnbreakable;
     float break_torque = kUnbreakable;
     bool collide_connected = false;
 };
 
-// A wheel on a suspension: B's anchor moves along an axis of A, and B turns freely or by a motor.
+// Wheel joint: a wheel B on a suspension of chassis A. B's anchor moves along an axis fixed in A, with spring and
+// limits; B rotates freely or by the motor.
 struct WheelJointDef {
     BodyId body_a{};  // the chassis
     BodyId body_b{};  // the wheel
     Vec2 anchor_a{};
     Vec2 anchor_b{};
-    Vec2 axis_a{0.0f, 1.0f};
-    std::optional<JointLimits> limits{};  // of the way along the axis, m
-    std::optional<AngularMotor> motor{};
-    std::optional<JointSpring> spring{};  // of the suspension, towards way 0
+    Vec2 axis_a{0.0f, 1.0f};              // the suspension's direction in A's coordinates, of any length but 0
+    std::optional<JointLimits> limits{};  // of the displacement of B's anchor from A's along the axis, m
+    std::optional<AngularMotor> motor{};  // of the rotation of B relative to A
+    std::optional<JointSpring> spring{};  // of the suspension; its rest position is displacement 0
     float break_force = kUnbreakable;
     float break_torque = kUnbreakable;
     bool collide_connected = false;
 };
 
-// Drives B's anchor to A's and B's angle to the reference, or both to a relative velocity, with bounded strength.
-// Without a spring it only knows velocities: at 0 it is the friction of things seen from above.
+// Motor joint: drives the pose of B relative to A with a bounded force and torque.
+//   with a spring      B's anchor to A's and B's angle to the reference angle, moving at the given velocities
+//   without a spring   to the given velocities only; with velocity 0 it is dry friction, as in a scene seen from above
 struct MotorJointDef {
     BodyId body_a{};
     BodyId body_b{};
     Vec2 anchor_a{};
     Vec2 anchor_b{};
-    float reference_angle = 0.0f;
-    Vec2 velocity{};                // of B's anchor against A's, world axes, m/s
-    float angular_velocity = 0.0f;  // rad/s
+    float reference_angle = 0.0f;   // angle of B - angle of A, rad
+    Vec2 velocity{};                // of B's anchor relative to A's, world axes, m/s
+    float angular_velocity = 0.0f;  // of B relative to A, rad/s
     float max_force = 0.0f;         // N, >= 0
     float max_torque = 0.0f;        // N m, >= 0
     std::optional<JointSpring> spring{};
@@ -142,8 +155,8 @@ struct MotorJointDef {
     bool collide_connected = false;
 };
 
-// Pulls a point of B by a spring to a point of A, no harder than max_force: a mouse that drags, where A is the ground
-// and anchor_a follows the pointer (World::set_joint).
+// Mouse joint: a spring pulls B's anchor to A's with a force of at most max_force. To drag B with a pointer, let A be a
+// static body and move anchor_a by World::set_joint().
 struct MouseJointDef {
     BodyId body_a{};
     BodyId body_b{};
@@ -156,61 +169,63 @@ struct MouseJointDef {
     bool collide_connected = true;
 };
 
-// Keeps the shapes of two bodies from touching, and does nothing else.
+// Filter joint: the shapes of the two bodies do not collide. It constrains nothing.
 struct FilterJointDef {
     BodyId body_a{};
     BodyId body_b{};
 };
 
-// A rope over two wheels that are fixed in the world: what the one side gives, the other takes. It holds
+// Pulley joint: a rope from A over two wheels, fixed in the world, to B. The constraint is
 //   distance of anchor_a from ground_anchor_a + ratio * distance of anchor_b from ground_anchor_b = length.
-// With ratio 2 the rope runs to B and back, a block and tackle: B moves half as far as A, and is pulled twice as hard.
-// As in Box2D 2.4 it is rigid both ways: it pushes where a rope would hang loose. A side without length pulls nowhere:
-// what is hauled up to its wheel passes it, and hangs on the other side.
+// With ratio 2 it is a block and tackle: B moves half as far as A, and the force on B is twice that on A. As in
+// Box2D 2.4 the rope is rigid: it also pushes, where a real one would go slack. A side of length 0 has no direction and
+// exerts no force: a body that is pulled up to its wheel moves past it, and hangs on the other side.
 struct PulleyJointDef {
     BodyId body_a{};
     BodyId body_b{};
     Vec2 anchor_a{};
     Vec2 anchor_b{};
-    DVec2 ground_anchor_a{};  // world, m
+    DVec2 ground_anchor_a{};  // the wheels, world coordinates, m
     DVec2 ground_anchor_b{};
     float length = 1.0f;               // m, > 0
     float ratio = 1.0f;                // > 0
-    float break_force = kUnbreakable;  // on B
+    float break_force = kUnbreakable;  // of the force on B
     float break_torque = kUnbreakable;
     bool collide_connected = false;
 };
 
-// Teeth between two joints, each revolute or prismatic: keeps
-//   motion of joint_a + ratio * motion of joint_b
-// as it is when the gear is made, where a motion is the angle (rad, whole turns counted) or the way (m) of B against A.
-// Wheels of radii r_a and r_b that mesh have the ratio r_b / r_a; a pinion and its rack, in this order, 1 / r or -1 /
-// r. It pushes all bodies of both joints, and goes with either of them. Given anchors or an axis that are new, a joint
-// goes on from where it is.
+// Gear joint: couples the free motions of two joints, each revolute or prismatic. The constraint is
+//   motion of joint_a + ratio * motion of joint_b = its value when the gear is created,
+// where a motion is the angle (rad, whole turns counted) or the displacement (m) of the joint. Meshing wheels of radii
+// r_a and r_b have the ratio r_b / r_a; a pinion of radius r and a rack, in this order, 1 / r or -1 / r.
+//
+// A gear acts on all bodies of both joints, and is destroyed with either joint. If World::set_joint() gives one of them
+// other anchors or another axis, the gear continues from the present positions.
 struct GearJointDef {
-    BodyId body_a{};  // the second bodies of the two joints; World fills them in
-    BodyId body_b{};
+    BodyId body_a{};  // set by World: body B of joint_a
+    BodyId body_b{};  // set by World: body B of joint_b
     JointId joint_a{};
     JointId joint_b{};
-    float ratio = 1.0f;                 // any but 0; m if only B's joint turns, 1/m if only A's does
-    float break_force = kUnbreakable;   // on B, where it slides
-    float break_torque = kUnbreakable;  // on B, where it turns
+    float ratio = 1.0f;                 // not 0; m if only joint_b is revolute, 1/m if only joint_a is
+    float break_force = kUnbreakable;   // of the force on body_b, if joint_b is prismatic
+    float break_torque = kUnbreakable;  // of the torque on body_b, if joint_b is revolute
     bool collide_connected = false;
 };
 
 using JointDef = std::variant<RevoluteJointDef, DistanceJointDef, PrismaticJointDef, WeldJointDef, WheelJointDef,
                               MotorJointDef, MouseJointDef, FilterJointDef, PulleyJointDef, GearJointDef>;
 
-// The points of the two bodies that a joint acts on, world (m).
+// The points where a joint acts on its two bodies, world coordinates, m.
 struct JointAnchors {
     DVec2 a;
     DVec2 b;
 };
 
-// What a joint did to body B in the last sub-step, and opposite to body A. A pulley pulls A by the same rope in a
-// direction of its own, a gear acts on A by its other joint: there the ratio tells what A got.
+// The force and torque of a joint on body B in the last sub-step; body A gets the opposite. The exceptions are a
+// pulley, whose force on A is 1 / ratio of that on B and along A's side of the rope, and a gear, whose effort on body_a
+// along joint_a is 1 / ratio of that on body_b along joint_b.
 struct JointReaction {
-    Vec2 force;           // at the anchor, world axes, N
+    Vec2 force;           // at B's anchor, world axes, N
     float torque = 0.0f;  // N m
 };
 

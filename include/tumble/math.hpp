@@ -1,4 +1,4 @@
-// The small types that every room shares: vectors, rotations, poses and boxes.
+// Vectors, rotations, poses and bounding boxes: the small types of the whole library.
 //
 // SI units, y up, counter-clockwise positive, right-handed. Shapes, rotations and velocities are float; positions are
 // double, so that a 1 m shape stays exact 10 km from the origin. All types are trivially copyable values.
@@ -11,7 +11,7 @@ namespace tumble {
 
 inline constexpr double kPi = 3.141592653589793238462643383279502884;
 
-// A vector or a point of shape, velocity or box space, in float.
+// A vector or point in float: of shapes, velocities and boxes.
 struct Vec2 {
     float x = 0.0f;
     float y = 0.0f;
@@ -19,7 +19,7 @@ struct Vec2 {
     friend constexpr bool operator==(Vec2, Vec2) = default;
 };
 
-// A vector or a point of the world, in double.
+// A vector or point in double: of positions in the world.
 struct DVec2 {
     double x = 0.0;
     double y = 0.0;
@@ -52,11 +52,11 @@ constexpr double dot(DVec2 a, DVec2 b) { return a.x * b.x + a.y * b.y; }
 constexpr float cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 constexpr double cross(DVec2 a, DVec2 b) { return a.x * b.y - a.y * b.x; }
 
-// The velocity of the point at offset r of something that turns at w radians per second.
+// The velocity of a point at offset r (m) from the centre of a rotation with angular velocity w (rad/s).
 constexpr Vec2 cross(float w, Vec2 r) { return {-w * r.y, w * r.x}; }
 constexpr DVec2 cross(double w, DVec2 r) { return {-w * r.y, w * r.x}; }
 
-// The vector turned by a quarter turn counter-clockwise; the right-hand normal of an edge is -perp(edge).
+// The vector rotated by 90 degrees counter-clockwise; the right-hand normal of an edge is -perp(edge).
 constexpr Vec2 perp(Vec2 v) { return {-v.y, v.x}; }
 constexpr DVec2 perp(DVec2 v) { return {-v.y, v.x}; }
 
@@ -70,7 +70,7 @@ constexpr Vec2 to_float(DVec2 v) { return {static_cast<float>(v.x), static_cast<
 inline bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 inline bool is_finite(DVec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
-// A rotation by its cosine and sine. Queries take c and s literally: c^2 + s^2 may differ from 1 by rounding.
+// A rotation as cosine and sine of its angle. Queries use c and s as they are: c^2 + s^2 may differ from 1 by rounding.
 struct Rotation {
     float c = 1.0f;
     float s = 0.0f;
@@ -89,19 +89,19 @@ constexpr DVec2 inverse_rotate(Rotation q, DVec2 v) {
     return {c * v.x + s * v.y, c * v.y - s * v.x};
 }
 
-// Our own sine, cosine and arc tangent: the same bits on every platform, unlike libm's.
+// Sine, cosine and arc tangent with the same bits on every platform, unlike those of the C library.
 struct SinCos {
     double sin = 0.0;
     double cos = 1.0;
 };
 
-// Absolute error below 4e-16 for |radians| <= 1e6; NaN beyond and for what is not finite.
+// Absolute error below 4e-16 for |radians| <= 1e6; NaN beyond, and for an angle that is not finite.
 SinCos sin_cos(double radians);
 
-// The same of any finite number of degrees; multiples of 90 are exact.
+// The same for an angle in degrees, of any finite size; multiples of 90 are exact.
 SinCos sin_cos_degrees(double degrees);
 
-// The angle of (x, y) in (-pi, pi], relative error below 6e-16; 0 for (0, 0), NaN for what is not finite.
+// The angle of the vector (x, y), rad in (-pi, pi], relative error below 6e-16; 0 for (0, 0), NaN if not finite.
 double arc_tangent(double y, double x);
 
 // The rotation by an angle, rounded to float. |radians| <= 1e6; degrees may be any finite number, and multiples of 90
@@ -112,7 +112,7 @@ Rotation make_rotation_degrees(double degrees);
 // The angle of a rotation, radians in (-pi, pi].
 double angle(Rotation q);
 
-// Where a body is: maps its local coordinates to the world's by a turn, then a shift.
+// Position and rotation of a body: maps local to world coordinates, p = position + rotate(rotation, local).
 struct Pose {
     DVec2 position;
     Rotation rotation;
@@ -133,8 +133,8 @@ constexpr DVec2 inverse_transform_point(const Pose& world_from_local, DVec2 worl
     return inverse_rotate(world_from_local.rotation, world - world_from_local.position);
 }
 
-// An axis-aligned box of the world in float. Whoever makes one from doubles rounds outwards, so that it still holds
-// what it bounds far from the origin. The default is empty: its lower corner lies above its upper one.
+// An axis-aligned box in float, world coordinates. A box computed from doubles is rounded outwards, so that it contains
+// its object far from the origin too. The default box is empty: its lower corner is above its upper one.
 struct Aabb {
     Vec2 lower{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
     Vec2 upper{-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
@@ -142,16 +142,18 @@ struct Aabb {
     friend constexpr bool operator==(const Aabb&, const Aabb&) = default;
 };
 
+// The smallest box that contains both.
 constexpr Aabb merge(const Aabb& a, const Aabb& b) {
     return {{a.lower.x < b.lower.x ? a.lower.x : b.lower.x, a.lower.y < b.lower.y ? a.lower.y : b.lower.y},
             {a.upper.x > b.upper.x ? a.upper.x : b.upper.x, a.upper.y > b.upper.y ? a.upper.y : b.upper.y}};
 }
 
-// True if the boxes share a point; touching counts.
+// True if the boxes overlap or touch.
 constexpr bool overlaps(const Aabb& a, const Aabb& b) {
     return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y;
 }
 
+// True if `inner` is inside `outer`; equal sides count as inside.
 constexpr bool contains(const Aabb& outer, const Aabb& inner) {
     return outer.lower.x <= inner.lower.x && outer.lower.y <= inner.lower.y && inner.upper.x <= outer.upper.x &&
            inner.upper.y <= outer.upper.y;

@@ -1,7 +1,7 @@
-// Questions to a world: rays, moving shapes, overlaps, nearest things. Asked through World's members.
+// Filters and results of World's queries: ray casts, shape casts, overlaps and nearest shapes.
 //
-// All positions are in double. Answers depend on what is in the world, never on how it came there: of equal hits the
-// one with the lowest shape id is first. Queries see the poses at the end of the last step.
+// Positions are double, in world coordinates, m. Queries use the poses after the last step. Answers depend on the state
+// of the world only, not on its history: of equal hits the one with the lowest shape id is first.
 #pragma once
 
 #include "tumble/body.hpp"
@@ -11,36 +11,36 @@
 
 namespace tumble {
 
-// Which shapes a query sees: those that a shape with this filter would meet.
+// Which shapes a query includes.
 struct QueryFilter {
-    CollisionFilter shape{};
-    BodyId except{};       // a body that is not seen: the one that asks
-    bool sensors = false;  // whether sensors are seen
+    CollisionFilter shape{};  // includes the shapes that a shape with this filter collides with
+    BodyId except{};          // leaves out the shapes of this body
+    bool sensors = false;     // includes sensors
 };
 
-// Where a ray or a moving shape meets a shape first.
+// Where a ray or a moving shape first touches a shape.
 struct CastHit {
     ShapeId shape;
     BodyId body;
-    double fraction = 0.0;       // of the way, in [0, 1]
-    DVec2 point;                 // world, on the shape's surface
-    DVec2 normal;                // unit, out of the shape
-    bool starts_inside = false;  // of a moving shape alone: it overlaps at the start; then there is no point and normal
+    double fraction = 0.0;       // of the translation, in [0, 1]
+    DVec2 point;                 // world, on the surface of the shape that is hit
+    DVec2 normal;                // world, unit, out of the shape that is hit
+    bool starts_inside = false;  // a moving shape overlaps it at the start: fraction is 0, point and normal are not set
 };
 
-// The point of a shape that is nearest to a given one.
+// The nearest shape to a point, and its nearest surface point.
 struct ClosestHit {
     ShapeId shape;
     BodyId body;
-    double distance = 0.0;  // m, signed: negative inside
+    double distance = 0.0;  // m, signed: negative if the point is inside the shape
     DVec2 point;            // world, on the shape's surface
-    DVec2 normal;           // unit, out of the shape
+    DVec2 normal;           // world, unit, out of the shape
 };
 
 // The nearest pair of shapes of two bodies.
 struct BodyDistance {
-    DistanceResult nearest;  // A is the first body; `invalid` if one of them has no solid shape
-    ShapeId shape_a;
+    DistanceResult nearest;  // A is the first body; DistanceStatus::invalid if a body has no solid shape
+    ShapeId shape_a;         // not valid then
     ShapeId shape_b;
 };
 

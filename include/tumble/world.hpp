@@ -1,7 +1,16 @@
-// The rigid-body world: definitions in, ids out, one fixed step at a time.
+// World: a rigid-body simulation in two dimensions with a fixed time step.
 //
-// The stepper is a soft-step solver in sub-steps (Catto 2024, "Solver2D"; constants and their reasons in
-// src/dynamics/constants.hpp). Equal calls give equal bits: across runs, compilers, instruction sets and build types.
+//   World world;
+//   const BodyId ground = world.create_body({.type = BodyType::static_body});
+//   world.add_shape(ground, {.shape = make_box({40, 1})});
+//   const BodyId ball = world.create_body({.pose = {{0, 5}, {}}});
+//   world.add_shape(ball, {.shape = make_circle(0.5f)});
+//   for (int i = 0; i < 120; ++i) world.step();
+//   const BodyState state = world.state(ball);
+//
+// Units are m, kg, s and rad; y is up and counter-clockwise is positive. Each step solves soft constraints in several
+// sub-steps (Catto 2024, "Solver2D"). The same calls give the same bits: in every run, with every supported compiler,
+// instruction set and build type.
 #pragma once
 
 #include <cstddef>
@@ -25,132 +34,139 @@ namespace tumble {
 struct WorldDef {
     Vec2 gravity{0.0f, -10.0f};      // m/s^2
     float steps_per_second = 60.0f;  // > 0
-    int substeps = 4;                // >= 1
-    bool sleeping = true;            // whether bodies at rest fall asleep
-    bool continuous = true;          // whether fast bodies are kept from passing through thin ones
+    int substeps = 4;                // in each step, >= 1; more make joints and stacks stiffer
+    bool sleeping = true;            // islands at rest fall asleep
+    bool continuous = true;          // continuous collision keeps fast bodies from passing through thin ones
 
-    // The size of a typical body (m, > 0). The stepper's own lengths, speeds and frequencies are those of things of 1
-    // m; they follow the scale s as gravity makes things follow it: lengths by s, speeds by its root, frequencies by
-    // the inverse of its root. A world of marbles (0.02) then behaves as one of boulders, at 1 / sqrt(s) times the step
-    // rate.
+    // The size of a typical body, m, > 0. The solver's own constants are for bodies of 1 m. For a scale s its lengths
+    // are multiplied by s, its speeds by sqrt(s) and its frequencies by 1 / sqrt(s), as under equal gravity. A world of
+    // marbles (0.02) then behaves like one of boulders, if it also makes 1 / sqrt(s) times the steps per second.
     float scale = 1.0f;
 };
 
-// One contact point after a step, to be drawn, tested or written to a file.
+// A contact point of two shapes after a step.
 struct ContactPoint {
     BodyId body_a;
     BodyId body_b;
     ShapeId shape_a;
     ShapeId shape_b;
-    DVec2 point;  // world, half way between the surfaces
-    Vec2 normal;  // from A to B
-    std::uint32_t feature = 0;
-    float separation = 0.0f;  // m, negative inside
+    DVec2 point;                // world, half way between the surfaces, m
+    Vec2 normal;                // world, unit, from A to B
+    std::uint32_t feature = 0;  // identifies the point of this pair from step to step (manifold.hpp)
+    float separation = 0.0f;    // m, negative if the shapes overlap
 
-    // What B got of A in the whole step, N s: along the normal, and along the normal turned clockwise. At rest the
-    // points of a body that lies carry its weight times the step, and what an impact stopped shows its momentum.
+    // The impulse of A on B in the whole step, N s: along the normal (>= 0), and along the normal rotated by 90 degrees
+    // clockwise. The normal impulses under a resting body add up to its weight times the duration of the step.
     float normal_impulse = 0.0f;
     float tangent_impulse = 0.0f;
 };
 
-// Two shapes whose boxes overlap; most such pairs do not touch.
+// Two shapes whose bounding boxes overlap. Most such pairs do not touch.
 struct ShapePair {
     ShapeId a;
     ShapeId b;
 };
 
-// Bodies fall asleep together: an island is a set of dynamic bodies that touch or are joined, and it sleeps once all of
-// it has been slower than 0.05 m/s for half a second. Asleep it costs nothing. It wakes when something awake touches
-// it, when one of its bodies is given a velocity, a force, a shape or a joint, and when what it leans on moves or goes.
+// A world of rigid bodies. It owns bodies, shapes and joints, and refers to them by ids.
 //
-// No dynamic body moves faster than 400 m/s (times the root of WorldDef::scale), or turns by more than an eighth of a
-// turn in a step (half a turn in a sub-step, if it is allowed to turn fast): joints and forces that ask for more are
-// not followed further.
+// Sleep. Dynamic bodies that touch or are joined form an island. An island falls asleep once all of its bodies have
+// been slower than 0.05 m/s for 0.5 s, each times the square root of WorldDef::scale. A sleeping island costs nothing
+// in a step. It wakes when an awake body touches it, when one of its bodies gets a velocity, a force, a shape or a
+// joint, and when a body that it rests on is moved, changed or destroyed.
 //
-// Calls with an id that names nothing here (of something destroyed, or of another world: an id does not know its world
-// and may happen to name something in this one), with values that are not finite or out of range throw
-// std::invalid_argument with the value printed, and leave the world as it was.
+// Speed limits. A step clamps the speed of dynamic bodies to 400 m/s times the square root of WorldDef::scale, and
+// their rotation to 1/8 turn in a step (1/2 turn in a sub-step with BodyDef::allow_fast_rotation), whatever forces and
+// joints act on them. world_limits.hpp computes these limits.
+//
+// Errors. A call with an id of a destroyed object, with a value that is not finite, or with a value out of its range
+// throws std::invalid_argument; the message names the argument and prints its value, and the world does not change. An
+// id does not record its world: an id of another world throws too, unless it equals an id of this one.
 class World {
 public:
+    // An empty world.
     explicit World(const WorldDef& def = {});
     ~World();
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
 
-    BodyId create_body(const BodyDef& def);
+    // ---- Stepping ----
 
-    // A body with its shapes, whose velocity is that of the centre of mass of them all. Weighs them once: O(n), where
-    // adding n one by one is O(n^2).
-    BodyId create_body(const BodyDef& def, std::span<const ShapeDef> shapes);
-    void destroy_body(BodyId id);  // with its shapes, its joints and their gears
-    ShapeId add_shape(BodyId body, const ShapeDef& def);
-    void remove_shape(ShapeId id);
-    JointId create_joint(const JointDef& def);
-    void destroy_joint(JointId id);  // with the gears on it
-
-    // Gives a joint other limits, motors, springs or anchors, between steps: another kind, other bodies or other joints
-    // of a gear are refused. What carries load goes on carrying it.
-    void set_joint(JointId id, const JointDef& def);
-
-    // Advances by one step. Throws SimulationDiverged, naming the first body, once a state is no longer finite.
+    // Advances the world by one step of 1 / steps_per_second. Throws SimulationDiverged in the step after which a pose
+    // or a velocity is not finite, and in every later call.
     void step();
 
-    std::uint64_t step_count() const noexcept;
-    double time() const noexcept;  // s, of all steps
-    const WorldDef& def() const noexcept;
+    std::uint64_t step_count() const noexcept;  // the steps made so far
+    double time() const noexcept;               // s: step_count() / steps_per_second
+    const WorldDef& def() const noexcept;       // with the gravity that was set last
 
+    // Sets the gravity, m/s^2, and wakes every body.
+    void set_gravity(Vec2 gravity);
+
+    // ---- Bodies ----
+
+    // Creates a body without shapes.
+    BodyId create_body(const BodyDef& def);
+
+    // Creates a body with shapes. BodyDef::velocity is the velocity of the centre of mass of all shapes. This computes
+    // the mass once, O(n) for n shapes; adding n shapes one by one is O(n^2).
+    BodyId create_body(const BodyDef& def, std::span<const ShapeDef> shapes);
+
+    // Destroys a body with its shapes, its joints and the gears on them.
+    void destroy_body(BodyId id);
+
+    // True if the id refers to a body of this world that is not destroyed.
     bool is_valid(BodyId id) const noexcept;
-    bool is_valid(ShapeId id) const noexcept;
-    bool is_valid(JointId id) const noexcept;
+
+    // All bodies in id order. Valid until the next body is created or destroyed.
+    std::span<const BodyId> bodies() const noexcept;
+
+    // The bodies that the next step may move, in id order: awake dynamic ones and moving kinematic ones. O(bodies).
+    std::vector<BodyId> awake_bodies() const;
 
     BodyType type(BodyId id) const;
-    BodyState state(BodyId id) const;
+    BodyState state(BodyId id) const;  // pose of the origin, velocity of the centre of mass
     BodyMass mass(BodyId id) const;
 
-    // The definition that would make the body as it is now, all that was set since included.
+    // The definition that would create the body as it is now, with everything that was set since its creation.
     BodyDef definition(BodyId id) const;
 
-    // Moves a body to a pose at once: nothing on the way is met, and its velocity stays. Contacts of the new place
-    // begin in the next step, those that it has left end there; what overlaps is pushed out. The body wakes, and so
-    // does what leant on it, is tied to it or is met by it now.
+    // Moves a body to a pose at once, without collision on the way; its velocity does not change. Contacts begin and
+    // end in the next step, which also pushes overlapping shapes apart. Wakes the body, the bodies that touch it or are
+    // joined to it, and the sleeping bodies at the new pose.
     void set_transform(BodyId id, const Pose& pose);
 
-    // Of the centre of mass. What is locked stays 0. Static and disabled bodies have none to set: they are refused.
+    // Sets the velocity of the centre of mass (m/s) and the angular velocity (rad/s, counter-clockwise positive), and
+    // wakes the body. Components locked by BodyLocks stay 0. Throws for a static or disabled body.
     void set_velocity(BodyId id, Vec2 velocity, float angular_velocity);
 
-    // Gives a body the velocity with which it is at a pose after the next step, if nothing is in its way: for platforms
-    // and hands that follow a path. The shorter turn; stop it by set_velocity() once it is there.
+    // Sets the velocity with which an unobstructed body reaches a pose in the next step, by the shorter rotation. For
+    // kinematic bodies that follow a path. The velocity stays: stop the body by set_velocity() when it has arrived.
     void move_towards(BodyId id, const Pose& pose);
 
-    // Another type: a body that becomes static stops, and what leant on it wakes. Forces of the next step are gone.
+    // Changes the type. A body that becomes static loses its velocity; forces applied since the last step are lost.
+    // Wakes the body and the bodies that touch it or are joined to it.
     void set_type(BodyId id, BodyType type);
 
-    // A disabled body keeps its place, shapes and joints, but is not part of the world: it does not move, its joints do
-    // not hold, nothing meets it and no query sees it. Its velocity is gone when it comes back.
+    // A disabled body keeps its pose, shapes and joints, but does not move, collide or appear in queries, and its
+    // joints do not act. It has velocity 0 when it is enabled again.
     void set_enabled(BodyId id, bool enabled);
     bool is_enabled(BodyId id) const;
 
-    // How a body moves, as in BodyDef. They wake it.
+    // Change the members of BodyDef with these names. Each call wakes the body.
     void set_locks(BodyId id, BodyLocks locks);
-    void set_damping(BodyId id, float linear, float angular);
+    void set_damping(BodyId id, float linear, float angular);  // 1/s, >= 0
     void set_gravity_scale(BodyId id, float scale);
     void set_bullet(BodyId id, bool bullet);
     void set_allow_fast_rotation(BodyId id, bool allowed);
     void set_allow_sleep(BodyId id, bool allowed);
 
-    // A mass in place of that of the shapes, or that of the shapes again. Every point keeps its velocity.
+    // Sets a mass in place of the mass of the shapes, or with std::nullopt restores the mass of the shapes. The
+    // velocity of every material point stays the same. Wakes the body.
     void set_mass(BodyId id, const std::optional<BodyMass>& mass);
 
-    // Another surface or filter, for contacts that exist too. Density counts at once. O(contacts), and wakes the body.
-    void set_material(ShapeId id, const SurfaceMaterial& material);
-    void set_filter(ShapeId id, const CollisionFilter& filter);
-
-    // Wakes every body.
-    void set_gravity(Vec2 gravity);
-
-    // A force (N, world axes) at a world point and a torque (N m), during the next step only; an impulse (N s) and an
-    // angular impulse (N m s) at once. They act on dynamic bodies, with the mass of the moment, and do nothing to
-    // others.
+    // Forces (N) and torques (N m) act during the next step only; impulses (N s) and angular impulses (N m s) change
+    // the velocity at once. Vectors are in world axes, points in world coordinates (m), rotation is counter-clockwise
+    // positive. They wake a dynamic body and have no effect on other bodies.
     void apply_force(BodyId id, Vec2 force, DVec2 point);
     void apply_force(BodyId id, Vec2 force);  // at the centre of mass
     void apply_torque(BodyId id, float torque);
@@ -158,93 +174,145 @@ public:
     void apply_impulse(BodyId id, Vec2 impulse);  // at the centre of mass
     void apply_angular_impulse(BodyId id, float impulse);
 
-    // False for a dynamic body that sleeps; others are never asleep. Putting one to sleep stops its whole island, also
-    // where falling asleep is off.
+    // False for a sleeping dynamic body. Static, kinematic and disabled bodies never sleep.
     bool is_awake(BodyId id) const;
+
+    // Wakes the island of a body or puts it to sleep with velocity 0, also if WorldDef::sleeping is false. Has no
+    // effect on bodies that are not dynamic.
     void set_awake(BodyId id, bool awake);
 
-    // Live bodies and joints in id order; a body's shapes in the order they were added. The spans hold until the next
-    // creation or destruction.
-    std::span<const BodyId> bodies() const noexcept;
-    std::vector<BodyId> awake_bodies() const;  // those that the next step may move; computed on the call
-
-    // The island of each body, [bodies().size()], numbered from 0 by their lowest bodies: dynamic bodies that touch or
-    // are joined, awake or asleep. -1 for bodies that have none. Computed on the call: O(bodies + contacts).
+    // The island of each body, [bodies().size()]: numbered from 0 in the order of their first bodies, awake or asleep;
+    // -1 for bodies that are not dynamic. O(bodies + contacts).
     std::vector<int> islands() const;
-    std::span<const JointId> joints() const noexcept;
-    std::span<const JointId> joints(BodyId id) const;  // in the order they were created
+
+    // ---- Shapes ----
+
+    // Adds a shape to a body and updates the body's mass.
+    ShapeId add_shape(BodyId body, const ShapeDef& def);
+
+    // Removes a shape from its body, updates the body's mass and wakes the body.
+    void remove_shape(ShapeId id);
+
+    bool is_valid(ShapeId id) const noexcept;
+
+    // The shapes of a body in the order they were added. Valid until a shape of the body is added or removed.
     std::span<const ShapeId> shapes(BodyId id) const;
-    const Shape& shape(ShapeId id) const;
+
+    const Shape& shape(ShapeId id) const;  // in body coordinates
     const SurfaceMaterial& material(ShapeId id) const;
     const CollisionFilter& filter(ShapeId id) const;
     bool is_sensor(ShapeId id) const;
     BodyId body(ShapeId id) const;
+
+    // Changes the material of a shape, also for its present contacts, and the body's mass. Wakes the body. O(contacts).
+    void set_material(ShapeId id, const SurfaceMaterial& material);
+
+    // Changes the filter of a shape; contacts that it excludes end in the next step. Wakes the body and its neighbors.
+    void set_filter(ShapeId id, const CollisionFilter& filter);
+
+    // ---- Joints (joint.hpp) ----
+
+    // Creates a joint between two different bodies. A gear takes its bodies from its two joints.
+    JointId create_joint(const JointDef& def);
+
+    // Destroys a joint and the gears on it, and wakes its bodies.
+    void destroy_joint(JointId id);
+
+    // Changes the parameters of a joint: limits, motor, spring, anchors... The kind, the bodies and the joints of a
+    // gear must stay the same. The accumulated impulses are kept, so that a loaded joint stays loaded. Wakes the
+    // bodies.
+    void set_joint(JointId id, const JointDef& def);
+
+    bool is_valid(JointId id) const noexcept;
+
+    // All joints in id order, and the joints of a body in order of their creation. Valid until the next joint is
+    // created or destroyed.
+    std::span<const JointId> joints() const noexcept;
+    std::span<const JointId> joints(BodyId id) const;
+
     const JointDef& joint(JointId id) const;
 
-    // The force with which the joint held its bodies in the last step that it was awake.
+    // The force and torque of the joint on body B in the last step in which it was awake: see JointReaction.
     JointReaction reaction(JointId id) const;
 
-    // The points that a joint acts on, one of each body, as they are now; of a gear those of its two joints on their
-    // second bodies; none for a filter.
+    // The world points where a joint acts on its two bodies, at their present poses. Of a gear the anchors of its two
+    // joints on their second bodies; none for a filter joint.
     std::optional<JointAnchors> joint_anchors(JointId id) const;
 
-    // Where the free motion of a joint was at the start of the last step: the angle of B against A in rad (revolute,
-    // weld, motor; of a revolute joint only if it has limits or a spring), the way along the axis in m (prismatic,
-    // wheel), the distance of the anchors in m (distance, mouse), or that of A's from its wheel (pulley). Of a gear how
-    // far it gives: what it keeps less what it should be, in rad or m as its first joint has it.
+    // The position of the joint's free motion at the start of the last step in which it was awake:
+    //   revolute, weld, motor   angle of B against A less reference_angle, rad; of a revolute joint only if it has
+    //   limits
+    //                           or a spring, else 0
+    //   prismatic, wheel        displacement of B's anchor from A's along the axis, m
+    //   distance, mouse         distance of the anchors, m
+    //   pulley                  distance of A's anchor from its wheel, m
+    //   gear                    motion_a + ratio motion_b less its value at creation, rad or m
+    //   filter                  0
     float joint_position(JointId id) const;
 
-    // The first shape that a ray from `origin` to `origin + translation` enters, or all of them, the nearest first. A
-    // shape that holds the origin is not entered.
+    // ---- Queries (query.hpp) ----
+
+    // The first shape that a ray from `origin` to `origin + translation` (m) enters, or all of them, sorted by
+    // fraction. A shape that contains the origin is not hit.
     std::optional<CastHit> cast_ray(DVec2 origin, DVec2 translation, const QueryFilter& filter = {}) const;
     std::vector<CastHit> cast_ray_all(DVec2 origin, DVec2 translation, const QueryFilter& filter = {}) const;
 
-    // The first shape that a shape meets on its way by `translation`, without turning. It meets what it overlaps at the
-    // start at fraction 0; what it only touches there, if it moves towards it.
+    // The first shape that `shape` touches when it moves from `pose` by `translation` (m) without rotation. A shape
+    // that it overlaps at the start is hit at fraction 0; one that it touches there only if it moves towards it.
     std::optional<CastHit> cast_shape(const Shape& shape, const Pose& pose, DVec2 translation,
                                       const QueryFilter& filter = {}) const;
 
-    // The shapes that a shape overlaps (touching counts where rounding cannot tell), or whose bounding boxes share a
-    // point with the box from `lower` to `upper`. In id order.
+    // The shapes that `shape` at `pose` overlaps, in id order. Shapes that touch within rounding are included.
     std::vector<ShapeId> overlap_shape(const Shape& shape, const Pose& pose, const QueryFilter& filter = {}) const;
+
+    // The shapes whose bounding boxes overlap or touch the box from `lower` to `upper` (m), in id order.
     std::vector<ShapeId> overlap_box(DVec2 lower, DVec2 upper, const QueryFilter& filter = {}) const;
 
-    // The shape nearest to a point, no farther than max_distance (m, may be infinite). Inside several, the one that the
-    // point is deepest in.
+    // The shape nearest to a point, if one is at most max_distance (m, may be infinite) away. Inside several shapes,
+    // the one in which the point is deepest.
     std::optional<ClosestHit> closest(DVec2 point, double max_distance, const QueryFilter& filter = {}) const;
 
-    // The distance of two bodies, by their nearest solid shapes: O(n log n + n m) for n and m of them.
+    // The signed distance of two bodies: that of their nearest pair of solid shapes. O(n log n + n m) for n and m
+    // shapes.
     BodyDistance distance(BodyId a, BodyId b) const;
 
-    // What began, ended, broke and fell asleep in the last step. Holds until the next one.
+    // ---- Reports of the last step ----
+
+    // What began, ended, broke and fell asleep in the last step. Valid until the next step.
     const StepEvents& events() const noexcept;
 
-    // Contact points of the last step, in order of shape ids: gaps and normals as the step found them, points
-    // carried along with A, impulses summed over the step. Computed on the call: O(contacts).
+    // The contact points after the last step in order of shape ids, those of sleeping bodies too. Separations and
+    // normals are those at the start of the step, points have moved with A, impulses are sums over the step.
+    // O(contacts).
     std::vector<ContactPoint> contacts() const;
-    std::vector<ContactPoint> contacts(BodyId id) const;  // those of one body
+    std::vector<ContactPoint> contacts(BodyId id) const;  // of one body
 
-    // The pairs that the last step asked the narrow phase about, in order of shape ids: not those of sleeping bodies.
-    // Computed on the call: O(pairs).
+    // The pairs of shapes that the narrow phase collided in the last step, in order of shape ids; pairs of sleeping
+    // bodies are not collided. O(pairs).
     std::vector<ShapePair> candidate_pairs() const;
 
-    // xxHash64 of pose, velocity and sleep flag of the live bodies in id order, as little-endian bytes: equal worlds,
-    // equal hashes.
+    // xxHash64 of poses, velocities and sleep flags of the bodies in id order, as little-endian bytes. Worlds in equal
+    // states have equal hashes on every machine.
     std::uint64_t state_hash() const;
 
     const StepCounters& counters() const noexcept;
 
-    // O(bodies).
+    // The memory that the world has allocated. O(bodies).
     WorldMemory memory() const;
 
-    // All that the world is, to go on from: the loaded world steps with the same bits as this one. The bytes are those
-    // of this version on every machine (little-endian); their size is about that of memory().
+    // ---- Snapshots ----
+
+    // The whole state as bytes: a world loaded from them makes the same steps as this one, bit for bit. The format is
+    // little-endian on every machine and readable by this version only; the size is about that of memory().
     std::vector<std::byte> save() const;
 
-    // Throws SnapshotError for what is not a whole snapshot of this version.
+    // The world of a snapshot. Throws SnapshotError for bytes that are not a whole snapshot of this version.
     static World load(std::span<const std::byte> snapshot);
 
-    // Walks every invariant of stores, tree and graph; throws std::logic_error that names the first one broken.
+    // ---- Diagnostics ----
+
+    // Checks every invariant of the world's data structures. Throws std::logic_error that names the first broken one: a
+    // defect of this library.
     void audit() const;
 
 private:
@@ -252,17 +320,17 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// A snapshot that cannot be loaded: cut short, damaged, or of another version.
+// A snapshot that cannot be loaded: incomplete, damaged, or of another version.
 class SnapshotError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// A pose or a velocity is no longer finite. The world may be read but not stepped.
+// A pose or a velocity is not finite. The world can be read, but not stepped.
 class SimulationDiverged : public std::runtime_error {
 public:
     SimulationDiverged(BodyId body, std::uint64_t step);
-    BodyId body;
-    std::uint64_t step = 0;
+    BodyId body;             // the one with the lowest id that is not finite
+    std::uint64_t step = 0;  // step_count() after the step
 };
 
 }  // namespace tumble

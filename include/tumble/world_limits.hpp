@@ -1,5 +1,5 @@
-// What the stepper's constants come to in a world: when its bodies rest, how soft its contacts are, what it cuts off.
-// For claims and warnings about worlds; the constants and their reasons are in src/dynamics/constants.hpp.
+// The limits of a world that follow from its definition and the solver's constants (src/dynamics/bodies/constants.hpp,
+// with their reasons): the speed of sleep, the speed limits, the softness of contacts.
 #pragma once
 
 #include "tumble/world.hpp"
@@ -7,17 +7,17 @@
 namespace tumble {
 
 struct WorldLimits {
-    float rest_speed = 0.0f;         // m/s: what is slower for long enough falls asleep
-    float max_speed = 0.0f;          // m/s: no dynamic body moves faster
-    float most_turn = 0.0f;          // rad in a step: no dynamic body turns farther, unless it may turn fast
-    float push_out_speed = 0.0f;     // m/s: the fastest that overlap is pushed out
-    float contact_hertz = 0.0f;      // of the spring of a contact point, on the mass that it moves
-    float static_stiffening = 0.0f;  // times that frequency, against what is not dynamic
-    float sag_part = 0.0f;           // of what that spring would give way under a load that stays
-    float stiffest_spring = 0.0f;    // Hz: springs of joints are no stiffer, whatever they ask for
+    float rest_speed = 0.0f;         // m/s: islands slower than this for long enough fall asleep
+    float max_speed = 0.0f;          // m/s: the speed limit of dynamic bodies
+    float max_rotation = 0.0f;       // rad in a step: the rotation limit of dynamic bodies without allow_fast_rotation
+    float push_out_speed = 0.0f;     // m/s: the largest speed at which overlapping shapes are pushed apart
+    float contact_hertz = 0.0f;      // Hz: of the soft constraint of a contact point, on its effective mass
+    float static_stiffening = 0.0f;  // the factor of that frequency in contacts with static and kinematic bodies
+    float sag_part = 0.0f;           // the part of its sag under a constant load that remains
+    float stiffest_spring = 0.0f;    // Hz: the largest frequency of joint springs
 };
 
-// Of a world of this definition, as World makes it.
+// The limits of a world with this definition.
 WorldLimits world_limits(const WorldDef& def);
 
 }  // namespace tumble

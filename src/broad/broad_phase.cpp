@@ -8,20 +8,23 @@ namespace tumble {
 void BroadPhase::add(std::uint32_t key, const Aabb& box, ProxyLayer layer) {
     if (key >= proxies_.size()) proxies_.resize(key + 1);
     Proxy& proxy = proxies_[key];
+    TUMBLE_CHECK(proxy.leaf == AabbTree::kNone);
     proxy.box = box;
     proxy.layer = layer;
     proxy.leaf = tree(layer).insert(box, key);
     touch(key);
 }
 
-// The key may still wait in asked_; a search skips it there unless it has been given to a new proxy.
+// The key may stay in touched_: a search skips it there, unless a new proxy has got the key.
 void BroadPhase::remove(std::uint32_t key) {
+    TUMBLE_CHECK(has(key));
     Proxy& proxy = proxies_[key];
     tree(proxy.layer).remove(proxy.leaf);
     proxy.leaf = AabbTree::kNone;
 }
 
 void BroadPhase::move(std::uint32_t key, const Aabb& box) {
+    TUMBLE_CHECK(has(key));
     Proxy& proxy = proxies_[key];
     proxy.box = box;
     tree(proxy.layer).move(proxy.leaf, box);
@@ -29,9 +32,10 @@ void BroadPhase::move(std::uint32_t key, const Aabb& box) {
 }
 
 void BroadPhase::touch(std::uint32_t key) {
-    if (proxies_[key].is_asked) return;
-    proxies_[key].is_asked = true;
-    asked_.push_back(key);
+    TUMBLE_CHECK(has(key));
+    if (proxies_[key].is_touched) return;
+    proxies_[key].is_touched = true;
+    touched_.push_back(key);
 }
 
 void BroadPhase::audit() const {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 // Multiplicative hashing by 2^64 / golden ratio, high bits folded down.
@@ -19,6 +21,8 @@ std::size_t PairSet::find_slot(std::uint64_t packed) const {
 bool PairSet::contains(ProxyPair pair) const { return !slots_.empty() && slots_[find_slot(pack(pair))] != kEmpty; }
 
 void PairSet::insert(ProxyPair pair) {
+    TUMBLE_CHECK(pair.a < pair.b);
+    TUMBLE_CHECK(!contains(pair));
     if (2 * (size_ + 1) > slots_.size()) grow();
     slots_[find_slot(pack(pair))] = pack(pair);
     ++size_;
@@ -31,7 +35,7 @@ void PairSet::grow() {
         if (packed != kEmpty) slots_[find_slot(packed)] = packed;
 }
 
-// Closes the gap by moving back each following entry whose home does not lie behind the gap: no tombstones.
+// Closes the gap by moving each following entry back, unless its home slot is after the gap. No tombstones are needed.
 void PairSet::erase(ProxyPair pair) {
     if (slots_.empty()) return;
     std::size_t gap = find_slot(pack(pair));
@@ -45,6 +49,7 @@ void PairSet::erase(ProxyPair pair) {
         }
     }
     slots_[gap] = kEmpty;
+    TUMBLE_CHECK(size_ > 0);
     --size_;
 }
 

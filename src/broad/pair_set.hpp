@@ -1,5 +1,5 @@
-// A set of pairs of keys: open addressing with linear probing, asked for membership only and never iterated, so that
-// the order of its slots cannot reach any result.
+// A set of pairs of keys: a hash table with open addressing and linear probing. It answers membership only and cannot
+// be iterated, so that the order of its slots cannot affect any result.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ constexpr ProxyPair make_pair_of(std::uint32_t x, std::uint32_t y) { return x < 
 class PairSet {
 public:
     bool contains(ProxyPair pair) const;
-    void insert(ProxyPair pair);  // not contained before
+    void insert(ProxyPair pair);  // must not be contained yet
     void erase(ProxyPair pair);   // no effect if not contained
     std::size_t size() const { return size_; }
 
@@ -34,7 +34,7 @@ private:
     static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
     static std::uint64_t pack(ProxyPair pair) { return std::uint64_t{pair.a} << 32 | pair.b; }
     std::size_t home(std::uint64_t packed) const;
-    std::size_t find_slot(std::uint64_t packed) const;  // of the pair, or the empty slot where it would go
+    std::size_t find_slot(std::uint64_t packed) const;  // of the pair, or the empty slot where it would be inserted
     void grow();
 
     std::vector<std::uint64_t> slots_;  // a power of two, at most half full

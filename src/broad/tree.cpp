@@ -28,6 +28,8 @@ AabbTree::Node AabbTree::allocate() {
 void AabbTree::free(Node node) { free_.push_back(node); }
 
 AabbTree::Node AabbTree::insert(const Aabb& box, std::uint32_t key) {
+    TUMBLE_CHECK(box.lower.x <= box.upper.x);
+    TUMBLE_CHECK(box.lower.y <= box.upper.y);
     const Node leaf = allocate();
     at(leaf).box = box;
     at(leaf).key = key;
@@ -37,12 +39,17 @@ AabbTree::Node AabbTree::insert(const Aabb& box, std::uint32_t key) {
 }
 
 void AabbTree::remove(Node leaf) {
+    TUMBLE_CHECK(at(leaf).is_leaf());
+    TUMBLE_CHECK(leaf_count_ > 0);
     detach(leaf);
     free(leaf);
     --leaf_count_;
 }
 
 void AabbTree::move(Node leaf, const Aabb& box) {
+    TUMBLE_CHECK(at(leaf).is_leaf());
+    TUMBLE_CHECK(box.lower.x <= box.upper.x);
+    TUMBLE_CHECK(box.lower.y <= box.upper.y);
     if (overlaps(at(leaf).box, box)) {
         at(leaf).box = box;
         refit_upwards(at(leaf).parent);
@@ -53,8 +60,9 @@ void AabbTree::move(Node leaf, const Aabb& box) {
     attach(leaf);
 }
 
-// Greedy descent. Pairing the box with `node` creates a parent of the merged perimeter; going on to a child costs what
-// the node grows by, and then at least what the child grows by (or its merged perimeter, if it is a leaf).
+// Greedy descent. Making the new leaf the sibling of `node` adds a parent of the merged perimeter. Descending to a
+// child adds the growth of the node, and at least the growth of the child (or the merged perimeter, if the child is a
+// leaf).
 AabbTree::Node AabbTree::best_sibling(const Aabb& box) const {
     Node node = root_;
     while (!at(node).is_leaf()) {
@@ -98,9 +106,11 @@ void AabbTree::attach(Node leaf) {
 void AabbTree::detach(Node leaf) {
     const Node parent = at(leaf).parent;
     if (parent == kNone) {
+        TUMBLE_CHECK(root_ == leaf);
         root_ = kNone;
         return;
     }
+    TUMBLE_CHECK((at(parent).child[0] == leaf || at(parent).child[1] == leaf));
     const Node sibling = at(parent).child[at(parent).child[0] == leaf ? 1 : 0];
     const Node grandparent = at(parent).parent;
     at(sibling).parent = grandparent;
@@ -117,7 +127,7 @@ void AabbTree::replace_child(Node parent, Node old_child, Node new_child) {
     }
 }
 
-// Boxes of ancestors follow their children until one does not change; above it nothing can.
+// Recomputes the boxes of a node and its ancestors, up to the first that does not change.
 void AabbTree::refit_upwards(Node node) {
     while (node != kNone) {
         const Aabb box = merge(at(at(node).child[0]).box, at(at(node).child[1]).box);
@@ -129,8 +139,8 @@ void AabbTree::refit_upwards(Node node) {
     }
 }
 
-// Swaps a child with a child of its sibling where that shortens the sibling's perimeter the most. The node's own box
-// stays as it is, so nothing above changes.
+// Swaps a child with the child of its sibling that shortens the sibling's perimeter the most, if any does. The node's
+// own box does not change.
 void AabbTree::rotate(Node node) {
     float best_gain = 0.0f;
     int best_side = 0, best_grandchild = 0;
@@ -172,8 +182,8 @@ double AabbTree::cost() const {
 void AabbTree::audit() const {
     const std::size_t live = root_ == kNone ? 0 : audit_subtree(root_);
     if (root_ != kNone) require(at(root_).parent == kNone, "the root has a parent", root_);
-    require(leaf_count_ == (live + 1) / 2, "the leaf count differs from the leaves reached", root_);
-    require(live + free_.size() == nodes_.size(), "nodes are lost: live and free ones are not all", root_);
+    require(leaf_count_ == (live + 1) / 2, "the leaf count differs from the number of leaves", root_);
+    require(live + free_.size() == nodes_.size(), "some nodes are neither in the tree nor free", root_);
 }
 
 // The number of nodes below and with `root`. Depth first with an explicit stack: a broken link cannot overflow it.
@@ -183,18 +193,19 @@ std::size_t AabbTree::audit_subtree(Node root) const {
     while (!stack.empty()) {
         const Node node = stack.back();
         stack.pop_back();
-        require(node >= 0 && static_cast<std::size_t>(node) < nodes_.size(), "out of range", node);
-        require(++count <= nodes_.size(), "reached twice", node);
+        require(node >= 0 && static_cast<std::size_t>(node) < nodes_.size(), "it is out of range", node);
+        require(++count <= nodes_.size(), "it is reached twice", node);
         const NodeData& data = at(node);
         if (data.is_leaf()) {
-            require(data.child[1] == kNone, "has one child", node);
+            require(data.child[1] == kNone, "it has one child", node);
             continue;
         }
         for (const Node child : data.child) {
-            require(at(child).parent == node, "is not the parent of its child", node);
+            require(at(child).parent == node, "it is not the parent of its child", node);
             stack.push_back(child);
         }
-        require(data.box == merge(at(data.child[0]).box, at(data.child[1]).box), "box is not its children's", node);
+        require(data.box == merge(at(data.child[0]).box, at(data.child[1]).box),
+                "its box is not the union of its children's boxes", node);
     }
     return count;
 }

@@ -1,9 +1,9 @@
-// A binary tree of boxes that follows moving things: the answer to "which boxes overlap this one?".
+// A dynamic bounding volume tree of axis-aligned boxes: it finds the boxes that overlap a given one while boxes move.
 //
-// Leaves carry a caller's key. Insertion descends to the sibling that adds the least perimeter (the surface area
-// heuristic in two dimensions, [MacDonald, Booth 1990]); a leaf that moves a little is refitted in place, and every
-// refitted node swaps a child with a grandchild where that shortens a perimeter [Kopta et al. 2012], which keeps the
-// tree good without rebuilding. The shape depends on the order of calls alone, never on addresses or time.
+// Each leaf has a box and the caller's key. Insertion descends to the sibling that adds the least perimeter (the
+// surface area heuristic in two dimensions, [MacDonald, Booth 1990]); a leaf that moves a little is refitted in place,
+// and every refitted node swaps a child with a grandchild where that shortens a perimeter [Kopta et al. 2012], which
+// keeps queries fast without rebuilding. The tree depends on the order of calls alone, never on addresses or time.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "tumble/math.hpp"
 
 namespace tumble {
@@ -21,35 +22,38 @@ public:
     static constexpr Node kNone = -1;
     using NodePair = std::pair<Node, Node>;
 
-    // Adds a leaf and returns its node, which stays the leaf's name until it is removed.
+    // Adds a leaf and returns its node, by which the caller moves and removes it. O(log n).
     Node insert(const Aabb& box, std::uint32_t key);
     void remove(Node leaf);
 
-    // Gives a leaf another box: refitted in place if old and new overlap, otherwise inserted anew under the same name.
+    // Gives a leaf another box: refits it in place if the old and new boxes overlap, otherwise inserts it anew. The
+    // node stays the same.
     void move(Node leaf, const Aabb& box);
 
     const Aabb& box(Node leaf) const { return at(leaf).box; }
     std::size_t leaf_count() const { return leaf_count_; }
 
-    // Calls visit(key) for each leaf whose box overlaps, in an order that depends on the tree. O(log n + results).
+    // Calls visit(key) for each leaf whose box overlaps `box`, in an order that depends on the tree. O(log n +
+    // results).
     template <class Visitor>
     void query(const Aabb& box, Visitor&& visit) const {
         search([box](const Aabb& node_box) { return overlaps(node_box, box); }, visit);
     }
 
-    // Calls visit(key) for each leaf for whose box, and the boxes around it, may_hold(box) is true. A box
-    // that it refuses holds none that it would take; it may become stricter as leaves are visited.
-    template <class MayHold, class Visitor>
-    void search(MayHold&& may_hold, Visitor&& visit) const;
+    // Calls visit(key) for each leaf for which may_contain(box) is true of its own box and of those of its ancestors.
+    // may_contain must be monotonic: false for a box implies false for every box inside it. It may become stricter as
+    // leaves are visited, as in a search for the nearest.
+    template <class MayContain, class Visitor>
+    void search(MayContain&& may_contain, Visitor&& visit) const;
 
-    // Calls visit(key, other key) once for each two leaves whose boxes overlap. `waiting` is room to work in.
+    // Calls visit(key, other key) once for each two leaves whose boxes overlap. `waiting` is a buffer for the walk.
     template <class Visitor>
     void for_each_pair(std::vector<NodePair>& waiting, Visitor&& visit) const;
 
     // Sum of the perimeters of all nodes: proportional to the expected cost of a query.
     double cost() const;
 
-    // Walks every link and box; throws std::logic_error that names the first one broken.
+    // Checks every link and box; throws std::logic_error that names the first broken invariant. O(n).
     void audit() const;
 
     template <class Self, class Visitor>
@@ -74,8 +78,14 @@ private:
 
     static constexpr int kStackSize = 64;
 
-    NodeData& at(Node node) { return nodes_[static_cast<std::size_t>(node)]; }
-    const NodeData& at(Node node) const { return nodes_[static_cast<std::size_t>(node)]; }
+    NodeData& at(Node node) {
+        TUMBLE_CHECK(static_cast<std::size_t>(node) < nodes_.size());
+        return nodes_[static_cast<std::size_t>(node)];
+    }
+    const NodeData& at(Node node) const {
+        TUMBLE_CHECK(static_cast<std::size_t>(node) < nodes_.size());
+        return nodes_[static_cast<std::size_t>(node)];
+    }
 
     Node allocate();
     void free(Node node);
@@ -85,8 +95,8 @@ private:
     void replace_child(Node parent, Node old_child, Node new_child);
     void refit_upwards(Node node);
     void rotate(Node node);
-    template <class MayHold, class Visitor>
-    void search_subtree(Node root, MayHold& may_hold, Visitor& visit) const;
+    template <class MayContain, class Visitor>
+    void search_subtree(Node root, MayContain& may_contain, Visitor& visit) const;
     std::size_t audit_subtree(Node root) const;
 
     std::vector<NodeData> nodes_;
@@ -95,31 +105,32 @@ private:
     std::size_t leaf_count_ = 0;
 };
 
-template <class MayHold, class Visitor>
-void AabbTree::search(MayHold&& may_hold, Visitor&& visit) const {
-    if (root_ != kNone) search_subtree(root_, may_hold, visit);
+template <class MayContain, class Visitor>
+void AabbTree::search(MayContain&& may_contain, Visitor&& visit) const {
+    if (root_ != kNone) search_subtree(root_, may_contain, visit);
 }
 
-// Depth first, left before right. A subtree that the stack has no room for has one of its own: the depth is not
-// limited, and nothing allocated.
-template <class MayHold, class Visitor>
-void AabbTree::search_subtree(Node root, MayHold& may_hold, Visitor& visit) const {
+// Depth first, left before right, with a stack of fixed size. If the stack is full, a recursive call with a stack of
+// its own searches the subtree: the depth is not limited, and nothing is allocated.
+template <class MayContain, class Visitor>
+void AabbTree::search_subtree(Node root, MayContain& may_contain, Visitor& visit) const {
     Node waiting[kStackSize] = {root};
     for (int count = 1; count > 0;) {
         const NodeData& node = at(waiting[--count]);
-        if (!may_hold(node.box)) continue;
+        if (!may_contain(node.box)) continue;
         if (node.is_leaf()) {
             visit(node.key);
         } else if (count + 2 <= kStackSize) {
             waiting[count++] = node.child[1];
             waiting[count++] = node.child[0];
         } else {
-            for (const Node child : node.child) search_subtree(child, may_hold, visit);
+            for (const Node child : node.child) search_subtree(child, may_contain, visit);
         }
     }
 }
 
-// Pairs of subtrees: a subtree with itself is its halves with themselves and with each other.
+// Visits pairs of subtrees. A subtree paired with itself becomes three pairs: each child with itself, and the two
+// children with each other.
 template <class Visitor>
 void AabbTree::for_each_pair(std::vector<NodePair>& waiting, Visitor&& visit) const {
     waiting.clear();
@@ -138,7 +149,7 @@ void AabbTree::for_each_pair(std::vector<NodePair>& waiting, Visitor&& visit) co
             continue;
         } else if (a.is_leaf() && b.is_leaf()) {
             visit(a.key, b.key);
-        } else if (b.is_leaf() || (!a.is_leaf() && perimeter(a.box) > perimeter(b.box))) {  // the larger one is opened
+        } else if (b.is_leaf() || (!a.is_leaf() && perimeter(a.box) > perimeter(b.box))) {  // descend into the larger
             waiting.push_back({a.child[0], second});
             waiting.push_back({a.child[1], second});
         } else {

@@ -1,15 +1,15 @@
-// TUMBLE_CHECK(a <= b): an invariant that a debug build tests. If it does not hold, the process prints the expression,
-// its place and both values, and aborts. A release build (NDEBUG) does not evaluate it.
+// TUMBLE_CHECK(a <= b): an invariant that debug builds check. If it is false, the process prints the expression, its
+// file and line and both values, and aborts. Release builds (NDEBUG) do not evaluate it.
 //
-// For errors of this library alone. A wrong argument of a caller is an exception (world/require.hpp), an outcome such
-// as an overlap is a status.
+// It is for defects of this library only. A wrong argument of a caller is an exception (world/require.hpp), an outcome
+// such as an overlap is a status. An expression with && or || needs parentheses of its own.
 #pragma once
 
 #include <type_traits>
 
 namespace tumble::debug {
 
-// A value as the message shows it.
+// A value of the expression, as the message prints it.
 struct Shown {
     enum class Kind { number, integer, truth, other };
 

@@ -108,7 +108,7 @@ void find_pairs(Simulation& simulation) {
                           !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
         if (!keep) {
             report_removal(simulation, contact);
-            simulation.broad.forget(contact.shapes);
+            simulation.broad.remove_pair(contact.shapes);
         }
         return keep;
     });

@@ -1,5 +1,5 @@
-// System calls instead of streams: they name the reason of a failure, and close() is where some file systems report a
-// full disk only.
+// System calls instead of streams: they report the reason of a failure. Some file systems report a full disk only at
+// close().
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@ namespace tumble {
 
 namespace {
 
-constexpr std::size_t kBufferSize = 1 << 16;  // bytes: large enough that the system call does not show
+constexpr std::size_t kBufferSize = 1 << 16;  // bytes: large enough that the cost of a system call is negligible
 
 // A name that no other thread or process uses.
 std::filesystem::path temporary_name(const std::filesystem::path& file) {

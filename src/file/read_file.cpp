@@ -1,4 +1,4 @@
-// stdio, because it reports the reason of a failure.
+// C streams, as they report the reason of a failure in errno.
 #include <cerrno>
 #include <cstdio>
 #include <memory>

@@ -1,5 +1,5 @@
-// Sine, cosine and arc tangent by reduction and series, in plain double arithmetic without fused operations: the step,
-// the scene reader and the output files give the same bits wherever they run, which libm does not promise.
+// Sine, cosine and arc tangent by argument reduction and series, in plain double arithmetic without fused operations.
+// They have the same bits on every platform, which the C library does not guarantee.
 #include "tumble/math.hpp"
 
 #include "math/turned.hpp"
@@ -13,7 +13,7 @@ constexpr double kHalfPiHead = 0x1.921fb544p+0;
 constexpr double kHalfPiTail = 0x1.0b4611a626331p-34;
 constexpr double kLargestAngle = 1e6;
 
-// Sine and cosine side by side: each operation rounds as it does for one number.
+// Sine and cosine in two lanes: each operation rounds as for a scalar.
 using Double2 = double __attribute__((vector_size(16)));
 
 // Taylor series on [-pi/4, pi/4]: (sin x - x) / x^3 and (cos x - 1 + x^2 / 2) / x^4 as series in x^2. The first term
@@ -27,7 +27,7 @@ constexpr Double2 kSeries[] = {{1.0 / 355687428096000.0, 0.0},  // 1 / 17!
                                {1.0 / 120.0, -1.0 / 720.0},
                                {-1.0 / 6.0, 1.0 / 24.0}};  // 1 / 3!, 1 / 4!
 
-// From both sums of the series.
+// Sine and cosine of x from the two sums of the series; z = x^2.
 SinCos from_series(double x, double z, Double2 sum) {
     return {x + x * (z * sum[0]), 1.0 - (0.5 * z - z * (z * sum[1]))};
 }
@@ -40,7 +40,7 @@ SinCos reduced_sin_cos(double x) {
     return from_series(x, z, sum);
 }
 
-// The same series by pairs of terms [Estrin 1960]: half the wait, and other roundings.
+// The same series by Estrin's scheme [Estrin 1960]: half the latency, and other roundings.
 SinCos small_sin_cos(double x) {
     const double z = x * x;
     const Double2 z1{z, z}, z2 = z1 * z1, z4 = z2 * z2;
@@ -49,8 +49,8 @@ SinCos small_sin_cos(double x) {
     return from_series(x, z, high * z4 + low);
 }
 
-// Without a branch: the quarter of an angle is as good as random.
-SinCos turn_by_quarters(SinCos v, long quarters) {
+// Sine and cosine of an angle larger by quarter turns. Without branches, as the number of quarters is unpredictable.
+SinCos add_quarter_turns(SinCos v, long quarters) {
     const double by_parity[2][2] = {{v.sin, v.cos}, {v.cos, v.sin}};
     constexpr double kSign[2] = {1.0, -1.0};
     const double(&of)[2] = by_parity[quarters & 1];
@@ -68,7 +68,7 @@ SinCos sin_cos(double radians) {
     }
     const double quarters = std::nearbyint(radians * (2.0 / kPi));
     const double reduced = (radians - quarters * kHalfPiHead) - quarters * kHalfPiTail;
-    return turn_by_quarters(reduced_sin_cos(reduced), static_cast<long>(quarters));
+    return add_quarter_turns(reduced_sin_cos(reduced), static_cast<long>(quarters));
 }
 
 SinCos turned(SinCos start, double radians) {
@@ -98,7 +98,7 @@ SinCos sin_cos_degrees(double degrees) {
     const double turn = std::fmod(degrees, 360.0);
     const double quarters = std::nearbyint(turn / 90.0);
     const SinCos v = sin_cos((turn - 90.0 * quarters) * (kPi / 180.0));
-    return turn_by_quarters(v, std::isfinite(quarters) ? static_cast<long>(quarters) : 0);
+    return add_quarter_turns(v, std::isfinite(quarters) ? static_cast<long>(quarters) : 0);
 }
 
 Rotation make_rotation(double radians) { return to_rotation(sin_cos(radians)); }

@@ -1,8 +1,8 @@
-// Four or eight double lanes, for what is computed about all vertices of a small shape at once.
+// Four or eight double lanes, for computations on all vertices of a small shape at once.
 //
-// On the compilers' vector types, whose + - * / are packed on every instruction set and round as the scalars do. The
-// order of sums does not depend on a register's width, and the largest of all lanes does not either: comparing rounds
-// nothing.
+// They are made of the compilers' vector types, whose + - * / are packed on every instruction set and round as scalars
+// do. No result depends on the width of a register: there are no sums of lanes, and the largest or smallest of all
+// lanes is found without rounding.
 #pragma once
 
 #include <cmath>
@@ -60,11 +60,11 @@ struct DoubleLanes {
     }
 };
 
-// A number of one pair as it is in a lane.
+// The scalar forms of lane functions, for templates on both.
 inline double square_root(double number) { return std::sqrt(number); }
 inline double smaller(double a, double b) { return a < b ? a : b; }
 
-// One of two for each lane.
+// A truth value for each lane.
 template <int N>
 struct MaskLanes {
     using Part = typename simd::Register<N>::Mask;
@@ -102,7 +102,7 @@ TUMBLE_LANE_FUNCTION MaskLanes<N> operator==(const DoubleLanes<N>& a, const Doub
     return result;
 }
 
-// Puts `by` where the mask says so.
+// Replaces the lanes where the mask is true by those of `by`.
 template <int N>
 TUMBLE_LANE_FUNCTION void replace(DoubleLanes<N>& where, const MaskLanes<N>& mask, const DoubleLanes<N>& by) {
     for (int i = 0; i < DoubleLanes<N>::kParts; ++i) simd::replace(where.part[i], mask.part[i], by.part[i]);
@@ -116,7 +116,7 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> select(const MaskLanes<N>& mask, const Doubl
     return result;
 }
 
-// Bit i is set where lane i is.
+// Bit i is set if lane i is true.
 template <int N>
 TUMBLE_LANE_FUNCTION unsigned bits_of(const MaskLanes<N>& mask) {
     unsigned bits = 0;
@@ -125,8 +125,8 @@ TUMBLE_LANE_FUNCTION unsigned bits_of(const MaskLanes<N>& mask) {
     return bits & ((1u << N) - 1u);
 }
 
-// number(i) in lane i, put together in registers: a wide load of what was just stored by single numbers waits for all
-// of them.
+// Lane i is number(i). The lanes are assembled in registers: a wide load after scalar stores would wait for all of
+// them.
 template <int N, typename Number>
 TUMBLE_LANE_FUNCTION DoubleLanes<N> gather_lanes(const Number& number) {
     DoubleLanes<N> lanes;
@@ -141,7 +141,7 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> gather_lanes(const Number& number) {
     return lanes;
 }
 
-// N floats, widened.
+// N consecutive floats, widened to double.
 template <int N>
 TUMBLE_LANE_FUNCTION DoubleLanes<N> load_widened(const float* values) {
     DoubleLanes<N> result;
@@ -171,7 +171,7 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> smaller(const DoubleLanes<N>& a, const Doubl
     return result;
 }
 
-// The lowest so far in each lane, and the index it was met with first.
+// The lowest value so far in each lane, and the index of its first occurrence.
 template <int N>
 struct LowestLanes {
     DoubleLanes<N> value;
@@ -184,7 +184,7 @@ TUMBLE_LANE_FUNCTION void take_lower(LowestLanes<N>& lowest, const DoubleLanes<N
     lowest.value = smaller(lowest.value, other);
 }
 
-// One lane in all lanes.
+// Copies lane `Lane` to all lanes.
 template <int Lane, int N>
 TUMBLE_LANE_FUNCTION DoubleLanes<N> spread(const DoubleLanes<N>& lanes) {
     constexpr int kWidth = DoubleLanes<N>::kWidth, kFrom = Lane % kWidth;
@@ -198,7 +198,7 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> spread(const DoubleLanes<N>& lanes) {
     return result;
 }
 
-// Lane i + 1 in lane i, and lane 0 in the last.
+// Rotates the lanes: lane i of the result is lane i + 1, the last lane is lane 0.
 TUMBLE_LANE_FUNCTION DoubleLanes<4> next_lanes(const DoubleLanes<4>& lanes) {
     DoubleLanes<4> result;
     result.part[0] = __builtin_shufflevector(lanes.part[0], lanes.part[0], 1, 2, 3, 0);
@@ -215,7 +215,7 @@ TUMBLE_LANE_FUNCTION DoubleLanes<8> next_lanes(const DoubleLanes<8>& lanes) {
     return result;
 }
 
-// The largest of all lanes; no lane may be NaN.
+// The largest of all lanes. No lane may be NaN.
 template <int N>
 TUMBLE_LANE_FUNCTION double largest(const DoubleLanes<N>& lanes) {
     simd::Double4 four = simd::larger_halves(lanes.part[0]);
@@ -225,7 +225,7 @@ TUMBLE_LANE_FUNCTION double largest(const DoubleLanes<N>& lanes) {
     return four[0];
 }
 
-// The smallest, likewise.
+// The smallest of all lanes. No lane may be NaN.
 template <int N>
 TUMBLE_LANE_FUNCTION double smallest(const DoubleLanes<N>& lanes) {
     simd::Double4 four = simd::smaller_halves(lanes.part[0]);

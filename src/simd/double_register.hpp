@@ -1,7 +1,7 @@
-// One register of double lanes, four or eight wide, by the compilers' vector types and by intrinsics where these are
-// slow.
+// One register of four or eight double lanes: the compilers' vector types, and intrinsics where those compile to slow
+// code.
 //
-// Results of baseline functions are parameters: without AVX clang refuses to return a wide register by value.
+// Functions return wide registers in a parameter: without AVX clang rejects a wide register as a return value.
 #pragma once
 
 #include <cmath>
@@ -21,7 +21,7 @@ using Float4 = float __attribute__((vector_size(16)));
 using Double4 = double __attribute__((vector_size(32)));
 using Mask4 = long long __attribute__((vector_size(32)));  // all bits of a lane, or none
 
-// What a register holds of N lanes: eight of them with AVX-512, else four.
+// The register for N lanes: eight lanes wide with AVX-512 if N allows it, else four.
 template <int N>
 struct Register {
     using Double = Double4;
@@ -39,7 +39,7 @@ requires(N % 8 == 0) struct Register<N> {
     static constexpr int kWidth = 8;
 };
 
-// With masks of all lanes: g++ 12 warns of the undefined lanes that its other functions begin with.
+// The masked forms with all lanes set: g++ 12 warns of undefined lanes in the unmasked intrinsics.
 inline constexpr __mmask8 kAll = 0xff;
 
 TUMBLE_LANE_FUNCTION void take_larger(Double8& a, const Double8& b) { a = _mm512_maskz_max_pd(kAll, a, b); }
@@ -87,8 +87,8 @@ TUMBLE_LANE_FUNCTION void take_smaller(Double4& a, const Double4& b) {
 #endif
 }
 
-// By intrinsics where there are any: of the compiler's own comparison g++ makes a mask register with AVX-512, and of
-// that the lanes that blending and bits_of() need.
+// Intrinsics, as for `a < b` g++ with AVX-512 uses a mask register and then expands it to the lanes that blending and
+// bits_of() need.
 TUMBLE_LANE_FUNCTION void take_less(Mask4& mask, const Double4& a, const Double4& b) {
 #if defined(__AVX__)
     mask = reinterpret_cast<Mask4>(_mm256_cmp_pd(a, b, _CMP_LT_OQ));
@@ -123,7 +123,7 @@ TUMBLE_LANE_FUNCTION void replace(Double4& where, const Mask4& mask, const Doubl
 #endif
 }
 
-// The compiler's own conversion goes by halves that are then loaded whole, which waits for both.
+// The compilers' own conversion stores two halves and loads them as a whole, which waits for both stores.
 TUMBLE_LANE_FUNCTION void widen(Double4& part, const Float4& values) {
 #if defined(__AVX__)
     part = _mm256_cvtps_pd(values);

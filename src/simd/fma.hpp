@@ -1,5 +1,5 @@
-// The one fused multiply-add of the project: a * b + c with a single rounding, the same bits whether the processor has
-// the instruction or the library computes it. Everywhere else the compiler is forbidden to fuse.
+// The fused multiply-add: a * b + c with a single rounding. Its bits are the same whether the processor has the
+// instruction or the C library computes it. All other code is compiled without contraction to fused operations.
 #pragma once
 
 #include <cmath>

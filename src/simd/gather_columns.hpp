@@ -1,4 +1,4 @@
-// Rows of floats to columns of double lanes: record r's number i becomes lane r of column i.
+// Transposes records of floats into columns of double lanes: float i of record r becomes lane r of column i.
 #pragma once
 
 #include "simd/double_lanes.hpp"
@@ -13,7 +13,7 @@ TUMBLE_LANE_FUNCTION Float4 load4(const float* values) {
     return result;
 }
 
-// Four rows of four to the columns.
+// Transposes four rows of four floats in place.
 TUMBLE_LANE_FUNCTION void transpose(Float4 (&rows)[4]) {
     const Float4 low01 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5),
                  low23 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5);
@@ -27,7 +27,7 @@ TUMBLE_LANE_FUNCTION void transpose(Float4 (&rows)[4]) {
 
 }  // namespace simd
 
-// Columns from to from + 3 of N records, widened: four floats at each of `rows`.
+// Columns `from` to `from` + 3 of N records, widened to double. rows[N]: the records; columns: at least from + 4.
 template <int N>
 TUMBLE_LANE_FUNCTION void gather_columns(const float* const (&rows)[N], int from, DoubleLanes<N>* columns) {
     constexpr int kTiles = N / 4;

@@ -1,6 +1,6 @@
-// How functions of lanes are declared.
+// The declaration of functions on lanes.
 #pragma once
 
-// For functions of lanes in inner loops: they are worth it only if their lanes stay in registers, and the compiler's
-// own estimate leaves the larger ones out of line.
+// Always inline: lanes must stay in registers between functions, and the compilers' own estimate leaves the larger
+// functions out of line.
 #define TUMBLE_LANE_FUNCTION [[gnu::always_inline]] inline

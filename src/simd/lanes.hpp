@@ -1,9 +1,9 @@
-// Eight float lanes on Eigen arrays, and the few operations that Eigen does not compile to packed code.
+// Eight float lanes as an Eigen array, and the operations that Eigen does not compile to packed code.
 //
 // Sums, products, quotients, min, max and sqrt of whole arrays are packed on every instruction set and give the same
 // bits on all of them (no contraction, exact square root). `(a < b).select(x, y)` is not packed: use select_less().
 // Reductions (.sum(), .dot()) depend on the width of a register and are forbidden in anything that reaches the state.
-// Name every step with its type: an `auto` would keep an expression alive beyond its operands.
+// Give every intermediate result its type: `auto` would store an Eigen expression, which may outlive its operands.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,15 +1,15 @@
-// Rows of memory to lanes and back: eight records become one array of lanes per field by packed transpositions.
+// Transposes eight records in memory into lanes, one array of lanes for each field, and back.
 //
-// With registers of 8 floats this is one 8 x 8 transposition, with 4 floats it is done in 4 x 4 tiles; the values are
-// moved, never computed with, so that any bits (flags, NaN) pass through unchanged.
+// This is one 8 x 8 transposition with registers of 8 floats, and 4 x 4 tiles with registers of 4. Values are only
+// moved, so that any bits (flags, NaN) stay as they are.
 #pragma once
 
 #include "simd/lanes.hpp"
 
 namespace tumble {
 
-// Reads 8 consecutive floats at each of rows[kLaneCount]: fields[f] holds row r's float f in lane r.
-// Fields that the caller does not use cost nothing after inlining.
+// Reads 8 consecutive floats at each of rows[kLaneCount]: lane r of fields[f] is float f of row r. Fields that the
+// caller does not use cost nothing after inlining.
 TUMBLE_LANE_FUNCTION void gather_rows(const float* const rows[kLaneCount], Lanes fields[8]) {
     using namespace Eigen::internal;
     constexpr int kTile = simd::kPacketSize;
@@ -23,8 +23,8 @@ TUMBLE_LANE_FUNCTION void gather_rows(const float* const rows[kLaneCount], Lanes
     }
 }
 
-// Writes 4 consecutive floats to each of rows[kLaneCount]: row r gets lane r of fields[0..3]. Rows may coincide if
-// they get equal values.
+// Writes 4 consecutive floats to each of rows[kLaneCount]: row r gets lane r of fields[0..3]. Two rows may be the same
+// memory if they get equal values.
 TUMBLE_LANE_FUNCTION void scatter_rows(const Lanes fields[4], float* const rows[kLaneCount]) {
     using namespace Eigen::internal;
     alignas(32) float table[kLaneCount][4];

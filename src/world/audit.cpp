@@ -99,8 +99,8 @@ void audit_islands(const Simulation& simulation) {
             require(contact.manifold.point_count > 0, "a sleeping contact has no points", i);
             require(bodies.records[contact.body_a].island == i || bodies.records[contact.body_b].island == i,
                     "a sleeping contact has no body in its island", i);
-            require(simulation.broad.knows(contact.shapes), "the pair of a sleeping contact is not in the broad phase",
-                    i);
+            require(simulation.broad.has_pair(contact.shapes),
+                    "the pair of a sleeping contact is not in the broad phase", i);
         }
     }
     require(count == simulation.sleeping.count(), "an island in use is empty", count);
@@ -121,7 +121,7 @@ void audit_contacts(const Simulation& simulation) {
         const Contact& contact = contacts[i];
         require(contact.shapes.a < contact.shapes.b, "a contact's shapes are not sorted", i);
         require(i == 0 || contacts[i - 1].shapes < contact.shapes, "contacts are not sorted", i);
-        require(simulation.broad.knows(contact.shapes), "the pair of a contact is not in the broad phase", i);
+        require(simulation.broad.has_pair(contact.shapes), "the pair of a contact is not in the broad phase", i);
         const ShapeRecord& a = simulation.shapes[contact.shapes.a];
         const ShapeRecord& b = simulation.shapes[contact.shapes.b];
         if (!simulation.is_live(contact.shapes)) continue;  // the next step drops it
@@ -137,7 +137,7 @@ void audit_contacts(const Simulation& simulation) {
             require(contact.impulses[point].normal >= 0.0f, "a contact has a negative normal impulse", i);
     }
     const std::size_t all = contacts.size() + simulation.contacts.woken().size() + simulation.sleeping.contact_count();
-    require(simulation.broad.known_count() == all, "the pairs of the broad phase and the contacts differ in number",
+    require(simulation.broad.pair_count() == all, "the pairs of the broad phase and the contacts differ in number",
             all);
 }
 

@@ -10,7 +10,7 @@ WorldLimits world_limits(const WorldDef& def) {
     const float h = 1.0f / def.steps_per_second / static_cast<float>(def.substeps);
     return {.rest_speed = tuning.sleep_speed,
             .max_speed = tuning.max_speed,
-            .most_turn = kMaxRotation,
+            .max_rotation = kMaxRotation,
             .push_out_speed = tuning.push_out_speed,
             .contact_hertz = contact_hertz(tuning, h),
             .static_stiffening = kStaticStiffening,

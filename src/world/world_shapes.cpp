@@ -1,4 +1,5 @@
 // Shapes: adding and removing them, their surfaces and their filters.
+#include "dynamics/contacts/make_contact.hpp"
 #include "dynamics/stages/sleep.hpp"
 #include "world/input_checks.hpp"
 #include "world/world_impl.hpp"

@@ -110,7 +110,7 @@ TEST_CASE("a query finds exactly the overlapping boxes through random edits") {
     CHECK(moved > 600);
 }
 
-TEST_CASE("boxes inserted in a row do not make a list of the tree") {
+TEST_CASE("boxes inserted along a line do not degenerate the tree to a list") {
     // Worst case for greedy insertion. With n boxes of perimeter 4 in a row a balanced tree costs about
     // sum over levels of 2 n = 2 n log2 n; a list costs the sum of 2 k, about n^2.
     constexpr int n = 1024;
@@ -123,7 +123,7 @@ TEST_CASE("boxes inserted in a row do not make a list of the tree") {
     CHECK(tree.cost() - 4.0 * n < 2.0 * (2.0 * n * 10.0));  // the inner nodes: within twice the balanced tree's
 }
 
-TEST_CASE("a tree that is a list is searched to its end") {
+TEST_CASE("a query of a tree that is as deep as a list finds all leaves") {
     AabbTree tree;  // each box holds those before it
     constexpr std::uint32_t n = 120;
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -152,7 +152,7 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
                 broad.remove(key);
                 std::erase_if(known, [&](ProxyPair pair) {
                     if (pair.a != key && pair.b != key) return false;
-                    broad.forget(pair);
+                    broad.remove_pair(pair);
                     return true;
                 });
             } else {
@@ -166,20 +166,20 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
         reported += found.size();
         std::erase_if(known, [&](ProxyPair pair) {
             if (broad.overlap(pair)) return false;
-            broad.forget(pair);
+            broad.remove_pair(pair);
             return true;
         });
         REQUIRE(known == all_overlaps(live));
-        REQUIRE(broad.known_count() == known.size());
+        REQUIRE(broad.pair_count() == known.size());
         broad.audit();
     }
     CHECK(reported > 1000);
 }
 
-TEST_CASE("a rejected pair is offered again when one of its proxies is touched") {
+TEST_CASE("a rejected pair is found again when one of its proxies is touched") {
     BroadPhase broad;
-    broad.add(0, {{0, 0}, {1, 1}}, ProxyLayer::loose);
-    broad.add(1, {{0.5f, 0}, {1.5f, 1}}, ProxyLayer::loose);
+    broad.add(0, {{0, 0}, {1, 1}}, ProxyLayer::dynamic);
+    broad.add(1, {{0.5f, 0}, {1.5f, 1}}, ProxyLayer::dynamic);
     CHECK(broad.find_new_pairs([](ProxyPair) { return false; }).empty());
     CHECK(broad.find_new_pairs(accept_all).empty());
     broad.touch(1);
@@ -188,10 +188,10 @@ TEST_CASE("a rejected pair is offered again when one of its proxies is touched")
     CHECK(broad.find_new_pairs(accept_all).empty());
 }
 
-TEST_CASE("boxes that touch in a point are a pair, fixed ones are not") {
+TEST_CASE("boxes that touch in a point are a pair, two fixed ones are not") {
     BroadPhase broad;
     broad.add(3, {{0, 0}, {1, 1}}, ProxyLayer::fixed);
-    broad.add(1, {{1, 1}, {2, 2}}, ProxyLayer::loose);
+    broad.add(1, {{1, 1}, {2, 2}}, ProxyLayer::dynamic);
     broad.add(2, {{0, 0}, {0.5f, 0.5f}}, ProxyLayer::fixed);
     CHECK(broad.find_new_pairs(accept_all) == std::vector<ProxyPair>{{1, 3}});
 }

@@ -28,7 +28,7 @@ struct Folder {
     auto entries() const { return std::distance(fs::directory_iterator(path), {}); }
 };
 
-// While it lives, no file may grow beyond `bytes`: to a writer the same as a full disk.
+// During its lifetime no file may grow beyond `bytes`: for a writer this is a full disk.
 class SmallFiles {
 public:
     explicit SmallFiles(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -54,7 +54,7 @@ void write_whole(const fs::path& file, std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("a file appears whole at commit, and replaces what was there") {
+TEST_CASE("commit replaces the old file by the whole new one") {
     const Folder folder;
     const fs::path file = folder.path / "data.txt";
     write_whole(file, "old");
@@ -69,7 +69,7 @@ TEST_CASE("a file appears whole at commit, and replaces what was there") {
     CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("a file that is not committed leaves nothing behind") {
+TEST_CASE("without commit nothing remains of a file") {
     const Folder folder;
     {
         OutputFile output(folder.path / "data.txt");
@@ -81,7 +81,7 @@ TEST_CASE("a file that is not committed leaves nothing behind") {
     CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("two writers of one file do not mix") {
+TEST_CASE("two writers of one file do not mix their bytes") {
     const Folder folder;
     const fs::path file = folder.path / "data.txt";
     OutputFile first(file), second(file);
@@ -93,7 +93,7 @@ TEST_CASE("two writers of one file do not mix") {
     CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("a disk without room is an error with the reason, and keeps the old file") {
+TEST_CASE("a full disk is an error with its reason, and the old file stays") {
     const Folder folder;
     const fs::path file = folder.path / "data.txt";
     write_whole(file, "old");
@@ -110,7 +110,7 @@ TEST_CASE("a disk without room is an error with the reason, and keeps the old fi
     CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("a place that cannot be written is an error") {
+TEST_CASE("a file that cannot be created is an error") {
     const Folder folder;
     CHECK_THROWS_AS(OutputFile(folder.path / "no" / "data.txt"), FileError);
     fs::create_directories(folder.path / "occupied" / "inside");
@@ -119,7 +119,7 @@ TEST_CASE("a place that cannot be written is an error") {
     CHECK(fs::is_directory(folder.path / "occupied" / "inside"));
 }
 
-TEST_CASE("reading stops one byte behind the limit, and names the file that cannot be read") {
+TEST_CASE("reading stops one byte after the limit, and an error names the file") {
     const Folder folder;
     write_whole(folder.path / "data.txt", "0123456789");
     CHECK(read_file(folder.path / "data.txt", 10) == "0123456789");

@@ -1,4 +1,4 @@
-// Our own trigonometry against the 64-bit-mantissa libm of long double.
+// The trigonometry of math.hpp against the 64-bit-mantissa libm of long double.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ TEST_CASE("sine and cosine are within 4e-16 up to 1e6 radians") {
     CHECK(worst > 1e-17);  // the comparison sees rounding: it is not a comparison of a thing with itself
 }
 
-TEST_CASE("an angle turned on is within 6e-16 of its start's error, and not changed by no turn") {
+TEST_CASE("turned() adds an error below 6e-16, and none for an angle of 0") {
     std::mt19937_64 random(3);
     double worst = 0.0;
     for (const double range : {1e-9, 0.1, kPi / 4.0, 1.0, 10.0, 1e6}) {
@@ -35,7 +35,7 @@ TEST_CASE("an angle turned on is within 6e-16 of its start's error, and not chan
         for (int sample = 0; sample < 50000; ++sample) {
             const double angle = angles(random), turn = turns(random);
             const SinCos start = sin_cos(angle), v = turned(start, turn);
-            // By the sum formulas: the sum of the angles would round.
+            // By the angle sum formulas, as the sum of the angles would round.
             const long double sin_a = std::sin(static_cast<long double>(angle)),
                               cos_a = std::cos(static_cast<long double>(angle));
             const long double sin_t = std::sin(static_cast<long double>(turn)),
@@ -81,7 +81,7 @@ TEST_CASE("the arc tangent is exact on the axes") {
     CHECK(arc_tangent(1e308, 1e308) == doctest::Approx(kPi / 4.0).epsilon(1e-15));
 }
 
-TEST_CASE("what is not finite, or turns too far, answers NaN") {
+TEST_CASE("angles that are not finite or too large give NaN") {
     CHECK(std::isnan(sin_cos(INFINITY).sin));
     CHECK(std::isnan(sin_cos(NAN).cos));
     CHECK(std::isnan(sin_cos(2e6).sin));
@@ -102,12 +102,12 @@ TEST_CASE("multiples of 90 degrees are exact") {
     CHECK(make_rotation_degrees(360e6 + 90.0) == Rotation{0.0f, 1.0f});
 }
 
-TEST_CASE("an angle goes to a rotation and back") {
+TEST_CASE("angle() is the inverse of make_rotation()") {
     for (double degrees = -179.0; degrees <= 180.0; degrees += 1.0)
         CHECK(angle(make_rotation_degrees(degrees)) == doctest::Approx(degrees * kPi / 180.0).epsilon(1e-6));
 }
 
-TEST_CASE("rotating and rotating back is the identity, and perp is a quarter turn") {
+TEST_CASE("inverse_rotate() undoes rotate(), and perp() rotates by 90 degrees") {
     const Vec2 v{3.0f, -2.0f};
     const Rotation q = make_rotation(0.7);
     CHECK(length(inverse_rotate(q, rotate(q, v)) - v) < 1e-6f);

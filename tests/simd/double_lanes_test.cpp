@@ -79,14 +79,14 @@ int check_all_operations() {
 
 }  // namespace
 
-TEST_CASE("every operation does in each lane what it does to single numbers") {
+TEST_CASE("every operation on lanes has the results of the scalar operation") {
     for (const int ties : {check_all_operations<4>(), check_all_operations<8>()}) {
         CHECK(ties > 300);
         CHECK(ties < 900);
     }
 }
 
-TEST_CASE("NaN is neither less nor equal, -0 is 0, and minus infinity is the largest only of itself") {
+TEST_CASE("lanes compare like scalars: NaN is neither less nor equal, and -0 equals 0") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const DoubleLanes<4> chosen =
         select(DoubleLanes<4>(0.0) < DoubleLanes<4>(nan), DoubleLanes<4>(1.0), DoubleLanes<4>(-inf));

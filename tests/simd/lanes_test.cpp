@@ -55,13 +55,13 @@ TEST_CASE("clamp_magnitude limits both signs") {
     }
 }
 
-TEST_CASE("rows gathered into lanes and scattered again are the same bits") {
+TEST_CASE("rows that are gathered into lanes and scattered again keep their bits") {
     alignas(32) float records[kLaneCount][8];
     for (int row = 0; row < kLaneCount; ++row)
         for (int field = 0; field < 8; ++field) records[row][field] = static_cast<float>(100 * row + field);
     const unsigned pattern = 0x7fa12345u;  // a signalling NaN: arithmetic would change it
     std::memcpy(&records[3][3], &pattern, sizeof pattern);
-    // Lanes in an order that is not memory's.
+    // The rows are not in the order of memory.
     const int order[kLaneCount] = {5, 2, 7, 0, 3, 1, 6, 4};
     const float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) rows[lane] = records[order[lane]];

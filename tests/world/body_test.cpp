@@ -1,4 +1,4 @@
-// What can be done to bodies between steps.
+// Changes of bodies between steps.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr double kRounding = 240.0 * 0x1p-24;
 
 }  // namespace
 
-TEST_CASE("a body that is moved loses its contacts, wakes what it carried and finds new ones") {
+TEST_CASE("set_transform ends contacts, wakes the bodies that rested on it, and begins new contacts") {
     World world;
     add_floor(world);
     const BodyId lower = add_dynamic(world, {0.0, 0.5}, kBox), upper = add_dynamic(world, {0.0, 1.5}, kBox);
@@ -40,7 +40,7 @@ TEST_CASE("a body that is moved loses its contacts, wakes what it carried and fi
     world.audit();
 }
 
-TEST_CASE("a body made with its shapes is the one that gets them one by one, with the velocity that was given") {
+TEST_CASE("a body created with its shapes equals one that gets them one by one, at the velocity of its definition") {
     const std::vector<ShapeDef> shapes{
         {.shape = kBox}, {.shape = make_circle(0.5f, {2.0f, 1.0f})}, {.shape = kBox, .sensor = true}};
     for (const float spin : {0.0f, 3.0f}) {
@@ -52,7 +52,7 @@ TEST_CASE("a body made with its shapes is the one that gets them one by one, wit
         CHECK(at_once.mass(whole) == one_by_one.mass(grown));
         CHECK(at_once.shapes(whole).size() == 3);
         CHECK(at_once.state(whole).velocity == def.velocity);
-        // Shapes that come later move the centre of mass of a body that turns, and its velocity with it.
+        // Shapes that are added later move the centre of mass, which has another velocity if the body rotates.
         CHECK((one_by_one.state(grown).velocity == def.velocity) == (spin == 0.0f));
         one_by_one.set_velocity(grown, def.velocity, spin);
         run(at_once, 10);
@@ -70,7 +70,7 @@ TEST_CASE("a body made with its shapes is the one that gets them one by one, wit
     world.audit();
 }
 
-TEST_CASE("a static body that is moved away lets fall what leant on it, and wakes what it comes to") {
+TEST_CASE("moving a static body drops the bodies that rested on it, and wakes those at its new pose") {
     World world;
     const BodyId shelf = add_static(world, {0.0, 0.0}, make_box({2.0f, 0.2f}));
     add_floor(world);
@@ -85,7 +85,7 @@ TEST_CASE("a static body that is moved away lets fall what leant on it, and wake
     CHECK(world.state(beside).pose.position.x == doctest::Approx(9.8).epsilon(0.002));  // pushed out to its edge
 }
 
-TEST_CASE("what is disabled is not there: nothing rests on it, its joints do not hold, no query sees it") {
+TEST_CASE("a disabled body has no contacts, no acting joints, and is in no query") {
     World world;
     add_floor(world);
     const BodyId shelf = add_static(world, {0.0, 3.0}, make_box({4.0f, 0.2f}));
@@ -109,14 +109,14 @@ TEST_CASE("what is disabled is not there: nothing rests on it, its joints do not
     CHECK(world.state(bob).pose.position.y == doctest::Approx(5.0).epsilon(0.02));  // the hinge pulled it up again
 }
 
-TEST_CASE("a disabled dynamic body stays where it is, and comes back at rest") {
+TEST_CASE("a disabled dynamic body keeps its pose, and is at rest when it is enabled again") {
     World world;
     const BodyId body = add_dynamic(world, {0.0, 10.0}, kBox);
     run(world, 30);
-    const DVec2 place = world.state(body).pose.position;
+    const DVec2 position = world.state(body).pose.position;
     world.set_enabled(body, false);
     run(world, 30);
-    CHECK(world.state(body).pose.position == place);
+    CHECK(world.state(body).pose.position == position);
     CHECK(world.type(body) == BodyType::dynamic_body);
     CHECK(world.mass(body).mass == 0.0f);
     world.set_enabled(body, true);
@@ -130,9 +130,9 @@ TEST_CASE("a body may change its type at any time") {
     const BodyId body = add_dynamic(world, {0.0, 5.0}, kBox), load = add_dynamic(world, {0.0, 8.0}, kBox);
     run(world, 20);
     world.set_type(body, BodyType::static_body);
-    const DVec2 place = world.state(body).pose.position;
+    const DVec2 position = world.state(body).pose.position;
     run(world, 120);
-    CHECK(world.state(body).pose.position == place);
+    CHECK(world.state(body).pose.position == position);
     CHECK(touches(world, body, load));
     world.set_type(body, BodyType::kinematic_body);
     world.set_velocity(body, {1.0f, 0.0f}, 0.0f);
@@ -146,8 +146,8 @@ TEST_CASE("a body may change its type at any time") {
     world.audit();
 }
 
-// F = m a with the mass that was given: 6 N on 3 kg for a second.
-TEST_CASE("a mass that was set counts instead of the shapes'") {
+// F = m a with the mass that was set: 6 N on 3 kg for a second.
+TEST_CASE("a mass that is set replaces the mass of the shapes") {
     World world = weightless();
     BodyDef def;
     def.mass = BodyMass{3.0f, {0.1f, 0.0f}, 2.0f};
@@ -180,7 +180,7 @@ TEST_CASE("gravity, its scale and damping change between steps") {
     CHECK(world.state(light).velocity.y == doctest::Approx(-2.5).epsilon(2 * kRounding));
 }
 
-TEST_CASE("a body's definition makes the same body again") {
+TEST_CASE("the definition of a body creates an equal body") {
     World world;
     BodyDef def;
     def.pose = {{1.0, 2.0}, make_rotation(0.5)};
@@ -209,7 +209,7 @@ TEST_CASE("a body's definition makes the same body again") {
     CHECK(same.locks == BodyLocks{});
 }
 
-TEST_CASE("a definition tells locks, type, and whether a body is enabled or awake") {
+TEST_CASE("a definition contains locks, type, and whether a body is enabled or awake") {
     World world;
     const auto again = [&](const BodyDef& def) {
         return world.definition(world.create_body(world.definition(world.create_body(def))));
@@ -231,7 +231,7 @@ TEST_CASE("a definition tells locks, type, and whether a body is enabled or awak
     CHECK(again(disabled).type == BodyType::dynamic_body);
 }
 
-TEST_CASE("what cannot be is refused and changes nothing") {
+TEST_CASE("invalid changes of a body throw and change nothing") {
     World world;
     const BodyId body = add_dynamic(world, {0.0, 5.0}, kBox);
     const ShapeId shape = world.shapes(body)[0];
@@ -251,7 +251,7 @@ TEST_CASE("what cannot be is refused and changes nothing") {
     CHECK(world.save() == before);
 }
 
-TEST_CASE("a push at the centre of mass turns nothing") {
+TEST_CASE("a force or an impulse at the centre of mass does not rotate a body") {
     World world = weightless();
     BodyDef def;
     def.pose = {{3.0, 4.0}, make_rotation(0.5)};
@@ -265,7 +265,7 @@ TEST_CASE("a push at the centre of mass turns nothing") {
     CHECK(world.state(body).velocity.y == -1.0f);
 }
 
-TEST_CASE("a body that is moved towards a pose is there after a step, by the shorter turn") {
+TEST_CASE("move_towards reaches a pose in one step, by the shorter rotation") {
     for (const BodyType type : {BodyType::kinematic_body, BodyType::dynamic_body}) {
         World world = weightless();
         const BodyId body = add_body(world, type, {1.0, 2.0}, make_box({1.0f, 1.0f}, 0.0f, {0.5f, 0.0f}), {}, 3.0);
@@ -282,7 +282,7 @@ TEST_CASE("a body that is moved towards a pose is there after a step, by the sho
     CHECK_THROWS_AS(world.move_towards(add_floor(world), Pose{}), std::invalid_argument);
 }
 
-TEST_CASE("a body knows its joints and its contacts") {
+TEST_CASE("the joints and the contacts of a body are listed") {
     World world;
     const BodyId floor = add_floor(world);
     const BodyId lower = add_dynamic(world, {0.0, 0.5}, kBox), upper = add_dynamic(world, {0.0, 1.5}, kBox);

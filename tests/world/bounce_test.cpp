@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kGravity = 10.0;
 
-// A step's end is at most half a step from a summit, where the height is lower by g (dt / 2)^2 / 2. Contacts keep their
-// place to about as much: a bounce begins at the separation that the solver has left.
+// A step ends at most half a step from a summit, where the height is lower by g (dt / 2)^2 / 2. The height of a contact
+// is known to about as much: a bounce begins at the separation that the solver has left.
 constexpr double kSummit = kGravity / (60.0 * 60.0) / 8.0;  // 0.35 mm
 constexpr double kSeparation = kSummit;
 
@@ -50,7 +50,7 @@ std::vector<double> bounce_heights(const Faller& faller, float restitution, doub
 
 }  // namespace
 
-TEST_CASE("whatever falls flat bounces to e^2 of the height, at any number of sub-steps") {
+TEST_CASE("a shape that falls flat bounces to e^2 of the height, at any number of sub-steps") {
     for (const Faller& faller : kFallers)
         for (const int substeps : {1, 4, 8})
             for (const float e : {0.5f, 0.8f, 1.0f})
@@ -64,8 +64,8 @@ TEST_CASE("whatever falls flat bounces to e^2 of the height, at any number of su
                 }
 }
 
-// Ten bounces may begin in ten places.
-TEST_CASE("ten bounces without loss neither gain nor lose height") {
+// Each of ten bounces may begin at another height.
+TEST_CASE("ten bounces with restitution 1 neither gain nor lose height") {
     for (const Faller& faller : kFallers)
         for (const int substeps : {4, 8})
             for (const double drop : {1.0, 2.3, 4.1}) {
@@ -87,7 +87,7 @@ TEST_CASE("a slow approach does not bounce") {
     CHECK(std::abs(world.state(ball).pose.position.y - 0.5) < 1e-3);
 }
 
-TEST_CASE("equal balls that meet head-on exchange their velocities") {
+TEST_CASE("equal balls that collide head-on exchange their velocities") {
     World world = weightless();
     const SurfaceMaterial bouncy{.restitution = 1.0f};
     const BodyId left = add_dynamic(world, {-2.0, 0.0}, make_circle(0.5f), bouncy);
@@ -99,7 +99,7 @@ TEST_CASE("equal balls that meet head-on exchange their velocities") {
     CHECK(world.state(right).velocity.x == doctest::Approx(3.0).epsilon(1e-5));
 }
 
-TEST_CASE("without restitution balls that meet go on together, momentum shared by mass") {
+TEST_CASE("balls that collide without restitution move on together, with the sum of their momenta") {
     World world = weightless();
     const BodyId heavy = add_dynamic(world, {-2.0, 0.0}, make_circle(0.5f), {.density = 3.0f});
     const BodyId light = add_dynamic(world, {2.0, 0.0}, make_circle(0.5f), {.density = 1.0f});

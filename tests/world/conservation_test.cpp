@@ -1,4 +1,4 @@
-// What no step may create: momentum and energy.
+// No step creates momentum or energy.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -41,13 +41,13 @@ double total_energy(const World& world) {
     return sum;
 }
 
-// A body that falls has the energy that the scheme keeps at the velocity of the middle of the sub-step, v + g h / 2:
+// The scheme conserves the energy of a falling body at the velocity of the middle of the sub-step, v + g h / 2:
 // see "a body in free fall follows the sum of the semi-implicit scheme".
 double energy_of_scheme(const World& world, int substeps = 4) {
     return total_energy(world) - 0.5 * kGravity * total_momentum(world).y / (60.0 * substeps);
 }
 
-// Draws in an order of its own: that of function arguments is the compiler's choice.
+// Draws in a fixed order; the order of function arguments would be the compiler's choice.
 Shape random_shape(std::mt19937& random) {
     std::uniform_real_distribution<float> size(0.2f, 0.6f);
     const float width = size(random), height = size(random);
@@ -66,10 +66,10 @@ TEST_CASE("colliding bodies keep the sum of their momenta to rounding") {
     std::uniform_real_distribution<float> speed(-3.0f, 3.0f);
     double scale = 0.0;
     for (int i = 0; i < 25; ++i) {
-        const DVec2 place{1.5 * (i % 5) - 3.0, 1.5 * (i / 5) - 3.0};
-        const BodyId id = add_dynamic(world, place, random_shape(random), {.restitution = 0.3f});
+        const DVec2 position{1.5 * (i % 5) - 3.0, 1.5 * (i / 5) - 3.0};
+        const BodyId id = add_dynamic(world, position, random_shape(random), {.restitution = 0.3f});
         const Vec2 noise{speed(random), speed(random)};
-        const Vec2 velocity = noise - to_float(place);  // towards the middle, where they meet
+        const Vec2 velocity = noise - to_float(position);  // towards the middle, where they collide
         world.set_velocity(id, velocity, speed(random));
         scale += double{world.mass(id).mass * length(velocity)};
     }
@@ -107,7 +107,7 @@ TEST_CASE("a passive scene never gains more than 1 % of energy in a minute") {
     for (const BodyId id : world.bodies()) CHECK(world.state(id).pose.position.y > -1.1);  // nothing fell through
 }
 
-TEST_CASE("a box that tumbles between walls without loss gains no energy in a minute") {
+TEST_CASE("a box that bounces between walls with restitution 1 gains no energy in a minute") {
     for (const int substeps : {4, 8}) {
         CAPTURE(substeps);
         World world({.substeps = substeps, .sleeping = false});
@@ -128,9 +128,9 @@ TEST_CASE("a box that tumbles between walls without loss gains no energy in a mi
     }
 }
 
-// Spinning boxes and capsules meet a floor with two corners in one step, or are stopped on their way after they have
-// bounced: neither may be paid by nobody. With friction, what stops the surface's slip must not come back as a bounce.
-TEST_CASE("no lone body that bounces without loss gains more than 1 % of energy in a minute") {
+// Spinning boxes and capsules hit a floor with two corners in one step, or are stopped by continuous collision after a
+// bounce: neither may create energy. With friction, the impulse that stops slip must not become a bounce.
+TEST_CASE("no single body with restitution 1 gains more than 1 % of energy in a minute") {
     int spinning = 0;
     for (const float friction : {0.0f, 0.3f, 0.6f}) {
         const SurfaceMaterial hard{.friction = friction, .restitution = 1.0f};
@@ -164,9 +164,9 @@ TEST_CASE("no lone body that bounces without loss gains more than 1 % of energy 
     CHECK(spinning < 210);
 }
 
-// A box that flies into a corner stands on the floor while the wall turns it: each drives it into the other, and what
-// that takes is not all its own. Half of these gained up to 4.4 %.
-TEST_CASE("a bounce between floor and wall gives back no more than both have taken") {
+// A box that flies into a corner stands on the floor while the wall rotates it: each contact pushes it into the other.
+// The energy that one contact absorbs comes in part from the other. Half of these boxes gained up to 4.4 %.
+TEST_CASE("a bounce between floor and wall returns no more energy than both contacts absorbed") {
     const SurfaceMaterial smooth{.friction = 0.0f, .restitution = 1.0f};
     for (int speed = 0; speed <= 20; ++speed)
         for (int turn = 0; turn <= 20; ++turn) {
@@ -189,8 +189,9 @@ TEST_CASE("a bounce between floor and wall gives back no more than both have tak
         }
 }
 
-// Who meets two at once is asked to part from each with the speed that it came with, which may be more than both took.
-TEST_CASE("ten bodies that meet each other without loss gain no energy in a minute") {
+// A body that hits two others at once has to separate from each at its approach speed, which may need more energy than
+// both impacts absorbed.
+TEST_CASE("ten bodies that collide with restitution 1 gain no energy in a minute") {
     for (unsigned seed = 1; seed <= 12; ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
@@ -215,7 +216,7 @@ TEST_CASE("ten bodies that meet each other without loss gain no energy in a minu
 }
 
 // Joints that swing, slide, roll and spring, none of them damped or driven.
-TEST_CASE("machines without a drive never gain more than 1 % of energy in a minute") {
+TEST_CASE("machines without motors never gain more than 1 % of energy in a minute") {
     World world({.sleeping = false});
     const BodyId frame = world.create_body({.type = BodyType::static_body});
     const BodyId upper = add_dynamic(world, {1.0, 5.0}, make_box({2.0f, 0.2f}));
@@ -237,14 +238,14 @@ TEST_CASE("machines without a drive never gain more than 1 % of energy in a minu
     world.create_joint(
         WheelJointDef{.body_a = frame, .body_b = wheel, .anchor_a = {8.0f, 5.0f}, .spring = JointSpring{1.0f, 0.0f}});
     const auto spring_energy = [&](BodyId body, DVec2 rest, DVec2 axis, double hertz) {
-        const double way = dot(world.state(body).pose.position - rest, axis), omega = 2.0 * kPi * hertz;
-        return 0.5 * double{world.mass(body).mass} * omega * omega * way * way;
+        const double displacement = dot(world.state(body).pose.position - rest, axis), omega = 2.0 * kPi * hertz;
+        return 0.5 * double{world.mass(body).mass} * omega * omega * displacement * displacement;
     };
     const auto energy = [&] {
         return total_energy(world) + spring_energy(slider, {-4.0, 5.0}, {1.0, 0.0}, 0.5) +
                spring_energy(wheel, {8.0, 5.0}, {0.0, 1.0}, 1.0);
     };
-    // The lowest that can be reached: all hang straight down, the wheel g / w^2 below its suspension.
+    // The lowest reachable energy: all hang straight down, the wheel g / w^2 below its suspension.
     const auto weight = [&](BodyId body) { return kGravity * double{world.mass(body).mass}; };
     const double sag = kGravity / std::pow(2.0 * kPi * 1.0, 2.0);
     const double least = 4.0 * weight(upper) + 2.0 * weight(lower) + 5.0 * weight(slider) + 3.0 * weight(hung) +

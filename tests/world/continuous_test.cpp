@@ -1,4 +1,4 @@
-// Continuous collision: nothing passes through what it must not pass, and nothing else is disturbed.
+// Continuous collision: no body passes through another, and no other motion is disturbed.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -36,7 +36,8 @@ BodyId shoot(World& world, const Shape& shape, DVec2 from, Vec2 velocity, float 
     return id;
 }
 
-// Shots at a wall of 1 cm at x = 10 with 400 m/s, 6.7 m a step, from random places and angles: how many end up behind.
+// Shots at a wall of 1 cm at x = 10 with 400 m/s, 6.7 m a step, from random positions and angles: how many end up
+// behind.
 int count_through(BodyType wall_type, bool bullet, bool continuous) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
@@ -59,25 +60,25 @@ int count_through(BodyType wall_type, bool bullet, bool continuous) {
 
 }  // namespace
 
-TEST_CASE("of 1000 shots at 400 m/s none gets through a wall of 1 cm") {
+TEST_CASE("of 1000 shots at 400 m/s none passes through a wall of 1 cm") {
     CHECK(count_through(BodyType::static_body, false, true) == 0);
     CHECK(count_through(BodyType::kinematic_body, false, true) == 0);
     CHECK(count_through(BodyType::static_body, false, false) > 900);  // the shots would pass
 }
 
-TEST_CASE("bullets do not pass a dynamic wall either, and others do") {
+TEST_CASE("bullets do not pass through a dynamic wall, other bodies do") {
     CHECK(count_through(BodyType::dynamic_body, true, true) == 0);
     CHECK(count_through(BodyType::dynamic_body, false, true) > 900);
 }
 
-TEST_CASE("two bullets that fly at each other meet, wherever they are in the step") {
+TEST_CASE("two bullets that fly at each other collide, at any phase of the step") {
     for (int i = 0; i < 200; ++i) {
         World world = weightless();
         const BodyId left = shoot(world, make_circle(0.05f), {-5.0 - 0.033 * i, 0.0}, {380.0f, 0.0f}, 0.0f, true);
         const BodyId right = shoot(world, make_circle(0.05f), {5.0 + 0.011 * i, 0.0}, {-300.0f, 0.0f}, 0.0f, true);
         run(world, 10);
         CHECK(world.state(left).pose.position.x < world.state(right).pose.position.x);
-        // Equal masses without restitution go on together.
+        // Equal masses without restitution move on together.
         CHECK(world.state(left).velocity.x == doctest::Approx(40.0).epsilon(0.001));
     }
 }
@@ -95,9 +96,9 @@ TEST_CASE("a row of bullets that stop each other keeps its order") {
     }
 }
 
-// It would turn deeper into the ground in every step and is stopped, while the corner that it stands on parts and no
-// other is near enough for a contact.
-TEST_CASE("a body that spins in the ground gets out of it, however it lies") {
+// Every step would rotate it deeper into the ground and is stopped there, while the corner that it stands on separates
+// and no other is near enough for a contact.
+TEST_CASE("a body that spins in the ground gets out of it, at any initial angle") {
     const Shape box = make_box({0.8f, 0.5f}), capsule = make_capsule({-0.3f, 0.0f}, {0.3f, 0.0f}, 0.2f);
     for (const auto& [shape, lying] : {std::pair{&box, 0.25}, {&capsule, 0.2}})
         for (const float spin : {-45.0f, -25.0f, 25.0f, 45.0f})
@@ -118,7 +119,7 @@ TEST_CASE("a body that spins in the ground gets out of it, however it lies") {
 }
 
 // It falls at its terminal speed: damping takes the energy, not a bounce.
-TEST_CASE("a damped ball that is stopped on its way keeps its spin") {
+TEST_CASE("a damped ball that continuous collision stops keeps its spin") {
     for (const float damping : {10.0f, 40.0f, 60.0f})
         for (int start = 0; start < 30; ++start) {
             World world;
@@ -135,7 +136,7 @@ TEST_CASE("a damped ball that is stopped on its way keeps its spin") {
         }
 }
 
-TEST_CASE("a body is stopped at the wall's surface, and bounces back as high as it should") {
+TEST_CASE("a fast body is stopped at the wall's surface, and bounces to the height of its restitution") {
     World world;
     add_static(world, {}, make_box({20.0f, 0.02f}), {.restitution = 1.0f});
     const BodyId ball = add_dynamic(world, {0.0, 40.0}, make_circle(0.1f), {.restitution = 1.0f});
@@ -153,7 +154,7 @@ TEST_CASE("a body is stopped at the wall's surface, and bounces back as high as 
     CHECK(highest == doctest::Approx(40.0).epsilon(0.006));
 }
 
-TEST_CASE("sliding fast over a floor is no impact, over its seams neither") {
+TEST_CASE("fast sliding over a floor and its seams is not stopped") {
     BodyState end[2];
     for (const bool continuous : {false, true}) {
         WorldDef def;
@@ -172,7 +173,7 @@ TEST_CASE("sliding fast over a floor is no impact, over its seams neither") {
     CHECK(end[1].pose.position.x > 30.0);
 }
 
-TEST_CASE("a stopped body does not stop where a filter or a joint lets it through") {
+TEST_CASE("a filter or a joint without collision excludes continuous collision too") {
     World world = weightless();
     const BodyId wall = add_static(world, {10.0, 0.0}, make_box({0.01f, 40.0f}));
     const BodyId ball = shoot(world, make_circle(0.05f), {}, {400.0f, 0.0f}, 0.0f, false);
@@ -195,8 +196,8 @@ TEST_CASE("a long rod that spins fast is stopped by a thin pillar") {
     }
 }
 
-// The pillar may be met anywhere on the bar, its last centimetres too; the middle of the bar never comes past its
-// middle.
+// The bar may hit the pillar with any part, its last centimetres too; the middle of the bar never passes the middle of
+// the pillar.
 TEST_CASE("no part of a long bar that spins fast passes a pillar") {
     for (int i = 0; i < 60; ++i) {
         CAPTURE(i);
@@ -217,7 +218,7 @@ TEST_CASE("no part of a long bar that spins fast passes a pillar") {
     }
 }
 
-TEST_CASE("a body that is stopped on its way begins to touch in that step, with the speed that it came with") {
+TEST_CASE("a body that is stopped begins to touch in that step, with its approach speed") {
     World world = weightless();
     const BodyId wall = add_static(world, {10.0, 0.0}, make_box({0.01f, 40.0f}));
     const BodyId first = shoot(world, make_circle(0.05f), {0.0, 0.0}, {400.0f, 0.0f}, 0.0f, false);

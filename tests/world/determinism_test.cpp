@@ -48,7 +48,7 @@ TEST_CASE("two runs of a scene have the same hash in every step") {
     }
 }
 
-TEST_CASE("the hash sees the last bit of one body") {
+TEST_CASE("the hash depends on the last bit of one body") {
     World first = make_pyramid(), second = make_pyramid();
     CHECK(first.state_hash() == second.state_hash());
     const BodyId body = second.bodies().back();

@@ -1,4 +1,4 @@
-// Events: each beginning has its end, in its own step, with the numbers of the meeting. Filters and sensors.
+// Events: each begin event has its end event in the right step, with the numbers of the impact. Filters and sensors.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ BodyId add_filtered(World& world, DVec2 position, const CollisionFilter& filter)
     return body;
 }
 
-// Follows begins and ends, and fails on an end without a beginning or a second beginning.
+// Tracks begins and ends, and fails on an end without a begin, or on a second begin.
 struct Ledger {
     std::set<std::pair<ShapeId, ShapeId>> touching;
     int begins = 0;
@@ -51,7 +51,7 @@ struct Ledger {
 
 }  // namespace
 
-TEST_CASE("a ball that is dropped begins to touch in the step that stops it, with the speed of its fall") {
+TEST_CASE("a dropped ball begins to touch in the step that stops it, with the speed of its fall") {
     World world;
     add_floor(world);
     const BodyId ball = add_dynamic(world, {2.0, 3.0}, make_circle(0.5f));
@@ -65,7 +65,7 @@ TEST_CASE("a ball that is dropped begins to touch in the step that stops it, wit
         CHECK(world.body(hit.shape_b) == ball);
         CHECK(hit.normal == Vec2{0.0f, 1.0f});
         CHECK(hit.approach_speed == -before);
-        // Fallen 2.5 m: sqrt(2 g h) = 7.07 m/s, less at most the gravity of the step in which it meets the floor.
+        // Fallen 2.5 m: sqrt(2 g h) = 7.07 m/s, less at most the gravity of the step in which it hits the floor.
         CHECK(hit.approach_speed == doctest::Approx(std::sqrt(50.0)).epsilon(0.03));
         CHECK(std::abs(hit.point.x - 2.0) < 1e-6);
         CHECK(std::abs(hit.point.y) < 0.06);  // half of what it falls in a step
@@ -73,7 +73,7 @@ TEST_CASE("a ball that is dropped begins to touch in the step that stops it, wit
     CHECK(world.events().contact_ends.empty());
 }
 
-TEST_CASE("a ball that bounces begins and ends once a bounce") {
+TEST_CASE("a bouncing ball begins and ends a contact once in each bounce") {
     World world;
     add_floor(world, {.restitution = 0.8f});
     add_dynamic(world, {0.0, 3.0}, make_circle(0.5f), {.restitution = 0.8f});
@@ -84,12 +84,12 @@ TEST_CASE("a ball that bounces begins and ends once a bounce") {
         ledger.read(world);
         ends += static_cast<int>(world.events().contact_ends.size());
     }
-    // Falls at 0.71 s, then every 2 * 0.8^n * 0.71 s: 1.84 s and 2.75 s; 2.5 s hold two bounces.
+    // Falls at 0.71 s, then every 2 * 0.8^n * 0.71 s: 1.84 s and 2.75 s; two bounces in 2.5 s.
     CHECK(ledger.begins == 2);
     CHECK(ends == 2);
 }
 
-TEST_CASE("whoever is destroyed while touching ends its contacts, asleep or awake") {
+TEST_CASE("destroying a touching body ends its contacts, asleep or awake") {
     for (const int wait : {20, 120}) {
         World world;
         const BodyId floor = add_floor(world);
@@ -107,7 +107,7 @@ TEST_CASE("whoever is destroyed while touching ends its contacts, asleep or awak
     }
 }
 
-TEST_CASE("in a heap every end has its beginning, through sleep and destruction") {
+TEST_CASE("in a heap every end event has its begin event, through sleep and destruction") {
     World world;
     add_floor(world);
     add_static(world, {-5.0, 3.0}, make_box({1.0f, 6.0f}));
@@ -127,7 +127,7 @@ TEST_CASE("in a heap every end has its beginning, through sleep and destruction"
         world.step();
         ledger.read(world);
     }
-    // What is left are the pairs that rest on each other.
+    // The remaining pairs are those that rest on each other.
     std::set<std::pair<ShapeId, ShapeId>> resting;
     for (const ContactPoint& point : world.contacts())
         if (point.separation <= 0.0f || point.normal_impulse > 0.0f) resting.insert({point.shape_a, point.shape_b});
@@ -135,7 +135,7 @@ TEST_CASE("in a heap every end has its beginning, through sleep and destruction"
     CHECK(ledger.begins > 200);
 }
 
-TEST_CASE("bodies that fall asleep are told in the step in which they do") {
+TEST_CASE("bodies that fall asleep are listed in that step") {
     World world = weightless();
     const BodyId a = add_dynamic(world, {}, kBox), b = add_dynamic(world, {5.0, 0.0}, kBox);
     world.set_velocity(b, {1.0f, 0.0f}, 0.0f);
@@ -149,7 +149,7 @@ TEST_CASE("bodies that fall asleep are told in the step in which they do") {
     CHECK(world.events().fell_asleep.empty());
 }
 
-TEST_CASE("a sensor tells who enters and leaves in the very step, and stops nobody") {
+TEST_CASE("a sensor reports shapes that enter and leave in that step, and stops none") {
     for (const float speed : {3.0f, 60.0f}) {  // 5 cm and 1 m a step
         World world = weightless();
         const BodyId gate = add_sensor(world, {10.0, 0.0}, make_box({2.0f, 4.0f}));
@@ -174,7 +174,7 @@ TEST_CASE("a sensor tells who enters and leaves in the very step, and stops nobo
     }
 }
 
-TEST_CASE("a sensor has no mass, notices kinematic bodies, and keeps who sleeps in it") {
+TEST_CASE("a sensor has no mass, detects kinematic bodies, and keeps bodies that sleep in it") {
     World world = weightless();
     const BodyId zone = add_sensor(world, {}, make_box({4.0f, 4.0f}));
     const BodyId ball = add_dynamic(world, {1.0, 0.0}, make_circle(0.5f));
@@ -194,7 +194,7 @@ TEST_CASE("a sensor has no mass, notices kinematic bodies, and keeps who sleeps 
     world.audit();
 }
 
-TEST_CASE("filters: categories must know each other, groups have the last word") {
+TEST_CASE("filters: both masks must accept the other category, and groups override masks") {
     const CollisionFilter all{}, red{2, 1, 0}, blue{4, ~std::uint64_t{0}, 0};
     CHECK(may_touch(all, red));
     CHECK_FALSE(may_touch(red, blue));
@@ -212,10 +212,10 @@ TEST_CASE("filters: categories must know each other, groups have the last word")
     CHECK(world.is_valid(a));
 }
 
-// Balls of 10 cm that fly at each other, 5 cm off the middle, are done with each other within two steps; the phase is
-// where in a step they meet. They touch for less than one, and are out of each other's boxes at its end.
-TEST_CASE("who is deflected has begun to touch, also if both are far apart at the end of the step") {
-    int met = 0, within_a_step = 0;
+// Balls of 10 cm that fly at each other, 5 cm off the middle, are apart again within two steps; the phase is the time
+// of the impact within a step. They touch for less than a step, and their boxes are apart at its end.
+TEST_CASE("a deflected body has a begin event, even if both are far apart at the end of the step") {
+    int deflections = 0, within_a_step = 0;
     for (int phase = 0; phase < 200; ++phase) {
         World world = weightless();
         BodyDef def;
@@ -235,15 +235,15 @@ TEST_CASE("who is deflected has begun to touch, also if both are far apart at th
             within_a_step += !world.events().contact_begins.empty() && !world.events().contact_ends.empty();
         }
         const bool deflected = world.state(left).velocity != Vec2{300.0f, 0.0f};
-        met += deflected;
+        deflections += deflected;
         CHECK(begins == (deflected ? 1u : 0u));
         CHECK(ends == begins);
     }
-    CHECK(met == 200);
+    CHECK(deflections == 200);
     CHECK(within_a_step > 0);
 }
 
-TEST_CASE("a sensor that becomes static lets go of what is static") {
+TEST_CASE("a sensor that becomes static ends its overlap with static shapes") {
     World world;
     add_floor(world);
     const BodyId sensor = add_sensor(world, {0.0, 0.0}, kBox, BodyType::kinematic_body);
@@ -256,7 +256,7 @@ TEST_CASE("a sensor that becomes static lets go of what is static") {
 
 // A ball of 20 cm at 100 m/s is 1.67 m farther in each step: of 100 phases 85 are on neither side of a sensor of 5 cm
 // while it is in it.
-TEST_CASE("a thin sensor notices who flies through it within a step, once") {
+TEST_CASE("a thin sensor detects a body that flies through it within a step, once") {
     for (const bool is_moving : {false, true}) {
         int within_a_step = 0;
         for (int phase = 0; phase < 100; ++phase) {
@@ -286,7 +286,7 @@ TEST_CASE("a thin sensor notices who flies through it within a step, once") {
     }
 }
 
-TEST_CASE("who is stopped before a sensor does not pass it") {
+TEST_CASE("a body that is stopped before a sensor does not enter it") {
     World world = weightless();
     add_static(world, {0.0, 0.0}, make_box({0.1f, 4.0f}));
     add_sensor(world, {0.3, 0.0}, make_box({0.05f, 4.0f}));
@@ -298,7 +298,7 @@ TEST_CASE("who is stopped before a sensor does not pass it") {
     }
 }
 
-TEST_CASE("a meeting is a hit in the step in which it begins, and only if it is fast") {
+TEST_CASE("a fast impact is a hit in the step in which it begins, a slow one is not") {
     for (const float speed : {0.9f, 1.1f, 20.0f, 300.0f}) {
         World world = weightless();
         add_static(world, {0.0, 0.0}, make_box({0.1f, 4.0f}));
@@ -323,10 +323,10 @@ TEST_CASE("a meeting is a hit in the step in which it begins, and only if it is 
     }
 }
 
-// A plank of 2 m that leans by 0.1 rad on its left edge falls over it: its right edge comes down 0.2 m in the way of
-// w^2 = 2 m g (0.1 m) / (m l^2 / 3), l = 2 m, and meets the floor at w l = sqrt(6 g 0.1 m) = 2.45 m/s, with an
+// A plank of 2 m that leans by 0.1 rad on its left edge falls over it: its right edge comes down 0.2 m with
+// w^2 = 2 m g (0.1 m) / (m l^2 / 3), l = 2 m, and hits the floor at w l = sqrt(6 g 0.1 m) = 2.45 m/s, with an
 // acceleration of 3 g / 2 at most. The semi-implicit scheme is half a sub-step of that faster.
-TEST_CASE("the other end of a plank that falls over hits, though they touch already") {
+TEST_CASE("the second end of a falling plank is a hit, although plank and floor touch already") {
     World world;
     add_floor(world);
     const double lean = 0.1;
@@ -344,17 +344,17 @@ TEST_CASE("the other end of a plank that falls over hits, though they touch alre
     REQUIRE(hits.size() == 1);
     CHECK(world.body(hits[0].shape_b) == plank);
     CHECK(std::abs(hits[0].point.x - 2.0) < 0.05);
-    // At the start of the step in which it meets the floor, less at most than one step later.
+    // At the start of the step in which it hits the floor, less at most than one step later.
     CHECK(hits[0].approach_speed < std::sqrt(6.0) + 15.0 / 480.0);
     CHECK(hits[0].approach_speed > std::sqrt(6.0) - 15.0 / 60.0);
     run(world, 60);
     CHECK(world.events().contact_hits.empty());
 }
 
-TEST_CASE("a sensor that is moved by hand onto a static shape that was near notices it") {
+TEST_CASE("a sensor that set_transform moves onto a near static shape detects it") {
     World world;
     add_static(world, {0.0, 0.0}, kBox);
-    // The boxes overlap by their margins, the shapes do not; and on.
+    // First the boxes overlap by their margins only; then the shapes do.
     const BodyId sensor = add_sensor(world, {1.02, 0.0}, kBox, BodyType::kinematic_body);
     world.step();
     CHECK(world.events().sensor_begins.empty());

@@ -27,7 +27,7 @@ double slide(double slope, float friction, int steps) {
 
 }  // namespace
 
-TEST_CASE("a box slips at the angle whose tangent is the friction, within half a degree") {
+TEST_CASE("a box slides from the angle whose tangent is the friction on, within half a degree") {
     for (const float friction : {0.2f, 0.6f, 1.0f}) {
         const double critical = std::atan(friction);
         // Below: friction begins one sub-step late, when the normal impulse is known. The speed g sin h gained until
@@ -81,7 +81,7 @@ TEST_CASE("a rolling ball stops after 3 v^2 / (4 c g) under the rolling resistan
     CHECK(std::abs(world.state(ball).angular_velocity) < 1e-3);
 }
 
-TEST_CASE("a ball without rolling resistance rolls on for ever") {
+TEST_CASE("a ball without rolling resistance does not slow down") {
     World world;
     add_floor(world);
     const BodyId ball = add_dynamic(world, {0.0, 0.5}, make_circle(0.5f));
@@ -90,7 +90,7 @@ TEST_CASE("a ball without rolling resistance rolls on for ever") {
     CHECK(world.state(ball).velocity.x == doctest::Approx(2.0).epsilon(0.001));
 }
 
-TEST_CASE("a belt carries to the left at its tangent speed, whichever body was made first") {
+TEST_CASE("a belt carries to the left at its tangent speed, whichever body was created first") {
     for (const bool belt_first : {true, false}) {
         World world;
         const SurfaceMaterial belt{.tangent_speed = 2.0f};

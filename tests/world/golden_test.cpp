@@ -1,8 +1,8 @@
 // One world of everything, against hashes written down here: each build of the project is compared with every other, by
 // compiler, optimisation and instruction set.
 //
-// Whoever changes what the step computes writes the new hashes down, from any build; that all builds agree on them is
-// what the test is about.
+// After a deliberate change of results, replace the hashes by those of any build. The test is about all builds
+// agreeing.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -40,7 +40,7 @@ Shape draw_shape(Draw& draw, int kind) {
     }
 }
 
-// One of each kind, with what it can have.
+// A joint of each kind, with springs, motors and limits.
 void add_joint(World& world, int kind, BodyId a, BodyId b) {
     const Vec2 right{0.5f, 0.0f}, left{-0.5f, 0.1f};
     const JointLimits limits{-0.3f, 0.4f};
@@ -125,8 +125,8 @@ World make_falling_hinges() {
     for (int column = 0; column < 4; ++column) {
         BodyId before{};
         for (int row = 0; row < 20; ++row) {
-            const DVec2 place{1.2 * column + 0.2 * (row % 5), 0.3 + 0.55 * row};
-            const BodyId body = add_dynamic(world, place, box, {.friction = 0.3f}, 0.1 * (row % 3) - 0.1);
+            const DVec2 position{1.2 * column + 0.2 * (row % 5), 0.3 + 0.55 * row};
+            const BodyId body = add_dynamic(world, position, box, {.friction = 0.3f}, 0.1 * (row % 3) - 0.1);
             if (row % 2 == 1)
                 world.create_joint(RevoluteJointDef{.body_a = before,
                                                     .body_b = body,
@@ -143,7 +143,7 @@ World make_falling_hinges() {
 
 }  // namespace
 
-TEST_CASE("falling hinges fall alike in every build, in every step") {
+TEST_CASE("falling hinges have the same hash in every build, in every step") {
     World world = make_falling_hinges();
     std::uint64_t all_steps = 0;
     for (int step = 0; step < 400; ++step) {

@@ -1,4 +1,4 @@
-// The impulses that contacts report: those of the whole step, so that they balance what moved.
+// The impulses that contacts report: sums over the whole step, which balance the change of momentum.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ double sum_of_normals(const World& world) {
     return sum;
 }
 
-// Linear and angular momentum about its centre of mass of a body, against what a step's contacts gave it.
+// The linear and angular momentum of a body (about its centre of mass), against the impulses of a step's contacts.
 struct Balance {
     DVec2 linear;           // N s
     double angular = 0.0;   // N m s
@@ -49,7 +49,7 @@ DVec2 center_of(const World& world, BodyId body) {
 
 }  // namespace
 
-TEST_CASE("a box at rest shows its weight times the step, whatever the sub-steps") {
+TEST_CASE("the impulses on a box at rest are its weight times the step, for any number of sub-steps") {
     for (const int substeps : {1, 4, 10}) {
         WorldDef def;
         def.substeps = substeps;
@@ -66,7 +66,7 @@ TEST_CASE("a box at rest shows its weight times the step, whatever the sub-steps
     }
 }
 
-TEST_CASE("the impact of a brick shows the momentum that it stops, and that of a bouncing one what it gives back") {
+TEST_CASE("the impulse of an impact is the momentum that it stops, and of a bounce also the momentum that it returns") {
     for (const float restitution : {0.0f, 0.5f}) {
         World world;
         add_floor(world);
@@ -83,7 +83,7 @@ TEST_CASE("the impact of a brick shows the momentum that it stops, and that of a
     }
 }
 
-TEST_CASE("over every step each body gains what gravity and the reported impulses give it") {
+TEST_CASE("in every step the change of momentum of each body is that of gravity and the reported impulses") {
     WorldDef def;
     def.sleeping = false;
     World world(def);
@@ -110,12 +110,13 @@ TEST_CASE("over every step each body gains what gravity and the reported impulse
         std::vector<Balance> balances(bodies.size());
         for (const ContactPoint& point : world.contacts()) {
             largest_tangent = std::max(largest_tangent, std::abs(double{point.tangent_impulse}));
-            DVec2 place = point.point;  // has gone with A
+            DVec2 position = point.point;  // has moved with A
             for (std::size_t i = 0; i < bodies.size(); ++i)
-                if (point.body_a == bodies[i]) place -= world.state(bodies[i]).pose.position - before[i].pose.position;
+                if (point.body_a == bodies[i])
+                    position -= world.state(bodies[i]).pose.position - before[i].pose.position;
             for (std::size_t i = 0; i < bodies.size(); ++i) {
                 const double side = point.body_b == bodies[i] ? 1.0 : point.body_a == bodies[i] ? -1.0 : 0.0;
-                if (side != 0.0) balances[i].add(side * impulse_on_b(point), place - centers[i]);
+                if (side != 0.0) balances[i].add(side * impulse_on_b(point), position - centers[i]);
             }
         }
         for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -133,6 +134,6 @@ TEST_CASE("over every step each body gains what gravity and the reported impulse
             largest_turn = std::max(largest_turn, std::abs(turned));
         }
     }
-    CHECK(largest_tangent > 1.0);  // else the balance says nothing of friction
+    CHECK(largest_tangent > 1.0);  // so that the balance includes friction
     CHECK(largest_turn > 0.5);
 }

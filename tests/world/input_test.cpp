@@ -1,4 +1,4 @@
-// What a caller must not pass is refused with the value printed, and leaves the world as it was.
+// Invalid arguments throw with the value printed, and leave the world as it was.
 #include <doctest/doctest.h>
 
 #include <functional>
@@ -27,7 +27,7 @@ std::string refusal(const std::function<void()>& call) {
 
 }  // namespace
 
-TEST_CASE("definitions out of range are refused with the value") {
+TEST_CASE("definitions out of range throw with the value") {
     World world;
     const BodyId body = add_dynamic(world, {}, make_circle(1.0f));
     const BodyId other = add_static(world, {0.0, -3.0}, make_circle(1.0f));
@@ -70,8 +70,8 @@ TEST_CASE("definitions out of range are refused with the value") {
     world.audit();
 }
 
-TEST_CASE("a world that diverges says which body, and can still be read") {
-    World world(WorldDef{.steps_per_second = 0.1f});  // 10 s at 3e38 m/s: more than a float holds
+TEST_CASE("a world that diverges reports the body, and can still be read") {
+    World world(WorldDef{.steps_per_second = 0.1f});  // 10 s at 3e38 m/s: more than a float can represent
     add_static(world, {}, make_circle(1.0f));
     const BodyId lost = world.create_body({.type = BodyType::kinematic_body, .velocity = {3e38f, 0.0f}});
     try {
@@ -86,7 +86,7 @@ TEST_CASE("a world that diverges says which body, and can still be read") {
     CHECK_NOTHROW(world.state(lost));
 }
 
-TEST_CASE("a body of whatever shapes has a mass that gives way") {
+TEST_CASE("a dynamic body of any shapes has a finite, positive mass") {
     for (const float radius : {1e-30f, 1e-19f, 1e-10f, 1e-3f, 1e19f, 3e38f})
         for (const float density : {0.0f, 1e-38f, 1.0f, 3e38f}) {
             World world = weightless();
@@ -99,7 +99,7 @@ TEST_CASE("a body of whatever shapes has a mass that gives way") {
         }
 }
 
-TEST_CASE("the lightest masses that can be set move as they are pushed") {
+TEST_CASE("a body of the smallest mass that can be set is stepped without divergence") {
     World world = weightless();
     const BodyId body = add_dynamic(world, {}, make_circle(0.5f));
     add_dynamic(world, {0.9, 0.0}, make_circle(0.5f));
@@ -108,7 +108,7 @@ TEST_CASE("the lightest masses that can be set move as they are pushed") {
     world.audit();
 }
 
-TEST_CASE("an impulse that is not finite stops the world even if only static bodies feel it") {
+TEST_CASE("a joint impulse that is not finite is a divergence, even between static bodies") {
     World world;
     const BodyId a = add_static(world, {0.0, 5.0}, make_circle(1.0f)),
                  b = add_static(world, {1.0, 5.0}, make_circle(1.0f));

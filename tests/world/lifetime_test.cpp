@@ -11,7 +11,7 @@
 using namespace tumble;
 using namespace tumble::test;
 
-TEST_CASE("ids of what is destroyed are stale, also when their index is used again") {
+TEST_CASE("ids of destroyed objects are stale, also when their index is used again") {
     World world;
     const BodyId first = add_dynamic(world, {}, make_circle(0.5f));
     const ShapeId shape = world.shapes(first)[0];
@@ -38,7 +38,7 @@ TEST_CASE("live ids are listed in order") {
           std::vector<BodyId>{ids[0], ids[2], reused, ids[4]});
 }
 
-TEST_CASE("a destroyed floor lets go, and its contacts are not reported") {
+TEST_CASE("bodies fall when their floor is destroyed, and its contacts are not reported") {
     World world;
     const BodyId floor = add_floor(world);
     const BodyId box = add_dynamic(world, {0.0, 0.5}, make_box({1.0f, 1.0f}));
@@ -51,7 +51,7 @@ TEST_CASE("a destroyed floor lets go, and its contacts are not reported") {
     CHECK(world.state(box).pose.position.y < -3.0);
 }
 
-TEST_CASE("a shape that takes a destroyed one's place inherits no contact") {
+TEST_CASE("a shape with the index of a destroyed one inherits no contact") {
     World world = weightless();
     const BodyId a = add_dynamic(world, {0.0, 0.0}, make_box({1.0f, 1.0f}));
     const BodyId b = add_dynamic(world, {0.9, 0.0}, make_box({1.0f, 1.0f}));
@@ -78,7 +78,7 @@ TEST_CASE("destroying a body destroys its joints") {
     world.audit();
 }
 
-TEST_CASE("the world stays whole through random creation and destruction") {
+TEST_CASE("every invariant holds through random creation and destruction") {
     World world;
     add_floor(world);
     std::mt19937 random(7);

@@ -36,7 +36,7 @@ TEST_CASE("a body in free fall follows the sum of the semi-implicit scheme") {
     }
 }
 
-TEST_CASE("a projectile lands where the parabola of the scheme says") {
+TEST_CASE("a projectile lands where the parabola of the scheme ends") {
     World world;
     const BodyId ball = add_dynamic(world, {}, make_circle(0.1f));
     world.set_velocity(ball, {8.0f, 6.0f}, 0.0f);
@@ -47,7 +47,7 @@ TEST_CASE("a projectile lands where the parabola of the scheme says") {
     CHECK(std::abs(state.pose.position.y + kGravity * kH * t / 2.0) <= rounding(72 * kSubsteps, 6.0) * 2.0);
 }
 
-TEST_CASE("far from the origin a body falls as it does at home") {
+TEST_CASE("far from the origin a body falls as it does at the origin") {
     World home, away;
     const DVec2 far{16.0e6, -3.0e6};
     const BodyId near_ball = add_dynamic(home, {0.0, 8.0}, make_circle(0.5f));
@@ -60,7 +60,7 @@ TEST_CASE("far from the origin a body falls as it does at home") {
     CHECK(away.state(far_ball).velocity == home.state(near_ball).velocity);
 }
 
-TEST_CASE("a free body keeps its spin bit for bit, and turns by it") {
+TEST_CASE("a free body keeps its angular velocity bit for bit, and rotates by it") {
     World world = weightless();
     const BodyId box = add_dynamic(world, {}, make_box({1.0f, 2.0f}));
     world.set_velocity(box, {1.0f, 0.0f}, 2.0f);
@@ -71,7 +71,7 @@ TEST_CASE("a free body keeps its spin bit for bit, and turns by it") {
     CHECK(std::abs(angle(world.state(box).pose.rotation) - 2.0) < 60 * 1.2e-7);
 }
 
-TEST_CASE("a body whose shape is off its origin turns about its centre of mass") {
+TEST_CASE("a body whose shape is off its origin rotates about its centre of mass") {
     World world = weightless();
     BodyDef def;
     def.pose = {{5.0, 5.0}, make_rotation_degrees(90.0)};
@@ -154,7 +154,7 @@ TEST_CASE("a kinematic body moves by its velocity alone") {
     CHECK(world.state(crate).pose.position.y == doctest::Approx(5.0).epsilon(1e-3));
 }
 
-TEST_CASE("speed and spin are limited, spin not for those that may") {
+TEST_CASE("speed and rotation are limited, rotation not with allow_fast_rotation") {
     World world = weightless();
     const BodyId fast = add_dynamic(world, {}, make_circle(0.5f));
     world.set_velocity(fast, {3000.0f, 4000.0f}, 1000.0f);

@@ -1,4 +1,4 @@
-// Queries against what a look at every shape says, and by hand.
+// Queries against a loop over all shapes, and against hand-worked cases.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ World make_field(DVec2 origin, Draw& draw) {
     return world;
 }
 
-// Calls visit(shape, pose, id) for all that the filter lets through, in id order.
+// Calls visit(shape, pose, id) for all shapes that the filter includes, in id order.
 template <class Visitor>
 void for_each_seen(const World& world, const QueryFilter& filter, Visitor&& visit) {
     for (const BodyId body : world.bodies())
@@ -55,7 +55,7 @@ void for_each_seen(const World& world, const QueryFilter& filter, Visitor&& visi
 
 }  // namespace
 
-TEST_CASE("rays find what a look at every shape finds, at the origin and 10 km away") {
+TEST_CASE("rays find what a loop over all shapes finds, at the origin and 10 km away") {
     for (const DVec2 origin : {DVec2{}, DVec2{10000.0, -7000.0}}) {
         Draw draw{std::mt19937(5)};
         const World world = make_field(origin, draw);
@@ -63,27 +63,27 @@ TEST_CASE("rays find what a look at every shape finds, at the origin and 10 km a
         for (int i = 0; i < 400; ++i) {
             CAPTURE(i);
             const DVec2 from = origin + DVec2{draw.between(-12.0, 12.0), draw.between(-12.0, 12.0)};
-            const DVec2 way = i % 10 == 0 ? DVec2{draw.between(-20.0, 20.0), 0.0}
-                                          : DVec2{draw.between(-20.0, 20.0), draw.between(-20.0, 20.0)};
+            const DVec2 translation = i % 10 == 0 ? DVec2{draw.between(-20.0, 20.0), 0.0}
+                                                  : DVec2{draw.between(-20.0, 20.0), draw.between(-20.0, 20.0)};
             QueryFilter filter;
             filter.sensors = i % 2 == 0;
             filter.shape.mask = i % 3 == 0 ? 1 : 3;
             std::vector<CastHit> expected;
             for_each_seen(world, filter, [&](const Shape& shape, const Pose& pose, ShapeId id) {
-                const CastResult cast = cast_ray(shape, pose, from, way);
+                const CastResult cast = cast_ray(shape, pose, from, translation);
                 if (cast.status == CastStatus::hit)
                     expected.push_back({id, world.body(id), cast.fraction, cast.point, cast.normal});
             });
             std::stable_sort(expected.begin(), expected.end(),
                              [](const CastHit& a, const CastHit& b) { return a.fraction < b.fraction; });
-            const std::vector<CastHit> all = world.cast_ray_all(from, way, filter);
+            const std::vector<CastHit> all = world.cast_ray_all(from, translation, filter);
             REQUIRE(all.size() == expected.size());
             for (std::size_t k = 0; k < all.size(); ++k) {
                 CHECK(all[k].shape == expected[k].shape);
                 CHECK(all[k].fraction == expected[k].fraction);
                 CHECK(all[k].point == expected[k].point);
             }
-            const std::optional<CastHit> first = world.cast_ray(from, way, filter);
+            const std::optional<CastHit> first = world.cast_ray(from, translation, filter);
             REQUIRE(first.has_value() == !expected.empty());
             if (!first) continue;
             ++hits;
@@ -96,7 +96,7 @@ TEST_CASE("rays find what a look at every shape finds, at the origin and 10 km a
     }
 }
 
-TEST_CASE("a moving shape meets first what a look at every shape says") {
+TEST_CASE("a shape cast hits first what a loop over all shapes finds") {
     Draw draw{std::mt19937(6)};
     const World world = make_field({}, draw);
     const Shape shape = make_box({0.6f, 0.3f}, 0.05f);
@@ -104,16 +104,16 @@ TEST_CASE("a moving shape meets first what a look at every shape says") {
     for (int i = 0; i < 400; ++i) {
         CAPTURE(i);
         const Pose pose{{draw.between(-12.0, 12.0), draw.between(-12.0, 12.0)}, make_rotation(draw.between(-3.0, 3.0))};
-        const DVec2 way{draw.between(-10.0, 10.0), draw.between(-10.0, 10.0)};
+        const DVec2 translation{draw.between(-10.0, 10.0), draw.between(-10.0, 10.0)};
         std::optional<CastHit> expected;
         for_each_seen(world, {}, [&](const Shape& other, const Pose& other_pose, ShapeId id) {
-            const CastResult cast = cast_shape(other, other_pose, shape, pose, way);
+            const CastResult cast = cast_shape(other, other_pose, shape, pose, translation);
             if (cast.status != CastStatus::hit && cast.status != CastStatus::overlapping) return;
             const double fraction = cast.status == CastStatus::hit ? cast.fraction : 0.0;
             if (!expected || fraction < expected->fraction)
                 expected = CastHit{id, {}, fraction, cast.point, cast.normal, cast.status == CastStatus::overlapping};
         });
-        const std::optional<CastHit> hit = world.cast_shape(shape, pose, way);
+        const std::optional<CastHit> hit = world.cast_shape(shape, pose, translation);
         REQUIRE(hit.has_value() == expected.has_value());
         if (!hit) continue;
         ++hits;
@@ -127,7 +127,7 @@ TEST_CASE("a moving shape meets first what a look at every shape says") {
     CHECK(inside < hits - 40);
 }
 
-TEST_CASE("overlaps and the nearest shape are those that a look at every shape finds") {
+TEST_CASE("overlaps and the nearest shape are those of a loop over all shapes") {
     for (const DVec2 origin : {DVec2{}, DVec2{-9000.0, 10000.0}}) {
         Draw draw{std::mt19937(7)};
         const World world = make_field(origin, draw);
@@ -168,7 +168,7 @@ TEST_CASE("overlaps and the nearest shape are those that a look at every shape f
 }
 
 // A ray down the y axis onto a unit box at the origin: it enters at y = 0.5, after 2.5 of 4 m.
-TEST_CASE("a ray's hit has the point, the normal and the fraction that one works out by hand") {
+TEST_CASE("the point, normal and fraction of a ray's hit are those of a hand-worked case") {
     World world;
     const BodyId box = add_static(world, {0.0, 0.0}, kBox);
     const auto hit = world.cast_ray({0.25, 3.0}, {0.0, -4.0});
@@ -182,7 +182,7 @@ TEST_CASE("a ray's hit has the point, the normal and the fraction that one works
     CHECK_FALSE(world.cast_ray({0.25, 3.0}, {0.0, -4.0}, {.except = box}));
 }
 
-TEST_CASE("of two shapes met at once the one with the lower id is the first") {
+TEST_CASE("of two shapes hit at the same fraction the one with the lower id is first") {
     World world;
     const BodyId first = add_static(world, {0.0, 0.0}, kBox);
     add_static(world, {0.0, 0.0}, kBox);
@@ -205,7 +205,7 @@ TEST_CASE("the distance of two bodies is that of their nearest solid shapes") {
     CHECK(world.distance(a, bare).nearest.status == DistanceStatus::invalid);
 }
 
-TEST_CASE("queries refuse what they cannot answer") {
+TEST_CASE("queries throw for invalid arguments") {
     const World world;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_AS(world.cast_ray({nan, 0.0}, {1.0, 0.0}), std::invalid_argument);

@@ -16,10 +16,10 @@ namespace {
 
 constexpr int kSteps = 200;
 
-// m/s: the stepper's own limit, and its rounding. Mechanisms that contradict themselves reach it.
+// m/s: the speed limit of a step, and its rounding. Mechanisms whose joints contradict each other reach it.
 constexpr float kSpeedBound = 400.0f * (1.0f + 4.0f * 0x1p-24f);
 
-// m/s. Bodies are given up to 10 m/s and fall for 200 steps at up to 2 g: 67 m/s. Impulses add up to 5 m/s each, some
+// m/s. Bodies start with up to 10 m/s and fall for 200 steps at up to 2 g: 67 m/s. Impulses add up to 5 m/s each, some
 // of them in a row; springs and motors are bounded by a few times that.
 constexpr float kOrdinarySpeed = 200.0f;
 

@@ -1,5 +1,5 @@
-// How far soft constraints give way, against closed forms: stacks, pyramids, bridges and chains; that what has settled
-// neither creeps nor leans, and sleeps.
+// How far soft constraints give way, against closed forms: stacks, pyramids, bridges and chains. Settled bodies neither
+// creep nor lean, and fall asleep.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr double kGravity = 10.0;
 constexpr double kContactOmega = 2.0 * kPi * 30.0;  // contact softness, rad/s
 constexpr double kJointOmega = 2.0 * kPi * 60.0;
-constexpr double kSagPart = 0.5;  // of a plain spring's, of what contacts give way under a load that they carry on
+constexpr double kSagPart = 0.5;  // of the sag of a plain spring under a constant load
 
 // How far the top of n equal boxes would sink on plain springs. A contact that carries k boxes above it gives way by
 // F / (m_eff w^2) with F = k m g and the effective mass of two points on two boxes, m / 2.5; on the ground m / 1.25 at
@@ -46,8 +46,8 @@ std::vector<BodyId> add_links(World& world, BodyId anchor, Vec2 from, Vec2 along
     const Vec2 half = 0.5f * along;
     const Shape link = make_box(along.x > 0.0f ? Vec2{1.0f, 0.25f} : Vec2{0.25f, 1.0f});
     for (int i = 0; i < n; ++i) {
-        const DVec2 place = DVec2(from) + (i + 0.5) * DVec2(along);
-        const BodyId body = add_dynamic(world, place, link, {.density = 4.0f});
+        const DVec2 position = DVec2(from) + (i + 0.5) * DVec2(along);
+        const BodyId body = add_dynamic(world, position, link, {.density = 4.0f});
         const bool first = links.empty();
         world.create_joint(RevoluteJointDef{.body_a = first ? anchor : links.back(),
                                             .body_b = body,
@@ -116,8 +116,8 @@ TEST_CASE("a stack of 20 boxes sinks by half of what springs would, whatever the
     }
 }
 
-// Nothing can come to rest better than to the last bit of its velocity: a contact between boxes of which 20 weigh down
-// passes on 20 g h = 0.8 m/s in each sub-step, rounded by 2^-24 of that, in some tens of sums.
+// A body can come to rest only to the last bit of its velocity: a contact under 20 boxes transmits
+// 20 g h = 0.8 m/s in each sub-step, rounded by 2^-24 of that, in some tens of sums.
 TEST_CASE("a settled stack neither creeps, nor leans, nor moves") {
     constexpr double kRounding = 50 * 0x1p-24 * 0.8;  // m/s
     constexpr double kCreep = 1e-8;                   // m/s: 0.3 m in a year
@@ -132,7 +132,7 @@ TEST_CASE("a settled stack neither creeps, nor leans, nor moves") {
     for (const BodyId box : boxes) CHECK(std::abs(world.state(box).pose.position.x) < 0.01);
 }
 
-TEST_CASE("a stack comes to rest at any number of sub-steps, and sinks alike") {
+TEST_CASE("a stack comes to rest at any number of sub-steps, and sinks by the same") {
     for (const int substeps : {8, 22, 40, 200}) {
         CAPTURE(substeps);
         World world({.substeps = substeps, .sleeping = false});

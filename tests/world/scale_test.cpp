@@ -1,4 +1,4 @@
-// The same scene, small and large: with the step scaled by the root of the size, everything is the same but larger.
+// The same scene at several sizes: with the step scaled by the root of the size, all motions are similar.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ using namespace tumble::test;
 
 namespace {
 
-// A stack, a ball that bounces on it, a limp pendulum with a limit, a spring and a box on a slope: all lengths times
+// A stack, a ball that bounces on it, a pendulum with a limit, a spring and a box on a slope: all lengths times
 // `scale`.
 World make_scene(float scale) {
     WorldDef def;
@@ -47,7 +47,7 @@ World make_scene(float scale) {
 
 // Every formula of the step is a product of powers of length and time: with a size of 4^k, whose root is a power of
 // two, no rounding differs.
-TEST_CASE("a world 64 times as large or as small is the same one, bit for bit") {
+TEST_CASE("a world 64 times as large or as small moves the same, bit for bit") {
     for (const float scale : {64.0f, 1.0f / 64.0f}) {
         CAPTURE(scale);
         World plain = make_scene(1.0f), scaled = make_scene(scale);
@@ -69,9 +69,9 @@ TEST_CASE("a world 64 times as large or as small is the same one, bit for bit") 
     }
 }
 
-// Sizes that round differently part by rounding alone where nothing is chaotic: 400 steps of half an ulp of float
+// Without chaos, sizes that round differently differ by rounding only: 400 steps of half an ulp of float
 // velocities of 10 m/s make 400 x 5e-7 m/s x 1/60 s = 3e-6 m, a contact that begins a step later 0.1 m/s x 1/60 s.
-TEST_CASE("a world at 1/50 or 50 times the size settles in the same places") {
+TEST_CASE("a world at 1/50 or 50 times the size settles at the same poses") {
     constexpr double kTolerance = 0.002;  // m at scale 1
     for (const float scale : {50.0f, 0.02f}) {
         CAPTURE(scale);
@@ -88,7 +88,7 @@ TEST_CASE("a world at 1/50 or 50 times the size settles in the same places") {
     }
 }
 
-// The speculative distance is a tenth of the ball: a gap of its own size is none of its business.
+// The speculative distance is a tenth of the ball, far below a gap of its own size.
 TEST_CASE("a 2 cm ball does not touch with a gap of 2 cm, and rests on the floor without one") {
     World world;
     add_floor(world);

@@ -1,4 +1,4 @@
-// Floors of several shapes: who slides over a seam between two of them does not feel it.
+// Floors of several shapes: their seams do not disturb sliding bodies.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -8,7 +8,7 @@
 using namespace tumble;
 using namespace tumble::test;
 
-TEST_CASE("who slides over tiles, at rest or moving, is neither lifted nor turned nor slowed by their seams") {
+TEST_CASE("seams of tiles, at rest or moving, neither lift nor rotate nor slow a sliding body") {
     const struct {
         std::string name;
         Shape shape;
@@ -43,7 +43,7 @@ TEST_CASE("who slides over tiles, at rest or moving, is neither lifted nor turne
 }
 
 // The rise of a ramp and a step is no seam.
-TEST_CASE("what rises above the floor is met as before") {
+TEST_CASE("a ramp or a step above the floor collides as without seams") {
     for (const bool ramp : {false, true}) {
         CAPTURE(ramp);
         World world({.sleeping = false});

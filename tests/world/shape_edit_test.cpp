@@ -1,4 +1,4 @@
-// What can be done to shapes between steps: surfaces, filters, taking them off.
+// Changes of shapes between steps: surfaces, filters, removal.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -14,15 +14,15 @@ const Shape kBox = make_box({1.0f, 1.0f});
 
 }  // namespace
 
-TEST_CASE("a surface that changes under a body acts at once: ice lets it slide, rubber holds it") {
+TEST_CASE("a new material under a body acts at once: it slides on ice, and stays on rubber") {
     World world;
     const BodyId ramp = add_static(world, {0.0, 0.0}, make_box({40.0f, 1.0f}), {.friction = 1.0f}, 0.3);
     const Rotation tilt = make_rotation(0.3);
     const DVec2 on_top = rotate(tilt, DVec2{0.0, 1.0});
     const BodyId box = add_dynamic(world, on_top, kBox, {.friction = 1.0f}, 0.3);
     run(world, 90);
-    const DVec2 place = world.state(box).pose.position;
-    REQUIRE(length(place - on_top) < 0.01);
+    const DVec2 position = world.state(box).pose.position;
+    REQUIRE(length(position - on_top) < 0.01);
     world.set_material(world.shapes(ramp)[0], {.friction = 0.0f});
     CHECK(world.is_awake(box));
     run(world, 60);
@@ -32,7 +32,7 @@ TEST_CASE("a surface that changes under a body acts at once: ice lets it slide, 
     CHECK(world.mass(box).mass == 4.0f);
 }
 
-TEST_CASE("filters that change end contacts, and begin them") {
+TEST_CASE("a change of filters ends and begins contacts") {
     World world;
     const BodyId floor = add_floor(world);
     const BodyId box = add_dynamic(world, {0.0, 0.5}, kBox);
@@ -51,7 +51,7 @@ TEST_CASE("filters that change end contacts, and begin them") {
     CHECK(world.state(box).pose.position.y == doctest::Approx(0.5).epsilon(0.01));
 }
 
-TEST_CASE("a shape that is taken off no longer weighs nor touches, and the rest moves on as it did") {
+TEST_CASE("a removed shape has neither mass nor contacts, and the rest of the body keeps its motion") {
     World world = weightless();
     const BodyId body = add_dynamic(world, {0.0, 0.0}, kBox);
     const ShapeId arm = world.add_shape(body, {make_box({1.0f, 1.0f}, 0.0f, {2.0f, 0.0f})});

@@ -1,4 +1,4 @@
-// Sleep: who falls asleep and when, that it costs nothing and changes nothing, and what wakes.
+// Sleep: which bodies fall asleep and when, that sleep costs nothing and changes nothing, and what wakes them.
 #include <doctest/doctest.h>
 
 #include <stdexcept>
@@ -42,7 +42,7 @@ bool all_awake(const World& world, const std::vector<BodyId>& bodies) {
 
 }  // namespace
 
-TEST_CASE("as many pairs are asked about as collide, also in the step in which all fall asleep") {
+TEST_CASE("every step counts the pairs of awake bodies, also the one in which all fall asleep") {
     World world;
     const BodyId floor = world.create_body({.type = BodyType::static_body});
     world.add_shape(floor, {.shape = make_box({20.0f, 1.0f}, 0.0f, {0.0f, -0.5f})});
@@ -73,7 +73,7 @@ TEST_CASE("a body without forces sleeps after half a second of rest, to the step
     CHECK(steps_until_asleep(world, body) == -1);
 }
 
-TEST_CASE("it is the farthest point of a body that must be slow") {
+TEST_CASE("the farthest point of a body must be slow") {
     // Corners of a unit box at 0.707 m from its centre: 0.05 / 0.707 = 0.0707 rad/s is the limit.
     for (const bool slow : {true, false}) {
         World world = weightless();
@@ -105,7 +105,7 @@ TEST_CASE("a stack sleeps as one island, keeps its contacts, and costs no contac
     world.audit();
 }
 
-TEST_CASE("two stacks apart sleep and wake by themselves") {
+TEST_CASE("two separate stacks sleep and wake independently") {
     World world;
     add_floor(world);
     const BodyId left = add_dynamic(world, {-5.0, 0.5}, kBox);
@@ -119,7 +119,7 @@ TEST_CASE("two stacks apart sleep and wake by themselves") {
     CHECK_FALSE(world.is_awake(left));
 }
 
-TEST_CASE("one body that may not sleep keeps its island awake, and no other") {
+TEST_CASE("one body that may not sleep keeps its island awake, and no other island") {
     World world;
     add_floor(world);
     const std::vector<BodyId> boxes = add_stack(world, 2);
@@ -133,7 +133,7 @@ TEST_CASE("one body that may not sleep keeps its island awake, and no other") {
     CHECK_FALSE(world.is_awake(apart));
 }
 
-TEST_CASE("nobody sleeps where sleeping is off, unless told to") {
+TEST_CASE("without WorldDef::sleeping bodies sleep only by set_awake") {
     WorldDef def;
     def.sleeping = false;
     World world(def);
@@ -165,7 +165,7 @@ TEST_CASE("a ball that hits a sleeping stack wakes all of it, in the step in whi
     CHECK(world.state(boxes[2]).velocity.x > 0.1f);
 }
 
-TEST_CASE("a wave of waking goes through sleepers that were never awake, within the step") {
+TEST_CASE("waking spreads through bodies that were created asleep, within one step") {
     World world = weightless();
     std::vector<BodyId> row;
     for (int i = 0; i < 20; ++i) {
@@ -185,7 +185,7 @@ TEST_CASE("a wave of waking goes through sleepers that were never awake, within 
     world.audit();
 }
 
-TEST_CASE("what leans on a body wakes when that goes, static or not") {
+TEST_CASE("bodies that rest on a body wake when it is destroyed, static or not") {
     World world;
     const BodyId floor = add_floor(world);
     const std::vector<BodyId> boxes = add_stack(world, 3);
@@ -205,7 +205,7 @@ TEST_CASE("what leans on a body wakes when that goes, static or not") {
     CHECK(world.state(boxes[0]).pose.position.y < -3.0);
 }
 
-TEST_CASE("a lift at rest lets its load sleep, takes it along when it starts, and keeps it awake") {
+TEST_CASE("a kinematic lift at rest lets its load sleep, and wakes and carries it when it starts") {
     World world;
     const BodyId lift = add_body(world, BodyType::kinematic_body, {}, make_box({4.0f, 1.0f}));
     const BodyId load = add_dynamic(world, {0.0, 1.0}, kBox);
@@ -221,7 +221,7 @@ TEST_CASE("a lift at rest lets its load sleep, takes it along when it starts, an
     CHECK_FALSE(world.is_awake(load));
 }
 
-TEST_CASE("a lift that was at rest beside a sleeper meets it when it starts") {
+TEST_CASE("a kinematic lift that starts beside a sleeping body collides with it") {
     World world = weightless();
     const BodyId lift = add_body(world, BodyType::kinematic_body, {}, kBox);
     const BodyId load = add_dynamic(world, {1.07, 0.0}, kBox);  // boxes with margins overlap, contacts begin at 2 cm
@@ -234,7 +234,7 @@ TEST_CASE("a lift that was at rest beside a sleeper meets it when it starts") {
     world.audit();
 }
 
-TEST_CASE("neighbours that did not touch are found again when they wake") {
+TEST_CASE("pairs that do not touch are found again when their bodies wake") {
     World world = weightless();
     const BodyId left = add_dynamic(world, {}, kBox);
     const BodyId right = add_dynamic(world, {1.04, 0.0}, kBox);
@@ -247,7 +247,7 @@ TEST_CASE("neighbours that did not touch are found again when they wake") {
     world.audit();
 }
 
-TEST_CASE("forces, impulses and joints wake") {
+TEST_CASE("forces, impulses and joints wake a body") {
     World world = weightless();
     const BodyId a = add_dynamic(world, {}, kBox), b = add_dynamic(world, {3.0, 0.0}, kBox);
     const auto sleep = [&] {
@@ -276,7 +276,7 @@ TEST_CASE("forces, impulses and joints wake") {
     world.audit();
 }
 
-TEST_CASE("sleepers that are joined stay asleep and become one island") {
+TEST_CASE("sleeping bodies that are joined stay asleep and become one island") {
     World world;
     std::vector<BodyId> links;
     for (int i = 0; i < 4; ++i) {
@@ -302,7 +302,7 @@ TEST_CASE("sleepers that are joined stay asleep and become one island") {
     CHECK(world.state(links[0]).pose.position.y < -0.1);
 }
 
-TEST_CASE("a stack that wakes goes on as if it had not slept") {
+TEST_CASE("a stack that wakes continues as if it had not slept") {
     World slept, stayed;
     std::vector<BodyId> boxes;
     for (World* world : {&slept, &stayed}) {
@@ -317,7 +317,7 @@ TEST_CASE("a stack that wakes goes on as if it had not slept") {
         world->set_awake(boxes[0], true);
         world->step();
     }
-    // The impulses that carry the stack have come back: 5 m g dt on the ground in the very first step.
+    // The stored impulses carry the stack: 5 m g dt on the ground in the very first step.
     double carried = 0.0;
     for (const ContactPoint& point : slept.contacts())
         if (point.body_b == boxes[0] || point.body_a == boxes[0])
@@ -327,7 +327,7 @@ TEST_CASE("a stack that wakes goes on as if it had not slept") {
     CHECK(slept.state_hash() == stayed.state_hash());
 }
 
-TEST_CASE("a body cannot be made asleep and moving") {
+TEST_CASE("a body cannot be created asleep with a velocity") {
     World world;
     BodyDef def;
     def.awake = false;
@@ -335,7 +335,7 @@ TEST_CASE("a body cannot be made asleep and moving") {
     CHECK_THROWS_AS(world.create_body(def), std::invalid_argument);
 }
 
-TEST_CASE("the hash knows who sleeps") {
+TEST_CASE("the hash includes the sleep flags") {
     World awake = weightless(), asleep = weightless();
     const BodyId body = add_dynamic(awake, {}, kBox);
     add_dynamic(asleep, {}, kBox);
@@ -344,7 +344,7 @@ TEST_CASE("the hash knows who sleeps") {
     CHECK(awake.state_hash() != asleep.state_hash());
 }
 
-TEST_CASE("a body that is taken away and put to sleep there leaves its old neighbours awake") {
+TEST_CASE("a body that is moved and put to sleep there leaves its former neighbours awake") {
     World world;
     add_floor(world);
     const std::vector<BodyId> boxes = add_stack(world, 2);
@@ -362,7 +362,7 @@ TEST_CASE("a body that is taken away and put to sleep there leaves its old neigh
     CHECK(std::abs(world.state(boxes[1]).pose.position.y - 0.5) < 0.01);
 }
 
-TEST_CASE("what may not touch any more is not held through sleep") {
+TEST_CASE("a contact that a filter excludes ends although its bodies fall asleep") {
     CollisionFilter apart;
     apart.group = -1;
     World world;
@@ -379,7 +379,7 @@ TEST_CASE("what may not touch any more is not held through sleep") {
     CHECK(std::abs(world.state(boxes[1]).pose.position.y - 0.5) < 0.01);
 }
 
-TEST_CASE("a joint that keeps sleepers that touch from touching wakes them") {
+TEST_CASE("a joint that excludes the contact of two sleeping bodies wakes them") {
     for (const bool joins_floor : {false, true}) {
         World world;
         const BodyId floor = add_floor(world);

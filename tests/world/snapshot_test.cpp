@@ -1,4 +1,4 @@
-// Snapshots: what is loaded goes on with the same bits, and what is no whole snapshot is refused.
+// Snapshots: a loaded world steps with the same bits, and incomplete snapshots throw.
 #include <doctest/doctest.h>
 
 #include <cstring>
@@ -44,7 +44,7 @@ std::vector<std::byte> saved_after(std::uint32_t seed, int steps) {
 
 }  // namespace
 
-TEST_CASE("falling hinges go on with the same bits from a snapshot of any step") {
+TEST_CASE("falling hinges continue with the same bits from a snapshot of any step") {
     constexpr int kSteps = 240;
     World world = make_falling_hinges();
     std::vector<std::uint64_t> hashes;
@@ -58,7 +58,7 @@ TEST_CASE("falling hinges go on with the same bits from a snapshot of any step")
         CAPTURE(start);
         World loaded = World::load(snapshots[static_cast<std::size_t>(start)]);
         REQUIRE(loaded.state_hash() == hashes[static_cast<std::size_t>(start)]);
-        // The snapshot of the next step covers all that the step computed; every twentieth run goes to the end.
+        // The snapshot of the next step contains all results of the step; every twentieth run continues to the end.
         const int end = start % 20 == 0 ? kSteps - 1 : std::min(start + 1, kSteps - 1);
         while (loaded.step_count() < static_cast<std::uint64_t>(end)) {
             loaded.step();
@@ -69,7 +69,7 @@ TEST_CASE("falling hinges go on with the same bits from a snapshot of any step")
     CHECK(world.counters().sleeping_islands > 0);  // the run has seen sleep
 }
 
-TEST_CASE("a random world and its copy are edited and stepped alike") {
+TEST_CASE("a random world and its loaded copy stay equal through the same edits and steps") {
     for (std::uint32_t seed = 1; seed <= 12; ++seed) {
         CAPTURE(seed);
         RandomWorld first(seed);
@@ -89,7 +89,7 @@ TEST_CASE("a random world and its copy are edited and stepped alike") {
     }
 }
 
-TEST_CASE("a loaded world reads as the one that was saved") {
+TEST_CASE("a loaded world reports the same as the saved one") {
     World world = make_falling_hinges();
     run(world, 50);
     const World loaded = World::load(world.save());
@@ -105,7 +105,7 @@ TEST_CASE("a loaded world reads as the one that was saved") {
     loaded.audit();
 }
 
-TEST_CASE("a snapshot that is cut short, damaged or of something else is refused") {
+TEST_CASE("an incomplete, damaged or foreign snapshot throws") {
     const std::vector<std::byte> whole = saved_after(3, 10);
     CHECK_NOTHROW(World::load(whole));
     for (std::size_t size = 0; size < whole.size(); size += 1 + size / 7) {
@@ -126,7 +126,7 @@ TEST_CASE("a snapshot that is cut short, damaged or of something else is refused
     CHECK_THROWS_WITH(World::load(newer), "snapshot: it has version 99, this build reads version 4");
 }
 
-// Who changes what a snapshot holds raises kVersion in snapshot.cpp and writes the new size down.
-TEST_CASE("the size of a known world's snapshot belongs to the version") {
+// After a change of the contents of snapshots, raise kVersion in snapshot.cpp and update the size here.
+TEST_CASE("the size of a snapshot changes only with the version") {
     CHECK(make_falling_hinges().save().size() == 10925);
 }

@@ -1,4 +1,4 @@
-// Piles: what falls, what is pushed out, what a light body bears. How far piles sink is in sag_test.cpp.
+// Dominoes, overlap that is pushed out, and a heavy body on a light one. How far piles sink is in sag_test.cpp.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST_CASE("dominoes fall in order, all of them") {
     CHECK(std::adjacent_find(fallen_at.begin(), fallen_at.end()) == fallen_at.end());
 }
 
-TEST_CASE("overlap is pushed out at 3 m/s at the fastest") {
+TEST_CASE("overlapping bodies are pushed apart at 3 m/s at most") {
     World world = weightless();
     const BodyId left = add_dynamic(world, {-0.2, 0.0}, make_box({1.0f, 1.0f}));
     const BodyId right = add_dynamic(world, {0.2, 0.0}, make_box({1.0f, 1.0f}));
@@ -45,7 +45,7 @@ TEST_CASE("overlap is pushed out at 3 m/s at the fastest") {
         fastest = std::max(fastest, 60.0 * (now - before));
         before = now;
     }
-    // The spring alone would push by 9 / s of 0.6 m; a soft contact reaches its mass scale, 0.94, of what it wants.
+    // The spring alone would push by 9 / s of 0.6 m; a soft contact reaches its mass scale, 0.94, of its bias velocity.
     CHECK(fastest > 0.94 * 3.0);
     CHECK(before > 0.9);
     CHECK(world.state(right).velocity.x - world.state(left).velocity.x < 0.1f);  // no energy is left behind
@@ -57,7 +57,8 @@ TEST_CASE("a heavy box rests on a light one, a thousand to one") {
     const BodyId light = add_dynamic(world, {0.0, 0.5}, make_box({1.0f, 1.0f}), {.density = 1.0f});
     const BodyId heavy = add_dynamic(world, {0.0, 1.5}, make_box({1.0f, 1.0f}), {.density = 1000.0f});
     run(world, 600);
-    // The light one is squeezed, by F / (m_eff w^2) with its own mass: it must neither pop out nor be passed through.
+    // The light one is overlapped by F / (m_eff w^2) with its own mass. It must not be pushed out sideways or passed
+    // through.
     CHECK(height(world, heavy) > height(world, light) + 0.4);
     CHECK(std::abs(world.state(light).pose.position.x) < 0.05);
 }

@@ -1,4 +1,4 @@
-// What stands by friction alone: arch and card house.
+// Structures that stand by friction alone: an arch and a card house.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,22 +14,22 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
-// The farthest that a body is from where it was put.
-double farthest_moved(const World& world, const std::vector<BodyId>& bodies, const std::vector<DVec2>& places) {
-    double way = 0.0;
+// The largest distance of a body from its initial position.
+double farthest_moved(const World& world, const std::vector<BodyId>& bodies, const std::vector<DVec2>& positions) {
+    double displacement = 0.0;
     for (std::size_t i = 0; i < bodies.size(); ++i)
-        way = std::max(way, length(world.state(bodies[i]).pose.position - places[i]));
-    return way;
+        displacement = std::max(displacement, length(world.state(bodies[i]).pose.position - positions[i]));
+    return displacement;
 }
 
 struct Building {
     World world;
     std::vector<BodyId> bodies;
-    std::vector<DVec2> places;
+    std::vector<DVec2> positions;
 
-    void add(DVec2 place, const Shape& shape, const SurfaceMaterial& material, double turn) {
-        bodies.push_back(add_dynamic(world, place, shape, material, turn));
-        places.push_back(place);
+    void add(DVec2 position, const Shape& shape, const SurfaceMaterial& material, double turn) {
+        bodies.push_back(add_dynamic(world, position, shape, material, turn));
+        positions.push_back(position);
     }
 };
 
@@ -77,12 +77,12 @@ Building make_card_house(int storeys) {
 }  // namespace
 
 TEST_CASE("an arch stands by friction, and falls without it") {
-    // The thrust may leave a joint's normal by 35 degrees, or by 6.
+    // With the two frictions the thrust may be up to 35 degrees off a joint's normal, or up to 6.
     for (const float friction : {0.7f, 0.1f}) {
         CAPTURE(friction);
         Building arch = make_arch(friction);
         run(arch.world, 600);
-        const double moved = farthest_moved(arch.world, arch.bodies, arch.places);
+        const double moved = farthest_moved(arch.world, arch.bodies, arch.positions);
         if (friction > 0.5f) {
             CHECK(moved < 0.02);  // 14 joints that give way by a millimetre or so each
             CHECK(arch.world.counters().awake_bodies == 0);
@@ -95,6 +95,6 @@ TEST_CASE("an arch stands by friction, and falls without it") {
 TEST_CASE("a card house of three storeys stands") {
     Building house = make_card_house(3);
     run(house.world, 600);
-    CHECK(farthest_moved(house.world, house.bodies, house.places) < 0.03);  // a card's thickness
+    CHECK(farthest_moved(house.world, house.bodies, house.positions) < 0.03);  // a card's thickness
     CHECK(house.world.counters().awake_bodies == 0);
 }

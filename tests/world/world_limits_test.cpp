@@ -1,11 +1,11 @@
-// The limits that are told are those that the stepper keeps to.
+// The limits of world_limits() are those of the step.
 #include "tumble/world_limits.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace tumble;
 
-TEST_CASE("what is slower than the speed of rest falls asleep, in worlds of all scales") {
+TEST_CASE("bodies slower than rest_speed fall asleep, in worlds of all scales") {
     for (const float scale : {0.02f, 1.0f, 50.0f}) {
         CAPTURE(scale);
         const auto sleeps = [&](float part) {
@@ -21,7 +21,7 @@ TEST_CASE("what is slower than the speed of rest falls asleep, in worlds of all 
     }
 }
 
-TEST_CASE("what is thrown goes at the greatest speed, in worlds of all scales") {
+TEST_CASE("a body faster than max_speed is clamped to it, in worlds of all scales") {
     for (const float scale : {0.02f, 1.0f, 50.0f}) {
         CAPTURE(scale);
         const WorldDef def{.gravity = {}, .scale = scale};
@@ -37,9 +37,9 @@ TEST_CASE("what is thrown goes at the greatest speed, in worlds of all scales") 
     }
 }
 
-TEST_CASE("what is spun turns no farther in a step than the limit, unless it may") {
+TEST_CASE("a body rotates by max_rotation in a step at most, unless it may rotate fast") {
     const WorldDef def{.gravity = {}};
-    const float limit = world_limits(def).most_turn * def.steps_per_second;
+    const float limit = world_limits(def).max_rotation * def.steps_per_second;
     const auto spin_after_step = [&](float spin, bool may) {
         World world(def);
         const BodyId body = world.create_body({.angular_velocity = spin, .allow_fast_rotation = may});
@@ -52,7 +52,7 @@ TEST_CASE("what is spun turns no farther in a step than the limit, unless it may
     CHECK(spin_after_step(3.0f * limit, true) == double{3.0f * limit});
 }
 
-TEST_CASE("springs of joints are no stiffer than the stiffest") {
+TEST_CASE("joint springs are no stiffer than stiffest_spring") {
     for (const int substeps : {2, 4, 9}) {
         CAPTURE(substeps);
         const auto hash = [&](float part) {

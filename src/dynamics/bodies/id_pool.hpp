@@ -40,6 +40,7 @@ public:
     }
     void recycle(std::uint32_t index) {
         TUMBLE_CHECK(index < generations_.size());
+        TUMBLE_CHECK(!is_live(at(index)));
         free_.push_back(index);
     }
 

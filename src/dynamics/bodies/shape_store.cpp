@@ -33,7 +33,7 @@ namespace {
 
 ProxyLayer layer_of(const ShapeRecord& shape, BodyType body) {
     if (body == BodyType::static_body) return ProxyLayer::fixed;
-    return shape.is_sensor || body == BodyType::kinematic_body ? ProxyLayer::firm : ProxyLayer::loose;
+    return shape.is_sensor || body == BodyType::kinematic_body ? ProxyLayer::kinematic : ProxyLayer::dynamic;
 }
 
 }  // namespace

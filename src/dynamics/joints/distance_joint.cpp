@@ -3,6 +3,8 @@
 namespace tumble {
 
 void DistanceJoint::prepare(const BodyStore& bodies) {
+    TUMBLE_CHECK(def_.body_a.index < bodies.frames.size());
+    TUMBLE_CHECK(def_.body_b.index < bodies.frames.size());
     bodies_ = JointBodies::make(bodies.frames[def_.body_a.index], def_.anchor_a, bodies.frames[def_.body_b.index],
                                 def_.anchor_b);
     line_ = JointLine::along(bodies_.separation_at_start());

@@ -27,6 +27,8 @@ GearSide::GearSide(const JointDef& joint) {
 }
 
 double GearSide::start_step(const BodyStore& bodies, JointBodies& joint) {
+    TUMBLE_CHECK(body_a_ < bodies.frames.size());
+    TUMBLE_CHECK(body_b_ < bodies.frames.size());
     const BodyFrame& a = bodies.frames[body_a_];
     const BodyFrame& b = bodies.frames[body_b_];
     joint = JointBodies::make(a, anchor_a_, b, anchor_b_);

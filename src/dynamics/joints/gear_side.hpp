@@ -17,8 +17,7 @@ public:
     GearSide() = default;
     explicit GearSide(const JointDef& joint);  // revolute or prismatic
 
-    // Prepares `joint` for the step, and returns the change of the motion in the last step (rad or m); 0 the first
-    // time.
+    // Prepares `joint` for the step, and returns the change of the motion in the last step (rad or m), at first 0.
     double start_step(const BodyStore& bodies, JointBodies& joint);
 
     JointRow row(const JointBodies& joint, std::span<const SolverBody> all) const;

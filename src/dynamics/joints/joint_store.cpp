@@ -155,6 +155,8 @@ void JointStore::warm_start(std::span<SolverBody> bodies) const {
 }
 
 void JointStore::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    TUMBLE_CHECK(context.h > 0.0f);
+    TUMBLE_CHECK(bodies.size() > kStaticSolverBody);
     for_each_awake(*this, [&](auto& joint) { joint.solve(context, use_bias, bodies); });
 }
 

@@ -3,6 +3,8 @@
 namespace tumble {
 
 void PrismaticJoint::prepare(const BodyStore& bodies) {
+    TUMBLE_CHECK(def_.body_a.index < bodies.frames.size());
+    TUMBLE_CHECK(def_.body_b.index < bodies.frames.size());
     const BodyFrame& a = bodies.frames[def_.body_a.index];
     const BodyFrame& b = bodies.frames[def_.body_b.index];
     bodies_ = JointBodies::make(a, def_.anchor_a, b, def_.anchor_b);

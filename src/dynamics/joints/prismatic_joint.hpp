@@ -39,9 +39,8 @@ private:
         Vec2 axis;             // world, unit, rotated with A
         Vec2 separation;       // from A's anchor to B's, m
         RowBlock constrained;  // across the axis, and the angle
-        Vec2 compensation;  // impulses of the constrained rows that cancel the effect on them of a unit impulse along
-                            // the axis
-        JointRow free;      // along the axis, with that compensation
+        Vec2 compensation;     // impulses of the constrained rows against a unit impulse along the axis
+        JointRow free;         // along the axis, with that compensation
     };
     Rail rail(std::span<const SolverBody> bodies) const;
 

@@ -14,6 +14,8 @@ JointBodies side(DVec2 wheel, const BodyFrame& body, Vec2 anchor) {
 }  // namespace
 
 void PulleyJoint::prepare(const BodyStore& bodies) {
+    TUMBLE_CHECK(def_.body_a.index < bodies.frames.size());
+    TUMBLE_CHECK(def_.body_b.index < bodies.frames.size());
     bodies_ = {side(def_.ground_anchor_a, bodies.frames[def_.body_a.index], def_.anchor_a),
                side(def_.ground_anchor_b, bodies.frames[def_.body_b.index], def_.anchor_b), def_.ratio};
     line_a_ = JointLine::along(bodies_.first.separation_at_start());

@@ -3,6 +3,8 @@
 namespace tumble {
 
 void RevoluteJoint::prepare(const BodyStore& bodies) {
+    TUMBLE_CHECK(body_a_ < bodies.frames.size());
+    TUMBLE_CHECK(body_b_ < bodies.frames.size());
     const BodyFrame& a = bodies.frames[body_a_];
     const BodyFrame& b = bodies.frames[body_b_];
     bodies_ = JointBodies::make(a, anchor_a_, b, anchor_b_);

@@ -14,6 +14,8 @@ bool is_solved(const std::optional<JointSpring>& spring, bool use_bias) { return
 }  // namespace
 
 void WeldJoint::prepare(const BodyStore& bodies) {
+    TUMBLE_CHECK(def_.body_a.index < bodies.frames.size());
+    TUMBLE_CHECK(def_.body_b.index < bodies.frames.size());
     const BodyFrame& a = bodies.frames[def_.body_a.index];
     const BodyFrame& b = bodies.frames[def_.body_b.index];
     bodies_ = JointBodies::make(a, def_.anchor_a, b, def_.anchor_b);

@@ -3,6 +3,8 @@
 namespace tumble {
 
 void WheelJoint::prepare(const BodyStore& bodies) {
+    TUMBLE_CHECK(def_.body_a.index < bodies.frames.size());
+    TUMBLE_CHECK(def_.body_b.index < bodies.frames.size());
     const BodyFrame& a = bodies.frames[def_.body_a.index];
     bodies_ = JointBodies::make(a, def_.anchor_a, bodies.frames[def_.body_b.index], def_.anchor_b);
     axis_ = rotate(a.pose.rotation, unit(def_.axis_a));

@@ -45,10 +45,14 @@ struct PointBlock {
     }
 
     Vec2 velocity(const JointBodies& joint, std::span<const SolverBody> all) const {
+        TUMBLE_CHECK(joint.a < all.size());
+        TUMBLE_CHECK(joint.b < all.size());
         return velocity_at(all[joint.b], arm_b) - velocity_at(all[joint.a], arm_a);
     }
 
     void apply(const JointBodies& joint, Vec2 impulse, std::span<SolverBody> all) const {
+        TUMBLE_CHECK(joint.a < all.size());
+        TUMBLE_CHECK(joint.b < all.size());
         SolverBody& a = all[joint.a];
         SolverBody& b = all[joint.b];
         a.velocity -= scaled(joint.inv_mass_a, impulse);

@@ -1,4 +1,4 @@
-// The two bodies that a joint's definition names, for a definition of any kind.
+// The two bodies of a joint definition of any kind.
 #pragma once
 
 #include <variant>

@@ -40,6 +40,8 @@ inline JointRow sliding_row(Vec2 axis, Vec2 arm_a, Vec2 separation, Vec2 arm_b) 
 }
 
 inline float row_velocity(const JointBodies& joint, const JointRow& row, std::span<const SolverBody> all) {
+    TUMBLE_CHECK(joint.a < all.size());
+    TUMBLE_CHECK(joint.b < all.size());
     const SolverBody& a = all[joint.a];
     const SolverBody& b = all[joint.b];
     return dot(row.axis, b.velocity - a.velocity) + row.angular_b * b.angular_velocity -
@@ -47,6 +49,8 @@ inline float row_velocity(const JointBodies& joint, const JointRow& row, std::sp
 }
 
 inline void apply_row(const JointBodies& joint, const JointRow& row, float impulse, std::span<SolverBody> all) {
+    TUMBLE_CHECK(joint.a < all.size());
+    TUMBLE_CHECK(joint.b < all.size());
     SolverBody& a = all[joint.a];
     SolverBody& b = all[joint.b];
     a.velocity -= impulse * scaled(joint.inv_mass_a, row.axis);

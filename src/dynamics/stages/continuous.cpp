@@ -76,7 +76,7 @@ private:
         for (const ShapeId own : simulation_.bodies.records[mover.body].shapes) {
             const ShapeRecord& shape = simulation_.shapes[own.index];
             const Aabb box = box_of_sweep(shape.shape, mover.sweep);
-            const ProxyLayer top = shape.is_sensor ? ProxyLayer::loose : last;
+            const ProxyLayer top = shape.is_sensor ? ProxyLayer::dynamic : last;
             near_.clear();
             simulation_.broad.query(
                 box, [&](std::uint32_t other) { near_.push_back(other); }, first, top);
@@ -91,7 +91,7 @@ private:
     }
 
     void stop_at_immovable(Mover& mover) {
-        for_each_near(mover, ProxyLayer::fixed, ProxyLayer::firm, [&](std::uint32_t own, std::uint32_t other) {
+        for_each_near(mover, ProxyLayer::fixed, ProxyLayer::kinematic, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
             const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
                                            sweep_of(simulation_.bodies, body), was_pushed(own, other));
@@ -109,7 +109,7 @@ private:
         Mover& mover = movers_[bullet];
         mover.next = mover.fraction;
         mover.partner = kNone;
-        for_each_near(mover, ProxyLayer::loose, ProxyLayer::loose, [&](std::uint32_t own, std::uint32_t other) {
+        for_each_near(mover, ProxyLayer::dynamic, ProxyLayer::dynamic, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
             if (find_mover(body) != kNone) return;
             add_impact(mover, own, other, sweep_of(simulation_.bodies, body), 1.0, kNone);

@@ -64,7 +64,7 @@ void set_contacts_aside(Simulation& simulation) {
         if (is_touching(contact))
             simulation.sleeping.add_contact(bodies.records[sleeps_a ? contact.body_a : contact.body_b].island, contact);
         else
-            simulation.broad.forget(contact.shapes);
+            simulation.broad.remove_pair(contact.shapes);
         return false;
     });
 }

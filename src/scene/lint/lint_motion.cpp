@@ -152,7 +152,7 @@ private:
     double way_of_turn(const SceneBody& body, double angular_velocity, Vec2 pivot) const {
         if (body.fixed_rotation) return 0.0;
         const double turn = std::abs(angular_velocity) * kRadians / scene_.world.steps_per_second;
-        return (body.allow_fast_rotation ? turn : std::min(turn, double{limits_.most_turn})) * reach_of(body, pivot);
+        return (body.allow_fast_rotation ? turn : std::min(turn, double{limits_.max_rotation})) * reach_of(body, pivot);
     }
 
     // The centre of mass, body coordinates.

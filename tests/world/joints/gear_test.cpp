@@ -1,4 +1,4 @@
-// Gear joints: ratios, torques, rack and pinion, what happens to their joints and bodies.
+// Gear joints: ratios, torques, rack and pinion; destruction and sleep of their joints and bodies.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ double angular_momentum(const World& world) {
 
 }  // namespace
 
-TEST_CASE("geared wheels turn at -1 / ratio") {
+TEST_CASE("geared wheels rotate at -1 / ratio") {
     for (const float ratio : {2.0f, -1.0f, 0.25f}) {
         CAPTURE(ratio);
         Wheels wheels(weightless(), BodyType::static_body, ratio);
@@ -67,7 +67,7 @@ TEST_CASE("geared wheels turn at -1 / ratio") {
 }
 
 // Of ratio 2, so that whole turns of B are whole turns of the sum.
-TEST_CASE("the teeth of a gear hold over hundreds of turns") {
+TEST_CASE("a gear keeps its constraint over hundreds of turns") {
     Wheels wheels(weightless(), BodyType::static_body, 2.0f);
     wheels.world.set_velocity(wheels.a, {}, 40.0f);
     wheels.world.set_velocity(wheels.b, {}, -20.0f);
@@ -83,7 +83,7 @@ TEST_CASE("the teeth of a gear hold over hundreds of turns") {
 }
 
 // 250 rad/s are 4.2 rad a step, more than half a turn; in a sub-step small_rotation() errs by 0.26^5 / 120 = 1e-5 rad.
-TEST_CASE("wheels that may turn fast keep their teeth") {
+TEST_CASE("a gear keeps its constraint on wheels with allow_fast_rotation") {
     Wheels wheels(World(WorldDef{.gravity = {}, .substeps = 16}), BodyType::static_body, 2.5f);
     wheels.world.set_allow_fast_rotation(wheels.a, true);
     wheels.world.set_allow_fast_rotation(wheels.b, true);
@@ -95,7 +95,7 @@ TEST_CASE("wheels that may turn fast keep their teeth") {
 }
 
 // I_A a_A = T_A + P and I_B a_B = T_B + r P with a_A = -r a_B: a_B = (T_B - r T_A) / (I_B + r^2 I_A).
-TEST_CASE("torques on a gear balance by its ratio, and what is left turns both inertias") {
+TEST_CASE("torques on a gear balance by its ratio, and their rest accelerates both inertias") {
     for (const float torque_b : {12.0f, 20.0f}) {  // 12 is 2 * 6
         Wheels wheels(weightless(), BodyType::static_body, 2.0f);
         for (int step = 0; step < 60; ++step) {
@@ -112,8 +112,9 @@ TEST_CASE("torques on a gear balance by its ratio, and what is left turns both i
     }
 }
 
-// The rack of m kg hangs on a pinion of radius R = 1 and I: it falls by g m / (m + I / R^2), and is held by the rest.
-TEST_CASE("a rack falls as fast as its pinion lets it") {
+// The rack of m kg hangs on a pinion of radius R = 1 and I: it falls by g m / (m + I / R^2), and the gear carries the
+// rest.
+TEST_CASE("a rack falls with the acceleration that the inertia of its pinion allows") {
     World world;
     const BodyId wall = world.create_body({.type = BodyType::static_body});
     const BodyId pinion = add_dynamic(world, {}, make_circle(1.0f), {.density = 4.0f / static_cast<float>(kPi)});
@@ -140,9 +141,9 @@ TEST_CASE("a rack falls as fast as its pinion lets it") {
     }
 }
 
-// P on A, r P on B, and -(1 + r) P on the frame that carries both hinges. The hinges are exact but for what centrifugal
-// forces open: none, as the frame's centre and the wheels' are in a line and at rest at first.
-TEST_CASE("a gear pushes off from the frame that carries its wheels: angular momentum stays") {
+// P on A, r P on B, and -(1 + r) P on the frame that carries both hinges. The hinges are exact: centrifugal forces
+// do not open them, as the frame's centre and the wheels' are in a line and at rest at first.
+TEST_CASE("a gear acts on the frame that carries its wheels: angular momentum is conserved") {
     for (const float ratio : {2.0f, -1.5f}) {
         CAPTURE(ratio);
         Wheels wheels(weightless(), BodyType::dynamic_body, ratio);
@@ -175,7 +176,7 @@ TEST_CASE("a wheel geared to the arm that carries it") {
     CHECK(world.state(wheel).angular_velocity == doctest::Approx(arm_speed * 2.0 / 3.0).epsilon(1e-5));
 }
 
-TEST_CASE("two hinges that are one motion leave a gear nothing to do") {
+TEST_CASE("a gear between two hinges of the same motion applies no impulse") {
     World world = weightless();
     const BodyId wall = world.create_body({.type = BodyType::static_body});
     const BodyId wheel = add_dynamic(world, {}, make_circle(1.0f));
@@ -187,8 +188,8 @@ TEST_CASE("two hinges that are one motion leave a gear nothing to do") {
     CHECK(world.state(wheel).angular_velocity == doctest::Approx(3.0).epsilon(1e-5));
 }
 
-// A weight on the rim of A drives both: it swings, and would gain what the teeth gave.
-TEST_CASE("wheels that swing by a weight gain no energy in a minute") {
+// A weight on the rim of A drives both: it swings, and would gain energy from errors of the gear.
+TEST_CASE("geared wheels that swing by a weight gain no energy in a minute") {
     Wheels wheels(World(WorldDef{.sleeping = false}), BodyType::static_body, 2.0f);
     wheels.world.set_mass(wheels.a, BodyMass{4.0f, {0.8f, 0.0f}, 2.0f});
     const auto energy = [&] {
@@ -200,7 +201,7 @@ TEST_CASE("wheels that swing by a weight gain no energy in a minute") {
             sum += double{mass.mass} * (kGravity * height + 0.5 * length_sq(DVec2(state.velocity))) +
                    0.5 * double{mass.inertia} * w * w;
         }
-        return sum + 4.0 * kGravity * 0.8;  // above its lowest
+        return sum + 4.0 * kGravity * 0.8;  // above the lowest position
     };
     const double start = energy();
     double gain = 0.0;
@@ -212,7 +213,7 @@ TEST_CASE("wheels that swing by a weight gain no energy in a minute") {
     CHECK(gain < 0.01 * start);
 }
 
-TEST_CASE("a gear goes with either of its joints, and with a body of theirs") {
+TEST_CASE("a gear is destroyed with either of its joints, and with one of their bodies") {
     for (int what = 0; what < 4; ++what) {
         CAPTURE(what);
         Wheels wheels(weightless(), BodyType::static_body, 1.0f);
@@ -227,7 +228,7 @@ TEST_CASE("a gear goes with either of its joints, and with a body of theirs") {
     }
 }
 
-TEST_CASE("a gear breaks by the torque on its second wheel, and goes unsaid with a hinge that breaks") {
+TEST_CASE("a gear breaks by the torque on its second wheel, and has no event if one of its hinges breaks") {
     for (const float strength : {5.9f, 6.1f}) {
         Wheels wheels(weightless(), BodyType::static_body, 1.0f);
         GearJointDef def = std::get<GearJointDef>(wheels.world.joint(wheels.gear));
@@ -254,7 +255,7 @@ TEST_CASE("a gear breaks by the torque on its second wheel, and goes unsaid with
     wheels.world.audit();
 }
 
-TEST_CASE("geared bodies fall asleep and wake as one, whichever way round their joints are") {
+TEST_CASE("geared bodies fall asleep and wake as one, for both orders of the bodies of their joints") {
     for (const bool reversed : {false, true}) {
         CAPTURE(reversed);
         World world;
@@ -277,7 +278,7 @@ TEST_CASE("geared bodies fall asleep and wake as one, whichever way round their 
         run(world, 10);
         CHECK(world.state(b).angular_velocity == doctest::Approx(-world.state(a).angular_velocity).epsilon(1e-4));
         CHECK(world.state(b).angular_velocity < -0.1f);
-        // Put to sleep apart, they are one island again by a new gear.
+        // Put to sleep separately, they become one island again by a new gear.
         world.destroy_joint(gear);
         world.set_velocity(a, {}, 0.0f);
         world.set_velocity(b, {}, 0.0f);
@@ -293,7 +294,7 @@ TEST_CASE("geared bodies fall asleep and wake as one, whichever way round their 
     }
 }
 
-TEST_CASE("a gear lets go while one of its bodies is disabled") {
+TEST_CASE("a gear does not act while one of its bodies is disabled") {
     Wheels wheels(weightless(), BodyType::dynamic_body, 1.0f);
     for (const BodyId body : {wheels.frame, wheels.a}) {
         wheels.world.set_enabled(body, false);
@@ -309,7 +310,7 @@ TEST_CASE("a gear lets go while one of its bodies is disabled") {
     CHECK(wheels.speed(wheels.a) - frame == doctest::Approx(frame - wheels.speed(wheels.b)).epsilon(1e-3));
 }
 
-TEST_CASE("another ratio and another motor leave the teeth where they are") {
+TEST_CASE("a change of ratio or motor keeps the present positions") {
     Wheels wheels(weightless(), BodyType::static_body, 1.0f);
     wheels.world.set_velocity(wheels.a, {}, 4.0f);
     wheels.world.set_velocity(wheels.b, {}, -4.0f);
@@ -330,7 +331,7 @@ TEST_CASE("another ratio and another motor leave the teeth where they are") {
     CHECK(wheels.speed(wheels.b) == doctest::Approx(-1.0).epsilon(1e-5));
 }
 
-TEST_CASE("a slider that is moved along its body takes its gear along") {
+TEST_CASE("a gear continues when the anchor of its slider is changed") {
     World world = weightless();
     const BodyId wall = world.create_body({.type = BodyType::static_body});
     const BodyId left = add_dynamic(world, {-2.0, 0.0}, make_box({1.0f, 1.0f}));
@@ -343,14 +344,14 @@ TEST_CASE("a slider that is moved along its body takes its gear along") {
     world.set_velocity(left, {0.0f, 0.5f}, 0.0f);
     world.set_velocity(right, {0.0f, -0.5f}, 0.0f);
     run(world, 30);
-    rail.anchor_a.y = -3.0f;  // its way is 3 m more, its place the same
+    rail.anchor_a.y = -3.0f;  // the displacement is 3 m more, the pose the same
     world.set_joint(rail_a, rail);
     run(world, 30);
     CHECK(world.state(left).pose.position.y == doctest::Approx(0.5).epsilon(1e-3));
     CHECK(world.state(right).pose.position.y == doctest::Approx(-0.5).epsilon(1e-3));
 }
 
-TEST_CASE("gears and pulleys go on with the same bits from a snapshot") {
+TEST_CASE("gears and pulleys continue with the same bits from a snapshot") {
     Wheels wheels(World(), BodyType::dynamic_body, 1.5f);
     wheels.world.set_velocity(wheels.a, {}, 6.0f);
     wheels.world.create_joint(PulleyJointDef{.body_a = wheels.frame,
@@ -367,7 +368,7 @@ TEST_CASE("gears and pulleys go on with the same bits from a snapshot") {
     }
 }
 
-TEST_CASE("gears that make no sense are refused, and leave the world as it was") {
+TEST_CASE("invalid gears throw, and leave the world as it was") {
     Wheels wheels(weightless(), BodyType::static_body, 1.0f);
     World& world = wheels.world;
     const JointId weld = world.create_joint(WeldJointDef{.body_a = wheels.frame, .body_b = wheels.a});

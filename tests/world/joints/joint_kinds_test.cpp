@@ -18,7 +18,7 @@ constexpr double kJointOmega = 2.0 * kPi * 60.0;  // joint softness, rad/s
 
 }  // namespace
 
-TEST_CASE("a hinge stays inside its limits, and leans on them with the moment of the weight") {
+TEST_CASE("a hinge stays inside its limits, and its reaction there is the moment of the weight") {
     Rig rig(true, {0.5, 0.0});
     const JointId hinge = rig.world.create_joint(RevoluteJointDef{
         .body_a = rig.pivot, .body_b = rig.box, .anchor_b = {-0.5f, 0.0f}, .limits = JointLimits{-0.4f, 0.3f}});
@@ -46,7 +46,7 @@ TEST_CASE("a hinge stays inside its limits, and leans on them with the moment of
     CHECK(highest < 0.3 + 6.0 * kH);
 }
 
-TEST_CASE("limits of more than a turn count turns") {
+TEST_CASE("limits of more than a turn count whole turns") {
     Rig rig(false);
     const JointId hinge = rig.world.create_joint(
         RevoluteJointDef{.body_a = rig.pivot, .body_b = rig.box, .limits = JointLimits{-1.0f, 15.0f}});
@@ -57,7 +57,7 @@ TEST_CASE("limits of more than a turn count turns") {
     CHECK(rig.world.joint_position(hinge) == doctest::Approx(15.0).epsilon(0.001));
 }
 
-TEST_CASE("a motor turns a hinge at its speed, with no more than its torque") {
+TEST_CASE("a motor rotates a hinge at its speed, with no more than its torque") {
     Rig rig(false);
     const BodyMass mass = rig.world.mass(rig.box);
     rig.world.create_joint(RevoluteJointDef{.body_a = rig.pivot, .body_b = rig.box, .motor = AngularMotor{3.0f, 2.0f}});
@@ -68,7 +68,7 @@ TEST_CASE("a motor turns a hinge at its speed, with no more than its torque") {
     CHECK(rig.world.state(rig.box).angular_velocity == doctest::Approx(3.0).epsilon(1e-5));
 }
 
-TEST_CASE("a rope is slack until it is taut, and then holds the weight") {
+TEST_CASE("a rope is slack until it is taut, and then carries the weight") {
     Rig rig(true, {0.0, -1.0});
     const JointId rope = rig.world.create_joint(
         DistanceJointDef{.body_a = rig.pivot, .body_b = rig.box, .limits = JointLimits{0.0f, 2.0f}});
@@ -81,7 +81,7 @@ TEST_CASE("a rope is slack until it is taut, and then holds the weight") {
     CHECK(rig.world.reaction(rope).force.y == doctest::Approx(20.0).epsilon(0.001));
 }
 
-TEST_CASE("a slider keeps to its axis, which turns with A, and does not turn") {
+TEST_CASE("a slider stays on its axis, which rotates with A, and does not rotate against A") {
     World world = weightless();
     const BodyId rail = add_static(world, {}, make_box({0.1f, 0.1f}), {}, 0.5);
     const BodyId box = add_dynamic(world, {}, make_box({1.0f, 1.0f}), {}, 0.5);
@@ -119,8 +119,8 @@ TEST_CASE("a lift's motor raises its load at its speed up to the limit, or stall
     }
 }
 
-// Its weight of 20 N on an arm of 0.3 m asks for 6 N m. It sags by F / (m w^2) = 0.1 mm.
-TEST_CASE("a slider whose weight is beside its rail is held upright by its rail") {
+// Its weight of 20 N on an arm of 0.3 m is a torque of 6 N m. It sags by F / (m w^2) = 0.1 mm.
+TEST_CASE("the rail of a slider with its weight beside the rail keeps it upright") {
     Rig rig(true, {0.3, 0.0});
     const JointId lift = rig.world.create_joint(PrismaticJointDef{.body_a = rig.pivot,
                                                                   .body_b = rig.box,
@@ -136,8 +136,9 @@ TEST_CASE("a slider whose weight is beside its rail is held upright by its rail"
     CHECK(reaction.torque == doctest::Approx(6.0).epsilon(0.005));
 }
 
-// A limit that gave way to its motor would give by F / (m w^2) = 500 / (2 w^2) = 1.8 mm, or T / (I w^2).
-TEST_CASE("a strong motor stops at the limit, and holds there what pulls it away") {
+// If the motor pushed against the limit, the limit would give way by F / (m w^2) = 500 / (2 w^2) = 1.8 mm, or T / (I
+// w^2).
+TEST_CASE("a strong motor stops at the limit, and keeps its load there") {
     Rig lift(true);
     const JointId joint = lift.world.create_joint(PrismaticJointDef{.body_a = lift.pivot,
                                                                     .body_b = lift.box,
@@ -157,7 +158,7 @@ TEST_CASE("a strong motor stops at the limit, and holds there what pulls it away
     CHECK(std::abs(hinge.angle() + 0.5) < 1e-5);
 }
 
-TEST_CASE("a slider that is torn tens of kilometres away is still solved") {
+TEST_CASE("a slider tens of kilometres off its rail is still solved") {
     World world = weightless();
     const BodyId rail = add_body(world, BodyType::kinematic_body, {}, make_box({0.1f, 0.1f}));
     world.set_velocity(rail, {-5.7f, 3.4f}, 7.5f);
@@ -172,7 +173,7 @@ TEST_CASE("a slider that is torn tens of kilometres away is still solved") {
     CHECK_NOTHROW(run(world, 300));
 }
 
-TEST_CASE("a welded beam holds its weight and moment at the wall") {
+TEST_CASE("the reaction of a welded beam is its weight and moment at the wall") {
     Rig rig(true, {0.5, 0.0});
     const JointId weld =
         rig.world.create_joint(WeldJointDef{.body_a = rig.pivot, .body_b = rig.box, .anchor_b = {-0.5f, 0.0f}});
@@ -198,7 +199,7 @@ TEST_CASE("a wheel rides on its suspension and is driven by its motor") {
     CHECK(state.angular_velocity == doctest::Approx(-5.0).epsilon(1e-4));
 }
 
-TEST_CASE("a suspension ends at its limits") {
+TEST_CASE("a suspension stops at its limits") {
     Rig rig(true);
     rig.world.create_joint(WheelJointDef{.body_a = rig.pivot, .body_b = rig.box, .limits = JointLimits{-0.25f, 0.25f}});
     run(rig.world, 120);
@@ -216,7 +217,7 @@ TEST_CASE("a motor joint without a spring is friction: v^2 m / (2 F) to a stop")
     CHECK(rig.world.state(rig.box).angular_velocity == 0.0f);
 }
 
-TEST_CASE("a motor joint drives at a velocity, and with a spring to a place") {
+TEST_CASE("a motor joint drives at a velocity, and with a spring to a pose") {
     Rig rig(false, {2.0, 1.0});
     MotorJointDef def{
         .body_a = rig.pivot, .body_b = rig.box, .velocity = {1.0f, 0.0f}, .max_force = 50.0f, .max_torque = 50.0f};
@@ -232,7 +233,7 @@ TEST_CASE("a motor joint drives at a velocity, and with a spring to a place") {
     CHECK(rig.angle() == doctest::Approx(0.5).epsilon(1e-3));
 }
 
-TEST_CASE("a mouse drags a body to its target, no harder than it may") {
+TEST_CASE("a mouse joint drags a body to its target with at most max_force") {
     Rig rig(true);
     MouseJointDef def{.body_a = rig.pivot, .body_b = rig.box, .anchor_a = {4.0f, 3.0f}, .max_force = 100.0f};
     const JointId mouse = rig.world.create_joint(def);
@@ -281,7 +282,7 @@ TEST_CASE("a joint breaks above its force, and not below") {
 }
 
 TEST_CASE("a weld breaks by torque") {
-    for (const float strength : {9.9f, 10.4f}) {  // 20 N at 0.5 m, and a jolt as it takes the load
+    for (const float strength : {9.9f, 10.4f}) {  // 20 N at 0.5 m, and a peak when the load begins
         Rig rig(true, {0.5, 0.0});
         const JointId weld = rig.world.create_joint(
             WeldJointDef{.body_a = rig.pivot, .body_b = rig.box, .anchor_b = {-0.5f, 0.0f}, .break_torque = strength});
@@ -290,7 +291,7 @@ TEST_CASE("a weld breaks by torque") {
     }
 }
 
-TEST_CASE("joints that make no sense are refused with the value") {
+TEST_CASE("invalid joints throw with the value") {
     Rig rig(false);
     const auto refused = [&](const JointDef& def, const char* message) {
         CHECK_THROWS_WITH_AS(rig.world.create_joint(def), doctest::Contains(message), std::invalid_argument);

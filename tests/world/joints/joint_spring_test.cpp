@@ -1,4 +1,4 @@
-// The springs of joints: their frequency and damping, where they hang, and that they stay stable.
+// The springs of joints: frequency, damping, equilibrium and stability.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kGravity = 10.0;
 constexpr double kH = 1.0 / 240.0;
 
-// Mean time between upward passages of a value through 0, and the ratio of successive maxima.
+// Mean time between upward crossings of 0, and the ratio of successive maxima.
 struct Oscillation {
     double period = 0.0;
     double decay = 0.0;
@@ -41,9 +41,9 @@ Oscillation measure(World& world, int steps, Value&& value) {
     return {(last - first) / passages, ratio};
 }
 
-// What the implicit spring makes of frequency f and damping ratio z with sub-step h, for mass 1 and an exact solve of
-// v' = v - h w^2 (x + h v') - 2 z w h v', x' = x + h v': the eigenvalues of the step have modulus 1 / sqrt(D) and
-// cosine (1 + 1 / D - h^2 w^2 / D) sqrt(D) / 2 with D = 1 + 2 z w h + h^2 w^2.
+// The frequency and damping of the implicit spring of frequency f and damping ratio z with sub-step h, for mass 1 and
+// an exact solve of v' = v - h w^2 (x + h v') - 2 z w h v', x' = x + h v': the eigenvalues of the step have modulus 1 /
+// sqrt(D) and cosine (1 + 1 / D - h^2 w^2 / D) sqrt(D) / 2 with D = 1 + 2 z w h + h^2 w^2.
 Oscillation implicit_spring(double f, double z) {
     const double w = 2.0 * kPi * f;
     const double d = 1.0 + 2.0 * z * w * kH + kH * kH * w * w;
@@ -68,7 +68,7 @@ TEST_CASE("the angular spring of a hinge has the frequency and damping of its de
     CHECK(seen.decay == doctest::Approx(expected.decay).epsilon(0.08));
 }
 
-TEST_CASE("a weight hangs on a spring as far down as m g / (m w^2), and swings at its frequency") {
+TEST_CASE("a weight extends a spring by m g / (m w^2), and oscillates at its frequency") {
     Rig rig(true, {0.0, -2.0});
     rig.world.create_joint(
         DistanceJointDef{.body_a = rig.pivot, .body_b = rig.box, .length = 2.0f, .spring = JointSpring{1.0f, 0.1f}});
@@ -81,7 +81,7 @@ TEST_CASE("a weight hangs on a spring as far down as m g / (m w^2), and swings a
     CHECK(-rig.position().y - 2.0 == doctest::Approx(sag).epsilon(0.001));
 }
 
-// What else holds two boards makes them heavier for a spring between them than it thinks.
+// Other joints of two boards increase their effective mass beyond the one that a spring between them assumes.
 TEST_CASE("springs of any stiffness between boards, in a row and at a wall, never gain energy") {
     for (const float hertz : {30.0f, 60.0f, 240.0f})
         for (const float damping : {0.0f, 1.0f})
@@ -132,7 +132,7 @@ TEST_CASE("a spring on a slider has its frequency") {
     CHECK(seen.period == doctest::Approx(implicit_spring(3.0, 0.0).period).epsilon(0.003));
 }
 
-TEST_CASE("a weld with an angular spring bends as a spring does") {
+TEST_CASE("a weld with an angular spring has its equilibrium angle") {
     Rig rig(false);
     rig.world.create_joint(
         WeldJointDef{.body_a = rig.pivot, .body_b = rig.box, .angular_spring = JointSpring{2.0f, 0.0f}});

@@ -23,7 +23,7 @@ double pendulum_period(double length, double amplitude) {
     return 2.0 * kPi * std::sqrt(length / kGravity) / a;
 }
 
-// The time between the first and the third passage of x = 0, interpolated.
+// The time between the first and the third crossing of x = 0, interpolated.
 double measured_period(World& world, BodyId bob) {
     double first = -1.0, before = world.state(bob).pose.position.x;
     int passages = 0;
@@ -63,14 +63,14 @@ TEST_CASE("a pendulum on a revolute joint swings with the elliptic period") {
         constexpr float radius = 0.25f;
         Pendulum p = make_pendulum(amplitude, radius);
         p.world.create_joint(RevoluteJointDef{.body_a = p.pivot, .body_b = p.bob, .anchor_b = {0.0f, 2.0f}});
-        // The ball turns with the arm: L = I / (m d) with I = m r^2 / 2 + m d^2.
+        // The ball rotates with the arm: L = I / (m d) with I = m r^2 / 2 + m d^2.
         const double length = (radius * radius / 2.0 + 4.0) / 2.0;
-        // Passages are interpolated linearly in a step; the scheme itself errs by (w h)^2 / 24, far less.
+        // Crossings are interpolated linearly in a step; the scheme itself errs by (w h)^2 / 24, far less.
         CHECK(measured_period(p.world, p.bob) == doctest::Approx(pendulum_period(length, amplitude)).epsilon(0.002));
     }
 }
 
-TEST_CASE("a point mass on a distance joint swings likewise") {
+TEST_CASE("a point mass on a distance joint swings with the elliptic period") {
     Pendulum p = make_pendulum(1.0, 0.05f);
     p.world.create_joint(DistanceJointDef{.body_a = p.pivot, .body_b = p.bob, .length = 2.0f});
     CHECK(measured_period(p.world, p.bob) == doctest::Approx(pendulum_period(2.0, 1.0)).epsilon(0.002));
@@ -91,7 +91,7 @@ TEST_CASE("a pendulum keeps its height for a minute") {
     CHECK(highest > start - 0.05);
 }
 
-TEST_CASE("a hanging body pulls its joint by its weight") {
+TEST_CASE("the reaction of a joint is the weight of the body that hangs on it") {
     Pendulum p = make_pendulum(0.0, 0.5f);
     const JointId joint =
         p.world.create_joint(RevoluteJointDef{.body_a = p.pivot, .body_b = p.bob, .anchor_b = {0.0f, 2.0f}});
@@ -138,7 +138,7 @@ TEST_CASE("a dumbbell thrown with a spin keeps momentum and angular momentum") {
     CHECK(after.angular == doctest::Approx(before.angular).epsilon(0.01));
 }
 
-TEST_CASE("connected bodies collide only if the joint says so") {
+TEST_CASE("connected bodies collide only with collide_connected") {
     for (const bool collide : {false, true}) {
         World world = weightless();
         const BodyId a = add_dynamic(world, {0.0, 0.0}, make_box({1.0f, 1.0f}));

@@ -1,4 +1,4 @@
-// Bodies that are locked along an axis, or against turning.
+// Bodies that are locked along an axis, or against rotation.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ BodyId add_locked(World& world, DVec2 position, BodyLocks locks, const Shape& sh
 
 }  // namespace
 
-TEST_CASE("a locked axis keeps its coordinate whatever pushes, and the other one is free") {
+TEST_CASE("a body keeps its coordinate on a locked axis under any force, and is free on the other axis") {
     World world;
     add_floor(world);
     const BodyId falls = add_locked(world, {0.25, 3.0}, {.x = true});
@@ -40,7 +40,7 @@ TEST_CASE("a locked axis keeps its coordinate whatever pushes, and the other one
     CHECK(world.state(hangs).velocity == Vec2{2.0f, 0.0f});
 }
 
-TEST_CASE("a body of fixed rotation stays upright where another would tip") {
+TEST_CASE("a body with locked rotation stays upright where another tips over") {
     World world;
     add_floor(world);
     const BodyId fixed = add_locked(world, {0.0, 1.0}, {.rotation = true}, make_box({0.4f, 2.0f}));
@@ -55,7 +55,7 @@ TEST_CASE("a body of fixed rotation stays upright where another would tip") {
     CHECK(std::abs(angle(world.state(free).pose.rotation)) > 1.0);
 }
 
-TEST_CASE("locks are for dynamic bodies: a kinematic one takes the velocity that it is given") {
+TEST_CASE("locks apply to dynamic bodies only: a kinematic one keeps the velocity that is set") {
     World world;
     BodyDef def{.type = BodyType::kinematic_body, .velocity = {1.0f, 0.0f}};
     def.locks = {.x = true, .rotation = true};
@@ -64,7 +64,7 @@ TEST_CASE("locks are for dynamic bodies: a kinematic one takes the velocity that
     world.set_velocity(body, {2.0f, 3.0f}, 0.5f);
     CHECK(world.state(body).velocity == Vec2{2.0f, 3.0f});
     CHECK(world.state(body).angular_velocity == 0.5f);
-    world.set_type(body, BodyType::dynamic_body);  // they hold again
+    world.set_type(body, BodyType::dynamic_body);  // the locks apply again
     CHECK(world.state(body).velocity == Vec2{0.0f, 3.0f});
     CHECK(world.state(body).angular_velocity == 0.0f);
 }
@@ -83,7 +83,7 @@ TEST_CASE("a ball rests on a platform that is locked against falling") {
 }
 
 // A slider by two locks and a hinge: the weight hangs from a body that only moves along x, and swings it.
-TEST_CASE("joints hold bodies that are locked along one axis") {
+TEST_CASE("joints constrain bodies that are locked along one axis") {
     World world;
     const BodyId trolley = add_locked(world, {0.0, 4.0}, {.y = true, .rotation = true});
     const BodyId weight = add_dynamic(world, {1.2, 2.4}, make_circle(0.2f), {.density = 8.0f});
@@ -99,7 +99,7 @@ TEST_CASE("joints hold bodies that are locked along one axis") {
     CHECK(std::abs(world.state(trolley).pose.position.x) > 0.01);  // it was pulled along
 }
 
-TEST_CASE("locks come and go: what is locked stops, what is free falls on") {
+TEST_CASE("a body stops when its axis is locked, and falls on when it is free again") {
     World world;
     const BodyId body = add_dynamic(world, {0.0, 10.0}, kBox);
     run(world, 30);

@@ -73,14 +73,14 @@ TEST_CASE("two weights on a pulley accelerate as Atwood's machine does, and as a
     }
 }
 
-TEST_CASE("half the weight holds a block and tackle of ratio 2") {
+TEST_CASE("half the weight balances a block and tackle of ratio 2") {
     Atwood machine(2.0f, 4.0f, 2.0f);
     run(machine.world, 300);
     CHECK(std::abs(machine.place(machine.a).y - 5.0) < 0.002);
     CHECK(std::abs(machine.place(machine.b).y - 5.0) < 0.002);
 }
 
-TEST_CASE("a rope is as long as it is told, and has it from A's wheel to A in its position") {
+TEST_CASE("a rope has its length, and its position is the distance of A from its wheel") {
     Atwood machine(2.0f, 2.0f, 1.0f);
     machine.def.length = 8.0f;
     machine.world.set_joint(machine.pulley, machine.def);
@@ -93,7 +93,7 @@ TEST_CASE("a rope is as long as it is told, and has it from A's wheel to A in it
 }
 
 // As in Box2D: under a rope that only pulls, A, which is pushed up, would let B fall freely.
-TEST_CASE("the rope pushes where it would hang loose") {
+TEST_CASE("the rope pushes where a real one would be slack") {
     Atwood machine(2.0f, 2.0f, 1.0f);
     machine.world.set_velocity(machine.a, {0.0f, 4.0f}, 0.0f);
     run(machine.world, 30);
@@ -116,7 +116,7 @@ TEST_CASE("weights that swing on a pulley gain no energy in a minute") {
     CHECK(gain < 0.01 * start);
 }
 
-TEST_CASE("a rope that pulls at a corner turns the body") {
+TEST_CASE("a rope that pulls at a corner rotates the body") {
     World world = weightless();
     const BodyId box = add_dynamic(world, {0.0, 0.0}, make_box({2.0f, 1.0f}));
     const BodyId weight = add_dynamic(world, {5.0, 0.0}, make_box({1.0f, 1.0f}));
@@ -137,7 +137,7 @@ TEST_CASE("a rope that pulls at a corner turns the body") {
     CHECK(world.state(box).angular_velocity == doctest::Approx(inverse_inertia * impulse).epsilon(1e-3));
 }
 
-TEST_CASE("a body that cannot move holds the other one") {
+TEST_CASE("a static body on one end carries the body on the other") {
     for (const bool locked : {false, true}) {
         Atwood machine(2.0f, 3.0f, 1.0f);
         if (locked)
@@ -153,7 +153,7 @@ TEST_CASE("a body that cannot move holds the other one") {
 }
 
 TEST_CASE("a rope breaks above its force on B, and not below") {
-    for (const float strength : {39.0f, 41.0f}) {  // two strands hold 40 N
+    for (const float strength : {39.0f, 41.0f}) {  // two strands carry 40 N
         Atwood machine(2.0f, 4.0f, 2.0f);
         machine.def.break_force = strength;
         machine.world.set_joint(machine.pulley, machine.def);
@@ -163,7 +163,7 @@ TEST_CASE("a rope breaks above its force on B, and not below") {
     }
 }
 
-TEST_CASE("what hangs on one rope falls asleep and wakes as one") {
+TEST_CASE("bodies on one rope fall asleep and wake as one") {
     World world;
     const BodyId a = add_dynamic(world, {-2.0, 5.0}, make_box({1.0f, 1.0f}));
     const BodyId b = add_dynamic(world, {2.0, 5.0}, make_box({1.0f, 1.0f}));
@@ -180,7 +180,7 @@ TEST_CASE("what hangs on one rope falls asleep and wakes as one") {
     world.audit();
 }
 
-TEST_CASE("a body hauled up to its wheel is no end of the world") {
+TEST_CASE("a body that is pulled up to its wheel stays finite") {
     Atwood machine(1.0f, 4.0f, 1.0f);
     for (int step = 0; step < 600; ++step) {
         machine.world.step();
@@ -189,7 +189,7 @@ TEST_CASE("a body hauled up to its wheel is no end of the world") {
     CHECK(std::abs(machine.rope() - 10.0) < 0.1);
 }
 
-TEST_CASE("pulleys that make no sense are refused with the value") {
+TEST_CASE("invalid pulleys throw with the value") {
     Atwood machine(1.0f, 1.0f, 1.0f);
     const auto refused = [&](PulleyJointDef def, const char* message) {
         CHECK_THROWS_WITH_AS(machine.world.create_joint(def), doctest::Contains(message), std::invalid_argument);

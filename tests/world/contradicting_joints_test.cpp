@@ -1,4 +1,4 @@
-// Joints that ask for what cannot be: the world stays finite, and whoever is freed behaves again.
+// Joints that contradict each other: the world stays finite, and bodies behave again once the contradiction ends.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,16 +12,16 @@ using namespace tumble::test;
 
 namespace {
 
-// A body over a floor between two carriers that part for good and turn against each other.
+// A body over a floor, joined to two carriers that move apart forever and rotate against each other.
 struct Torn {
     World world{WorldDef{}};
-    BodyId left{}, right{}, held{};
+    BodyId left{}, right{}, body{};
 
     Torn(float speed, float spin, float size) {
         add_floor(world);
         left = add_carrier(-0.5, -speed, spin);
         right = add_carrier(0.5, speed, -spin);
-        held = add_dynamic(world, {0.0, 1.0}, make_box({size, 0.5f * size}));
+        body = add_dynamic(world, {0.0, 1.0}, make_box({size, 0.5f * size}));
     }
 
     BodyId add_carrier(double x, float speed, float spin) {
@@ -35,9 +35,9 @@ struct Torn {
 
     // The same kind of joint to both carriers, a little off both centres.
     template <class Def>
-    void hold_by(Def def) {
+    void join_by(Def def) {
         for (const BodyId carrier : {left, right}) {
-            def.body_a = held;
+            def.body_a = body;
             def.body_b = carrier;
             def.anchor_a = {0.0f, 0.02f};
             def.anchor_b = {carrier == left ? 0.5f : -0.5f, 0.0f};
@@ -66,7 +66,7 @@ DistanceJointDef rod() {
 
 }  // namespace
 
-TEST_CASE("a body that two joints tear apart stays finite, whatever joins it") {
+TEST_CASE("a body between two joints that move apart stays finite, forevery kind of joint") {
     const std::vector<JointDef> kinds{slider(), strut(), rod(), RevoluteJointDef{}, WeldJointDef{}};
     for (const JointDef& kind : kinds)
         for (const float speed : {1.0f, 5.0f, 10.0f})
@@ -79,30 +79,30 @@ TEST_CASE("a body that two joints tear apart stays finite, whatever joins it") {
                     Torn torn(speed, spin, size);
                     std::visit(
                         [&](const auto& def) {
-                            if constexpr (requires { def.anchor_a; }) torn.hold_by(def);
+                            if constexpr (requires { def.anchor_a; }) torn.join_by(def);
                         },
                         kind);
                     CHECK_NOTHROW(run(torn.world, 300));
                 }
 }
 
-// Off both rails nothing pulls it but the limits, which differ by rounding.
-TEST_CASE("a slider that its limits pull two ways moves no faster than its carriers") {
+// Off both rails only the limits act on it, and they differ by rounding.
+TEST_CASE("a slider between two contradicting limits moves no faster than its carriers") {
     for (const float speed : {1.0f, 5.0f, 10.0f}) {
         Torn torn(speed, 0.0f, 1.0f);
-        torn.hold_by(slider());
+        torn.join_by(slider());
         for (int step = 0; step < 300; ++step) {
             torn.world.step();
-            REQUIRE(length(torn.world.state(torn.held).velocity) < 1.01f * speed);
+            REQUIRE(length(torn.world.state(torn.body).velocity) < 1.01f * speed);
         }
     }
 }
 
-// It hangs 2 cm below the line of its carriers again, which sags by F / (m w^2) = 0.1 mm.
-TEST_CASE("what was torn is whole again once its carriers have come back") {
+// It hangs 2 cm below the line of its carriers again; the joints give way by F / (m w^2) = 0.1 mm.
+TEST_CASE("joints that were pulled apart close again once their carriers have come back") {
     const auto check = [](const auto& def) {
         Torn torn(5.0f, 0.0f, 1.0f);
-        torn.hold_by(def);
+        torn.join_by(def);
         run(torn.world, 100);
         torn.world.set_velocity(torn.left, {5.0f, 0.0f}, 0.0f);
         torn.world.set_velocity(torn.right, {-5.0f, 0.0f}, 0.0f);
@@ -110,8 +110,8 @@ TEST_CASE("what was torn is whole again once its carriers have come back") {
         torn.world.set_velocity(torn.left, {}, 0.0f);
         torn.world.set_velocity(torn.right, {}, 0.0f);
         run(torn.world, 200);
-        CHECK(length(torn.world.state(torn.held).velocity) < 0.001f);
-        CHECK(std::abs(torn.world.state(torn.held).pose.position.y - 0.98) < 0.001);
+        CHECK(length(torn.world.state(torn.body).velocity) < 0.001f);
+        CHECK(std::abs(torn.world.state(torn.body).pose.position.y - 0.98) < 0.001);
     };
     check(slider());
     check(RevoluteJointDef{});
