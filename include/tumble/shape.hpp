@@ -106,6 +106,13 @@ Shape make_polygon(std::span<const Vec2> points, float radius = 0.0f, HullReport
 // Relative to the larger side of the points' bounding box: a few ulp of float, far below any visible feature.
 inline constexpr float kWeldTolerance = 1e-6f;
 
+// The exact convex hull of `points`, one or more, in any order; the radius grows it. Unlike make_polygon() it welds and
+// drops nothing: every point at which the hull turns is a vertex, however little it turns there, and every decision is
+// exact. Distance queries use it, because their bounds must hold for the points as given; bodies use make_polygon(),
+// which has no edges of a few ulp. It starts at the lowest of the leftmost vertices. Equal points give a circle, points
+// on a line the capsule between their two extreme points. More than 65 535 vertices: an error.
+Shape make_exact_polygon(std::span<const Vec2> points, float radius = 0.0f);
+
 // Segments between consecutive points, [n - 1], or [n] if closed. Two points or more, else an error.
 std::vector<Shape> make_chain(std::span<const Vec2> points, bool loop);
 

@@ -7,17 +7,27 @@
 
 namespace tumble {
 
+namespace {
+
+// Angles from 0 to below half a turn. Exact for the difference of two floats, where square angles of edges that are
+// almost parallel to the x axis round.
+bool points_upwards(DVec2 edge) { return edge.y > 0.0 || (edge.y == 0.0 && edge.x > 0.0); }
+
+}  // namespace
+
 void sort_edges(LargePolygon& polygon) {
     const std::size_t count = polygon.x.size();
     const auto vertex = [&](std::size_t i) { return Vec2{polygon.x[i % count], polygon.y[i % count]}; };
+    const auto edge = [&](std::size_t i) { return DVec2(vertex(i + 1)) - DVec2(vertex(i)); };
     std::vector<double> angles;
+    std::size_t first = 0;
     for (std::size_t i = 0; i < count; ++i) {
         if (orientation(vertex(i), vertex(i + 1), vertex(i + 2)) <= 0) return;
-        angles.push_back(square_angle(DVec2(vertex(i + 1)) - DVec2(vertex(i))));
+        angles.push_back(square_angle(edge(i)));
+        if (points_upwards(edge(i)) && !points_upwards(edge(i + count - 1))) first = i;
     }
-    const auto first = std::min_element(angles.begin(), angles.end());
-    polygon.first_edge = static_cast<std::int32_t>(first - angles.begin());
-    std::rotate(angles.begin(), first, angles.end());
+    polygon.first_edge = static_cast<std::int32_t>(first);
+    std::rotate(angles.begin(), angles.begin() + polygon.first_edge, angles.end());
     // Left turns only, and no angle but at the first edge falls by more than rounding: once round.
     constexpr double kRounding = 0x1p-48;
     for (std::size_t i = 1; i < count; ++i) {

@@ -81,6 +81,12 @@ Shape make_polygon(std::span<const Vec2> points, float radius, HullReport* repor
     return Shape::from_raw(kept, radius);
 }
 
+Shape make_exact_polygon(std::span<const Vec2> points, float radius) {
+    require_radius(radius);
+    require_points(points, 1);
+    return Shape::from_raw(convex_hull(points), radius);
+}
+
 std::vector<Shape> make_chain(std::span<const Vec2> points, bool loop) {
     require_points(points, 2);
     std::vector<Shape> segments;

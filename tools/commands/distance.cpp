@@ -142,7 +142,9 @@ ExitCode run(const Command& command, const DistanceArguments& options) {
 
 void add_distance(CLI::App& app, Command& command) {
     const auto options = std::make_shared<DistanceArguments>();
-    CLI::App& distance = add_subcommand(app, command, "distance", "The signed distance of two convex shapes");
+    CLI::App& distance =
+        add_subcommand(app, command, "distance",
+                       "The signed distance of two convex shapes; a polygon is the exact hull of its vertices");
     distance.add_option("A", options->a, R"(A shape, as in {"circle": {"radius": 1}, "pose": {"position": [2, 0]}})");
     distance.add_option("B", options->b, "Another");
     distance.add_flag("--stdin", options->from_input, "A query a line on standard input, an answer a line out");

@@ -156,7 +156,7 @@ std::optional<DistanceQuery> read_query(const Value& line) {
     const Pose pose_a = read_pose(reader, a_pose), pose_b = read_pose(reader, b_pose);
     if (!reader.is_plain()) return std::nullopt;
     try {
-        std::vector<Shape> shape_a = make_shapes(geometry_a), shape_b = make_shapes(geometry_b);
+        std::vector<Shape> shape_a = make_exact_shapes(geometry_a), shape_b = make_exact_shapes(geometry_b);
         return DistanceQuery{std::move(shape_a.front()), std::move(shape_b.front()), pose_a, pose_b};
     } catch (const std::invalid_argument&) {
         return std::nullopt;
