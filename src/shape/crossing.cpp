@@ -1,12 +1,14 @@
-// Shamos, Hoey 1976: sweep the plane from left to right and test those edges that become neighbours on the sweep line.
-// Just before the leftmost common point the edges through it are neighbours, so that one pair is found in time, before
-// their order could go wrong.
+// Shamos, Hoey 1976: sweep the plane from left to right and test the edges that become neighbours on the sweep line.
+// Just before the leftmost common point the edges through it are neighbours, so a crossing pair is found before the
+// order of the edges can become wrong.
 #include "shape/crossing.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <set>
 #include <vector>
+
+#include "debug/check.hpp"
 
 namespace tumble {
 
@@ -45,7 +47,7 @@ public:
 private:
     using Place = std::set<std::size_t, SweepOrder>::iterator;
 
-    // Neighbours along the ring meet in more than their corner if they turn back on one line.
+    // Consecutive edges of the ring share more than their corner if the second turns back along the first.
     void check_spike(std::size_t corner) {
         const Vec2 before = ring_[ring_.previous(corner)], at = ring_[corner], after = ring_[ring_.next(corner)];
         if (ring_.turn(corner) == 0 && is_before(before, at) != is_before(at, after))
@@ -79,11 +81,12 @@ private:
     }
 
     void report(std::size_t edge, std::size_t other) {
+        TUMBLE_CHECK(edge != other);
         if (!found_) found_ = EdgePair(std::min(edge, other), std::max(edge, other));
     }
 
     const Ring& ring_;
-    std::set<std::size_t, SweepOrder> edges_;  // those that the sweep line meets
+    std::set<std::size_t, SweepOrder> edges_;  // those that cross the sweep line
     std::vector<Place> places_;                // [edge], valid while it is in edges_
     std::optional<EdgePair> found_;
 };

@@ -1,6 +1,6 @@
 // Triangulation in one sweep: Hertel, Mehlhorn, Fast triangulation of the plane with respect to simple polygons, 1985.
 //
-// The sweep line meets the polygon in intervals, each between a lower edge (the ring runs to the right, the region is
+// The sweep line cuts the polygon into intervals, each between a lower edge (the ring runs to the right, the region is
 // above) and the upper edge after it. An interval keeps the front of what is triangulated on its left: a chain of
 // corners from the left end of its lower edge to that of its upper edge, bent so that no three in a row can be joined
 // from the right. A corner that the sweep reaches cuts off the triangles that it sees over the ends of the chain.
@@ -8,6 +8,8 @@
 
 #include <iterator>
 #include <map>
+
+#include "debug/check.hpp"
 
 namespace tumble {
 
@@ -22,6 +24,8 @@ public:
 
     std::vector<Triangle> run() {
         for (const std::size_t corner : ring_.events()) visit(corner);
+        TUMBLE_CHECK(intervals_.empty());
+        TUMBLE_CHECK(triangles_.size() + 2 == ring_.size());
         return std::move(triangles_);
     }
 
@@ -118,11 +122,12 @@ private:
 
     bool cut(std::size_t lower, std::size_t corner, std::size_t upper) {
         if (orientation(ring_[lower], ring_[corner], ring_[upper]) <= 0) return false;
+        TUMBLE_CHECK(lower != upper);
         triangles_.push_back({lower, corner, upper});
         return true;
     }
 
-    // Nodes cut off stay behind in the pool; the ends of a chain link to nothing.
+    // Nodes that were cut off stay in the pool; the ends of a chain link to kNone.
     std::size_t add_node(std::size_t corner) {
         nodes_.push_back({corner, kNone, kNone});
         return nodes_.size() - 1;
