@@ -30,7 +30,7 @@ bool segments_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 class CrossingSearch {
 public:
     explicit CrossingSearch(const Ring& ring)
-        : ring_(ring), edges_(SweepOrder(ring)), places_(ring.size(), edges_.end()) {}
+        : ring_(ring), edges_(SweepOrder(ring)), iterators_(ring.size(), edges_.end()) {}
 
     std::optional<EdgePair> run() {
         for (std::size_t corner = 0; corner < ring_.size() && !found_; ++corner) check_spike(corner);
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    using Place = std::set<std::size_t, SweepOrder>::iterator;
+    using Iterator = std::set<std::size_t, SweepOrder>::iterator;
 
     // Consecutive edges of the ring share more than their corner if the second turns back along the first.
     void check_spike(std::size_t corner) {
@@ -62,16 +62,16 @@ private:
     }
 
     void remove(std::size_t edge) {
-        const Place above = edges_.erase(places_[edge]);
+        const Iterator above = edges_.erase(iterators_[edge]);
         if (above != edges_.begin() && above != edges_.end()) check(*std::prev(above), *above);
     }
 
     void insert(std::size_t edge) {
-        const auto [place, inserted] = edges_.insert(edge);
-        if (!inserted) return report(*place, edge);
-        places_[edge] = place;
-        if (place != edges_.begin()) check(*std::prev(place), edge);
-        if (std::next(place) != edges_.end()) check(edge, *std::next(place));
+        const auto [entry, inserted] = edges_.insert(edge);
+        if (!inserted) return report(*entry, edge);
+        iterators_[edge] = entry;
+        if (entry != edges_.begin()) check(*std::prev(entry), edge);
+        if (std::next(entry) != edges_.end()) check(edge, *std::next(entry));
     }
 
     void check(std::size_t edge, std::size_t other) {
@@ -87,7 +87,7 @@ private:
 
     const Ring& ring_;
     std::set<std::size_t, SweepOrder> edges_;  // those that cross the sweep line
-    std::vector<Place> places_;                // [edge], valid while it is in edges_
+    std::vector<Iterator> iterators_;          // [edge], valid while it is in edges_
     std::optional<EdgePair> found_;
 };
 

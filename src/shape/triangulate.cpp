@@ -17,7 +17,7 @@ namespace {
 
 class Triangulation {
 public:
-    explicit Triangulation(const Ring& ring) : ring_(ring), intervals_(SweepOrder(ring)), places_(ring.size()) {
+    explicit Triangulation(const Ring& ring) : ring_(ring), intervals_(SweepOrder(ring)), iterators_(ring.size()) {
         triangles_.reserve(ring.size());
         nodes_.reserve(3 * ring.size());
     }
@@ -44,7 +44,7 @@ private:
         std::size_t latest = kNone;  // the rightmost node of the chain: every later corner of the interval sees it
     };
 
-    using Place = std::map<std::size_t, Interval, SweepOrder>::iterator;
+    using Iterator = std::map<std::size_t, Interval, SweepOrder>::iterator;
 
     void visit(std::size_t corner) {
         const std::size_t incoming = ring_.previous(corner);
@@ -138,21 +138,21 @@ private:
         nodes_[above].below = below;
     }
 
-    Place interval_below(std::size_t corner) { return std::prev(intervals_.upper_bound(ring_[corner])); }
+    Iterator interval_below(std::size_t corner) { return std::prev(intervals_.upper_bound(ring_[corner])); }
 
     void insert(std::size_t edge, const Interval& interval) {
-        places_[edge] = intervals_.emplace(edge, interval).first;
+        iterators_[edge] = intervals_.emplace(edge, interval).first;
     }
 
     Interval take(std::size_t edge) {
-        const Interval interval = places_[edge]->second;
-        intervals_.erase(places_[edge]);
+        const Interval interval = iterators_[edge]->second;
+        intervals_.erase(iterators_[edge]);
         return interval;
     }
 
     const Ring& ring_;
     std::map<std::size_t, Interval, SweepOrder> intervals_;  // by lower edge
-    std::vector<Place> places_;                              // [edge], valid while it is a lower edge of intervals_
+    std::vector<Iterator> iterators_;                        // [edge], valid while it is a lower edge of intervals_
     std::vector<Node> nodes_;
     std::vector<Triangle> triangles_;
 };
