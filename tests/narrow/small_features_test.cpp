@@ -36,10 +36,10 @@ bool check_against_one_by_one(const CorePair& pair) {
     if (!expected.found.exists) return false;
     const OwnedFace face = leading.first();
     // A single face turns the direction into the other core's frame, lanes turn the vertices: both round.
-    CHECK(std::abs(face.seen.separation - expected.found.face.separation) <= error_bound(pair));
+    CHECK(std::abs(face.numbers.separation - expected.found.face.separation) <= error_bound(pair));
     if (face.is_b != static_cast<unsigned>(expected.is_of_b)) return expected.is_of_b;
-    const DVec2 direction = expected.is_of_b ? DVec2{-face.seen.outward_x, -face.seen.outward_y}
-                                             : DVec2{face.seen.outward_x, face.seen.outward_y};
+    const DVec2 direction = expected.is_of_b ? DVec2{-face.numbers.outward_x, -face.numbers.outward_y}
+                                             : DVec2{face.numbers.outward_x, face.numbers.outward_y};
     if (direction == expected.found.face.direction) {
         CHECK(pair_of_owner(face.is_b, face.from, face.nearest) == expected.found.face.pairs[0]);
         CHECK(pair_of_owner(face.is_b, face.to, face.nearest) == expected.found.face.pairs[1]);

@@ -173,7 +173,7 @@ void check_bounds(const DistanceResult& result, const RawPointsDistance& exact, 
 
 }  // namespace
 
-TEST_CASE("the bounds hold the exact distance of the hull of the points as given") {
+TEST_CASE("the bounds contain the exact distance of the hull of the points as given") {
     constexpr std::uint64_t kPairs = 100;  // of each pair of families
     int answered = 0, overlapping = 0, large = 0, many = 0;
     for (std::size_t f = 0; f < kFamilies.size() * kFamilies.size(); ++f) {

@@ -111,7 +111,7 @@ TEST_CASE("a polygon without area is the segment or the point that its vertices 
           answer_for(R"({"circle": {"center": [1, 1], "radius": 0.5}})"));
 }
 
-TEST_CASE("a query that is wrong says where, with exit code 3") {
+TEST_CASE("an error message of a query names the position, with exit code 3") {
     const std::string circle = R"({"circle": {"radius": 1}})";
     for (const std::string& wrong :
          {std::string("{"), std::string("[]"), std::string(R"({"circle": {}})"),

@@ -163,7 +163,7 @@ TEST_CASE("plain lines read the same quickly and strictly, bit for bit") {
     CHECK(plain_lines > kLines * 7 / 10);
 }
 
-TEST_CASE("the quick reader leaves what is wrong to the strict one, which refuses it") {
+TEST_CASE("the fast reader leaves wrong lines to the strict one, which refuses them") {
     for (const char* shape : {"1",
                               "null",
                               "[]",

@@ -13,7 +13,7 @@ class MeasuredPairs {
 public:
     TUMBLE_LANE_FUNCTION explicit MeasuredPairs(const CorePairs<N>& pairs) : leading_(pairs) {
         const PairLanes zero(0.0), error = error_bound(pairs.scale);
-        const OwnerFace<PairLanes>& face = leading_.face;
+        const FaceNumbers<PairLanes>& face = leading_.face;
         const FaceMeasure<PairLanes> by_face = measure(face, select(leading_.is_b, -pairs.offset_x, pairs.offset_x),
                                                        select(leading_.is_b, -pairs.offset_y, pairs.offset_y));
         distance_ = face.separation;
@@ -75,7 +75,7 @@ private:
     TUMBLE_LANE_FUNCTION void measure_ends(const CorePairs<N>& pairs, const PairMask& beyond_first,
                                            const PairMask& is_inside) {
         const CoreOfPairs<N>&a = pairs.a, &b = pairs.b;
-        const OwnerFace<PairLanes>& face = leading_.face;
+        const FaceNumbers<PairLanes>& face = leading_.face;
         const PairLanes end_x = select(beyond_first, face.first_x, face.second_x),
                         end_y = select(beyond_first, face.first_y, face.second_y);
         const PairLanes a_x = select(leading_.is_b, face.other_x, end_x),

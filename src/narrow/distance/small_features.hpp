@@ -40,7 +40,7 @@ enum class Foot { inside, beyond_first, beyond_second };
 // The face's separation is a lower bound, and the distance if the foot is inside.
 [[gnu::always_inline]] inline Foot measure_by_face(const CorePair& pair, const OwnedFace& face, CoreDistance& result) {
     const double sign = kSign[face.is_b];
-    const OwnerFace<double>& numbers = face.numbers;
+    const FaceNumbers<double>& numbers = face.numbers;
     const FaceMeasure<double> measured = measure(numbers, sign * pair.offset.x, sign * pair.offset.y);
     result.distance = numbers.separation;
     result.lower = numbers.separation - error_bound(pair);

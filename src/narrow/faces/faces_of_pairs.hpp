@@ -65,7 +65,7 @@ struct CorePairs {
 // The face of largest separation of each pair, the first of equals: A's edges count from 0 on, B's from N on.
 template <int N>
 struct LeadingFaceOfPairs {
-    OwnerFace<PairLanes> face;  // of separation minus infinity where no edge has a length
+    FaceNumbers<PairLanes> face;  // of separation minus infinity where no edge has a length
     PairLanes edge;
     PairLanes nearest;  // the other core's vertex
     PairMask is_tied;   // another face has the same separation

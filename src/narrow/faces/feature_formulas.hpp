@@ -9,7 +9,7 @@ namespace tumble {
 
 // A face of A - B relative to the position of the core that owns its edge, in world axes.
 template <typename Number>
-struct OwnerFace {
+struct FaceNumbers {
     Number outward_x;
     Number outward_y;
     Number length;  // of `outward`
@@ -27,7 +27,7 @@ struct FaceMeasure {
 
 // The offset is from the owner's position to the other core's.
 template <typename Number>
-TUMBLE_LANE_FUNCTION FaceMeasure<Number> measure(const OwnerFace<Number>& face, const Number& offset_x,
+TUMBLE_LANE_FUNCTION FaceMeasure<Number> measure(const FaceNumbers<Number>& face, const Number& offset_x,
                                                  const Number& offset_y) {
     const Number normal_x = face.outward_x / face.length, normal_y = face.outward_y / face.length;
     // The edge is outward turned by a quarter: (-y, x).

@@ -21,7 +21,7 @@ struct OwnedFace {
     int from;       // the ends of its edge
     int to;
     int nearest;  // the other core's vertex
-    OwnerFace<double> numbers;
+    FaceNumbers<double> numbers;
 };
 
 // One face by its owner and its edge's first vertex, with the same bits as faces_of().
