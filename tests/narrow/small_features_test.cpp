@@ -56,12 +56,12 @@ void check_alone(const CorePair& pair) {
     const OwnedFace all = leading.first(), one = find_face<N>(pair, all.is_b, all.from);
     CHECK(all.to == one.to);
     CHECK(all.nearest == one.nearest);
-    CHECK(all.seen.separation == one.seen.separation);
-    CHECK(all.seen.length == one.seen.length);
-    CHECK(all.seen.outward_x == one.seen.outward_x);
-    CHECK(all.seen.outward_y == one.seen.outward_y);
-    CHECK(all.seen.second_x == one.seen.second_x);
-    CHECK(all.seen.other_y == one.seen.other_y);
+    CHECK(all.numbers.separation == one.numbers.separation);
+    CHECK(all.numbers.length == one.numbers.length);
+    CHECK(all.numbers.outward_x == one.numbers.outward_x);
+    CHECK(all.numbers.outward_y == one.numbers.outward_y);
+    CHECK(all.numbers.second_x == one.numbers.second_x);
+    CHECK(all.numbers.other_y == one.numbers.other_y);
 }
 
 }  // namespace
