@@ -1,9 +1,10 @@
 // Moving shapes: ray cast, shape cast, swept overlap and time of impact, for every pair of shapes.
 //
-// A translation is solved in closed form on the Minkowski difference; a rotation by certified steps that never pass the
-// first contact. Everything is computed in double, relative to A, and no tolerance is absolute: each answer comes with
-// a bracket derived from the error bound E of its arithmetic, a few ulp of the sizes and offsets involved. Motions that
-// stay within a few E of the target distance without going clearly below it (grazing) may be answered either way.
+// A translation is solved in closed form on the Minkowski difference, a rotation by certified steps that never go
+// beyond the first contact. Everything is computed in double, relative to A, and no tolerance is absolute: each answer
+// comes with a bracket derived from the error bound E of its arithmetic, a few ulp of the sizes and offsets involved.
+// Motions that stay within a few E of the target distance without going clearly below it (grazing) may be answered
+// either way.
 //
 // Sources: Cyrus, Beck 1978 (clipping a line by convex faces); Mirtich 1996 (conservative advancement); Ericson,
 // Real-Time Collision Detection, 2004, 5.5 (moving shapes as one ray against a difference).
@@ -30,14 +31,14 @@ struct CastResult {
     double lower = 0.0;     // for a hit: the exact first fraction lies in [lower, upper]; lower may be below 0 and
     double upper = 0.0;     // upper above 1 by the error bound; 1 and 1 for a miss
     DVec2 point;            // for a hit: on the surface of A at that fraction, world coordinates
-    DVec2 normal;           // for a hit: unit, from A to B, or out of the shape that a ray meets
-    std::int32_t iterations = 0;  // faces and corners looked at, or certified steps taken
-    bool reached_cap = false;  // time of impact alone: the bound on the steps ended it. What is answered is a `hit` at
-                               // the last fraction that is proved free; upper is 1
+    DVec2 normal;           // for a hit: unit, from A to B, or out of the shape that a ray hits
+    std::int32_t iterations = 0;  // faces and corners evaluated, or certified steps taken
+    bool reached_cap = false;     // time of impact only: ended by the bound on the steps. The result is a `hit` at the
+                               // last fraction that is proved free, with upper = 1
 };
 
-// The first point of a ray on a shape. The ray is the segment from `origin` to `origin + translation` (world, m). It
-// meets an inside from the outside only: a ray that starts inside is `overlapping`. No allocation; O(n).
+// The first point of a ray on a shape. The ray is the segment from `origin` to `origin + translation` (world, m). Only
+// an entry from outside is a hit: a ray that starts inside is `overlapping`. No allocation; O(n).
 CastResult cast_ray(const Shape& shape, const Pose& world_from_shape, DVec2 origin, DVec2 translation) noexcept;
 
 // The first fraction at which B, moving by `translation` relative to A (world, m) without turning, is at the signed
@@ -45,18 +46,18 @@ CastResult cast_ray(const Shape& shape, const Pose& world_from_shape, DVec2 orig
 CastResult cast_shape(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                       DVec2 translation, double target = 0.0) noexcept;
 
-// Whether B touches A anywhere on its way by `translation` relative to A: GJK on B and the hull of all that A covers
-// when it makes the opposite way instead. Cheaper than a cast for large polygons, and says no more than yes or no:
-// `touching` where the sign is below what double arithmetic can decide (16 u of sizes, offset and way). No allocation.
+// Whether B touches A anywhere on its path by `translation` relative to A: GJK on the difference swept along the path.
+// Cheaper than a cast for large polygons, but without a fraction: `touching` if the sign is below what double
+// arithmetic can decide (16 u of sizes, offset and path). No allocation.
 DistanceStatus swept_overlap(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                              DVec2 translation) noexcept;
 
-// A motion from fraction 0 to 1 of a time step: the centre of mass goes along a straight line, the shape turns about it
-// at a constant rate.
+// A motion from fraction 0 to 1 of a time step: the centre of mass moves along a straight line, the shape turns about
+// it at a constant rate.
 struct Sweep {
     Vec2 local_center;         // centre of mass in the shape's coordinates
-    DVec2 start;               // where it is in the world at fraction 0...
-    DVec2 end;                 // ...and at fraction 1
+    DVec2 start;               // its world position at fraction 0
+    DVec2 end;                 // and at fraction 1
     double start_angle = 0.0;  // radians
     double turn = 0.0;  // radians from fraction 0 to 1, counter-clockwise positive; may be more than a whole turn
 

@@ -1,7 +1,7 @@
-// Queries between bodies of many shapes: the nearest pair of parts, found without asking for most pairs.
+// Queries between bodies of many shapes: the nearest pair of parts, found without querying most pairs.
 //
-// A compound is a set of shapes at one pose. Pairs are visited in the order of what their bounding boxes allow, and no
-// further than the best answer so far: the boxes' signed distance is a lower bound of the shapes'.
+// A compound is a set of shapes at one pose. The signed distance of two bounding boxes is a lower bound of that of
+// their shapes: pairs are visited in the order of this bound, until it exceeds the best answer.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@
 namespace tumble {
 
 struct CompoundDistance {
-    // Of the pair of parts with the least computed distance; of equal ones the lowest part_a, then part_b. Inside, it
-    // is the deepest overlap of two parts, not the way out of the whole compound.
+    // Of the pair of parts with the least computed distance; of equal ones the lowest part_a, then part_b. For
+    // overlapping compounds it is the deepest overlap of two parts, which may be less than the depth of the compounds.
     DistanceResult nearest;
     std::int32_t part_a = -1;
     std::int32_t part_b = -1;
     double lower = 0.0;  // the least exact signed distance of all pairs lies in [lower, upper]
     double upper = 0.0;
     DistanceStatus status = DistanceStatus::invalid;  // of [lower, upper]
-    std::int32_t queries = 0;                         // pairs that distance() was asked for
+    std::int32_t queries = 0;                         // pairs for which distance() was computed
 };
 
 // The signed distance of two compounds. The same bits as the least of distance() over all pairs. `invalid`, with NaN
@@ -45,16 +45,16 @@ CompoundOverlap compound_overlap(std::span<const Shape> a, const Pose& world_fro
                                  const Pose& world_from_b);
 
 struct CompoundCast {
-    // Of the pair of parts that meets first; of equal fractions the lowest part_a, then part_b. `overlapping` with the
-    // first pair in the order of visit if any overlaps at the start.
+    // Of the pair of parts that touches first; of equal fractions the lowest part_a, then part_b. `overlapping` with
+    // the first pair in the order of visit if any overlaps at the start.
     CastResult first;
-    std::int32_t part_a = -1;  // -1 if nothing is met
+    std::int32_t part_a = -1;  // -1 if nothing is hit
     std::int32_t part_b = -1;
     std::int32_t queries = 0;  // pairs that were cast
 };
 
-// The casts of cast.hpp against bodies of many shapes: the same bits as the first of all pairs. Most pairs are left out
-// by when their boxes can meet at the earliest. `invalid` and allocation as for compound_distance().
+// The casts of cast.hpp against bodies of many shapes: the same bits as the first of all pairs. A pair whose boxes
+// touch later than the first hit is not cast. `invalid` and allocation as for compound_distance().
 CompoundCast compound_cast_ray(std::span<const Shape> parts, const Pose& world_from_parts, DVec2 origin,
                                DVec2 translation);
 CompoundCast compound_cast_shape(std::span<const Shape> a, const Pose& world_from_a, std::span<const Shape> b,

@@ -19,7 +19,7 @@
 
 namespace tumble {
 
-// Which of two shapes something belongs to.
+// One of the two shapes of a query.
 enum class Side : std::uint8_t { none, a, b };
 
 // A vertex of the Minkowski difference A - B, by its core vertices: w = a - b in world axes.
@@ -60,8 +60,8 @@ constexpr std::string_view to_string(DistanceStatus status) {
     return "invalid";
 }
 
-// What proves the result to a checker in exact arithmetic. `direction` is any nonzero vector in world axes; with h the
-// maximum of direction . w over all w of the core difference A - B, the signed core distance is at least -h /
+// The proof of the result for a checker in exact arithmetic. `direction` is any nonzero vector in world axes; with h
+// the maximum of direction . w over all w of the core difference A - B, the signed core distance is at least -h /
 // |direction|: this one inequality proves `lower`, separated or overlapping. The one or two pairs span the closest
 // simplex of separated cores: its distance from the origin proves `upper`. For overlapping cores they are the face of A
 // - B nearest to the origin (an edge of one shape and the support vertex of the other), and `upper` needs all faces.
@@ -81,16 +81,19 @@ struct DistanceResult {
     DVec2 normal;   // unit, from A to B; (1, 0) if the cores coincide in a point
     Certificate certificate;
     DistanceStatus status = DistanceStatus::invalid;
-    std::uint16_t iterations = 0;  // support pairs computed; a look at all faces at once counts as one
+    std::uint16_t iterations = 0;  // support pairs computed; evaluating all faces at once counts as one
     bool reached_cap = false;      // GJK stopped at its iteration bound and the exhaustive search answered
 };
 
 // The signed distance of two shapes. Does not throw or allocate. With a cache, starts from its simplex and stores the
 // final one; the same status and overlapping bounds come out as without, and the same bits where the closest pair is
-// unique. Shapes of at most eight vertices are looked at by all faces of their difference at once, in lanes: the one of
-// largest separation decides overlap and depth, and holds the nearest point or ends in it. GJK answers for more
-// vertices (4 to 18 iterations of O(log n), O(n) if the outline is not strictly convex), and where rounding leaves the
+// unique. For shapes of at most eight vertices all faces of their difference are evaluated at once, in lanes: the face
+// of largest separation decides overlap and depth, and the nearest point lies in it or at its end. GJK answers for more
+// vertices (4 to 18 iterations of O(log n), O(n) if the outline is not strictly convex), and if rounding leaves the
 // faces undecided.
+//
+// The bounds hold for the shapes as they are. make_polygon() welds nearby points, so for bounds that must hold for
+// given points make the shape by make_exact_polygon().
 DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                         SimplexCache* cache = nullptr) noexcept;
 
@@ -102,20 +105,20 @@ struct PosedPair {
     Pose world_from_b;
 };
 
-// results[i] is distance() of pairs[i], bit for bit, in whatever order and company the pairs come; as many as the
-// shorter of the spans has. Convex shapes of up to eight vertices are looked at a pair a lane: with AVX-512 in 56 % of
-// the time that boxes take one by one, octagons 64 %. Does not throw or allocate.
+// results[i] is distance() of pairs[i], bit for bit, whatever the other pairs and their order; as many as the shorter
+// of the spans has. Convex shapes of up to eight vertices are computed a pair a lane: with AVX-512 in 56 % of the time
+// of single queries for boxes, 64 % for octagons. Does not throw or allocate.
 void distance_batch(std::span<const PosedPair> pairs, std::span<DistanceResult> results) noexcept;
 
-// How the loop finds the point of a simplex nearest to the origin. They agree but for rounding.
+// The method that finds the point of a simplex nearest to the origin. Their results differ by rounding only.
 enum class SubAlgorithm : std::uint8_t {
     voronoi,         // by the regions of its vertices and edges [Eri04, 5.1.5]; the fastest, and what distance() uses
     johnson,         // by recursive cofactors, with the backup procedure [GJK88]
     signed_volumes,  // by the signs of lengths and areas [MPB17]
 };
 
-// The same query by the GJK loop alone, for any number of vertices: what distance() answers, bit for bit where the
-// closest pair is unique, but for the certificate's choice among proofs and the iterations. Does not throw or allocate.
+// The same query by the GJK loop alone, for any number of vertices. The same bits as distance() if the closest pair is
+// unique, except for iterations and the certificate, of which there may be several. Does not throw or allocate.
 DistanceResult gjk_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                             SubAlgorithm sub_algorithm = SubAlgorithm::voronoi, SimplexCache* cache = nullptr) noexcept;
 

@@ -77,8 +77,9 @@ std::string scene_schema();
 // expectations and custom. Equal simulations, equal hashes.
 std::uint64_t scene_hash(const Scene& scene);
 
-// Reads a shape as scene files write it, {"box": {"size": [2, 1]}}, for a distance query: radii of 0 are allowed. One
-// shape, or several for chains and outlines. Throws SceneError; `source` stands where the file's name would.
+// Reads a shape as scene files write it, {"box": {"size": [2, 1]}}, for a distance query: radii of 0 are allowed, and a
+// polygon is the exact hull of its vertices, as make_exact_shapes() makes it. One shape, or several for chains and
+// outlines. Throws SceneError; `source` stands where the file's name would.
 std::vector<Shape> parse_shapes(std::string_view text, const std::string& source);
 
 }  // namespace tumble

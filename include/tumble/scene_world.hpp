@@ -17,6 +17,10 @@ namespace tumble {
 // std::invalid_argument, with the value printed, for degenerate geometry.
 std::vector<Shape> make_shapes(const ShapeGeometry& geometry);
 
+// The same for a distance query: a polygon is the exact hull of its vertices (make_exact_polygon()), a point or a
+// segment if they span no area.
+std::vector<Shape> make_exact_shapes(const ShapeGeometry& geometry);
+
 // The bodies of the world that a scene makes, copies counted.
 std::size_t count_bodies(const Scene& scene);
 

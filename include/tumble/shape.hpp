@@ -1,7 +1,7 @@
 // Shapes: the convex hull of n >= 1 core vertices, grown by a radius.
 //
 // One type serves every pair: n = 1 is a circle, n = 2 a capsule (radius 0: a two-sided segment), n >= 3 a polygon,
-// rounded if its radius is positive. Cores are what GJK sees; radii are subtracted last.
+// rounded if its radius is positive. GJK works on the cores; radii are subtracted last.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,16 @@ namespace tumble {
 struct LargePolygon {
     std::vector<float> x;  // [n], counter-clockwise
     std::vector<float> y;  // [n]
-    std::vector<double>
-        edge_angles;              // [n], ascending from `first_edge` on, in a unit of its own; empty if the outline is
-    std::int32_t first_edge = 0;  // not strictly convex: its supports are then found by looking at all vertices
+    // [n], ascending from `first_edge` on, 0 to 4 around the circle. Empty if the outline is not strictly convex: a
+    // support query then inspects all vertices.
+    std::vector<double> edge_angles;
+    std::int32_t first_edge = 0;
     std::vector<std::uint16_t>
-        edges_before;  // [2 n + 1], how many edges lie before each of 2 n equal parts of the circle
+        edges_before;  // [2 n + 1], the number of edges before each of 2 n equal parts of the circle
 };
 
-// What taking the hull did to the points that were given. `kept + duplicate + collinear + interior` is their number.
+// The points given to make_polygon(), counted by their relation to the hull. `kept + duplicate + collinear + interior`
+// is their number.
 struct HullReport {
     int kept = 0;
     int duplicate = 0;  // within the weld distance of a kept vertex
@@ -53,7 +55,7 @@ public:
     double core_radius() const noexcept { return core_radius_; }
 
     // Core vertices in local coordinates, [vertex_count()], counter-clockwise for n >= 3. For n <= 8 the arrays behind
-    // go on to 8 entries, padded with vertex 0, so that lanes may read them all.
+    // continue to 8 entries, padded with vertex 0, so that lanes may read them all.
     std::span<const float> x() const noexcept { return {large_ ? large_->x.data() : x_, size()}; }
     std::span<const float> y() const noexcept { return {large_ ? large_->y.data() : y_, size()}; }
     Vec2 vertex(int index) const noexcept {
@@ -67,10 +69,10 @@ public:
     // True if both have the same vertices in the same order and the same radius.
     friend bool operator==(const Shape& a, const Shape& b) noexcept;
 
-    // The shape with exactly these core vertices: no hull, no welding, nothing checked but their number (more than
-    // kMaxVertices is std::invalid_argument). For parity tests and importers that hold a convex outline already;
-    // of vertices that are not convex and counter-clockwise distance queries see the hull, other queries answer
-    // wrongly; of those that are not finite all say `invalid`.
+    // The shape with exactly these core vertices: no hull, no welding, no check but their number (more than
+    // kMaxVertices is std::invalid_argument). For callers that have a convex, counter-clockwise outline. For any other
+    // outline distance queries answer for its hull, and other queries are wrong; if a vertex is not finite all queries
+    // are `invalid`.
     static Shape from_raw(std::span<const Vec2> vertices, float radius);
 
 private:
@@ -85,8 +87,8 @@ private:
     std::shared_ptr<const LargePolygon> large_;
 };
 
-// All factories throw std::invalid_argument, with the offending value printed, for what is not finite, for a negative
-// radius, and where they say so.
+// All factories throw std::invalid_argument, with the offending value printed, for numbers that are not finite, for a
+// negative radius, and for the errors they name.
 
 Shape make_circle(float radius, Vec2 center = {});     // radius 0: a point
 Shape make_capsule(Vec2 from, Vec2 to, float radius);  // from == to gives a circle
@@ -98,13 +100,20 @@ Shape make_segment(Vec2 from, Vec2 to);                // a capsule without radi
 Shape make_box(Vec2 size, float radius = 0.0f, Vec2 center = {}, double angle = 0.0);
 
 // The convex hull of `points`, one or more, in any order; the radius grows it. It starts at the lowest of the leftmost
-// vertices. Points closer than kWeldTolerance times the extent are welded, vertices that near to an edge dropped, so
-// that no point lies farther outside than that; the report, if asked for, says how many. The result may have 1 or 2
-// vertices (all points equal or on a line): a circle or a capsule. More than 65 535 vertices after that: an error.
+// vertices. Points closer than kWeldTolerance times the extent are welded and vertices as near to an edge dropped, so
+// that no point lies farther outside than that; the report, if given, counts them. The result may have 1 or 2 vertices
+// (all points equal or on a line): a circle or a capsule. More than 65 535 vertices after that: an error.
 Shape make_polygon(std::span<const Vec2> points, float radius = 0.0f, HullReport* report = nullptr);
 
 // Relative to the larger side of the points' bounding box: a few ulp of float, far below any visible feature.
 inline constexpr float kWeldTolerance = 1e-6f;
+
+// The exact convex hull of `points`, one or more, in any order; the radius grows it. Unlike make_polygon() it welds and
+// drops nothing: every point at which the hull turns is a vertex, however little it turns there, and every decision is
+// exact. Distance queries use it, because their bounds must hold for the points as given; bodies use make_polygon(),
+// which has no edges of a few ulp. It starts at the lowest of the leftmost vertices. Equal points give a circle, points
+// on a line the capsule between their two extreme points. More than 65 535 vertices: an error.
+Shape make_exact_polygon(std::span<const Vec2> points, float radius = 0.0f);
 
 // Segments between consecutive points, [n - 1], or [n] if closed. Two points or more, else an error.
 std::vector<Shape> make_chain(std::span<const Vec2> points, bool loop);

@@ -2,13 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "tumble/shape.hpp"
 
 namespace tumble {
 
 namespace {
 
-// The next floats outwards but one at most: |v| 2^-23 covers the rounding to float twice, 2^-149 does so near zero.
+// At least the rounding of a double to float, and at most two steps between floats: 2^-23 |v|, and 2^-149 near zero.
 double outward_step(double value) { return 0x1p-23 * std::abs(value) + 0x1p-149; }
 
 constexpr double kLargestFloat = std::numeric_limits<float>::max();
@@ -47,6 +48,8 @@ Aabb bounds(const Shape& shape, const Pose& world_from_shape) {
         return {};
     const Interval along_x = extent_along(shape, q.c, -q.s, position.x);
     const Interval along_y = extent_along(shape, q.s, q.c, position.y);
+    TUMBLE_CHECK(along_x.lower <= along_x.upper);
+    TUMBLE_CHECK(along_y.lower <= along_y.upper);
     return {{round_down(along_x.lower), round_down(along_y.lower)}, {round_up(along_x.upper), round_up(along_y.upper)}};
 }
 
@@ -57,6 +60,7 @@ Extent extent(const Shape& shape) {
     const double grown = 2.0 * shape.radius();
     const double width = static_cast<double>(x_max) - x_min + grown,
                  height = static_cast<double>(y_max) - y_min + grown;
+    TUMBLE_CHECK(!(width < 0.0));
     return {static_cast<float>(std::max(width, height)), static_cast<float>(std::min(width, height))};
 }
 

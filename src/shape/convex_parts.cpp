@@ -1,9 +1,12 @@
-// Hertel, Mehlhorn 1983: a diagonal may go if both its ends stay convex without it; whatever the order, no end of a
-// diagonal that stays keeps more than two of them, which bounds the parts by four times the least number.
+// Hertel, Mehlhorn 1983: a diagonal can be removed if the corners at both its ends are convex without it. In whatever
+// order they are tried, no corner keeps more than two diagonals that it needs, which bounds the number of parts by four
+// times the least.
 #include "shape/convex_parts.hpp"
 
 #include <algorithm>
 #include <tuple>
+
+#include "debug/check.hpp"
 
 namespace tumble {
 
@@ -42,10 +45,14 @@ public:
 
     void try_remove(std::size_t side, std::size_t other_side) {
         if (!is_convex_without(side, other_side) || !is_convex_without(other_side, side)) return;
+        TUMBLE_CHECK(origin(side) != origin(other_side));
         const std::size_t face = find(half_edges_[side].face), other_face = find(half_edges_[other_side].face);
         if (sizes_[face] + sizes_[other_face] - 2 > max_vertices_) return;
+        TUMBLE_CHECK(face != other_face);
         parents_[other_face] = face;
         sizes_[face] += sizes_[other_face] - 2;
+        TUMBLE_CHECK(sizes_[face] >= 4u);
+        TUMBLE_CHECK(sizes_[face] <= max_vertices_);
         bypass(side, other_side);
         bypass(other_side, side);
         half_edges_[side].removed = half_edges_[other_side].removed = true;
@@ -76,8 +83,8 @@ private:
 
     std::size_t origin(std::size_t half_edge) const { return half_edges_[half_edge].origin; }
 
-    // The corner at the origin of `side` after the diagonal went: both old ones are convex, so the new one is below a
-    // full turn and the orientation tells.
+    // The corner at the origin of `side` without the diagonal. Both old corners are convex, so the new one is below a
+    // full turn and its orientation decides.
     bool is_convex_without(std::size_t side, std::size_t other_side) const {
         const std::size_t before = half_edges_[side].previous, after = half_edges_[other_side].next;
         return orientation(ring_[origin(before)], ring_[origin(side)], ring_[origin(half_edges_[after].next)]) >= 0;
@@ -97,8 +104,8 @@ private:
     const Ring& ring_;
     std::size_t max_vertices_;
     std::vector<HalfEdge> half_edges_;  // three of each triangle, in order
-    std::vector<std::size_t> sizes_;    // [triangle] corners of the face that it stands for
-    std::vector<std::size_t> parents_;  // [triangle] one that its face was joined to, or itself
+    std::vector<std::size_t> sizes_;    // [triangle] corners of its face, at the root of `parents_`
+    std::vector<std::size_t> parents_;  // [triangle] the triangle that its face was joined to, or itself
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Whether the vertices of a small shape are a convex outline: what lets its edges stand for the faces of its hull.
+// Whether the vertices of a small shape are a convex outline. If they are, its edges are the faces of its hull.
 #pragma once
 
 #include <span>

@@ -1,12 +1,14 @@
-// Shamos, Hoey 1976: sweep the plane from left to right and test those edges that become neighbours on the sweep line.
-// Just before the leftmost common point the edges through it are neighbours, so that one pair is found in time, before
-// their order could go wrong.
+// Shamos, Hoey 1976: sweep the plane from left to right and test the edges that become neighbours on the sweep line.
+// Just before the leftmost common point the edges through it are neighbours, so a crossing pair is found before the
+// order of the edges can become wrong.
 #include "shape/crossing.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <set>
 #include <vector>
+
+#include "debug/check.hpp"
 
 namespace tumble {
 
@@ -28,7 +30,7 @@ bool segments_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 class CrossingSearch {
 public:
     explicit CrossingSearch(const Ring& ring)
-        : ring_(ring), edges_(SweepOrder(ring)), places_(ring.size(), edges_.end()) {}
+        : ring_(ring), edges_(SweepOrder(ring)), iterators_(ring.size(), edges_.end()) {}
 
     std::optional<EdgePair> run() {
         for (std::size_t corner = 0; corner < ring_.size() && !found_; ++corner) check_spike(corner);
@@ -43,9 +45,9 @@ public:
     }
 
 private:
-    using Place = std::set<std::size_t, SweepOrder>::iterator;
+    using Iterator = std::set<std::size_t, SweepOrder>::iterator;
 
-    // Neighbours along the ring meet in more than their corner if they turn back on one line.
+    // Consecutive edges of the ring share more than their corner if the second turns back along the first.
     void check_spike(std::size_t corner) {
         const Vec2 before = ring_[ring_.previous(corner)], at = ring_[corner], after = ring_[ring_.next(corner)];
         if (ring_.turn(corner) == 0 && is_before(before, at) != is_before(at, after))
@@ -60,16 +62,16 @@ private:
     }
 
     void remove(std::size_t edge) {
-        const Place above = edges_.erase(places_[edge]);
+        const Iterator above = edges_.erase(iterators_[edge]);
         if (above != edges_.begin() && above != edges_.end()) check(*std::prev(above), *above);
     }
 
     void insert(std::size_t edge) {
-        const auto [place, inserted] = edges_.insert(edge);
-        if (!inserted) return report(*place, edge);
-        places_[edge] = place;
-        if (place != edges_.begin()) check(*std::prev(place), edge);
-        if (std::next(place) != edges_.end()) check(edge, *std::next(place));
+        const auto [entry, inserted] = edges_.insert(edge);
+        if (!inserted) return report(*entry, edge);
+        iterators_[edge] = entry;
+        if (entry != edges_.begin()) check(*std::prev(entry), edge);
+        if (std::next(entry) != edges_.end()) check(edge, *std::next(entry));
     }
 
     void check(std::size_t edge, std::size_t other) {
@@ -79,12 +81,13 @@ private:
     }
 
     void report(std::size_t edge, std::size_t other) {
+        TUMBLE_CHECK(edge != other);
         if (!found_) found_ = EdgePair(std::min(edge, other), std::max(edge, other));
     }
 
     const Ring& ring_;
-    std::set<std::size_t, SweepOrder> edges_;  // those that the sweep line meets
-    std::vector<Place> places_;                // [edge], valid while it is in edges_
+    std::set<std::size_t, SweepOrder> edges_;  // those that cross the sweep line
+    std::vector<Iterator> iterators_;          // [edge], valid while it is in edges_
     std::optional<EdgePair> found_;
 };
 

@@ -1,4 +1,4 @@
-// Is a ring of points a simple polygon?
+// Whether a ring of points is a simple polygon.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The directions of a large polygon's edges in angular order, so that a support vertex is found by bisection.
+// The directions of a large polygon's edges in angular order: a support vertex is found in them by bisection.
 #pragma once
 
 #include <cmath>
@@ -8,14 +8,16 @@
 
 namespace tumble {
 
-// Grows with the angle of a direction from the x axis, from 0 to 4, without trigonometry: where the ray leaves the
-// square |x| + |y| = 1. Wrong by a few ulp.
+// The point at which the ray in a direction leaves the square |x| + |y| = 1, measured along the square from the x axis,
+// 0 to
+// 4. It grows with the angle and needs no trigonometry. Within 2^-50 of the exact value.
 inline double square_angle(DVec2 direction) {
     const double share = direction.x / (std::abs(direction.x) + std::abs(direction.y));
     return direction.y >= 0.0 ? 1.0 - share : 3.0 + share;
 }
 
-// Which of equal parts of the circle a square angle lies in; the last one for NaN. Monotone in the angle.
+// The index of the sector, of equally large ones, that contains a square angle; the last one for NaN. Monotone in the
+// angle.
 inline std::size_t sector_of(double angle, std::size_t sectors) {
     const double at = angle * (0.25 * static_cast<double>(sectors));
     return at < static_cast<double>(sectors) ? static_cast<std::size_t>(at) : sectors - 1;

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "debug/check.hpp"
 #include "shape/hull.hpp"
 #include "shape/orientation.hpp"
 #include "shape/validate.hpp"
@@ -13,7 +14,7 @@ namespace tumble {
 
 namespace {
 
-// The turn by an angle in double, so that a box's corners carry one rounding to float only.
+// Sine and cosine in double: the corners of a box then carry a single rounding to float.
 SinCos turn(double angle) { return angle == 0.0 ? SinCos{} : sin_cos(angle); }
 
 bool is_strictly_convex(std::span<const Vec2> vertices) {
@@ -56,6 +57,8 @@ Shape make_box(Vec2 size, float radius, Vec2 center, double angle) {
     require_finite("box center", center);
     require_finite("box angle", angle);
     const DVec2 half(0.5 * size.x - radius, 0.5 * size.y - radius);
+    TUMBLE_CHECK(half.x >= 0.0);
+    TUMBLE_CHECK(half.y >= 0.0);
     const SinCos q = turn(angle);
     const auto corner = [&](double x, double y) {
         return to_float(DVec2(center) + DVec2(q.cos * x - q.sin * y, q.sin * x + q.cos * y));
@@ -79,6 +82,12 @@ Shape make_polygon(std::span<const Vec2> points, float radius, HullReport* repor
     const std::vector<Vec2> kept = simplify_hull(convex_hull(points), tolerance);
     if (report) *report = classify_points(points, kept, tolerance);
     return Shape::from_raw(kept, radius);
+}
+
+Shape make_exact_polygon(std::span<const Vec2> points, float radius) {
+    require_radius(radius);
+    require_points(points, 1);
+    return Shape::from_raw(convex_hull(points), radius);
 }
 
 std::vector<Shape> make_chain(std::span<const Vec2> points, bool loop) {

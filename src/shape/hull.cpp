@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "shape/orientation.hpp"
 #include "shape/segment_distance.hpp"
 
@@ -13,8 +14,8 @@ namespace {
 
 bool is_left_of(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-// Appends the chain that turns counter-clockwise only, over points sorted along it; its last point is left to the
-// other.
+// Appends the chain of strict left turns over points that are sorted along it, without its last point, which begins the
+// other chain.
 template <typename Iterator>
 void append_chain(std::vector<Vec2>& hull, Iterator begin, Iterator end) {
     const std::size_t first = hull.size();
@@ -40,9 +41,10 @@ public:
         return true;
     }
 
-    // The end of the longest chord from `first` that fits and ends at `limit` at the latest. A longer chord leaves the
-    // skipped vertices no nearer (it lies behind the shorter one), so doubling and bisecting find it.
+    // The end, at most `limit`, of the longest chord from `first` that fits. The vertices that a chord skips are no
+    // nearer to a longer chord, which lies behind it, so doubling and bisecting find the end.
     std::size_t longest_chord(std::size_t first, std::size_t limit) const {
+        TUMBLE_CHECK(first < limit);
         std::size_t step = 1;
         while (first + 2 * step <= limit && chord_fits(first, first + 2 * step)) step *= 2;
         std::size_t fits = first + step, fails = std::min(limit + 1, first + 2 * step);
@@ -75,11 +77,14 @@ std::vector<Vec2> convex_hull(std::span<const Vec2> points) {
     std::vector<Vec2> sorted(points.begin(), points.end());
     std::sort(sorted.begin(), sorted.end(), is_left_of);
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    TUMBLE_CHECK(!sorted.empty());
     if (sorted.size() < 3) return sorted;
     std::vector<Vec2> hull;
     hull.reserve(sorted.size() + 2);
     append_chain(hull, sorted.begin(), sorted.end());
     append_chain(hull, sorted.rbegin(), sorted.rend());
+    TUMBLE_CHECK(hull.size() >= 2u);
+    TUMBLE_CHECK(hull.size() <= sorted.size());
     return hull;
 }
 
@@ -88,10 +93,12 @@ std::vector<Vec2> simplify_hull(const std::vector<Vec2>& hull, double tolerance)
     const HullWalk ring(hull, tolerance);
     std::vector<std::size_t> kept;
     for (std::size_t at = 0; at < hull.size(); at = ring.longest_chord(at, hull.size())) kept.push_back(at);
-    // The walk takes its own start for granted.
+    // The walk never drops its first vertex; drop it here if the chord over it fits.
     if (kept.size() > 2 && ring.chord_fits(kept.back(), hull.size() + kept[1])) kept.erase(kept.begin());
     std::vector<Vec2> result;
     for (const std::size_t index : kept) result.push_back(hull[index]);
+    TUMBLE_CHECK(!result.empty());
+    TUMBLE_CHECK(result.size() <= hull.size());
     std::rotate(result.begin(), std::min_element(result.begin(), result.end(), is_left_of), result.end());
     return result;
 }
@@ -108,6 +115,7 @@ HullReport classify_points(std::span<const Vec2> points, const std::vector<Vec2>
             ++report.interior;
     }
     report.duplicate -= report.kept;  // each kept vertex is one of the points and near to itself
+    TUMBLE_CHECK(report.duplicate >= 0);
     return report;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "tumble/shape.hpp"
 
 namespace tumble {
@@ -63,6 +64,7 @@ Moments moments_about(const Shape& shape, DVec2 origin) {
     Moments moments;
     const std::vector<DVec2> vertices = distinct_vertices(shape, origin);
     const std::size_t count = vertices.size();
+    TUMBLE_CHECK(count > 0u);
     const double radius = shape.radius();
     if (count == 1) {
         add_corner_sector(moments, vertices[0], {1, 0}, {1, 0}, 2.0 * kPi, radius);
@@ -76,6 +78,7 @@ Moments moments_about(const Shape& shape, DVec2 origin) {
     for (std::size_t i = 0; i < count; ++i) {
         const DVec2 from = vertices[i], to = vertices[(i + 1) % count], normal = outward_normal(i);
         const double turn = std::abs(arc_tangent(cross(previous, normal), dot(previous, normal)));
+        TUMBLE_CHECK(!(turn < 0.0));
         add_triangle(moments, from, to);
         add_edge_strip(moments, from, to, normal, radius);
         add_corner_sector(moments, from, previous, normal, turn, radius);
@@ -92,7 +95,8 @@ DVec2 middle(const Shape& shape) {
 
 }  // namespace
 
-// Twice: about the middle for the centroid, about the centroid for the inertia, so that no parallel-axis term cancels.
+// Integrates twice: about the middle for the centroid, then about the centroid for the inertia, so that no
+// parallel-axis term cancels.
 MassProperties mass_properties(const Shape& shape) {
     if (shape.vertex_count() == 0) return {};
     const DVec2 reference = middle(shape);

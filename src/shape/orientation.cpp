@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 namespace {
@@ -25,6 +27,7 @@ int sign_of_sum(const std::array<double, 6>& terms) {
             expansion[part] = (carry - (sum - virtual_part)) + (expansion[part] - virtual_part);
             carry = sum;
         }
+        TUMBLE_CHECK(count < expansion.size());
         expansion[count++] = carry;
     }
     for (std::size_t part = count; part-- > 0;)

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "debug/check.hpp"
 #include "shape/convex_parts.hpp"
 #include "shape/crossing.hpp"
 #include "shape/triangulate.hpp"
@@ -61,7 +62,7 @@ void require_simple(const Ring& points, std::span<const std::size_t> kept) {
         refuse_crossing(points, kept[crossing->first], kept[crossing->second]);
 }
 
-// A leftmost corner is convex, so its turn is the winding.
+// The leftmost corner is convex: its turn has the sign of the winding.
 bool is_clockwise(const std::vector<Vec2>& corners) {
     const auto leftmost = std::min_element(corners.begin(), corners.end(), is_before);
     return Ring(corners).turn(static_cast<std::size_t>(leftmost - corners.begin())) < 0;
@@ -69,6 +70,7 @@ bool is_clockwise(const std::vector<Vec2>& corners) {
 
 Shape make_part(const Ring& ring, std::span<const std::size_t> corners) {
     std::vector<Vec2> vertices = without_straight_corners(pick(ring, corners));
+    TUMBLE_CHECK(vertices.size() >= 3u);
     std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end(), is_before), vertices.end());
     return Shape::from_raw(vertices, 0.0f);
 }
@@ -84,9 +86,12 @@ std::vector<Shape> decompose_outline(std::span<const Vec2> points) {
     if (is_clockwise(corners)) std::reverse(corners.begin(), corners.end());
     const Ring ring(corners);
     const std::vector<Triangle> triangles = triangulate(ring);
+    TUMBLE_CHECK(triangles.size() + 2 == corners.size());
     std::vector<Shape> parts;
     for (const auto& part : merge_triangles(ring, triangles, static_cast<std::size_t>(Shape::kMaxVertices)))
         parts.push_back(make_part(ring, part));
+    TUMBLE_CHECK(!parts.empty());
+    TUMBLE_CHECK(parts.size() <= triangles.size());
     return parts;
 }
 

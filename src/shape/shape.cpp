@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "shape/convexity.hpp"
 #include "shape/edge_angles.hpp"
 #include "shape/validate.hpp"
@@ -23,8 +24,8 @@ Shape Shape::from_raw(std::span<const Vec2> vertices, float radius) {
     double farthest_sq = 0.0;
     for (const Vec2 vertex : vertices) {
         const double distance_sq = length_sq(DVec2(vertex));
-        if (!(distance_sq <= farthest_sq)) farthest_sq = distance_sq;  // written so that a NaN comes in...
-        if (std::isnan(farthest_sq)) break;                            // ...and stays
+        if (!(distance_sq <= farthest_sq)) farthest_sq = distance_sq;  // true for NaN, too
+        if (std::isnan(farthest_sq)) break;                            // no number compares as larger
     }
     shape.core_radius_ = std::sqrt(farthest_sq);
     if (vertices.size() > kInlineVertices) {
@@ -35,6 +36,7 @@ Shape Shape::from_raw(std::span<const Vec2> vertices, float radius) {
         }
         sort_edges(*large);
         shape.is_convex_ = !large->edge_angles.empty();
+        TUMBLE_CHECK((large->edge_angles.empty() || large->edge_angles.size() == vertices.size()));
         shape.large_ = std::move(large);
         return shape;
     }

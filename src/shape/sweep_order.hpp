@@ -1,7 +1,7 @@
 // The orders of a plane sweep over a ring of points: of its events from left to right, of its edges from below upwards.
 //
-// Events go by x, then y: a shear too small to matter otherwise, under which no edge is vertical. All comparisons are
-// exact, as they only ask for orientations of given points (de Berg et al., Computational Geometry, 3rd ed., 2.1).
+// Events are ordered by x, then by y, which acts as an infinitesimal shear under which no edge is vertical. All
+// comparisons are orientations of given points, hence exact (de Berg et al., Computational Geometry, 3rd ed., 2.1).
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,7 @@ private:
     std::span<const Vec2> points_;
 };
 
-// True if the first of two edges, or of an edge and a point, lies below the second where the sweep line meets both.
+// True if the first of two edges, or of an edge and a point, lies below the second on the sweep line.
 // Edges compare as equal only if the left end of one lies on the other, or if they leave one point in one direction.
 class SweepOrder {
 public:

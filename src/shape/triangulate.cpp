@@ -1,6 +1,6 @@
 // Triangulation in one sweep: Hertel, Mehlhorn, Fast triangulation of the plane with respect to simple polygons, 1985.
 //
-// The sweep line meets the polygon in intervals, each between a lower edge (the ring runs to the right, the region is
+// The sweep line cuts the polygon into intervals, each between a lower edge (the ring runs to the right, the region is
 // above) and the upper edge after it. An interval keeps the front of what is triangulated on its left: a chain of
 // corners from the left end of its lower edge to that of its upper edge, bent so that no three in a row can be joined
 // from the right. A corner that the sweep reaches cuts off the triangles that it sees over the ends of the chain.
@@ -9,19 +9,23 @@
 #include <iterator>
 #include <map>
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 namespace {
 
 class Triangulation {
 public:
-    explicit Triangulation(const Ring& ring) : ring_(ring), intervals_(SweepOrder(ring)), places_(ring.size()) {
+    explicit Triangulation(const Ring& ring) : ring_(ring), intervals_(SweepOrder(ring)), iterators_(ring.size()) {
         triangles_.reserve(ring.size());
         nodes_.reserve(3 * ring.size());
     }
 
     std::vector<Triangle> run() {
         for (const std::size_t corner : ring_.events()) visit(corner);
+        TUMBLE_CHECK(intervals_.empty());
+        TUMBLE_CHECK(triangles_.size() + 2 == ring_.size());
         return std::move(triangles_);
     }
 
@@ -40,7 +44,7 @@ private:
         std::size_t latest = kNone;  // the rightmost node of the chain: every later corner of the interval sees it
     };
 
-    using Place = std::map<std::size_t, Interval, SweepOrder>::iterator;
+    using Iterator = std::map<std::size_t, Interval, SweepOrder>::iterator;
 
     void visit(std::size_t corner) {
         const std::size_t incoming = ring_.previous(corner);
@@ -118,11 +122,12 @@ private:
 
     bool cut(std::size_t lower, std::size_t corner, std::size_t upper) {
         if (orientation(ring_[lower], ring_[corner], ring_[upper]) <= 0) return false;
+        TUMBLE_CHECK(lower != upper);
         triangles_.push_back({lower, corner, upper});
         return true;
     }
 
-    // Nodes cut off stay behind in the pool; the ends of a chain link to nothing.
+    // Nodes that were cut off stay in the pool; the ends of a chain link to kNone.
     std::size_t add_node(std::size_t corner) {
         nodes_.push_back({corner, kNone, kNone});
         return nodes_.size() - 1;
@@ -133,21 +138,21 @@ private:
         nodes_[above].below = below;
     }
 
-    Place interval_below(std::size_t corner) { return std::prev(intervals_.upper_bound(ring_[corner])); }
+    Iterator interval_below(std::size_t corner) { return std::prev(intervals_.upper_bound(ring_[corner])); }
 
     void insert(std::size_t edge, const Interval& interval) {
-        places_[edge] = intervals_.emplace(edge, interval).first;
+        iterators_[edge] = intervals_.emplace(edge, interval).first;
     }
 
     Interval take(std::size_t edge) {
-        const Interval interval = places_[edge]->second;
-        intervals_.erase(places_[edge]);
+        const Interval interval = iterators_[edge]->second;
+        intervals_.erase(iterators_[edge]);
         return interval;
     }
 
     const Ring& ring_;
     std::map<std::size_t, Interval, SweepOrder> intervals_;  // by lower edge
-    std::vector<Place> places_;                              // [edge], valid while it is a lower edge of intervals_
+    std::vector<Iterator> iterators_;                        // [edge], valid while it is a lower edge of intervals_
     std::vector<Node> nodes_;
     std::vector<Triangle> triangles_;
 };

@@ -1,4 +1,4 @@
-// What factories refuse, as std::invalid_argument with the offending value printed.
+// The checks of the factories' arguments. Each throws std::invalid_argument that prints the offending value.
 #pragma once
 
 #include <cstddef>

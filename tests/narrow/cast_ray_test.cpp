@@ -57,7 +57,7 @@ TEST_CASE("a ray finds what the cast of a point finds, and stops on the surface"
     CHECK(hits < 0.9 * static_cast<double>(count));
 }
 
-TEST_CASE("rays meet a box and a ball where the arithmetic says") {
+TEST_CASE("rays hit a box and a ball at hand-computed fractions") {
     const Shape box = make_box({2, 4}), ball = make_circle(5);
     const CastResult wall = cast_ray(box, {{10, 0}, make_rotation_degrees(90)}, {0, 0.5}, {16, 0});
     CHECK(wall.status == CastStatus::hit);
@@ -100,7 +100,7 @@ TEST_CASE("rays at a vertex and along an edge hit, whichever way single ulps mov
     }
 }
 
-TEST_CASE("a segment is met from both sides") {
+TEST_CASE("a segment is hit from both sides") {
     const Shape post = make_segment({0, -1}, {0, 1});
     CHECK(cast_ray(post, {}, {-3, 0.5}, {6, 0}).fraction == 0.5);
     CHECK(cast_ray(post, {}, {3, 0.5}, {-6, 0}).fraction == 0.5);

@@ -137,7 +137,7 @@ Query random_query(Random& random, tumble_test::ShapeKind kind_a, tumble_test::S
 
 }  // namespace
 
-TEST_CASE("casts of every kind of pair hold what they promise against an independent distance") {
+TEST_CASE("casts of every kind of pair keep their bracket by an independent distance") {
     Tally tally;
     std::uint64_t index = 0;
     for (; index < tumble_test::pair_count(); ++index) {
@@ -194,7 +194,7 @@ TEST_CASE("scaling everything by a power of two scales the answer bit for bit") 
     }
 }
 
-TEST_CASE("a box meets a box face to face where the arithmetic says") {
+TEST_CASE("a box hits a box face to face at hand-computed fractions") {
     // Half sides 1 and 1/2, centres 4 apart: a gap of 2.5, of which the motion of 5 takes one half.
     const Query query{make_box({2, 2}), make_box({1, 1}), {}, {{4, 0}, {}}, {-5, 0}};
     const CastResult result = query.cast();
@@ -208,7 +208,7 @@ TEST_CASE("a box meets a box face to face where the arithmetic says") {
     CHECK(std::abs(result.point.y) <= 0.5);
 }
 
-TEST_CASE("circles meet where a right triangle says") {
+TEST_CASE("circles hit where a right triangle gives the fraction") {
     // Centres (0, 0) and (10, 3) with radii 2 and 3: moving left they meet at (4, 3), after 6 of 12.
     const Query query{make_circle(2), make_circle(3), {}, {{10, 3}, {}}, {-12, 0}};
     const CastResult result = query.cast();
@@ -265,7 +265,7 @@ TEST_CASE("moving the input by single ulps never loses the hit") {
         }
 }
 
-TEST_CASE("shapes without area meet too") {
+TEST_CASE("shapes without area hit, too") {
     const Shape point = make_circle(0), upright = make_segment({0, -1}, {0, 1}), level = make_segment({-1, 0}, {1, 0});
     const auto fraction = [](const Shape& a, const Shape& b, DVec2 from, DVec2 motion) {
         const CastResult result = cast_shape(a, {}, b, {from, {}}, motion);

@@ -83,7 +83,7 @@ TEST_CASE("a lone segment does push back at its end, which is what the links are
     CHECK(linked.points[0].separation == doctest::Approx(-0.005f));
 }
 
-TEST_CASE("a one-sided chain is met from the right of its direction, a two-sided one from both") {
+TEST_CASE("a one-sided chain is touched from the right of its direction, a two-sided one from both") {
     const Chain one(kFlat, false, true), two(kFlat, false, false);
     const Shape ball = make_circle(0.25f);
     CHECK(one.collide(ball, {{0.5, 0.24}, {}}).size() == 1);
@@ -129,7 +129,7 @@ TEST_CASE("in a hollow corner each segment pushes along its own normal alone") {
     CHECK(deepest({found[1]}) == doctest::Approx(-0.001));
 }
 
-TEST_CASE("an open end is met from all around") {
+TEST_CASE("an open end is touched from all around") {
     const Chain wall({{0, 0}, {0, 2}}, false);
     const Shape ball = make_circle(0.25f);
     CHECK(wall.collide(ball, {{0, 2.24}, {}}).front().normal == Vec2{0, 1});

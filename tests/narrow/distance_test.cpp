@@ -127,7 +127,7 @@ TEST_CASE("collinear capsules: apart, end to end, one in the other") {
     }
 }
 
-TEST_CASE("crossing segments overlap by nothing lengthwise: the way out is to the nearer end") {
+TEST_CASE("crossing segments are separated by the displacement to the nearer end") {
     // A from -1 to 1 on x, B from y = -0.25 to 4 at x = 0.5: lift B by 0.25.
     const DistanceResult r =
         distance(make_segment({-1, 0}, {1, 0}), at(0, 0), make_segment({0, -0.25f}, {0, 4}), at(0.5, 0));

@@ -86,7 +86,7 @@ TEST_CASE("the deepest face of large overlapping polygons is the deepest of all,
     }
 }
 
-TEST_CASE("outlines that bisection would not find its way in are known by their turns") {
+TEST_CASE("outlines that bisection cannot search are detected by their turns") {
     const auto has_angles = [](const std::vector<Vec2>& points) {
         return !Shape::from_raw(points, 0).large()->edge_angles.empty();
     };

@@ -36,10 +36,10 @@ bool check_against_one_by_one(const CorePair& pair) {
     if (!expected.found.exists) return false;
     const OwnedFace face = leading.first();
     // A single face turns the direction into the other core's frame, lanes turn the vertices: both round.
-    CHECK(std::abs(face.seen.separation - expected.found.face.separation) <= error_bound(pair));
+    CHECK(std::abs(face.numbers.separation - expected.found.face.separation) <= error_bound(pair));
     if (face.is_b != static_cast<unsigned>(expected.is_of_b)) return expected.is_of_b;
-    const DVec2 direction = expected.is_of_b ? DVec2{-face.seen.outward_x, -face.seen.outward_y}
-                                             : DVec2{face.seen.outward_x, face.seen.outward_y};
+    const DVec2 direction = expected.is_of_b ? DVec2{-face.numbers.outward_x, -face.numbers.outward_y}
+                                             : DVec2{face.numbers.outward_x, face.numbers.outward_y};
     if (direction == expected.found.face.direction) {
         CHECK(pair_of_owner(face.is_b, face.from, face.nearest) == expected.found.face.pairs[0]);
         CHECK(pair_of_owner(face.is_b, face.to, face.nearest) == expected.found.face.pairs[1]);
@@ -56,12 +56,12 @@ void check_alone(const CorePair& pair) {
     const OwnedFace all = leading.first(), one = find_face<N>(pair, all.is_b, all.from);
     CHECK(all.to == one.to);
     CHECK(all.nearest == one.nearest);
-    CHECK(all.seen.separation == one.seen.separation);
-    CHECK(all.seen.length == one.seen.length);
-    CHECK(all.seen.outward_x == one.seen.outward_x);
-    CHECK(all.seen.outward_y == one.seen.outward_y);
-    CHECK(all.seen.second_x == one.seen.second_x);
-    CHECK(all.seen.other_y == one.seen.other_y);
+    CHECK(all.numbers.separation == one.numbers.separation);
+    CHECK(all.numbers.length == one.numbers.length);
+    CHECK(all.numbers.outward_x == one.numbers.outward_x);
+    CHECK(all.numbers.outward_y == one.numbers.outward_y);
+    CHECK(all.numbers.second_x == one.numbers.second_x);
+    CHECK(all.numbers.other_y == one.numbers.other_y);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ bool is_met(const CastResult& cast) { return cast.status == CastStatus::hit || c
 
 }  // namespace
 
-TEST_CASE("the swept test says yes exactly when the cast hits") {
+TEST_CASE("the swept test reports an overlap exactly when the cast hits") {
     int met = 0, touching = 0;
     const std::uint64_t count = tumble_test::pair_count();
     for (std::uint64_t index = 0; index < count; ++index) {

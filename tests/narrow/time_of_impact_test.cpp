@@ -192,7 +192,7 @@ TEST_CASE("scaling lengths by a power of two changes no bit of the fraction") {
     }
 }
 
-TEST_CASE("a rod that turns by more than half a turn hits the post that it passes") {
+TEST_CASE("a rod that turns by more than half a turn hits the post in its path") {
     // The rod's tip, 2 m from the pivot, meets a point at (0, 1) after a quarter of a turn, whatever the turn in all.
     const Shape rod = make_segment({0, 0}, {2, 0}), post = make_circle(0);
     for (const double turn : {2.0, 3.5, 7.0, 40.0, 300.0}) {

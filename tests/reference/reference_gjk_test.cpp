@@ -1,4 +1,4 @@
-// The dimension-generic GJK against closed forms and brute force, in 2D and 3D.
+// The dimension-generic GJK against closed forms in one to six dimensions, and against brute force in two and three.
 #include "reference/exact/reference_gjk.hpp"
 
 #include <doctest/doctest.h>
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 using namespace tumble::reference;
@@ -42,7 +43,7 @@ Cloud<Dim> random_cloud(std::mt19937_64& random, int count, const Point<Dim>& ce
     return cloud;
 }
 
-// The eight corners (four in 2D) of an axis-aligned box.
+// The 2^Dim corners of an axis-aligned box.
 template <int Dim>
 Cloud<Dim> box(const Point<Dim>& lower, const Point<Dim>& upper) {
     Cloud<Dim> corners;
@@ -113,7 +114,125 @@ void compare_with_brute_force(unsigned seed) {
     CHECK(separated < samples * 8 / 10);
 }
 
+// Two random reflections (a rotation) and a translation: they leave all distances as they are.
+template <int Dim>
+class RigidMotion {
+public:
+    explicit RigidMotion(std::mt19937_64& random)
+        : first_(random_vector(random).normalized()),
+          second_(random_vector(random).normalized()),
+          shift_(random_vector(random)) {}
+
+    Point<Dim> operator()(const Point<Dim>& p) const { return reflected(reflected(p, first_), second_) + shift_; }
+    Cloud<Dim> operator()(Cloud<Dim> cloud) const {
+        for (Point<Dim>& p : cloud) p = (*this)(p);
+        return cloud;
+    }
+
+private:
+    static Point<Dim> random_vector(std::mt19937_64& random) {
+        std::normal_distribution<double> coordinate;
+        Point<Dim> v;
+        for (int axis = 0; axis < Dim; ++axis) v[axis] = coordinate(random);
+        return v;
+    }
+    static Point<Dim> reflected(const Point<Dim>& p, const Point<Dim>& unit) { return p - 2.0 * unit.dot(p) * unit; }
+
+    Point<Dim> first_, second_, shift_;
+};
+
+// Two boxes whose intervals along each axis are apart, overlap or touch at random: the distance is the root of the sum
+// of the squared gaps.
+template <int Dim>
+void compare_boxes() {
+    std::mt19937_64 random(20 + Dim);
+    std::uniform_real_distribution<double> size(0.5, 2.0), gap(-1.0, 1.0);
+    const int samples = 200;
+    int separated = 0;
+    for (int sample = 0; sample < samples; ++sample) {
+        Point<Dim> lower_a, upper_a, lower_b, upper_b;
+        double expected_sq = 0.0;
+        for (int axis = 0; axis < Dim; ++axis) {
+            const double between = gap(random) + (sample % 2 == 0 ? -1.0 : 0.0);
+            lower_a[axis] = -size(random);
+            upper_a[axis] = 0.5;
+            lower_b[axis] = upper_a[axis] + between;
+            upper_b[axis] = lower_b[axis] + 2.0 + size(random);
+            expected_sq += between > 0.0 ? between * between : 0.0;
+        }
+        const RigidMotion<Dim> motion(random);
+        const double found =
+            cloud_distance<Dim>(motion(box<Dim>(lower_a, upper_a)), motion(box<Dim>(lower_b, upper_b)));
+        separated += expected_sq > 0.0;
+        if (expected_sq > 0.0)
+            CHECK(found == doctest::Approx(std::sqrt(expected_sq)).epsilon(1e-10));
+        else
+            CHECK(found < 1e-13);
+    }
+    CHECK(separated > samples * 2 / 10);
+    CHECK(separated < samples * 8 / 10);
+}
+
+// The simplex of s e_1 ... s e_Dim and a point beyond that face: the face is s / sqrt(Dim) from the origin. With a
+// point on the other side instead, the simplex contains the origin. Its vertex alone is the nearest from behind.
+template <int Dim>
+void compare_simplices() {
+    std::mt19937_64 random(30 + Dim);
+    std::uniform_real_distribution<double> size(0.5, 2.0);
+    for (int sample = 0; sample < 100; ++sample) {
+        const RigidMotion<Dim> motion(random);
+        const double s = size(random), beyond = s + size(random);
+        Cloud<Dim> face;
+        for (int axis = 0; axis < Dim; ++axis) face.push_back(s * Point<Dim>::Unit(axis));
+        const auto with = [&](double tip) {
+            Cloud<Dim> simplex = face;
+            simplex.push_back(Point<Dim>::Constant(tip));
+            return motion(simplex);
+        };
+        const auto from = [&](double along) { return Cloud<Dim>{motion(Point<Dim>::Constant(along))}; };
+        const double root = std::sqrt(static_cast<double>(Dim));
+        CHECK(cloud_distance<Dim>(with(beyond), from(0.0)) == doctest::Approx(s / root).epsilon(1e-10));
+        CHECK(cloud_distance<Dim>(with(beyond), from(beyond + s)) == doctest::Approx(s * root).epsilon(1e-10));
+        CHECK(cloud_distance<Dim>(with(-beyond), from(0.0)) < 1e-13);
+    }
+}
+
+// Balls by their support mapping alone, and the point as the ball of radius 0.
+template <int Dim>
+void compare_balls() {
+    std::mt19937_64 random(40 + Dim);
+    std::uniform_real_distribution<double> coordinate(-3.0, 3.0), radius(0.0, 1.5);
+    int separated = 0;
+    const int samples = 200;
+    for (int sample = 0; sample < samples; ++sample) {
+        Point<Dim> offset;
+        for (int axis = 0; axis < Dim; ++axis) offset[axis] = coordinate(random) / std::sqrt(static_cast<double>(Dim));
+        const double radii = sample % 4 == 0 ? 0.0 : radius(random) + (sample % 4 == 1 ? 0.0 : radius(random));
+        const auto support = [&](const Point<Dim>& d) -> Point<Dim> { return radii * d.normalized() - offset; };
+        const double expected = offset.norm() - radii;
+        const double found = reference_gjk<Dim>(support).distance;
+        separated += expected > 0.0;
+        if (expected > 1e-3)
+            CHECK(found == doctest::Approx(expected).epsilon(1e-9));
+        else if (expected < -1e-3)
+            CHECK(found < 1e-6);
+    }
+    CHECK(separated > samples * 3 / 10);
+    CHECK(separated < samples * 9 / 10);
+}
+
+template <int Dim>
+using Dimension = std::integral_constant<int, Dim>;
+
 }  // namespace
+
+TEST_CASE_TEMPLATE("boxes, simplices and balls have their closed-form distances in one to six dimensions", T,
+                   Dimension<1>, Dimension<2>, Dimension<3>, Dimension<4>, Dimension<6>) {
+    CAPTURE(T::value);
+    compare_boxes<T::value>();
+    compare_simplices<T::value>();
+    compare_balls<T::value>();
+}
 
 TEST_CASE("simplices in the plane agree with brute force") { compare_with_brute_force<2>(11); }
 TEST_CASE("tetrahedra in space agree with brute force") { compare_with_brute_force<3>(12); }

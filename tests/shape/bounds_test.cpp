@@ -13,7 +13,7 @@ bool is_empty(const Aabb& box) { return !(box.lower.x <= box.upper.x); }
 
 }  // namespace
 
-TEST_CASE("bounds hold the shape and exceed it by a few float ulp at most, near and far") {
+TEST_CASE("bounds contain the shape and exceed it by a few float ulp at most, near and far") {
     std::mt19937_64 random(31);
     std::uniform_real_distribution<double> angle(-3.2, 3.2), unit(-1.0, 1.0);
     for (const double far : {0.0, 1.0, 1e3, 1e7}) {

@@ -41,7 +41,7 @@ TEST_CASE("collinear and duplicate vertices do not hurt convexity; one ulp to th
     CHECK_FALSE(is_convex_outline(std::array<Vec2, 4>{{{0, 1}, {1, 1 + ulp}, {2, 1}, {1, 2}}}));
 }
 
-TEST_CASE("a shape knows whether it is convex, with eight vertices and with more") {
+TEST_CASE("a shape reports whether it is convex, with eight vertices and with more") {
     CHECK(Shape::from_raw(kPentagon, 1).is_convex());
     CHECK(make_box({1, 2}, 0.1f).is_convex());
     CHECK(make_circle(1).is_convex());

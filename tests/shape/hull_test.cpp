@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <stdexcept>
 
@@ -153,4 +154,38 @@ TEST_CASE("a large polygon keeps its vertices and is shared between copies") {
     CHECK(copy.large() == shape.large());
     CHECK(copy == shape);
     CHECK(shape.x().size() == 100);
+}
+
+TEST_CASE("an exact polygon keeps every point at which the hull turns") {
+    // Below the weld tolerance of 1e-6 of the extent, on which make_polygon() makes a segment.
+    const std::vector<Vec2> sliver = {{0.5f, 1e-7f}, {1, 0}, {0.5f, -1e-7f}, {0, 0}, {0.5f, 0}, {1, 0}};
+    CHECK(make_exact_polygon(sliver, 0.1f) ==
+          Shape::from_raw(std::vector<Vec2>{{0, 0}, {0.5f, -1e-7f}, {1, 0}, {0.5f, 1e-7f}}, 0.1f));
+    // Neighbouring floats: an edge of one ulp.
+    const float next = std::nextafter(1.0f, 2.0f);
+    CHECK(make_exact_polygon(std::vector<Vec2>{{0, 0}, {1, 1}, {next, 1}, {1, next}}).vertex_count() == 3);
+}
+
+TEST_CASE("points exactly on a line give the segment of the two extreme ones, equal points a point") {
+    const std::vector<Vec2> line = {{3, 1}, {0, 0}, {6, 2}, {1.5f, 0.5f}, {0, 0}};
+    CHECK(make_exact_polygon(line) == make_segment({0, 0}, {6, 2}));
+    CHECK(make_exact_polygon(std::vector<Vec2>(5, Vec2{2, 3}), 0.1f) == make_circle(0.1f, {2, 3}));
+    CHECK_THROWS_AS(make_exact_polygon({}), std::invalid_argument);
+    CHECK_THROWS_AS(make_exact_polygon(line, -1.0f), std::invalid_argument);
+}
+
+TEST_CASE("the edge angles of an exact polygon are sorted where edges turn by less than a double resolves") {
+    for (const int exponent : {10, 40, 60, 100}) {
+        CAPTURE(exponent);
+        std::vector<Vec2> arc;
+        for (int x = -20; x <= 20; ++x)
+            arc.push_back({static_cast<float>(x), std::ldexp(static_cast<float>(x * x), -exponent)});
+        arc.push_back({0, 9});
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            for (Vec2& point : arc) point = {-point.y, point.x};
+            const Shape shape = make_exact_polygon(arc);
+            CHECK(shape.vertex_count() == 42);
+            CHECK(shape.is_convex());
+        }
+    }
 }

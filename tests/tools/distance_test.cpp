@@ -80,7 +80,38 @@ TEST_CASE("clockwise, self-crossing and repeated points stand for their hull") {
     CHECK(distance_of("[[0, 0], [0, 0], [1, 0], [0.5, 0], [1, 1], [1, 1], [0, 1], [0.5, 0.5]]") == 2.0);
 }
 
-TEST_CASE("a query that is wrong says where, with exit code 3") {
+TEST_CASE("a sliver is answered for the points as given, not for a welded hull") {
+    // 10 m x 4e-6 m. Its lowest point lies within the weld distance of the chord above it, and is kept.
+    const std::string sliver = R"({"polygon": {"vertices": [[-5, 0], [0, -2e-6], [5, 0], [0, 2e-6]]}})",
+                      point = R"({"circle": {"radius": 0, "center": [0, -1]}})";
+    const double exact = 1.0 - static_cast<double>(2e-6f);
+    const Answer alone = run_tumble({"distance", sliver, point, "--json"}),
+                 line = Process(tumble_command({"distance", "--stdin"}), ".",
+                                R"({"a": )" + sliver + R"(, "b": )" + point + "}\n")
+                            .wait();
+    for (const Answer& answer : {alone, line}) {
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        const json result = json::parse(answer.out);
+        CHECK(result["lower"].get<double>() <= exact);
+        CHECK(result["upper"].get<double>() >= exact);
+        CHECK(result["upper"].get<double>() - result["lower"].get<double>() < 1e-13);
+    }
+}
+
+TEST_CASE("a polygon without area is the segment or the point that its vertices span") {
+    const auto answer_for = [](const std::string& shape) {
+        const Answer answer =
+            run_tumble({"distance", shape, R"({"circle": {"radius": 1}, "pose": {"position": [4, 0.5]}})", "--json"});
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        return answer.out;
+    };
+    CHECK(answer_for(R"({"polygon": {"vertices": [[0, 0], [2, 2], [1, 1], [0, 0]]}})") ==
+          answer_for(R"({"segment": {"from": [0, 0], "to": [2, 2]}})"));
+    CHECK(answer_for(R"({"polygon": {"vertices": [[1, 1], [1, 1], [1, 1]], "radius": 0.5}})") ==
+          answer_for(R"({"circle": {"center": [1, 1], "radius": 0.5}})"));
+}
+
+TEST_CASE("an error message of a query names the position, with exit code 3") {
     const std::string circle = R"({"circle": {"radius": 1}})";
     for (const std::string& wrong :
          {std::string("{"), std::string("[]"), std::string(R"({"circle": {}})"),
@@ -89,7 +120,6 @@ TEST_CASE("a query that is wrong says where, with exit code 3") {
           std::string(R"({"circle": {"radius": NaN}})"), std::string(R"({"circle": {"radius": 1e999}})"),
           std::string(R"({"circle": {"radius": 1}, "pose": {"position": [Infinity, 0]}})"),
           std::string(R"({"polygon": {"vertices": []}})"),
-          std::string(R"({"polygon": {"vertices": [[1, 1], [1, 1], [1, 1]]}})"),
           std::string(R"({"circle": {"radius": 1}, "pose": {"angel": 3}})"),
           std::string(R"({"circle": {"radius": 1}, "pose": {"angle": 3, "rotation": [1, 0]}})"),
           std::string(R"({"circle": {"radius": 1}, "pose": {"rotation": [1, 1]}})"),

@@ -163,7 +163,7 @@ TEST_CASE("plain lines read the same quickly and strictly, bit for bit") {
     CHECK(plain_lines > kLines * 7 / 10);
 }
 
-TEST_CASE("the quick reader leaves what is wrong to the strict one, which refuses it") {
+TEST_CASE("the fast reader leaves wrong lines to the strict one, which refuses them") {
     for (const char* shape : {"1",
                               "null",
                               "[]",
@@ -183,7 +183,6 @@ TEST_CASE("the quick reader leaves what is wrong to the strict one, which refuse
                               R"({"box": {"size": [0, 1]}})",
                               R"({"box": {"size": [1, 1], "radius": 0.6}})",
                               R"({"polygon": {"vertices": [[0, 0], [1, 0]]}})",
-                              R"({"polygon": {"vertices": [[0, 0], [1, 1], [2, 2]]}})",
                               R"({"polygon": {"vertices": [[0, 0], [1, 0], 1]}})",
                               R"({"segment": {"from": [1, 1], "to": [1, 1]}})",
                               R"({"capsule": {"from": [0, 0], "to": [1, 0]}})",

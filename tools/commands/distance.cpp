@@ -57,7 +57,7 @@ ExitCode answer_arguments(const Command& command, const DistanceArguments& optio
     return ExitCode::ok;
 }
 
-// A line of the input: a query, or what is wrong with it.
+// A line of the input: a query, or the message of its error.
 struct Line {
     std::uint64_t number = 0;
     DistanceQuery query;
@@ -101,8 +101,8 @@ void write_answers(const std::vector<Line>& lines, const DistanceArguments& opti
     }
 }
 
-// A line that is no query is answered by its error, and the next one is read. Lines are answered many at once, but who
-// writes one and waits gets its answer before we wait for the next.
+// A line that is no query is answered by its error, and reading goes on. Lines are answered in batches, but before
+// reading blocks all lines so far are answered, so that a process that writes one line and waits gets its answer.
 ExitCode answer_lines(const DistanceArguments& options) {
     constexpr std::size_t kAtOnce = 256;
     std::ios::sync_with_stdio(false);
@@ -142,7 +142,9 @@ ExitCode run(const Command& command, const DistanceArguments& options) {
 
 void add_distance(CLI::App& app, Command& command) {
     const auto options = std::make_shared<DistanceArguments>();
-    CLI::App& distance = add_subcommand(app, command, "distance", "The signed distance of two convex shapes");
+    CLI::App& distance =
+        add_subcommand(app, command, "distance",
+                       "The signed distance of two convex shapes; a polygon is the exact hull of its vertices");
     distance.add_option("A", options->a, R"(A shape, as in {"circle": {"radius": 1}, "pose": {"position": [2, 0]}})");
     distance.add_option("B", options->b, "Another");
     distance.add_flag("--stdin", options->from_input, "A query a line on standard input, an answer a line out");

@@ -34,7 +34,7 @@ struct ShapeAtPose {
     Pose pose;
 };
 
-// A SHAPE with an optional key "pose", in place of one that was given beside it.
+// A SHAPE with an optional key "pose", for a pose that is not given beside it.
 ShapeAtPose parse_posed(std::string_view text, const std::string& source, std::optional<std::string_view> pose = {}) {
     const std::string pose_source = source + (pose ? "_pose" : "/pose");
     std::string shape;
@@ -67,7 +67,7 @@ void write_certificate(JsonWriter& json, const Certificate& certificate) {
     json.close_array().member("cores_overlap", certificate.cores_overlap).close_object();
 }
 
-// For people: without negative zeros.
+// Text for a terminal, without negative zeros.
 std::string point_text(DVec2 point) {
     std::string text = "(";
     append_number(text, point.x + 0.0);

@@ -9,16 +9,18 @@
 
 namespace tumble::tools {
 
+// A polygon is the exact hull of its vertices (make_exact_polygon()).
 struct DistanceQuery {
     Shape a, b;
     Pose a_pose, b_pose;
 };
 
-// From a line of `distance --stdin`: {"a": SHAPE, "b": SHAPE, "a_pose": POSE, "b_pose": POSE}, where the pose may also
+// Reads a line of `distance --stdin`: {"a": SHAPE, "b": SHAPE, "a_pose": POSE, "b_pose": POSE}, where the pose may also
 // be the key "pose" of its shape. Throws InputError or SceneError.
 DistanceQuery parse_query_line(std::string_view line);
 
-// The same without the quick way for plain lines (plain_query.hpp): ten times slower, and every error is from here.
+// The same without the fast path for plain lines (plain_query.hpp): ten times slower, and the source of all error
+// messages.
 DistanceQuery parse_query_line_strictly(std::string_view line);
 
 // From the two arguments of `distance A B`: each a SHAPE with an optional key "pose". Throws InputError or SceneError.
@@ -30,7 +32,7 @@ void write_pair(JsonWriter& json, VertexPair pair);
 // The object that scripts rely on.
 void write_answer(JsonWriter& json, const DistanceQuery& query, const DistanceResult& result);
 
-// A few lines for a terminal.
+// A few lines of text for a terminal.
 std::string answer_text(const DistanceResult& result);
 
 }  // namespace tumble::tools

@@ -21,10 +21,10 @@ namespace {
 
 using Value = rapidjson::Value;
 
-// Numbers up to here are inside of every range that the strict reader has, for lengths and angles alike.
+// Numbers up to this one are in every range of the strict reader, for lengths and for angles.
 constexpr double kPlainLargest = 1e5;
 
-// Reads on after something unusual; what it read is forgotten in the end.
+// Goes on after something unusual; the caller then drops the result.
 class PlainReader {
 public:
     bool is_plain() const { return is_plain_; }
@@ -48,8 +48,8 @@ public:
         return found;
     }
 
-    // A number is still text within the line, because rapidjson's exact conversion is undefined for 0e72; what stands
-    // behind a quote is a string. Negative zero, which the strict reader keeps in poses alone, is unusual too.
+    // Numbers are still text, because rapidjson's exact conversion is undefined for 0e72; text after a quote is a
+    // string. Negative zero counts as unusual: the strict reader keeps it in poses only.
     double number(const Value& value) {
         double number = NAN;
         if (value.IsString() && value.GetString()[-1] != '"')
@@ -156,7 +156,7 @@ std::optional<DistanceQuery> read_query(const Value& line) {
     const Pose pose_a = read_pose(reader, a_pose), pose_b = read_pose(reader, b_pose);
     if (!reader.is_plain()) return std::nullopt;
     try {
-        std::vector<Shape> shape_a = make_shapes(geometry_a), shape_b = make_shapes(geometry_b);
+        std::vector<Shape> shape_a = make_exact_shapes(geometry_a), shape_b = make_exact_shapes(geometry_b);
         return DistanceQuery{std::move(shape_a.front()), std::move(shape_b.front()), pose_a, pose_b};
     } catch (const std::invalid_argument&) {
         return std::nullopt;
@@ -169,7 +169,7 @@ std::optional<DistanceQuery> read_plain_query(std::string_view line) {
     using Pool = rapidjson::MemoryPoolAllocator<>;
     using Document = rapidjson::GenericDocument<rapidjson::UTF8<>, Pool, Pool>;
     constexpr std::size_t kStackBytes = 1024;
-    // A zero would end the text, and the strict reader takes keys without escapes.
+    // A zero byte would end the text; the strict reader does not accept escapes in keys.
     if (line.find('\0') != std::string_view::npos || line.find('\\') != std::string_view::npos) return std::nullopt;
     std::string text(line);                                    // parsed in place
     alignas(std::max_align_t) char values[4096], stack[4096];  // enough for a usual line

@@ -1,9 +1,7 @@
-// The quick way through a line of `distance --stdin`: one convex shape each, spelled as scene files do, nothing
-// unusual.
+// The fast reader of a line of `distance --stdin`: two convex shapes in the spelling of scene files, nothing unusual.
 //
-// What a plain line means is decided elsewhere, by make_shapes() and the strict reader; this one only recognizes the
-// lines that need no judgement, in a ninth of the time. It has no error messages: whatever it does not recognize, right
-// or wrong, is the strict reader's.
+// It takes a ninth of the time of the strict reader and has no error messages: a line that it does not recognize, right
+// or wrong, goes to the strict reader. Both make shapes by make_exact_shapes(), so they agree bit for bit.
 #pragma once
 
 #include <optional>

@@ -44,7 +44,7 @@ Json parse_json(std::string_view text, const std::string& source) {
     try {
         return Json::parse(text);
     } catch (const Json::exception& error) {
-        // "[json.exception.parse_error.101] parse error at ...": the name of the exception tells nobody anything.
+        // "[json.exception.parse_error.101] parse error at ...": the name of the exception is of no use to a user.
         const std::string what = error.what();
         fail(source, "not valid JSON: " + what.substr(what.starts_with('[') ? what.find(']') + 2 : 0));
     }

@@ -1,10 +1,12 @@
 #include "narrow/cast/cast_chain.hpp"
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 namespace {
 
-// Where the walk starts; any direction would do.
+// The direction of the chain at its start; any would do.
 constexpr DVec2 kFirstHeading{1.0, 0.0};
 
 }  // namespace
@@ -17,6 +19,7 @@ void DifferenceChain::Fan::skip_to_edge() {
 }
 
 void DifferenceChain::Fan::advance() {
+    TUMBLE_CHECK(left > 0);
     --left;
     vertex = core->next(vertex);
     skip_to_edge();
@@ -41,11 +44,13 @@ MinkowskiVertex DifferenceChain::vertex() const {
     return minkowski_vertex(pair_, {static_cast<std::uint16_t>(a_.vertex), static_cast<std::uint16_t>(b_.vertex)});
 }
 
-// Both next edges lie within half a turn ahead of the heading. One in the first quarter comes before one in the second;
-// within a quarter the cross product decides, without any danger from edges that point exactly against each other.
+// Both next edges turn by less than half a turn from the heading. An edge in the first quarter turn comes before one in
+// the second; within a quarter the cross product decides, which would fail for edges that point exactly against each
+// other.
 bool DifferenceChain::takes(const Fan& fan, const Fan& other) const {
     if (fan.left == 0) return false;
     if (other.left == 0) return true;
+    TUMBLE_CHECK(fan.edge != DVec2{});
     const bool is_near = dot(heading_, fan.edge) > 0.0, is_other_near = dot(heading_, other.edge) > 0.0;
     if (is_near != is_other_near) return is_near;
     return cross(fan.edge, other.edge) >= 0.0;

@@ -1,8 +1,9 @@
 // The boundary of the Minkowski difference A - B as one closed chain, by walking both edge fans in angular order.
 //
 // Each step consumes the edge of A or the (negated) edge of B that turns less; parallel ones together, so that the
-// chain is the same seen from B. O(n + m), nothing stored: the faces come one by one. Consecutive faces share their
-// vertex bit for bit, so that tests on the signs at vertices leave no gap between faces.
+// chain does not depend on the order of the shapes. O(n + m), and nothing is stored: the faces are generated one by
+// one. Consecutive faces share their vertex bit for bit, so that tests on the signs at vertices leave no gap between
+// faces.
 #pragma once
 
 #include "narrow/cores/support.hpp"
@@ -24,7 +25,7 @@ public:
     bool next(ChainFace& face);
 
 private:
-    // The next edge of one core, turned into the direction in which the chain runs.
+    // The edges of one core that are left, the next one in the direction of the chain.
     struct Fan {
         const Core* core;
         double sign;
@@ -32,7 +33,7 @@ private:
         int left;  // edges not consumed yet
         DVec2 edge;
 
-        void skip_to_edge();  // passes edges without length
+        void skip_to_edge();  // skips edges without length
         void advance();
     };
 

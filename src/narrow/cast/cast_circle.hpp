@@ -1,16 +1,17 @@
-// Where a path enters a circle, with the bracket that its error bound leaves.
+// The point at which a path enters a circle, with a bracket by the path's error bound.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "narrow/cast/cast_clip.hpp"
 
 namespace tumble {
 
 // Distances along the path.
 struct CircleEntry {
-    bool is_met = false;  // within E
+    bool is_reached = false;  // within E
     bool is_certain = false;
     double entry = 0.0;
     double lower = 0.0;
@@ -23,8 +24,9 @@ inline double enter_circle(double ahead, double aside, double radius) {
     return ahead - std::sqrt(std::max(0.0, (radius - aside) * (radius + aside)));
 }
 
-// The circle of the path's reach around the point, seen from outside.
-inline CircleEntry meet_circle(const CastPath& path, DVec2 center) {
+// The entry into the circle of radius `reach` around the point, from outside.
+inline CircleEntry find_circle_entry(const CastPath& path, DVec2 center) {
+    TUMBLE_CHECK(path.length > 0.0);
     const DVec2 heading = (1.0 / path.length) * path.motion;
     const double ahead = dot(heading, center), offside = cross(heading, center), aside = std::abs(offside);
     if (!(ahead > 0.0 && aside <= path.reach + path.error)) return {};

@@ -1,14 +1,15 @@
-// The path of the origin against A - B grown by a reach: where it starts, and where it meets the boundary first.
+// The path of the origin clipped by A - B grown by a reach: its start, and its first contact with the boundary.
 //
-// B moves by t v, so that A - B moves by -t v: as if the origin went along v and A - B stayed. The boundary of the
-// grown difference is its faces, moved outwards by the reach, and arcs around its vertices. A face is met if its moved
-// ends lie on the two sides of the path (a test on signs that neighbours share); a whole circle is tried at each
-// vertex, as what is no arc of it lies inside and is never met first. So nothing slips through a join. A vertex within
-// the error bound of the path counts as met.
+// B moves by t v, so A - B moves by -t v, which is the same as the origin moving along v while A - B rests
+// [Eri04, 5.5]. The boundary of the grown difference is its faces, moved outwards by the reach, and arcs around its
+// vertices. The path crosses a face if the face's moved ends lie on different sides of it, a test on signs that
+// neighbouring faces share. At each vertex a whole circle is tried: the part of it that is not on the boundary lies
+// inside and is never reached first. So no path passes between a face and an arc. A vertex within the error bound of
+// the path counts as reached.
 //
-// Bracket: a face that closes at the rate s (m a whole motion) is met within E / s of the fraction found, a circle
-// between the fractions at which the radii reach + 2E and reach - 2E are; without curvature (reach below 16 E) a vertex
-// is met within E / s of the slower face beside it.
+// Bracket: a face that closes at the rate s (m a whole motion) is reached within E / s of the fraction found, a circle
+// between the fractions of the circles of radius reach + 2E and reach - 2E. Without curvature (reach below 16 E) a
+// vertex is reached within E / s of the slower face beside it.
 #pragma once
 
 #include <cstdint>
@@ -25,15 +26,15 @@ struct CastPath {
     double error;   // E
 };
 
-// A place on the boundary of A - B.
+// A point on the boundary of A - B.
 struct CastFeature {
     DVec2 normal;     // unit, outwards: from A to B
     VertexPair from;  // ends of the face; equal for a vertex
     VertexPair to;
-    double along;  // where on the face: 0 at `from`, 1 at `to`
+    double along;  // position on the face: 0 at `from`, 1 at `to`
 };
 
-// Where the path meets the boundary. Never, if the fraction is infinite.
+// A contact of the path with the boundary; none if the fraction is infinite.
 struct CastContact {
     double fraction;
     double lower;
@@ -48,7 +49,7 @@ struct ClippedPath {
     double start_rate = 0.0;      // at which it closes
     double start_distance = 0.0;  // signed distance of the cores at the start
     bool approaches = false;      // the motion goes below the start distance by more than rounding
-    std::int32_t faces = 0;       // looked at
+    std::int32_t faces = 0;       // of the difference
 };
 
 // O(n + m).

@@ -1,9 +1,11 @@
-// Ray casts: a shape cast of a point, with short ways for circles and for sharp polygons of up to eight vertices where
-// the case is clear: the start outside by more than the error bound, and the entry, if any, not near a vertex or a
-// tangent. Everything else is left to the general clipping, so that no doubtful case is decided twice.
+// Ray casts: the cast of a point, with fast paths for circles and for sharp polygons of up to eight vertices. They
+// decide clear cases only: the start is outside by more than the error bound, and the entry, if any, is not near a
+// vertex or a tangent. All others go through the general clipping, so that only one piece of code decides doubtful
+// cases.
 #include <algorithm>
 #include <bit>
 
+#include "debug/check.hpp"
 #include "narrow/cast/cast_result.hpp"
 #include "narrow/cores/error_bound.hpp"
 #include "simd/double_lanes.hpp"
@@ -18,7 +20,7 @@ struct Ray {
     DVec2 offset;    // from there to the origin of the ray
     DVec2 motion;
     double motion_sq;
-    double way;  // at least |motion|, at most its double; without a root
+    double path;  // at least |motion|, at most its double; without a root
     double radius;
     double scale;  // at least the size and |offset|
     double error;  // E
@@ -39,6 +41,8 @@ void miss(CastResult& result, int vertices) {
 // The hit at `fraction`, known up to `doubt`; a miss if that is beyond the ray's end.
 [[gnu::always_inline]] inline void enter(CastResult& result, int vertices, double fraction, double doubt, DVec2 normal,
                                          DVec2 point) {
+    TUMBLE_CHECK(fraction >= 0.0);
+    TUMBLE_CHECK(doubt >= 0.0);
     if (fraction - doubt > 1.0) return miss(result, vertices);
     result.status = CastStatus::hit;
     result.fraction = std::min(fraction, 1.0);
@@ -66,22 +70,22 @@ void miss(CastResult& result, int vertices) {
     if (!(discriminant > 4.0 * margin)) return false;
     const double root = std::sqrt(discriminant), both = 1.0 / (ray.radius * ray.motion_sq), inverse = both * ray.radius;
     const DVec2 normal = -both * (root * v + aside * perp(v));
-    enter(result, 1, (ahead - root) * inverse, doubt_sq / root + ray.error * ray.way * inverse, normal,
+    enter(result, 1, (ahead - root) * inverse, doubt_sq / root + ray.error * ray.path * inverse, normal,
           ray.position + (on_core + ray.radius * normal));
     return true;
 }
 
-// Each vertex as the ray sees it, a vertex a lane: its side of the line, and how far on it is; both times |v| |q|^2. In
-// the shape's own axes, scaled by |q|^2, where the vertices need no rotation.
+// The coordinates of each vertex across and along the ray, a vertex a lane; both times |v| |q|^2. In the shape's own
+// axes, scaled by |q|^2, where the vertices need no rotation.
 template <int N>
-struct SeenVertices {
+struct RayVertices {
     double scale;  // |q|^2
     DoubleLanes<N> side;
     DoubleLanes<N> ahead;
 };
 
 template <int N>
-TUMBLE_LANE_FUNCTION SeenVertices<N> see(const Core& core, DVec2 offset, DVec2 motion) {
+TUMBLE_LANE_FUNCTION RayVertices<N> project(const Core& core, DVec2 offset, DVec2 motion) {
     const double scale = core.c * core.c + core.s * core.s;
     const DVec2 o = core.turned_back(offset), v = core.turned_back(motion);
     const DoubleLanes<N> x = scale * load_widened<N>(core.x) - DoubleLanes<N>(o.x),
@@ -89,42 +93,44 @@ TUMBLE_LANE_FUNCTION SeenVertices<N> see(const Core& core, DVec2 offset, DVec2 m
     return {scale, v.x * y - v.y * x, v.x * x + v.y * y};
 }
 
-// Where the line crosses the face between two vertices, if clearly: by a margin from both ends.
+// The point at which the line crosses the face between two vertices; clear if both ends are off the line by a margin.
 struct Crossing {
-    double inverse;  // of how far apart the ends are across the line
+    double inverse;  // 1 / the distance of the ends across the line
     double along;    // 0 at the first vertex, 1 at the second
     double ahead;
     bool is_clear;
 };
 
 template <int N>
-TUMBLE_LANE_FUNCTION Crossing cross_face(const SeenVertices<N>& seen, int from, int to, double margin) {
-    const double side_from = seen.side[from], side_to = seen.side[to], inverse = 1.0 / (side_from - side_to);
+TUMBLE_LANE_FUNCTION Crossing cross_face(const RayVertices<N>& vertices, int from, int to, double margin) {
+    const double side_from = vertices.side[from], side_to = vertices.side[to], inverse = 1.0 / (side_from - side_to);
     const double along = side_from * inverse;
-    return {inverse, along, seen.ahead[from] + along * (seen.ahead[to] - seen.ahead[from]),
+    return {inverse, along, vertices.ahead[from] + along * (vertices.ahead[to] - vertices.ahead[from]),
             std::min(std::abs(side_from), std::abs(side_to)) >= margin};
 }
 
-// The line enters by the face from its left to its right, and leaves by the other one that crosses it.
+// The line enters through the face that runs from its left to its right, and leaves through the other one that crosses
+// it.
 template <int N>
 [[gnu::always_inline]] inline bool cast_at_sharp_polygon(const Ray& ray, CastResult& result) {
     const Core& core = ray.core;
-    const SeenVertices<N> seen = see<N>(core, ray.offset, ray.motion);
+    const RayVertices<N> vertices = project<N>(core, ray.offset, ray.motion);
     const auto count = static_cast<unsigned>(core.count), all = (1u << count) - 1u;
-    const unsigned left = ~bits_of(seen.side < DoubleLanes<N>(0.0)) & all,
+    const unsigned left = ~bits_of(vertices.side < DoubleLanes<N>(0.0)) & all,
                    next_left = ((left >> 1) | (left << (count - 1u))) & all;
     const unsigned entries = left & ~next_left, exits = ~left & next_left;
-    const double margin = 2.0 * ray.error * ray.way * seen.scale;
+    const double margin = 2.0 * ray.error * ray.path * vertices.scale;
     if (entries == 0) {
-        if (!(smallest(larger(seen.side, DoubleLanes<N>(0.0) - seen.side)) > margin)) return false;
+        if (!(smallest(larger(vertices.side, DoubleLanes<N>(0.0) - vertices.side)) > margin)) return false;
         miss(result, core.count);
         return true;
     }
     if (!std::has_single_bit(entries)) return false;
+    TUMBLE_CHECK(exits != 0u);
     const int from = std::countr_zero(entries), to = core.next(from);
     const int exit_from = std::countr_zero(exits);
-    const Crossing entry = cross_face(seen, from, to, margin),
-                   exit = cross_face(seen, exit_from, core.next(exit_from), margin);
+    const Crossing entry = cross_face(vertices, from, to, margin),
+                   exit = cross_face(vertices, exit_from, core.next(exit_from), margin);
     if (!entry.is_clear || !exit.is_clear) return false;
     if (exit.ahead < -margin) {
         miss(result, core.count);
@@ -134,8 +140,8 @@ template <int N>
     const DVec2 edge = core.edge(from, to);
     const double edge_length = length(edge), inverse_length = 1.0 / edge_length;
     // The ends lie |e| s |q|^2 apart across the line where the face closes at the rate s.
-    const double doubt = ray.error * edge_length * seen.scale * entry.inverse;
-    enter(result, core.count, entry.ahead / (seen.scale * ray.motion_sq), doubt, inverse_length * -perp(edge),
+    const double doubt = ray.error * edge_length * vertices.scale * entry.inverse;
+    enter(result, core.count, entry.ahead / (vertices.scale * ray.motion_sq), doubt, inverse_length * -perp(edge),
           ray.position + (core.point(from) + entry.along * edge));
     return true;
 }
@@ -164,7 +170,7 @@ template <int N>
             16.0 * kUnitRoundoff * (scale + radius)};
 }
 
-// Makes the ray anew: handed over, it would have to pass through memory in the clear cases as well.
+// Makes the ray again: as an argument it would pass through memory in the clear cases as well.
 [[gnu::noinline]] CastResult cast_in_general(const Shape& shape, const Pose& world_from_shape, DVec2 origin,
                                              DVec2 translation) {
     static constexpr float kPoint = 0.0f;
@@ -178,7 +184,7 @@ template <int N>
 }  // namespace
 
 CastResult cast_ray(const Shape& shape, const Pose& world_from_shape, DVec2 origin, DVec2 translation) noexcept {
-    // One result for all returns: a second one would be copied whole.
+    // One result for all returns: a second one would be copied.
     CastResult result;
     const bool is_clear = cast_at_clear(make_ray(shape, world_from_shape, origin, translation), result);
     if (!is_clear) result = cast_in_general(shape, world_from_shape, origin, translation);

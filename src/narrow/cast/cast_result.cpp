@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "debug/check.hpp"
 #include "narrow/cores/error_bound.hpp"
 
 namespace tumble {
@@ -14,12 +15,13 @@ DVec2 core_point(const Core& a, const CastFeature& feature) {
     return feature.from.a == feature.to.a ? from : from + feature.along * a.edge(feature.from.a, feature.to.a);
 }
 
-// The hit at a contact, which is reported no later than the motion ends.
-CastResult met_at(const CastContact& contact, std::int32_t iterations, const Core& a, double radius_a,
+// The hit at a contact, at most at the end of the motion.
+CastResult hit_at(const CastContact& contact, std::int32_t iterations, const Core& a, double radius_a,
                   DVec2 position_a) {
     const CastFeature& feature = contact.feature;
     CastResult result;
     result.status = CastStatus::hit;
+    TUMBLE_CHECK(contact.fraction >= 0.0);
     result.fraction = std::fmin(contact.fraction, 1.0);
     result.lower = contact.lower;
     result.upper = contact.upper;
@@ -52,9 +54,10 @@ CastResult cast_result(const ClippedPath& clipped, const CastPath& path, const C
     if (gap < -path.error) return overlapped(clipped.faces);
     const bool is_at_target = gap <= path.error;
     if (is_at_target ? !clipped.approaches : !(clipped.first.lower <= 1.0)) return missed(clipped.faces);
-    if (!is_at_target) return met_at(clipped.first, clipped.faces, a, radius_a, position_a);
+    if (!is_at_target) return hit_at(clipped.first, clipped.faces, a, radius_a, position_a);
+    TUMBLE_CHECK(clipped.start_rate > 0.0);
     const double upper = 2.0 * path.error / clipped.start_rate;
-    return met_at({0.0, 0.0, upper, clipped.start_rate, clipped.start}, clipped.faces, a, radius_a, position_a);
+    return hit_at({0.0, 0.0, upper, clipped.start_rate, clipped.start}, clipped.faces, a, radius_a, position_a);
 }
 
 }  // namespace tumble

@@ -18,8 +18,8 @@ inline CastResult overlapped(std::int32_t iterations) {
 
 bool is_valid_motion(DVec2 translation);
 
-// The error bound is that of the core distance with the reach among the sizes; a path met far along it is met among the
-// vertices, so that its own length does not enter.
+// The error bound is that of the core distance with the reach among the sizes. A contact is always near the vertices,
+// so the length of the path does not enter.
 CastPath make_path(const CorePair& pair, DVec2 translation, double reach);
 
 // Points are those of A's core, moved to its surface by the radius.

@@ -1,4 +1,4 @@
-// Linear casts of shapes: guard, path, and what its start and its first contact mean for the shapes.
+// cast_shape(): validity, the clipped path of the origin, and the result that its start and first contact give.
 #include "narrow/cast/cast_result.hpp"
 
 namespace tumble {

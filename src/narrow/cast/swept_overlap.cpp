@@ -1,8 +1,9 @@
-// GJK on a swept difference [seeds: moving objects, extended by adding v to all vertices]: A - B and all of it moved by
-// -v have the support s_A(d) - s_B(-d) + max(0, -d . v). Only the sign of the distance less the radii is asked for, so
-// that the loop stops at the first direction that separates, and at the first simplex that is near enough.
+// GJK on a swept difference: the hull of A - B and of A - B moved by -v has the support s_A(d) - s_B(-d) + max(0, -d .
+// v). Only the sign of the distance less the radii is needed, so the loop stops at the first direction that separates,
+// and at the first simplex that is near enough.
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "narrow/cast/cast_result.hpp"
 #include "narrow/cores/error_bound.hpp"
 #include "narrow/cores/support.hpp"
@@ -11,7 +12,7 @@ namespace tumble {
 
 namespace {
 
-constexpr int kStepCap = 128;  // about 30 are seen for 65 535 vertices, 3 for boxes; beyond: not decided
+constexpr int kStepCap = 128;  // about 30 observed for 65 535 vertices, 3 for boxes; at the cap: not decided
 
 struct SweptSupport {
     DVec2 w;
@@ -34,7 +35,7 @@ private:
     DVec2 motion_;
 };
 
-// The vertices of the simplex, and where the origin lies: `away` from it in `direction`, or inside if both are zero.
+// The simplex, and the distance `away` and `direction` from it to the origin; both are zero if the origin is inside.
 struct SweptSimplex {
     DVec2 w[3];
     int count = 0;
@@ -70,7 +71,8 @@ SweptSimplex with(const SweptSimplex& simplex, DVec2 w) {
     return nearest_in_triangle({{simplex.w[0], simplex.w[1], w}, 3, {}, 0.0});
 }
 
-// A triangle holds the origin. Where that is within the error bound of a side, the difference has to go on beyond it.
+// A triangle contains the origin. Next to a side that is within the error bound of it, the difference must extend
+// beyond.
 DistanceStatus status_inside(const SweptDifference& difference, const SweptSimplex& triangle, double error) {
     const double turn = cross(triangle.w[1] - triangle.w[0], triangle.w[2] - triangle.w[0]) < 0.0 ? -1.0 : 1.0;
     for (int i = 0; i < 3; ++i) {
@@ -83,6 +85,7 @@ DistanceStatus status_inside(const SweptDifference& difference, const SweptSimpl
 }
 
 DistanceStatus find_status(const SweptDifference& difference, DVec2 first_direction, double reach, double error) {
+    TUMBLE_CHECK(reach >= 0.0);
     SweptSimplex simplex = nearest_to_vertex(difference.support(first_direction).w);
     for (int step = 0; step < kStepCap; ++step) {
         if (simplex.away + error < reach) return DistanceStatus::overlapping;
@@ -107,7 +110,7 @@ DistanceStatus swept_overlap(const Shape& a, const Pose& world_from_a, const Sha
     const double reach = static_cast<double>(a.radius()) + b.radius();
     const double error = 16.0 * kUnitRoundoff * (pair.scale + length(translation) + reach);
     const DVec2 towards =
-        pair.offset == DVec2{} ? DVec2{1.0, 0.0} : pair.offset;  // zero would support no extreme vertex
+        pair.offset == DVec2{} ? DVec2{1.0, 0.0} : pair.offset;  // in the direction zero no vertex is extreme
     return find_status({pair, translation}, towards, reach, error);
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "debug/check.hpp"
 #include "narrow/compound/part_pairs.hpp"
 #include "narrow/distance/distance_result.hpp"
 
@@ -51,6 +52,8 @@ CompoundDistance compound_distance(std::span<const Shape> a, const Pose& world_f
         best.part_b = part_b;
     });
     if (!valid) return invalid_distance();
+    TUMBLE_CHECK(best.part_a >= 0);
+    TUMBLE_CHECK(best.lower <= best.upper);
     best.status = status_of(best.lower, best.upper);
     return best;
 }

@@ -1,8 +1,9 @@
-// Casts of compounds: pairs of parts in the order of the fraction before which their boxes cannot meet.
+// Casts of compounds: pairs of parts in the order of the fraction before which their boxes cannot touch.
 #include <cstddef>
 #include <limits>
 #include <utility>
 
+#include "debug/check.hpp"
 #include "narrow/cast/cast_result.hpp"
 #include "narrow/compound/part_pairs.hpp"
 #include "tumble/compound.hpp"
@@ -11,15 +12,17 @@ namespace tumble {
 
 namespace {
 
-constexpr double kNeverMet = std::numeric_limits<double>::infinity();
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // The first of all casts so far.
 class FirstCast {
 public:
-    double limit() const { return is_decided_ ? -kNeverMet : result_.first.fraction; }
+    double limit() const { return is_decided_ ? -kNever : result_.first.fraction; }
 
     void add(const CastResult& found, std::int32_t part_a, std::int32_t part_b) {
         ++result_.queries;
+        TUMBLE_CHECK(!(found.fraction < 0.0));
+        TUMBLE_CHECK(!(found.fraction > 1.0));
         if (found.status == CastStatus::invalid) is_valid_ = false;
         if (is_decided_ || (found.status != CastStatus::hit && found.status != CastStatus::overlapping)) return;
         is_decided_ = found.status == CastStatus::overlapping;
@@ -45,26 +48,26 @@ private:
     bool is_valid_ = true;
 };
 
-// When two boxes first come within `margin` of each other along both axes, B moving by `motion`; never, if that is
-// infinite.
-double meeting_of_boxes(const Aabb& a, const Aabb& b, DVec2 motion, double margin) {
-    double enter = 0.0, leave = kNeverMet;
-    const auto cut = [&](double a_lower, double a_upper, double b_lower, double b_upper, double way) {
+// The fraction at which two boxes first come within `margin` of each other along both axes, B moving by `motion`;
+// infinite if they never do.
+double first_touch_of_boxes(const Aabb& a, const Aabb& b, DVec2 motion, double margin) {
+    double enter = 0.0, leave = kNever;
+    const auto cut = [&](double a_lower, double a_upper, double b_lower, double b_upper, double path) {
         const double from = (a_lower - margin) - b_upper,
-                     to = (a_upper + margin) - b_lower;  // B's ways that make them meet
-        if (way == 0.0) {
-            if (from > 0.0 || to < 0.0) leave = -kNeverMet;
+                     to = (a_upper + margin) - b_lower;  // displacements of B at which they touch
+        if (path == 0.0) {
+            if (from > 0.0 || to < 0.0) leave = -kNever;
             return;
         }
-        enter = std::max(enter, (way > 0.0 ? from : to) / way);
-        leave = std::min(leave, (way > 0.0 ? to : from) / way);
+        enter = std::max(enter, (path > 0.0 ? from : to) / path);
+        leave = std::min(leave, (path > 0.0 ? to : from) / path);
     };
     cut(a.lower.x, a.upper.x, b.lower.x, b.upper.x, motion.x);
     cut(a.lower.y, a.upper.y, b.lower.y, b.upper.y, motion.y);
-    return enter <= leave ? enter : kNeverMet;
+    return enter <= leave ? enter : kNever;
 }
 
-// The first of the casts of all pairs that come before it by their bound.
+// The first hit of all pairs; casts only the pairs whose bound lies before it.
 template <class Bound, class Cast>
 CompoundCast find_first(PartPairs& pairs, Bound bound, Cast cast) {
     FirstCast first;
@@ -80,7 +83,7 @@ CompoundCast find_first(PartPairs& pairs, Bound bound, Cast cast) {
     return first.result();
 }
 
-// Farthest point of any part from the centre of mass, for the speed that turning gives it.
+// The distance of the farthest point of any part from the centre of mass, for its speed by turning.
 double farthest(std::span<const Shape> parts, Vec2 center) {
     double result = 0.0;
     for (const Shape& part : parts) result = std::max<double>(result, farthest_distance(part, center));
@@ -96,7 +99,7 @@ CompoundCast compound_cast_ray(std::span<const Shape> parts, const Pose& world_f
     const double margin = pairs.rounding();
     if (!is_valid_motion(translation)) return {invalid_cast(), -1, -1, 0};
     return find_first(
-        pairs, [&](const Aabb& a, const Aabb& b) { return meeting_of_boxes(a, b, translation, margin); },
+        pairs, [&](const Aabb& a, const Aabb& b) { return first_touch_of_boxes(a, b, translation, margin); },
         [&](std::size_t i, std::size_t) { return cast_ray(parts[i], world_from_parts, origin, translation); });
 }
 
@@ -107,7 +110,7 @@ CompoundCast compound_cast_shape(std::span<const Shape> a, const Pose& world_fro
     const double margin = target + pairs.rounding(target);
     return find_first(
         pairs,
-        [&](const Aabb& box_a, const Aabb& box_b) { return meeting_of_boxes(box_a, box_b, translation, margin); },
+        [&](const Aabb& box_a, const Aabb& box_b) { return first_touch_of_boxes(box_a, box_b, translation, margin); },
         [&](std::size_t i, std::size_t k) {
             return cast_shape(a[i], world_from_a, b[k], world_from_b, translation, target);
         });

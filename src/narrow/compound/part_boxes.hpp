@@ -1,4 +1,4 @@
-// The bounding boxes of a compound's parts, and what the boxes of two parts prove about their distance.
+// The bounding boxes of a compound's parts, and the lower bound that two boxes are for the distance of their parts.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace tumble {
 
-// In the axes and relative to the point that `pose` refers to.
+// In the frame that the pose is relative to.
 struct PartBoxes {
     std::pmr::vector<Aabb> boxes;  // [parts]
     Aabb all;
@@ -32,9 +32,9 @@ struct PartBoxes {
     }
 };
 
-// A lower bound of the signed distance of what the boxes hold: their gap or, where they overlap, minus the shorter way
-// apart (a part of a set is no nearer than the set). The boxes were rounded outwards by 2^-23 of their coordinates,
-// which outweighs the roundings here.
+// A lower bound of the signed distance of the shapes in the boxes: the gap of the boxes or, if they overlap, minus the
+// shortest displacement that separates them (a part of a set is no nearer than the set). The boxes are rounded outwards
+// by 2^-23 of their coordinates, more than the roundings here.
 inline double separation(const Aabb& a, const Aabb& b) {
     const auto gap = [](double a_lower, double a_upper, double b_lower, double b_upper) {
         return std::max(a_lower - b_upper, b_lower - a_upper);

@@ -1,5 +1,5 @@
-// Best first over the pairs of two compounds' parts, in two levels: A's parts in the order of their bound to all of B,
-// and for each of them B's parts in the order of theirs; both lists end where no pair can change the answer any more.
+// The pairs of two compounds' parts, nearest first in two levels: A's parts in the order of their bound to all of B,
+// and for each of them B's parts in the order of their bound to it. Both lists end where no pair can change the answer.
 #pragma once
 
 #include <algorithm>
@@ -7,11 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "debug/check.hpp"
 #include "narrow/compound/part_boxes.hpp"
 
 namespace tumble {
 
-// For the boxes and lists of 250 parts of both together, then the heap.
+// Enough for the boxes and lists of 250 parts of both together; more use the heap.
 inline constexpr std::size_t kPartBytes = 8192;
 
 struct PartCandidate {
@@ -31,16 +32,19 @@ void sort_candidates(const PartBoxes& parts, Bound bound, double limit, PartCand
     candidates.clear();
     for (std::size_t part = 0; part < parts.boxes.size(); ++part) {
         const double of_part = bound(parts.boxes[part]);
+        TUMBLE_CHECK(!std::isnan(of_part));
         if (of_part <= limit) candidates.push_back({of_part, static_cast<std::int32_t>(part)});
     }
     std::sort(candidates.begin(), candidates.end());
 }
 
-// Calls query(part_a, part_b) for the pairs whose bound(box_a, box_b) is at most limit(), which may sink meanwhile. A
-// larger box must have a lower bound.
+// Calls query(part_a, part_b) for the pairs whose bound(box_a, box_b) is at most limit(), which queries may lower. The
+// bound of a larger box must not be higher.
 template <class Bound, class Limit, class Query>
 void visit_part_pairs(const PartBoxes& a, const PartBoxes& b, std::pmr::memory_resource* memory, Bound bound,
                       Limit limit, Query query) {
+    TUMBLE_CHECK(a.valid);
+    TUMBLE_CHECK(b.valid);
     PartCandidates rows(memory), row(memory);
     rows.reserve(a.boxes.size());
     row.reserve(b.boxes.size());

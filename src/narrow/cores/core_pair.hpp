@@ -1,12 +1,13 @@
 // The two convex cores of a query, in world axes relative to A's position.
 //
-// Vertices are turned by their own rotation only and B's are shifted by the offset of the positions, so that swapping
-// the shapes negates every number exactly, and far from the origin nothing is lost but the rounding of the offset.
+// Vertices are turned by their own rotation only, and B's are shifted by the offset of the positions. Swapping the
+// shapes then negates every number exactly, and far from the origin only the offset rounds.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "simd/lane_function.hpp"
 #include "tumble/math.hpp"
 #include "tumble/shape.hpp"
@@ -29,16 +30,23 @@ struct Core {
 
     // A vertex in world axes, relative to the body's position. Products of two floats are exact in double: each
     // coordinate carries one rounding.
-    DVec2 point(int index) const { return turned({x[index], y[index]}); }
+    DVec2 point(int index) const {
+        TUMBLE_CHECK(index >= 0);
+        TUMBLE_CHECK(index < count);
+        return turned({x[index], y[index]});
+    }
 
     // The edge from one vertex to another: as a difference of local coordinates it keeps its relative accuracy however
     // short it is.
-    DVec2 edge(int from, int to) const { return turned(local_edge(from, to)); }
+    DVec2 edge(int from, int to) const {
+        TUMBLE_CHECK(to < count);
+        return turned(local_edge(from, to));
+    }
     DVec2 local_edge(int from, int to) const {
         return {static_cast<double>(x[to]) - x[from], static_cast<double>(y[to]) - y[from]};
     }
 
-    // Without a branch: where an outline ends is as good as random.
+    // Without a branch, which a processor could not predict.
     int next(int index) const { return (index + 1) & -static_cast<int>(index + 1 != count); }
     int previous(int index) const { return index > 0 ? index - 1 : count - 1; }
 };
@@ -47,14 +55,14 @@ struct CorePair {
     Core a;
     Core b;
     DVec2 offset;  // from A's position to B's
-    double scale;  // at least |qA| RA + |qB| RB + |offset|: what rounding is relative to
+    double scale;  // S, at least |qA| RA + |qB| RB + |offset|: error bounds are relative to it
 };
 
 [[gnu::always_inline]] inline Core make_core(const Shape& shape, Rotation q) {
     return {shape.x().data(), shape.y().data(), shape.vertex_count(), q.c, q.s, shape.large(), shape.is_convex()};
 }
 
-// True if all faces of A - B are those of the outlines' edges, few enough to be looked at in lanes.
+// True if the edges of both outlines are the faces of A - B, few enough to be computed in lanes.
 [[gnu::always_inline]] inline bool has_few_faces(const CorePair& pair) {
     return std::max(pair.a.count, pair.b.count) <= Shape::kInlineVertices && pair.a.is_convex && pair.b.is_convex;
 }

@@ -6,7 +6,8 @@
 
 namespace tumble {
 
-// At most N vertices; the lanes beyond repeat vertex 0, which is never chosen before vertex 0 itself.
+// At most N vertices; the lanes after the last one repeat vertex 0. Ties go to the lowest lane, so these are never
+// chosen.
 template <int N>
 struct TurnedCore {
     DoubleLanes<N> x;  // relative to the body's position; the same bits as Core::point()

@@ -1,3 +1,4 @@
+#include "debug/check.hpp"
 #include "narrow/distance/measure_cores.hpp"
 #include "narrow/distance/witness.hpp"
 
@@ -10,6 +11,9 @@ DVec2 quotient(DVec2 v, double divisor) { return {v.x / divisor, v.y / divisor};
 
 // For cores that do not share a point.
 CoreDistance separated_cores(const CorePair& pair, const GjkResult& gjk) {
+    TUMBLE_CHECK(!gjk.closest.contains_origin);
+    TUMBLE_CHECK(gjk.simplex.count >= 1);
+    TUMBLE_CHECK(gjk.simplex.count <= 2);
     const Closest& closest = gjk.closest;
     const double length_of_direction = length(closest.direction);
     CoreDistance result;
@@ -24,7 +28,7 @@ CoreDistance separated_cores(const CorePair& pair, const GjkResult& gjk) {
     return result;
 }
 
-// Two points, or polygons without any edge: what GJK found, and a normal decided where they coincide.
+// Two points, or polygons without any edge: the result of GJK, with the normal (1, 0) if they coincide.
 CoreDistance touching_points(const CorePair& pair, const GjkResult& gjk) {
     if (!gjk.closest.contains_origin) return separated_cores(pair, gjk);
     CoreDistance result;
@@ -37,6 +41,7 @@ CoreDistance touching_points(const CorePair& pair, const GjkResult& gjk) {
 }
 
 CoreDistance face_distance(const CorePair& pair, const Face& face) {
+    TUMBLE_CHECK(face.direction != DVec2{});
     CoreDistance result;
     result.distance = face.separation;
     result.lower = face.separation - error_bound(pair);
@@ -50,8 +55,8 @@ CoreDistance face_distance(const CorePair& pair, const Face& face) {
     return result;
 }
 
-// Within rounding of contact both views are true: GJK's simplex bounds from above, the face from below. Where the face
-// gives the answer it bounds from above too: it lies as far from the origin as it is deep.
+// Within rounding of contact both are valid: GJK's simplex is an upper bound, the face a lower one. If the face gives
+// the answer it is an upper bound too, because its distance from the origin is its depth.
 CoreDistance touching_cores(const CorePair& pair, const GjkResult& gjk, const CoreDistance& by_face) {
     CoreDistance result = by_face;
     result.upper = std::abs(by_face.distance) + error_bound(pair);
@@ -72,8 +77,9 @@ CoreDistance unseparated_cores(const CorePair& pair, const GjkResult& gjk) {
     return result.overlap ? result : touching_cores(pair, gjk, result);
 }
 
-// By the feature that the simplex is, as every query of small cores ends.
+// For small cores, by the feature that the simplex is: the formulas by which all their queries end.
 bool measure_small_simplex(const CorePair& pair, const Simplex& simplex, CoreDistance& result) {
+    TUMBLE_CHECK(simplex.count >= 1);
     if (simplex.count > 2 || !has_few_faces(pair)) return false;
     if (pair.a.count == 1 && pair.b.count == 1) return measure_points(pair, result) && result.lower > 0.0;
     const VertexPair first = simplex.vertices[0].pair(), second = simplex.vertices[1].pair();
@@ -103,8 +109,8 @@ void move_below_origin(const CorePair& pair, CoreDistance& core) {
     find_witness(pair, core);
 }
 
-// Of parallel faces of both cores the parts that the origin is not above lead as well; where they overlap, the walk
-// along them finds the part that it is above.
+// Of parallel faces of both cores, those that the origin does not project onto have the largest separation as well. If
+// the cores overlap, the walk along them finds the part that it projects onto.
 bool measure_parallel_faces(const CorePair& pair, CoreDistance& result) {
     const TurnedPair<8> turned = {turn<8>(pair.a), turn<8>(pair.b)};
     for (LeadingFaces<8> leading(pair, turned); leading.bits != 0; leading.bits &= leading.bits - 1) {
@@ -124,6 +130,11 @@ CoreDistance conclude(const CorePair& pair, GjkResult gjk) {
         gjk = exhaustive_search(pair, gjk);
         result = measure_simplex(pair, gjk);
     }
+    TUMBLE_CHECK(result.pair_count >= 1);
+    TUMBLE_CHECK(result.pair_count <= 2);
+    TUMBLE_CHECK(!(result.lower > result.upper));
+    // A shorter vector has a length that is not accurate: its squares underflow.
+    TUMBLE_CHECK((!(result.distance > 0x1p-400) || std::abs(length_sq(result.normal) - 1.0) < 0x1p-40));
     find_witness(pair, result);
     result.iterations = gjk.iterations;
     result.reached_cap = gjk.reached_cap;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "narrow/faces/exhaustive.hpp"
 #include "narrow/faces/faces.hpp"
 #include "narrow/gjk/gjk.hpp"
@@ -26,18 +27,19 @@ struct CoreDistance {
     bool reached_cap = false;
 };
 
-// What the loop would end with, from the nearest of all simplices: for a loop that stopped early, or closed around the
-// origin by rounding alone.
+// The result that the loop should have had, from the nearest of all simplices: for a loop that stopped early, or whose
+// triangle contains the origin by rounding alone.
 GjkResult exhaustive_search(const CorePair& pair, GjkResult stopped);
 
 // True if the loop's own bounds are apart by more than rounding explains.
 [[gnu::always_inline]] inline bool stopped_early(const CorePair& pair, const GjkResult& gjk) {
     if (gjk.closest.contains_origin) return false;
+    TUMBLE_CHECK(!(gjk.closest.toward < 0.0));
     const double gap = gjk.closest.toward + gjk.height, bound = 2.0 * error_bound(pair);
     return gap > 0.0 && gap * gap > bound * bound * length_sq(gjk.closest.direction);
 }
 
-// The answer that GJK's last simplex gives.
+// The core distance by GJK's last simplex.
 CoreDistance conclude(const CorePair& pair, GjkResult gjk);
 
 inline constexpr auto kUnobserved = [](const Simplex&, const Closest&, const MinkowskiSupport&) {};

@@ -1,4 +1,4 @@
-// The public query: guard, cores, radii.
+// distance(): validity, the distance of the cores, then the radii.
 #include "tumble/distance.hpp"
 
 #include <limits>
@@ -18,7 +18,7 @@ DistanceResult invalid_result() {
 
 namespace {
 
-// Apart from the query below, whose pair then stays in registers.
+// A function of its own, so that the pair of the query below stays in registers.
 [[gnu::noinline]] DistanceResult distance_of_coincident(const Shape& a, const Pose& world_from_a, const Shape& b,
                                                         const Pose& world_from_b) {
     const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);

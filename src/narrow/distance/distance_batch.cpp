@@ -1,11 +1,12 @@
 // Many queries at once: a pair a lane.
 //
 // Pairs of at most four, and of at most eight, vertices are collected until their lanes are full, and answered together
-// by the formulas of one pair (feature_formulas.hpp). So each answer has the bits of distance(), whatever stands beside
-// it: no lane reads another. Pairs that the leading face does not decide, large ones, and the last ones of lanes that
-// are not full are asked one by one.
+// by the formulas of one pair (feature_formulas.hpp). No lane reads another, so each answer has the bits of distance()
+// whatever pairs are beside it. Pairs that the leading face does not decide, large ones, and a last group that does not
+// fill its lanes are answered one by one.
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "narrow/distance/distance_result.hpp"
 #include "narrow/distance/measure_pairs.hpp"
 
@@ -19,6 +20,8 @@ public:
     Batch(std::span<const PosedPair> pairs, std::span<DistanceResult> results) : pairs_(pairs), results_(results) {}
 
     void add(std::size_t index) {
+        TUMBLE_CHECK(count_ < kPairs);
+        TUMBLE_CHECK(index < results_.size());
         indices_[count_++] = index;
         if (count_ == kPairs) answer_all();
     }
@@ -44,6 +47,7 @@ private:
             poses_a[lane] = &pair.world_from_a;
             poses_b[lane] = &pair.world_from_b;
         }
+        TUMBLE_CHECK(count_ == kPairs);
         const MeasuredPairs<N> measured(CorePairs<N>(shapes_a, poses_a, shapes_b, poses_b));
         for (int lane = 0; lane < kPairs; ++lane) {
             const Shape &a = *shapes_a[lane], &b = *shapes_b[lane];

@@ -1,6 +1,7 @@
 // From core distance to the public result: radii subtracted last, witness points moved to the surfaces.
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/distance/core_distance.hpp"
 
 namespace tumble {
@@ -16,7 +17,9 @@ DistanceResult invalid_result();
                                                 const Shape& b, DVec2 position_a, DVec2 position_b) {
     const double radius_a = a.radius(), radius_b = b.radius(), radii = radius_a + radius_b;
     const double rounding = radii > 0.0 ? 4.0 * kUnitRoundoff * (radii + std::abs(core.distance)) : 0.0;
-    // By single numbers: g++ 12 copies a struct that was just written by halves as a whole, and waits for it (20 ns).
+    // Number by number: g++ 12 copies a struct as a whole that it has just written in halves, and stalls for 20 ns.
+    TUMBLE_CHECK(radii >= 0.0);
+    TUMBLE_CHECK(core.lower <= core.upper);
     result.distance = core.distance - radii;
     result.lower = (core.lower - radii) - rounding;
     result.upper = (core.upper - radii) + rounding;

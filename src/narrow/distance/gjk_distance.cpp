@@ -1,7 +1,8 @@
-// The GJK loop by itself, with any distance subalgorithm: measured, or with an observer that writes every iteration
-// down.
+// gjk_distance() and trace_distance(): the GJK loop alone, with any distance subalgorithm, and with an observer that
+// records every iteration.
 #include <limits>
 
+#include "debug/check.hpp"
 #include "narrow/distance/distance_result.hpp"
 #include "narrow/gjk/johnson.hpp"
 #include "narrow/gjk/signed_volumes.hpp"
@@ -16,6 +17,7 @@ public:
 
     void operator()(const Simplex& simplex, const Closest& closest, const MinkowskiSupport& support) {
         const double length_of_direction = length(closest.direction);
+        TUMBLE_CHECK(length_of_direction > 0.0);
         TraceStep step;
         step.count = static_cast<std::uint8_t>(simplex.count);
         for (std::size_t i = 0; i < step.count; ++i) {
@@ -38,7 +40,7 @@ private:
     double lower_ = -std::numeric_limits<double>::infinity();
 };
 
-// The subalgorithm is chosen here, outside the loop.
+// Chooses the subalgorithm outside the loop.
 template <typename Observer>
 CoreDistance measure_by(SubAlgorithm sub_algorithm, const CorePair& pair, SimplexCache* cache, Observer&& observe) {
     switch (sub_algorithm) {

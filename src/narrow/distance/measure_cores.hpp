@@ -1,14 +1,15 @@
-// The core distance by the shortest way that the sizes of the cores allow.
+// The core distance by the fastest method for the sizes of the cores (the table in src/narrow/README.md).
 //
-// `finish` makes the caller's answer of the CoreDistance and is inlined: a struct that had to pass through memory would
-// cost more than the arithmetic, as its halves are stored one by one and read together.
+// `finish` turns the CoreDistance into the caller's answer and is inlined: a struct that passes through memory costs
+// more than the arithmetic, because its halves are stored one by one and read together.
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/distance/small_features.hpp"
 
 namespace tumble {
 
-// For at most eight vertices where the leading face does not decide: parallel faces, contact within rounding.
+// For at most eight vertices, if the leading face does not decide: parallel faces, or contact within rounding.
 CoreDistance search_small_cores(const CorePair& pair, SimplexCache* cache);
 
 // GJK for any number of vertices, and for outlines that are not convex.
@@ -34,8 +35,8 @@ CoreDistance measure_any_cores(const CorePair& pair, SimplexCache* cache);
     return distance > 0.0;
 }
 
-// What the leading face, measured, says: it is the answer if the foot is inside, else the vertex that it ends with.
-// Where faces are equally separated, no vertex: which one is tried would depend on the order of the shapes.
+// The feature that the leading face decides for: the face itself if the foot of the origin is inside it, else the
+// vertex at its end. No vertex if faces are equally separated, as its choice would depend on the order of the shapes.
 enum class Decision { face, vertex, none };
 
 [[gnu::always_inline]] inline Decision decide(Foot foot, bool leads_alone, const CoreDistance& by_face) {
@@ -48,7 +49,8 @@ enum class Decision { face, vertex, none };
     return pair_of_owner(face.is_b, foot == Foot::beyond_first ? face.from : face.to, face.nearest);
 }
 
-// The face between two pairs, if they are the ends of one and the nearest point lies in it. Any pairs are safe.
+// The distance by the face between two pairs, if they are the ends of one and the nearest point lies inside it. Any
+// pairs are safe.
 template <int N>
 TUMBLE_LANE_FUNCTION bool measure_by_ends(const CorePair& pair, VertexPair first, VertexPair second,
                                           CoreDistance& result) {
@@ -63,6 +65,8 @@ TUMBLE_LANE_FUNCTION bool measure_by_ends(const CorePair& pair, VertexPair first
 }
 
 [[gnu::always_inline]] inline void store(const CoreDistance& core, SimplexCache& cache) {
+    TUMBLE_CHECK(core.pair_count >= 1);
+    TUMBLE_CHECK(core.pair_count <= 2);
     cache.pairs[0].a = core.pairs[0].a;
     cache.pairs[0].b = core.pairs[0].b;
     cache.pairs[1].a = core.pairs[1].a;
@@ -97,9 +101,12 @@ template <int N, typename Finish>
     return finish(result);
 }
 
-// A cache, if given, supplies the first simplex and receives the last.
+// A cache, if given, supplies the first feature or simplex and receives the last.
 template <typename Finish>
 [[gnu::always_inline]] inline auto measure_cores(const CorePair& pair, SimplexCache* cache, const Finish& finish) {
+    TUMBLE_CHECK(pair.a.count >= 1);
+    TUMBLE_CHECK(pair.b.count >= 1);
+    TUMBLE_CHECK(pair.scale >= 0.0);
     const int largest = std::max(pair.a.count, pair.b.count);
     if (largest == 1) {
         CoreDistance result;

@@ -1,7 +1,8 @@
-// Core distances of many pairs of small cores at once, a pair a lane: as measure_cores.hpp finds them without a cache,
-// and with the same bits.
+// Core distances of many pairs of small cores at once, a pair a lane, with the bits of measure_cores.hpp without a
+// cache.
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/distance/core_distance.hpp"
 #include "narrow/faces/faces_of_pairs.hpp"
 
@@ -12,7 +13,7 @@ class MeasuredPairs {
 public:
     TUMBLE_LANE_FUNCTION explicit MeasuredPairs(const CorePairs<N>& pairs) : leading_(pairs) {
         const PairLanes zero(0.0), error = error_bound(pairs.scale);
-        const SeenFace<PairLanes>& face = leading_.face;
+        const FaceNumbers<PairLanes>& face = leading_.face;
         const FaceMeasure<PairLanes> by_face = measure(face, select(leading_.is_b, -pairs.offset_x, pairs.offset_x),
                                                        select(leading_.is_b, -pairs.offset_y, pairs.offset_y));
         distance_ = face.separation;
@@ -39,8 +40,9 @@ public:
 
     bool is_decided(int lane) const { return ((by_face_ | by_vertex_) >> lane & 1u) != 0; }
 
-    // Of a decided pair.
+    // The distance of a decided pair.
     TUMBLE_LANE_FUNCTION CoreDistance operator()(int lane, const Shape& a, const Shape& b) const {
+        TUMBLE_CHECK(is_decided(lane));
         CoreDistance core;
         core.distance = distance_[lane];
         core.lower = lower_[lane];
@@ -69,11 +71,11 @@ public:
     }
 
 private:
-    // By the vertices that the leading faces end with, where it is they that may decide.
+    // By the vertices at the ends of the leading faces, in the lanes where these may decide.
     TUMBLE_LANE_FUNCTION void measure_ends(const CorePairs<N>& pairs, const PairMask& beyond_first,
                                            const PairMask& is_inside) {
         const CoreOfPairs<N>&a = pairs.a, &b = pairs.b;
-        const SeenFace<PairLanes>& face = leading_.face;
+        const FaceNumbers<PairLanes>& face = leading_.face;
         const PairLanes end_x = select(beyond_first, face.first_x, face.second_x),
                         end_y = select(beyond_first, face.first_y, face.second_y);
         const PairLanes a_x = select(leading_.is_b, face.other_x, end_x),

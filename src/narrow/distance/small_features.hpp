@@ -1,5 +1,5 @@
-// The signed distance of small cores by one feature of A - B: measured, and proved or refused. Every way to an answer
-// ends here, so that it has the same bits whichever way it was found.
+// The signed distance of small cores by one feature of A - B, with the proof that no other feature is nearer. All paths
+// to an answer end with these formulas, so the answer has the same bits on each.
 #pragma once
 
 #include "narrow/distance/core_distance.hpp"
@@ -7,8 +7,8 @@
 
 namespace tumble {
 
-// By a vertex of A - B, a of A and b of B: for the direction from it to the origin no other one is higher, within
-// rounding.
+// By a vertex of A - B, a of A and b of B. True if it is proved to be the nearest: no other vertex is higher in the
+// direction from it to the origin, within rounding.
 template <int N>
 TUMBLE_LANE_FUNCTION bool measure_by_vertex(const CorePair& pair, const TurnedPair<N>& turned, VertexPair at,
                                             CoreDistance& result) {
@@ -40,20 +40,20 @@ enum class Foot { inside, beyond_first, beyond_second };
 // The face's separation is a lower bound, and the distance if the foot is inside.
 [[gnu::always_inline]] inline Foot measure_by_face(const CorePair& pair, const OwnedFace& face, CoreDistance& result) {
     const double sign = kSign[face.is_b];
-    const SeenFace<double>& seen = face.seen;
-    const FaceMeasure<double> measured = measure(seen, sign * pair.offset.x, sign * pair.offset.y);
-    result.distance = seen.separation;
-    result.lower = seen.separation - error_bound(pair);
-    result.upper = seen.separation + error_bound(pair);
-    result.direction.x = sign * seen.outward_x;
-    result.direction.y = sign * seen.outward_y;
+    const FaceNumbers<double>& numbers = face.numbers;
+    const FaceMeasure<double> measured = measure(numbers, sign * pair.offset.x, sign * pair.offset.y);
+    result.distance = numbers.separation;
+    result.lower = numbers.separation - error_bound(pair);
+    result.upper = numbers.separation + error_bound(pair);
+    result.direction.x = sign * numbers.outward_x;
+    result.direction.y = sign * numbers.outward_y;
     result.normal.x = sign * measured.normal_x;
     result.normal.y = sign * measured.normal_y;
     double on_x[2], on_y[2];
     on_x[face.is_b] = measured.own_x;
     on_y[face.is_b] = measured.own_y;
-    on_x[1 - face.is_b] = seen.other_x;
-    on_y[1 - face.is_b] = seen.other_y;
+    on_x[1 - face.is_b] = numbers.other_x;
+    on_y[1 - face.is_b] = numbers.other_y;
     result.on_a.x = on_x[0];
     result.on_a.y = on_y[0];
     result.on_b.x = on_x[1];

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "debug/check.hpp"
 #include "narrow/faces/faces.hpp"
 
 namespace tumble {
@@ -18,6 +19,7 @@ public:
         simplex.vertices[1] = minkowski_vertex(pair_, to);
         simplex.count = 2;
         const Closest closest = reduce_edge(pair_, simplex);
+        TUMBLE_CHECK(!(closest.distance_sq < 0.0));
         if (!(closest.distance_sq < distance_sq_)) return;
         distance_sq_ = closest.distance_sq;
         simplex_ = simplex;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "narrow/cores/error_bound.hpp"
 #include "narrow/faces/leading_faces.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 
 FoundFace make_face(const CorePair& pair, DVec2 direction, double height_a, double height_b, VertexPair first,
                     VertexPair second) {
+    TUMBLE_CHECK((first.a == second.a || first.b == second.b));
     const double length_of_direction = length(direction);
     const double height = (height_a + height_b) - dot(direction, pair.offset);
     return {{direction, -height / length_of_direction, {first, second}}, length_of_direction > 0.0};
@@ -24,7 +26,7 @@ double height(const CorePair& pair, DVec2 direction, VertexPair at) {
     return dot(direction, minkowski_vertex(pair, at).w);
 }
 
-// The next vertex of A - B around its outline, counter-clockwise for step 1: that of the two cores which falls less.
+// The next vertex of A - B around its outline, counter-clockwise for step 1: the step of A or of B that falls less.
 VertexPair neighbour(const CorePair& pair, DVec2 direction, VertexPair at, int step) {
     const auto beside = [step](const Core& core, int i) { return step > 0 ? core.next(i) : core.previous(i); };
     const VertexPair along_a = make_pair_of(beside(pair.a, at.a), at.b),
@@ -38,8 +40,8 @@ VertexPair neighbour(const CorePair& pair, DVec2 direction, VertexPair at, int s
 DVec2 normal_of_a(const CorePair& pair, int edge) { return -perp(pair.a.edge(edge, pair.a.next(edge))); }
 DVec2 normal_of_b(const CorePair& pair, int edge) { return perp(pair.b.edge(edge, pair.b.next(edge))); }
 
-// The height of an edge in the direction of its normal. Above an edge of an outline that is not convex other vertices
-// may stand: then theirs, so that the separation stays a lower bound.
+// The height of an edge in the direction of its normal. If the outline is not convex, other vertices may be higher:
+// then the height of the core, so that the separation stays a lower bound.
 double own_height(const Core& core, int edge, DVec2 outward) {
     return core.is_convex ? dot(outward, core.point(edge)) : support(core, outward).height;
 }
@@ -59,18 +61,24 @@ FoundFace face_of_b(const CorePair& pair, int edge, DVec2 direction, Support a) 
 }  // namespace
 
 FoundFace face_of_a(const CorePair& pair, int edge) {
+    TUMBLE_CHECK(edge >= 0);
+    TUMBLE_CHECK(edge < pair.a.count);
     const DVec2 direction = normal_of_a(pair, edge);
     return face_of_a(pair, edge, direction, support(pair.b, -direction));
 }
 
 FoundFace face_of_b(const CorePair& pair, int edge) {
+    TUMBLE_CHECK(edge >= 0);
+    TUMBLE_CHECK(edge < pair.b.count);
     const DVec2 direction = normal_of_b(pair, edge);
     return face_of_b(pair, edge, direction, support(pair.a, direction));
 }
 
-// Walks along the outline below the origin, as long as it, or its part up to the origin, stays level within the
-// rounding of heights.
+// Walks along the outline towards the origin's foot, as long as the outline, or its part up to the foot, stays level
+// within the rounding of heights.
 void move_below_origin(const CorePair& pair, Face& face) {
+    TUMBLE_CHECK(face.pairs[0].a < pair.a.count);
+    TUMBLE_CHECK(face.pairs[0].b < pair.b.count);
     const DVec2 along = perp(face.direction);  // from the first pair to the second
     const double slack = progress_bound(pair) * length(face.direction);
     const double level = height(pair, face.direction, face.pairs[0]) - slack;
@@ -100,13 +108,13 @@ FoundFace deepest_face_in_lanes(const CorePair& pair) {
     if (leading.bits == 0) return {};
     const OwnedFace face = leading.first();
     const double sign = kSign[face.is_b];
-    return {{{sign * face.seen.outward_x, sign * face.seen.outward_y},
-             face.seen.separation,
+    return {{{sign * face.numbers.outward_x, sign * face.numbers.outward_y},
+             face.numbers.separation,
              {pair_of_owner(face.is_b, face.from, face.nearest), pair_of_owner(face.is_b, face.to, face.nearest)}},
             true};
 }
 
-// The supports of a core for directions that go round with the edges of the other: each is near the one before.
+// The supports of a core for directions that turn with the edges of the other core: each is near the one before.
 class SupportsAround {
 public:
     explicit SupportsAround(const Core& core) : core_(core) {}

@@ -1,7 +1,7 @@
 // The faces of the Minkowski difference A - B: an edge of one core and the support vertex of the other.
 //
-// In the plane the depth of overlapping cores needs no expanding polytope: it is the largest separation over all faces,
-// exactly [Cam97 asks for the penetration distance; this is its answer in 2D].
+// In the plane the depth of overlapping cores needs no expanding polytope: it is minus the largest separation over all
+// faces, exactly. [Cam97] bounds this penetration distance in three dimensions.
 #pragma once
 
 #include "narrow/cores/support.hpp"
@@ -10,7 +10,7 @@ namespace tumble {
 
 struct Face {
     DVec2 direction;          // normal to the edge, from A to B, not of unit length
-    double separation = 0.0;  // of the cores along it; negative if they overlap
+    double separation = 0.0;  // of the cores along `direction`; negative if they overlap
     VertexPair pairs[2];      // its ends; both have the same index of the core that does not own the edge
 };
 
@@ -25,8 +25,8 @@ FoundFace face_of_b(const CorePair& pair, int edge);
 // The face of largest separation; ties go to A, then to the lowest edge. None if both cores are points.
 FoundFace deepest_face(const CorePair& pair);
 
-// Where edges of both cores are parallel, or as good as, an edge and a support vertex are a part of the face only, and
-// the origin may lie above another part: moves the pairs there.
+// If edges of both cores are parallel up to rounding, an edge and a support vertex are only a part of the face, and the
+// origin may project onto another part. Moves the pairs to that part.
 void move_below_origin(const CorePair& pair, Face& face);
 
 }  // namespace tumble

@@ -1,4 +1,4 @@
-// The faces of many pairs of small cores at once, a pair a lane: the formulas of face_lanes.hpp, turned by a quarter.
+// The faces of many pairs of small cores, a pair a lane: the formulas of face_lanes.hpp with lanes and loops exchanged.
 #pragma once
 
 #include <limits>
@@ -10,7 +10,7 @@
 
 namespace tumble {
 
-// As many pairs at once as a register holds: of more, half the numbers would wait in memory.
+// As many pairs at once as a register has lanes. With more, half the numbers would be kept in memory.
 inline constexpr int kPairs = DoubleLanes<8>::kWidth;
 using PairLanes = DoubleLanes<kPairs>;
 using PairMask = MaskLanes<kPairs>;
@@ -43,7 +43,7 @@ struct CoreOfPairs {
     }
 };
 
-// What CorePair is to one pair.
+// The CorePair of each lane.
 template <int N>
 struct CorePairs {
     CoreOfPairs<N> a;
@@ -65,10 +65,10 @@ struct CorePairs {
 // The face of largest separation of each pair, the first of equals: A's edges count from 0 on, B's from N on.
 template <int N>
 struct LeadingFaceOfPairs {
-    SeenFace<PairLanes> face;  // of separation minus infinity where no edge has a length
+    FaceNumbers<PairLanes> face;  // of separation minus infinity where no edge has a length
     PairLanes edge;
     PairLanes nearest;  // the other core's vertex
-    PairMask is_tied;   // another face is as far
+    PairMask is_tied;   // another face has the same separation
     PairMask is_b;
 
     PairMask exists() const { return PairLanes(-std::numeric_limits<double>::infinity()) < face.separation; }
@@ -79,23 +79,24 @@ struct LeadingFaceOfPairs {
                 none, none, none};
         edge = nearest = none;
         is_tied = none < none;
-        look<0>(pairs.a, pairs.b, pairs.offset_x, pairs.offset_y, std::make_index_sequence<N>());
-        look<N>(pairs.b, pairs.a, -pairs.offset_x, -pairs.offset_y, std::make_index_sequence<N>());
+        scan<0>(pairs.a, pairs.b, pairs.offset_x, pairs.offset_y, std::make_index_sequence<N>());
+        scan<N>(pairs.b, pairs.a, -pairs.offset_x, -pairs.offset_y, std::make_index_sequence<N>());
         is_b = PairLanes(N - 0.5) < edge;
         find_other(pairs.a, pairs.b, std::make_index_sequence<N>());
     }
 
 private:
-    // Unrolled: the largest so far, and the lowest, then stay in registers.
+    // Unrolled, so that the largest separation so far and the lowest height stay in registers.
     template <int First, std::size_t... Edge>
-    TUMBLE_LANE_FUNCTION void look(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other, const PairLanes& offset_x,
+    TUMBLE_LANE_FUNCTION void scan(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other, const PairLanes& offset_x,
                                    const PairLanes& offset_y, std::index_sequence<Edge...>) {
-        (look_at<First, Edge>(own, other, offset_x, offset_y, std::make_index_sequence<N - 1>()), ...);
+        (scan_edge<First, Edge>(own, other, offset_x, offset_y, std::make_index_sequence<N - 1>()), ...);
     }
 
     template <int First, int Edge, std::size_t... Vertex>
-    TUMBLE_LANE_FUNCTION void look_at(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other, const PairLanes& offset_x,
-                                      const PairLanes& offset_y, std::index_sequence<Vertex...>) {
+    TUMBLE_LANE_FUNCTION void scan_edge(const CoreOfPairs<N>& own, const CoreOfPairs<N>& other,
+                                        const PairLanes& offset_x, const PairLanes& offset_y,
+                                        std::index_sequence<Vertex...>) {
         constexpr int kNext = Edge + 1 < N ? Edge + 1 : 0;
         const PairLanes edge_x = own.local_x[kNext] - own.local_x[Edge],
                         edge_y = own.local_y[kNext] - own.local_y[Edge];

@@ -1,5 +1,5 @@
-// What a feature of A - B says of the distance: the arithmetic that one pair and a pair a lane share. What is decided
-// by it is in measure_cores.hpp, and in measure_pairs.hpp by masks.
+// The distance of A and B by one feature of A - B, a face or a vertex: the arithmetic that is the same for one pair and
+// for a pair a lane. The decisions by it are in measure_cores.hpp and, with masks, in measure_pairs.hpp.
 #pragma once
 
 #include "narrow/cores/error_bound.hpp"
@@ -7,9 +7,9 @@
 
 namespace tumble {
 
-// A face of A - B as its owner sees it: relative to the owner's position, in world axes.
+// A face of A - B relative to the position of the core that owns its edge, in world axes.
 template <typename Number>
-struct SeenFace {
+struct FaceNumbers {
     Number outward_x;
     Number outward_y;
     Number length;  // of `outward`
@@ -27,7 +27,7 @@ struct FaceMeasure {
 
 // The offset is from the owner's position to the other core's.
 template <typename Number>
-TUMBLE_LANE_FUNCTION FaceMeasure<Number> measure(const SeenFace<Number>& face, const Number& offset_x,
+TUMBLE_LANE_FUNCTION FaceMeasure<Number> measure(const FaceNumbers<Number>& face, const Number& offset_x,
                                                  const Number& offset_y) {
     const Number normal_x = face.outward_x / face.length, normal_y = face.outward_y / face.length;
     // The edge is outward turned by a quarter: (-y, x).

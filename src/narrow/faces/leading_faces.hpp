@@ -1,6 +1,6 @@
 // The faces of largest separation of small cores, by their indices and numbers.
 //
-// Which core owns a face, and which edge it is, is as good as random: both are chosen by index, since a branch would be
+// Which core owns a face and which edge it is cannot be predicted: both are chosen by index, since a branch would be
 // mispredicted half the time.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace tumble {
 
-// What B sees where A sees x, by who owns a face: 0 for A, 1 for B.
+// The sign of a vector from the owner to the other core relative to one from A to B, by the owner: 0 for A, 1 for B.
 inline constexpr double kSign[2] = {1.0, -1.0};
 
 // A face of A - B by its indices and numbers.
@@ -21,10 +21,10 @@ struct OwnedFace {
     int from;       // the ends of its edge
     int to;
     int nearest;  // the other core's vertex
-    SeenFace<double> seen;
+    FaceNumbers<double> numbers;
 };
 
-// One face by its owner and its edge's first vertex; the numbers are those that faces_of() finds for it.
+// One face by its owner and its edge's first vertex, with the same bits as faces_of().
 template <int N>
 TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, int from) {
     const Core* const cores[2] = {&pair.a, &pair.b};

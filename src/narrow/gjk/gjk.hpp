@@ -1,14 +1,15 @@
-// The GJK loop [GJK88; seeds: the main algorithm]: for convex cores, in the plane, with any distance subalgorithm.
+// The GJK loop [GJK88] for convex cores in the plane, with any distance subalgorithm.
 #pragma once
 
 #include <limits>
 
+#include "debug/check.hpp"
 #include "narrow/cores/error_bound.hpp"
 #include "narrow/gjk/simplex.hpp"
 
 namespace tumble {
 
-// What the loop ends with: the simplex nearest to the origin, and the support in its direction that says so.
+// The result of the loop: the simplex nearest to the origin, and the support height that proves it.
 struct GjkResult {
     Simplex simplex;
     Closest closest;
@@ -17,7 +18,8 @@ struct GjkResult {
     bool reached_cap = false;
 };
 
-// Never reached in practice for n <= 8 (7 observed); each iteration strictly shortens v, so this bounds time only.
+// Each iteration strictly shortens v, so the loop ends without a cap; the cap bounds the time. Seven iterations are the
+// most observed for n <= 8.
 [[gnu::always_inline]] inline int iteration_cap(const CorePair& pair) {
     int cap = 32;
     for (int doubled = 8; doubled < pair.a.count + pair.b.count; doubled *= 2) cap += 4;
@@ -32,6 +34,7 @@ struct GjkResult {
 // True if the support is one of the simplex's vertices or no nearer to the origin than they are.
 [[gnu::always_inline]] inline bool has_converged(const CorePair& pair, const GjkResult& best,
                                                  const MinkowskiVertex& support) {
+    TUMBLE_CHECK(best.simplex.count <= 2);
     if (holds(best.simplex, support.key)) return true;
     const DVec2 d = best.closest.direction;
     const double progress = dot(d, support.w - best.simplex.vertices[0].w);
@@ -39,9 +42,10 @@ struct GjkResult {
     return progress <= 0.0 || progress * progress <= bound * bound * length_sq(d);
 }
 
-// By constant indices, as everywhere in the loop: the simplex then lives in registers, which is also why the hot
-// functions are inlined by force.
+// By constant indices, as everywhere in the loop, so that the simplex stays in registers. The hot functions are forced
+// inline for the same reason.
 [[gnu::always_inline]] inline void add(Simplex& simplex, const MinkowskiVertex& vertex) {
+    TUMBLE_CHECK(simplex.count < 3);
     if (simplex.count == 1)
         simplex.vertices[1] = vertex;
     else
@@ -49,12 +53,13 @@ struct GjkResult {
     ++simplex.count;
 }
 
-// Where rounding hides that a simplex is nearer than the best one, its direction may still prove more: that of an edge
-// whose foot is a hair's breadth from the vertex that the best one is. By value: an address would keep the loop's
-// simplex out of registers, 20 of 115 ns.
+// If rounding hides that a simplex is nearer than the best one, its direction may still prove a higher lower bound: the
+// best one is a vertex, and the foot on the new edge lies within rounding of it. By value: an address would keep the
+// loop's simplex out of registers, 20 of 115 ns.
 [[gnu::noinline]] inline GjkResult with_better_proof(const CorePair& pair, GjkResult best, Simplex simplex,
                                                      Closest closest) {
     if (closest.contains_origin) return best;
+    TUMBLE_CHECK(!best.closest.contains_origin);
     const double height = support(pair, closest.direction, simplex.vertices[0].pair()).height;
     ++best.iterations;
     if (height * length(best.closest.direction) < best.height * length(closest.direction)) {
@@ -65,10 +70,13 @@ struct GjkResult {
     return best;
 }
 
-// `Reducer::reduce(pair, simplex)` reduces the simplex to the smallest subset that holds the point nearest to the
-// origin, and says where that is. `observe(simplex, closest, support)` sees each iteration before the support is added.
+// `Reducer::reduce(pair, simplex)` reduces the simplex to the smallest subset that contains the point nearest to the
+// origin and returns that point. `observe(simplex, closest, support)` is called in each iteration before the support is
+// added.
 template <typename Reducer, typename Observer>
 [[gnu::always_inline]] inline GjkResult run_gjk(const CorePair& pair, Simplex simplex, Observer&& observe) {
+    TUMBLE_CHECK(simplex.count >= 1);
+    TUMBLE_CHECK(simplex.count <= 3);
     const int cap = iteration_cap(pair);
     GjkResult best;
     best.closest.distance_sq = std::numeric_limits<double>::infinity();

@@ -3,9 +3,10 @@
 // For a subset X of the vertices and i in X the cofactor delta_i(X) is the weight of w_i in the point of X's affine
 // hull nearest to the origin, times the sum of all weights, which is positive:
 //   delta_i({i}) = 1,  delta_j(X + j) = sum over i in X of delta_i(X) (w_i . w_k - w_i . w_j),  k any one of X.
-// X holds the nearest point if all its own cofactors are positive and no vertex outside has one that is. A cofactor of
-// three vertices is a product of four lengths and its sign is the first to be lost by rounding, for slivers; if then no
-// subset passes, the backup takes the nearest of all whose own cofactors are positive [vdB04, 4.3].
+// X contains the nearest point if all its own cofactors are positive and that of no vertex outside is. A cofactor of
+// three vertices is a product of four lengths, and for slivers its sign is the first to be lost by rounding. If no
+// subset satisfies all conditions then, the backup takes the nearest of those whose own cofactors are positive
+// [vdB04, 4.3].
 #pragma once
 
 #include "narrow/gjk/simplex.hpp"
@@ -23,8 +24,8 @@ private:
         const MinkowskiVertex(&v)[3] = simplex.vertices;
         const DVec2 e01 = edge_between(pair, v[0], v[1]), e12 = edge_between(pair, v[1], v[2]),
                     e20 = edge_between(pair, v[2], v[0]);
-        // Of two vertices, by the edge between them: divided by the scale's square, as the products below would
-        // overflow.
+        // Cofactors of two vertices, by the edge between them, divided by the square of the scale: the products below
+        // would overflow otherwise.
         const double unit = 1.0 / (pair.scale * pair.scale);
         const double delta0_of_01 = unit * dot(v[1].w, e01), delta1_of_01 = -unit * dot(v[0].w, e01);
         const double delta1_of_12 = unit * dot(v[2].w, e12), delta2_of_12 = -unit * dot(v[1].w, e12);

@@ -1,7 +1,8 @@
 // The distance subalgorithm by signed volumes [MPB17], in the plane: lengths and areas in place of Johnson's products.
 //
-// The weight of a vertex has the sign of the simplex's volume with the origin in the vertex's place. Where it is not
-// that of the whole, the origin lies behind the face opposite to the vertex, and the nearest point is looked for there.
+// The weight of a vertex has the sign of the volume of the simplex with the vertex replaced by the origin. If that
+// differs from the sign of the whole, the origin lies beyond the face opposite to the vertex, which then has the
+// nearest point.
 #pragma once
 
 #include "narrow/cores/error_bound.hpp"
@@ -22,8 +23,8 @@ private:
         return (a > 0.0 && b > 0.0) || (a < 0.0 && b < 0.0);
     }
 
-    // S1D: the foot of the origin, between the ends along the axis on which the edge is longest. Where it is not, the
-    // end beyond which it lies.
+    // S1D: the foot of the origin if it lies between the ends along the axis on which the edge is longest, else the end
+    // beyond which it lies.
     [[gnu::always_inline]] static Closest reduce_segment(Simplex& simplex, int from, int to, DVec2 edge) {
         const DVec2 start = simplex.vertices[from].w;
         const double along = -dot(start, edge) / length_sq(edge);
@@ -35,8 +36,8 @@ private:
         return keep_edge(simplex, from, to, edge);
     }
 
-    // S2D. An area below its own rounding has no sign: the paper's test alone would take the origin beyond a sharp tip
-    // for inside.
+    // S2D. An area below its own rounding has no sign: by the paper's test alone an origin beyond a sharp tip would
+    // count as inside.
     [[gnu::always_inline]] static Closest reduce_triangle(const CorePair& pair, Simplex& simplex) {
         const MinkowskiVertex(&v)[3] = simplex.vertices;
         const DVec2 edges[3] = {edge_between(pair, v[1], v[2]), edge_between(pair, v[2], v[0]),

@@ -1,6 +1,7 @@
 // The simplex of the GJK loop and its point nearest to the origin.
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/cores/support.hpp"
 
 namespace tumble {
@@ -10,7 +11,7 @@ struct Simplex {
     int count = 0;
 };
 
-// Where the origin lies as seen from a reduced simplex. The nearest point is v = -(toward / |d|^2) d.
+// The point of a reduced simplex nearest to the origin: v = -(toward / |d|^2) d.
 struct Closest {
     DVec2 direction;               // d, from the simplex to the origin: -w of a vertex, a perpendicular of an edge
     double toward = 0.0;           // -d . w of the simplex, not negative: |v| = toward / |d|
@@ -35,9 +36,9 @@ struct Closest {
     return {direction, toward, toward / length_sq(edge) * toward, toward == 0.0};
 }
 
-// An edge between vertices of one polygon that is short against the scale: the difference of its rounded ends would
-// turn it, so it is taken from the local coordinates.
-// By indices: taking the address of a vertex would keep the loop's simplex out of registers.
+// An edge between vertices of one polygon that is short relative to the scale. It is taken from the local coordinates,
+// as the rounding of its ends would turn it. By indices: the address of a vertex would keep the loop's simplex out of
+// registers.
 DVec2 short_edge_between(const CorePair& pair, VertexPair from, VertexPair to);
 
 [[gnu::always_inline]] inline DVec2 edge_between(const CorePair& pair, const MinkowskiVertex& from,
@@ -48,15 +49,20 @@ DVec2 short_edge_between(const CorePair& pair, VertexPair from, VertexPair to);
     return short_edge_between(pair, from.pair(), to.pair());
 }
 
-// What a distance subalgorithm ends with: the simplex is reduced to the smallest subset that holds the nearest point.
+// The results of a distance subalgorithm: the simplex is reduced to the smallest subset that contains the nearest
+// point.
 
 [[gnu::always_inline]] inline Closest keep_vertex(Simplex& simplex, int vertex) {
+    TUMBLE_CHECK(vertex < simplex.count);
     simplex.vertices[0] = simplex.vertices[vertex];
     simplex.count = 1;
     return closest_on_vertex(simplex.vertices[0]);
 }
 
 [[gnu::always_inline]] inline Closest keep_edge(Simplex& simplex, int from, int to, DVec2 edge) {
+    TUMBLE_CHECK(from != to);
+    TUMBLE_CHECK(from < simplex.count);
+    TUMBLE_CHECK(to < simplex.count);
     const MinkowskiVertex kept_from = simplex.vertices[from], kept_to = simplex.vertices[to];
     simplex.vertices[0] = kept_from;
     simplex.vertices[1] = kept_to;
@@ -64,8 +70,7 @@ DVec2 short_edge_between(const CorePair& pair, VertexPair from, VertexPair to);
     return closest_on_edge(kept_from, kept_to, edge);
 }
 
-// Two vertices, by how far the edge runs past the origin from either end: Voronoi regions and Johnson's cofactors
-// alike.
+// For two vertices the Voronoi regions and the signs of Johnson's cofactors are the same test.
 [[gnu::always_inline]] inline Closest reduce_edge(const CorePair& pair, Simplex& simplex) {
     const DVec2 edge = edge_between(pair, simplex.vertices[0], simplex.vertices[1]);
     if (dot(simplex.vertices[0].w, edge) >= 0.0) return keep_vertex(simplex, 0);

@@ -1,6 +1,7 @@
-// Where GJK starts: at the previous simplex if there is one, else at the support towards the other shape.
+// The first simplex of GJK: the previous one if there is one, else the support towards the other shape.
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/gjk/simplex.hpp"
 
 namespace tumble {
@@ -9,7 +10,7 @@ namespace tumble {
     return at.a < pair.a.count && at.b < pair.b.count;
 }
 
-// Empty for a cache that is empty or does not fit the shapes. A stale one costs iterations only.
+// Empty for a cache that is empty or has indices out of range. A stale cache costs iterations only.
 [[gnu::always_inline]] inline Simplex simplex_of_cache(const CorePair& pair, const SimplexCache& cache) {
     Simplex simplex;
     const int count = cache.count;
@@ -24,6 +25,7 @@ namespace tumble {
 }
 
 [[gnu::always_inline]] inline void store(const Simplex& simplex, SimplexCache& cache) {
+    TUMBLE_CHECK(simplex.count <= 3);
     cache.count = static_cast<std::uint8_t>(simplex.count);
     cache.pairs[0] = simplex.vertices[0].pair();
     if (simplex.count > 1) cache.pairs[1] = simplex.vertices[1].pair();

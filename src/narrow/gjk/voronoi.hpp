@@ -9,7 +9,7 @@
 namespace tumble {
 
 struct VoronoiRegions {
-    // Reduces the simplex to the smallest subset that holds the point nearest to the origin, and says where that is.
+    // Reduces the simplex to the smallest subset that contains the point nearest to the origin, and returns that point.
     [[gnu::always_inline]] static Closest reduce(const CorePair& pair, Simplex& simplex) {
         if (simplex.count == 1) return closest_on_vertex(simplex.vertices[0]);
         return simplex.count == 2 ? reduce_edge(pair, simplex) : reduce_triangle(pair, simplex);
@@ -27,7 +27,7 @@ private:
         if (from01 <= 0.0 && to20 <= 0.0) return keep_vertex(simplex, 0);
         if (from12 <= 0.0 && to01 <= 0.0) return keep_vertex(simplex, 1);
         if (from20 <= 0.0 && to12 <= 0.0) return keep_vertex(simplex, 2);
-        // The origin's side of each edge: positive inside, whichever way the triangle turns.
+        // The side of each edge on which the origin lies: positive inside, for either winding of the triangle.
         const double turn = cross(e01, e12) < 0.0 ? -1.0 : 1.0;
         const double side01 = turn * cross(v[0].w, e01), side12 = turn * cross(v[1].w, e12),
                      side20 = turn * cross(v[2].w, e20);

@@ -1,9 +1,11 @@
+// The numbers in brackets are those of the steps and inequalities in CERTIFIED_STEP.md.
 #include "narrow/impact/certified_step.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "debug/check.hpp"
 #include "narrow/cores/support.hpp"
 
 namespace tumble {
@@ -18,15 +20,17 @@ struct Bound {
     friend Bound operator+(Bound a, Bound b) { return {a.closing + b.closing, a.curvature + b.curvature}; }
 };
 
-// An upper bound on tan(x) for 0 <= x <= 1: (tan x - x) / x^3 grows with x, to tan 1 - 1 = 0.55741.
-double tangent_above(double x) { return x * (1.0 + 0.5575 * x * x); }
+// An upper bound on tan(x) for 0 <= x <= 1 [step 4].
+double tangent_above(double x) {
+    TUMBLE_CHECK(x >= 0.0);
+    TUMBLE_CHECK(x <= 1.0 + 0x1p-40);
+    return x * (1.0 + 0.5575 * x * x);
+}
 
 double positive_part(double x) { return x > 0.0 ? x : 0.0; }
 
-// At most the first positive root of gap = closing x + curvature x^2, and at most the window; by a square root only
-// where the bound does not close at first. The root is gap / (closing + curvature root): with a number beyond it in its
-// place the quotient falls short if the curvature is positive, and so it does with a number before it if that is
-// negative. gap / closing lies before such a root.
+// At most the first positive root of gap = closing x + curvature x^2, and at most the window [step 5]. Takes a square
+// root only if the bound does not close at first.
 double root_of(Bound bound, double gap, double window) {
     const double closing = bound.closing, curvature = bound.curvature;
     if (closing > 0.0) {
@@ -38,21 +42,19 @@ double root_of(Bound bound, double gap, double window) {
     return std::min((std::sqrt(closing * closing + 4.0 * curvature * gap) - closing) / (2.0 * curvature), window);
 }
 
-// That root from its series in the curvature; it may fall short of it or beyond by the third
-// order.
+// That root from its series in the curvature, with an error of third order [step 6].
 double root_to_second_order(Bound bound, double gap) {
     if (!(bound.closing > 0.0)) return std::numeric_limits<double>::infinity();
     const double inverse = 1.0 / bound.closing, root = gap * inverse;
     return root * (1.0 + positive_part(-bound.curvature * root * inverse));
 }
 
-// f cos y <= f + c y^2 and f sin y <= f y + c y^2 for 0 <= y <= angle <= 1, from the alternating Taylor series: the
-// term of second order is kept as it is, the first one left out is bounded at the end. Without branches on signs, which
-// are as good as random.
+// The constants c of f cos y <= f + c y^2 and f sin y <= f y + c y^2 for 0 <= y <= angle <= 1 [step 1]. Without
+// branches on signs, which a processor cannot predict.
 double cosine_curvature(double f, double angle) { return -0.5 * f + positive_part(f) * (angle * angle * (1.0 / 24.0)); }
 double sine_curvature(double f, double angle) { return positive_part(-f) * (angle * (1.0 / 6.0)); }
 
-// A body as its axis sees it: the height of its support vertex and its lever, the height gained per radian.
+// A body relative to the axis: the height of its support vertex and its lever, the height gained per radian.
 struct Mover {
     const Core& core;
     DVec2 center;
@@ -69,9 +71,11 @@ struct Mover {
         core, center, outwards, at, rate, dot(outwards, vertex), std::copysign(1.0, rate) * cross(vertex, outwards)};
 }
 
-// How fast a point of the side's height and of this lever rises: height cos y + lever sin y after a turn by y.
+// How fast a point of the side's height and of this lever rises: height cos y + lever sin y after a turn by y [step 3].
 [[gnu::always_inline]] inline Bound bound_rise(const Mover& side, double lever, double window) {
+    TUMBLE_CHECK(window >= 0.0);
     const double turn = std::abs(side.rate), angle = turn * window;
+    TUMBLE_CHECK(angle <= 1.0 + 0x1p-40);
     return {turn * lever, turn * turn * (cosine_curvature(side.height, angle) + sine_curvature(lever, angle))};
 }
 
@@ -81,8 +85,8 @@ struct Mover {
     return ((support(core, turned_back, near).height - dot(turned_back, center)) - height) / back;
 }
 
-// The lever of the point X of the window. The direction turns away from one neighbour of the vertex, so that the vertex
-// stays the support if the other one is lower.
+// The lever of the point X of the window [step 4]. The direction turns away from one neighbour of the vertex, so the
+// vertex stays the support if the other neighbour is lower.
 [[gnu::always_inline]] inline double lever_within(const Mover& side, double window) {
     const Core& core = side.core;
     if (side.rate == 0.0 || core.count == 1) return side.lever;
@@ -94,7 +98,7 @@ struct Mover {
 }
 
 // How the centres approach along a normal that turns: by -(far + along x) cos y + (aside + across x) sin y after the
-// fraction x and a turn by y.
+// fraction x and a turn by y [step 2].
 struct Approach {
     double turn;
     double far;
@@ -117,10 +121,10 @@ struct Approach {
             sign * cross(velocity, normal)};
 }
 
-// Where nothing turns by more than a radian.
+// The part of the window in which nothing turns by more than a radian.
 double cut(double window, double fastest) { return fastest * window > 1.0 ? 1.0 / fastest : window; }
 
-// The terms of the bound along an axis that turns with one core, and the other moves...
+// The terms of the bound along an axis that turns with one core; the other core moves relative to it.
 struct FaceView {
     Approach approach;
     Mover mover;
@@ -134,7 +138,7 @@ struct FaceView {
     }
 };
 
-// ... and along one that does not turn.
+// The terms along an axis that does not turn.
 struct FixedView {
     Approach approach;
     Mover a;
@@ -150,7 +154,7 @@ struct FixedView {
     }
 };
 
-// Calls use(view) with the one that fits the axis.
+// Calls use(view) with the view of the axis's kind.
 template <typename Use>
 [[gnu::always_inline]] inline auto with_view(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis,
                                              Use use) {
@@ -174,6 +178,9 @@ double certified_step(const Motion& motion, const MovingCores& cores, const Sepa
     constexpr int kRetries = 4;
     return with_view(
         motion, cores, axis, [ gap, left ](const auto& view) __attribute__((always_inline)) {
+            TUMBLE_CHECK(left >= 0.0);
+            TUMBLE_CHECK(left <= 1.0);
+            TUMBLE_CHECK(gap >= 0.0);
             const double longest = cut(left, view.fastest());
             double window = std::min(longest, root_to_second_order(view.of_support_vertices(0.0), gap));
             double step = root_of(view.of_all(window), gap, window);
@@ -187,7 +194,7 @@ double certified_step(const Motion& motion, const MovingCores& cores, const Sepa
 }
 
 Closing closing_along(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis) {
-    constexpr double kInstant = 0x1p-20;  // of a radian, or of the motion
+    constexpr double kInstant = 0x1p-20;  // as a part of a radian, or of the motion
     return with_view(motion, cores, axis, [&motion](const auto& view) {
         const double rate = view.of_support_vertices(0.0).closing;
         const bool is_proved =

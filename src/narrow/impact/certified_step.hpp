@@ -1,14 +1,10 @@
-// How far two moving cores can go before the separation along a direction may have fallen to a floor: a proof, not a
-// guess.
+// How far two moving cores can go while the separation along a direction is proved to stay above a floor.
 //
-// The direction n turns with a rate W of our choice (that of the face that it is normal to, or 0); seen from it each
-// body turns at the rest of its own rate. Within a window [0, T] in which nothing turns by more than a radian,
-//   - the separation of the centres along n is known up to the third order, by the Taylor series of sine and cosine;
-//   - a body's height along n is at most that of the point X where its support lines in n and in n turned back through
-//     the window intersect: every support line between them passes X or beneath it.
-// The window is the step that the present support vertices alone would allow. If they support its end too, X is that
-// vertex, the bound differs from the truth in the third order only, and repeated steps converge cubically, where
-// conservative advancement by the largest speed [Mirtich 1996] converges linearly. Without turning a step is exact.
+// The direction n turns at a rate W: that of the face that it is normal to, or 0. Within a window in which nothing
+// turns by more than a radian, the Taylor series of sine and cosine bound the approach of the centres, and each core's
+// height along n is bounded by the point where its support lines at both ends of the window intersect. Repeated steps
+// converge cubically, where conservative advancement by the largest speed [Mirtich 1996] converges linearly.
+// CERTIFIED_STEP.md has the proof.
 #pragma once
 
 #include "narrow/impact/moving_cores.hpp"
@@ -23,7 +19,8 @@ struct SeparatingAxis {
     int owner;        // 0 or 1: the core that the normal turns with, whose height along it stays as it is; -1: none
 };
 
-// The largest x <= `left` for which `gap`, the separation along the axis less the floor, is proved not to be used up.
+// An x <= `left` up to which the separation along the axis is proved to stay above the floor; `gap` is the separation
+// less the floor at the start, not negative.
 double certified_step(const Motion& motion, const MovingCores& cores, const SeparatingAxis& axis, double gap,
                       double left);
 

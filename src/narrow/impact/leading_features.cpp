@@ -1,5 +1,7 @@
 #include "narrow/impact/leading_features.hpp"
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 namespace {
@@ -20,6 +22,8 @@ bool follow_face(const CorePair& pair, LeadingFeature& feature) {
     const Core& other = *cores[1 - feature.owner];
     const int from = own_vertex(feature.owner, feature.pairs[0]), to = own_vertex(feature.owner, feature.pairs[1]);
     const double sign = kSign[feature.owner];
+    TUMBLE_CHECK(feature.owner <= 1u);
+    TUMBLE_CHECK(feature.edge_length > 0.0);
     const DVec2 along = owner.turned(feature.local_edge), outwards = -feature.outwards * perp(along);
     const int nearest = support(other, -outwards, own_vertex(1 - feature.owner, feature.pairs[0])).index;
     const DVec2 above = (other.point(nearest) - owner.point(from)) + sign * pair.offset;
@@ -46,6 +50,8 @@ bool follow_vertices(const CorePair& pair, LeadingFeature& feature) {
 }  // namespace
 
 void take(LeadingFeature& feature, const CorePair& pair, const CoreDistance& core) {
+    TUMBLE_CHECK(core.pair_count >= 1);
+    TUMBLE_CHECK(core.pair_count <= 2);
     const VertexPair first = core.pairs[0], second = core.pairs[core.pair_count - 1];
     feature.distance = core.distance;
     feature.normal.x = core.normal.x;

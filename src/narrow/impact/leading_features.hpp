@@ -1,4 +1,4 @@
-// The closest features of two cores that move: mostly the same ones from one place to the next. Then their distance is
+// The closest features of two moving cores. They are mostly the same from one step to the next: their distance is then
 // measured without a search, and proved to be that of the cores.
 #pragma once
 
@@ -18,7 +18,7 @@ struct LeadingFeature {
     unsigned owner = 0;  // of a face: 0 is A, 1 is B
     DVec2 local_edge;    // of a face: the unit vector along its edge in the owner's coordinates
     double edge_length = 0.0;
-    double outwards = 1.0;  // the face looks to the right of that vector, or with -1 to the left
+    double outwards = 1.0;  // 1: the outward normal is on the right of `local_edge`; -1: on its left
 };
 
 // Takes the feature that a core distance ended with.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "math/turned.hpp"
 #include "narrow/cores/error_bound.hpp"
 
@@ -21,18 +22,18 @@ Motion::Body Motion::make_body(const Shape& shape, const Sweep& sweep) {
     return {make_core(shape, {}), local_center, extent, sweep.turn, sin_cos(sweep.start_angle)};
 }
 
-// The core distance of separated cores at poses that are given is within 9.5 u of the scale (error_bound.hpp; by a face
-// of small cores 15.8 u), and 13.4 u of overlapping ones. Here the rotations are rounded too: sine and cosine of the
-// start by 4e-16 = 3.6 u each, a vertex by 5.1 u; on the way by as much for the turn and 2.1 u for its product with the
-// start; the angles by u of their size twice; the centres by 2 u of the ways. All worst cases at once: 23.8 u where the
-// distance is within 9.5 u, 28 u for overlap, 30 u for small faces.
+// The core distance of separated cores at given poses is within 9.5 u of the scale, by a face of small cores 15.8 u,
+// and of overlapping cores 13.4 u (cores/ERROR_BOUND.md, steps 3, 7 and 5). Here the rotations round too: sine and
+// cosine of the start by 4e-16 = 3.6 u each, a vertex by 5.1 u; during the motion by as much for the turn and 2.1 u for
+// its product with the start; the angles by u of their size twice; the centres by 2 u of the displacements. All worst
+// cases at once: 23.8 u where the distance is within 9.5 u, 28 u for overlap, 30 u for small faces.
 Motion::Motion(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep& sweep_b, double reach)
     : a_(make_body(a, sweep_a)),
       b_(make_body(b, sweep_b)),
       separation_(sweep_b.start - sweep_a.start),
       velocity_((sweep_b.end - sweep_b.start) - (sweep_a.end - sweep_a.start)) {
-    const double ways = length(sweep_a.end - sweep_a.start) + length(sweep_b.end - sweep_b.start);
-    scale_ = a_.extent + b_.extent + length(separation_) + ways;
+    const double displacements = length(sweep_a.end - sweep_a.start) + length(sweep_b.end - sweep_b.start);
+    scale_ = a_.extent + b_.extent + length(separation_) + displacements;
     const double angles = largest_angle(sweep_a) * a_.extent + largest_angle(sweep_b) * b_.extent;
     error_ = kUnitRoundoff * (32.0 * scale_ + 4.0 * angles + 16.0 * reach);
     const CorePair pair{a_.core, b_.core, separation_, scale_};
@@ -41,6 +42,8 @@ Motion::Motion(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep
 }
 
 [[gnu::always_inline]] inline void Motion::Body::turn(double fraction, Core& core_there, DVec2& center) const {
+    TUMBLE_CHECK(fraction >= 0.0);
+    TUMBLE_CHECK(fraction <= 1.0);
     const SinCos q = turned(start, fraction * turns);
     core_there.c = q.cos;
     core_there.s = q.sin;

@@ -1,4 +1,4 @@
-// Two cores under way: where they are at a fraction of their sweeps, relative to each other and in double.
+// Two moving cores: their poses at a fraction of their sweeps, relative to each other and in double.
 #pragma once
 
 #include "narrow/cores/core_pair.hpp"
@@ -13,17 +13,17 @@ struct MovingCores {
     DVec2 separation;  // from A's centre of mass to B's
 };
 
-// What does not change on the way.
+// The constants of a motion.
 class Motion {
 public:
-    // The reach, radii and target together, counts among the sizes.
+    // The reach, radii and target together, is one of the sizes that the error bound is relative to.
     Motion(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep& sweep_b, double reach);
 
     bool is_valid() const { return is_valid_; }
     MovingCores at(double fraction) const;
 
-    // Moves cores that at() made to another fraction, number by number: a structure that is stored by parts and copied
-    // whole waits for them.
+    // Moves cores from at() to another fraction, number by number: a copy of a structure that was just stored in parts
+    // would stall.
     void move(MovingCores& cores, double fraction) const;
 
     DVec2 velocity() const { return velocity_; }  // of B's centre relative to A's, m a whole motion
@@ -32,7 +32,7 @@ public:
     double extent_a() const { return a_.extent; }  // of the cores from their centres of mass, at least
     double extent_b() const { return b_.extent; }
 
-    // E: of a signed core distance at any fraction, the roundings of angles and centres included.
+    // E: the error bound of a signed core distance at any fraction, with the roundings of angles and centres.
     double error() const { return error_; }
 
 private:

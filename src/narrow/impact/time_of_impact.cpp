@@ -1,13 +1,13 @@
-// Time of impact: conservative advancement in certified steps [Mirtich 1996], of second order where one vertex or face
-// leads.
+// Time of impact: conservative advancement [Mirtich 1996] in certified steps (CERTIFIED_STEP.md).
 //
-// Each step measures the distance, takes the axis of the closest features and goes on for as long as the separation
-// along it is proved to stay above the target. Steps aim at a gap of E, so that what lies behind is proved free in
-// exact arithmetic. At a gap below 2 E the motion either closes, which is the hit, or it slides, recedes or turns away:
-// then the step may spend 3 E of the 4 E that are allowed, and the search goes on.
+// Each step measures the distance, takes the axis of the closest features and advances as far as the separation along
+// it is proved to stay above the target. Steps aim at a gap of E, so that the part of the motion behind them is proved
+// free in exact arithmetic. At a gap below 2 E the motion either closes, which is the hit, or it slides, recedes or
+// turns away: then the step may use 3 E of the 4 E that are allowed, and the search goes on.
 #include <algorithm>
 #include <limits>
 
+#include "debug/check.hpp"
 #include "narrow/cast/cast_result.hpp"
 #include "narrow/distance/measure_cores.hpp"
 #include "narrow/distance/witness.hpp"
@@ -33,17 +33,21 @@ public:
                 const Closing closing = closing_along(motion_, cores_, axis_);
                 if (closing.is_proved) return hit(radius_a, sweep_a, proved_contact(closing.rate));
             }
-            fraction_ += step(is_near);
+            const double advance = step(is_near);
+            TUMBLE_CHECK(!(advance < 0.0));
+            fraction_ += advance;
             if (fraction_ >= 1.0) return missed(steps_);
         }
         return stopped(radius_a, sweep_a);
     }
 
 private:
-    // Far apart, the line of the centres is an axis that costs two supports. Nearer, the features of the last step
-    // lead, as long as they are proved to be the closest; at the target an upper bound is enough, as the step that came
-    // here is the lower one. Else they are searched.
+    // Far apart, the line of the centres is an axis that costs two supports. Nearer, the features of the last step are
+    // used as long as they are proved to be the closest; at the target their upper bound is enough, as the step to here
+    // proved the lower one. Otherwise the closest features are searched.
     void measure() {
+        TUMBLE_CHECK(fraction_ >= 0.0);
+        TUMBLE_CHECK(fraction_ < 1.0);
         if (steps_ > 1) motion_.move(cores_, fraction_);
         if (steps_ == 1 && is_far_along_centers()) return;
         if (!follow(cores_.pair, feature_) && !is_at_target()) search();
@@ -57,7 +61,8 @@ private:
 
     void search() {
         const CorePair& pair = cores_.pair;
-        const bool is_large = pair.a.large || pair.b.large;  // a small search is too short to be warmed
+        const bool is_large =
+            pair.a.large || pair.b.large;  // a search of small cores is too short to gain from a cache
         measure_cores(pair, is_large ? &cache_ : nullptr,
                       [&](const CoreDistance& found) { take(feature_, pair, found); });
     }
@@ -84,15 +89,15 @@ private:
         return 1.0;
     }
 
-    // True if until then the closest features stay a vertex and the inside of an edge, or two vertices, and their
-    // approach does not slow down by more than E / 2: their distance bounds that of the shapes from above.
+    // True if from here to `ahead` the closest features stay a vertex and the inside of an edge, or two vertices, and
+    // their approach slows down by at most E / 2: their distance is then an upper bound for that of the shapes.
     bool is_led_by_feature(double ahead) const {
         const auto above_length = [](DVec2 v) { return std::abs(v.x) + std::abs(v.y); };
         const double turns = std::abs(motion_.turn_a()) + std::abs(motion_.turn_b()),
-                     way = above_length(motion_.velocity());
+                     path = above_length(motion_.velocity());
         const double extents = motion_.extent_a() + motion_.extent_b();
-        const double speed = way + turns * extents;
-        double bend = turns * (0.5 * turns * (extents + above_length(cores_.separation)) + way);
+        const double speed = path + turns * extents;
+        double bend = turns * (0.5 * turns * (extents + above_length(cores_.separation)) + path);
         if (feature_.kind == LeadingFeature::Kind::none) return false;
         if (feature_.kind == LeadingFeature::Kind::vertices) {
             bend += speed * speed / feature_.distance;
@@ -115,6 +120,9 @@ private:
     }
 
     void set_axis(DVec2 normal, double rate, int support_a, int support_b, int owner) {
+        TUMBLE_CHECK(support_a < cores_.pair.a.count);
+        TUMBLE_CHECK(support_b < cores_.pair.b.count);
+        TUMBLE_CHECK(owner < 2);
         axis_.normal.x = normal.x;
         axis_.normal.y = normal.y;
         axis_.rate = rate;
@@ -131,7 +139,7 @@ private:
         return std::max(apart, certified_step(motion_, cores_, axis_, gap, left));
     }
 
-    // Whatever they turn, the cores stay within discs around their centres of mass.
+    // However they turn, the cores stay within discs around their centres of mass.
     double disc_step(DVec2 normal) const {
         const double extents = motion_.extent_a() + motion_.extent_b();
         const double gap = (dot(normal, cores_.separation) - extents) - reach_ - motion_.error();
@@ -145,6 +153,8 @@ private:
         result.status = CastStatus::hit;
         result.fraction = result.lower = fraction_;
         result.upper = upper;
+        TUMBLE_CHECK(fraction_ < 1.0);
+        TUMBLE_CHECK(fraction_ <= upper);
         result.normal = feature_.normal;
         CoreDistance core;
         core.distance = feature_.distance;

@@ -1,4 +1,4 @@
-// A chain's segments by their points, and what each knows of its neighbours'.
+// The links of a chain: for each segment the end points of its neighbours.
 #include "shape/validate.hpp"
 #include "tumble/chain.hpp"
 

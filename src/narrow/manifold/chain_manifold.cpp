@@ -1,11 +1,13 @@
-// The manifold of a chain's segment: that of the segment alone, admitted, replaced or dropped by where its normal
-// points.
+// The manifold of a chain's segment: that of the lone segment, admitted, replaced or dropped by the direction of its
+// normal.
 //
-// A lone segment pushes a body that slides over a seam back along itself, where the body's side has passed the end by
-// less than its bottom has sunk in. A chain has no such surface: at a flat or hollow corner only the segment's own
-// normal exists, at a round one the normals up to the neighbour's, and the rest belongs to the neighbour.
+// A lone segment has an end face. If a body slides over a seam and its side is beyond the end by less than its bottom
+// overlaps, the end face pushes it back along the segment. A chain has no such surface: at a flat or hollow corner only
+// the segment's own normal exists, at a round one the normals up to the neighbour's; all others belong to the
+// neighbour.
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "narrow/manifold/edge_manifold.hpp"
 #include "narrow/manifold/link_meeting.hpp"
 
@@ -13,13 +15,13 @@ namespace tumble {
 
 namespace {
 
-constexpr double kFlat = 0.01;     // rad: corners below it are met as if they were flat
-constexpr double kUpright = 1e-6;  // rad: what the rounding of a normal to float may make it lean
-constexpr double kBeyond = 1e-3;   // rad: a normal that far beyond the neighbour's is the neighbour's to give
+constexpr double kFlat = 0.01;     // rad: smaller corners count as flat
+constexpr double kUpright = 1e-6;  // rad: the largest lean by rounding a normal to float
+constexpr double kBeyond = 1e-3;   // rad: a normal farther than that beyond the neighbour's belongs to the neighbour
 
 enum class Corner : std::uint8_t { free, flat_or_hollow, round };
 
-// An end of the segment as seen from its open side, which is on the right of its direction.
+// An end of the segment, in the orientation that has the open side on the right.
 struct End {
     Corner corner = Corner::free;
     DVec2 normal;  // unit, of the neighbour
@@ -35,16 +37,17 @@ End end_between(DVec2 first, DVec2 second, DVec2 neighbour) {
 
 // The segment in world axes relative to its body's position, with its open side on the right.
 struct OpenSegment {
-    int first;  // vertex of the core it begins with
+    int first;  // the core's vertex that it begins with
     DVec2 from;
     DVec2 edge;
     DVec2 tangent;  // unit
-    DVec2 normal;   // unit, into the open
+    DVec2 normal;   // unit, towards the open side
     End tail;
     End head;
 };
 
 OpenSegment open_segment(const Core& core, const ChainLink& link, bool is_reversed) {
+    TUMBLE_CHECK(core.count == 2);
     OpenSegment segment;
     segment.first = is_reversed;
     segment.from = core.point(is_reversed);
@@ -69,8 +72,8 @@ DVec2 middle_of_b(const CorePair& pair, DVec2 along) {
     return pair.offset + middle(along) * along + middle(perp(along)) * perp(along);
 }
 
-// True if the middle of B is on the left of the chain, as far as the segment and its neighbours know: beside the
-// segment by its line, beyond an end by both lines that meet there.
+// True if the middle of B is on the left of the chain, judged by the segment and its neighbours: by the segment's line
+// beside it, by both lines of the corner beyond an end.
 bool is_left(const CorePair& pair, const ChainLink& link) {
     const Core& core = pair.a;
     const DVec2 from = core.point(0), edge = core.edge(0, 1), to = from + edge;

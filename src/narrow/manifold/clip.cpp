@@ -2,15 +2,17 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 namespace {
 
-// Of the two edges at a vertex the one whose outward normal points more against `normal`; by its first vertex.
+// The one of the two edges at a vertex whose outward normal points more against `normal`; by its first vertex.
 int facing_edge(const Core& core, int vertex, DVec2 normal) {
     const int before = core.previous(vertex), after = core.next(vertex);
     const DVec2 edge_in = core.edge(before, vertex), edge_out = core.edge(vertex, after);
-    // Cosines times lengths; squared with their sign and divided crosswise they compare without roots.
+    // Cosines times lengths. Squared with their signs and cross-multiplied they compare without roots.
     const double in = cross(edge_in, normal), out = cross(edge_out, normal);
     return in * std::abs(in) * length_sq(edge_out) > out * std::abs(out) * length_sq(edge_in) ? before : vertex;
 }
@@ -22,6 +24,9 @@ ClippedEdge clip(const ClipInput& input) {
     const Core& incident = input.incident;
     const int first = input.edge, second = reference.next(first);
     const DVec2 origin = reference.point(first), along = reference.edge(first, second);
+    TUMBLE_CHECK(input.edge >= 0);
+    TUMBLE_CHECK(input.edge < reference.count);
+    TUMBLE_CHECK(input.nearest < incident.count);
     const bool is_known = input.nearest >= 0;
     const DVec2 tangent = is_known ? perp(input.normal) : (1.0 / length(along)) * along;
     const DVec2 normal = -perp(tangent);
@@ -31,6 +36,7 @@ ClippedEdge clip(const ClipInput& input) {
     const auto point_at = [&](DVec2 relative, int reference_vertex, int incident_vertex) {
         return ClippedPoint{relative + origin, dot(relative, normal), reference_vertex, incident_vertex};
     };
+    TUMBLE_CHECK(input.tolerance >= 0.0);
     ClippedEdge result;
     result.normal = normal;
     const int nearest = is_known ? input.nearest : support(incident, -normal).index;

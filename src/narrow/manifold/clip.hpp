@@ -6,7 +6,7 @@
 
 namespace tumble {
 
-// The core that owns the reference edge and the one that meets it, both relative to the owner's position.
+// The core that owns the reference edge and the incident core, both relative to the owner's position.
 struct ClipInput {
     const Core& reference;
     const Core& incident;

@@ -1,6 +1,7 @@
 // The contact points of an edge of one core and the edge of the other that faces it.
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/distance/small_features.hpp"
 #include "narrow/manifold/clip.hpp"
 #include "narrow/manifold/reference_edge.hpp"
@@ -8,7 +9,7 @@
 
 namespace tumble {
 
-// Hysteresis of the reference edge, as a part of the speculative distance: 0.4 mm of 2 cm.
+// The hysteresis of the reference edge as a fraction of the speculative distance: 0.4 mm of 2 cm.
 inline constexpr double kReferenceTolerance = 0.02;
 
 inline std::uint32_t contact_feature(int vertex_a, int vertex_b) {
@@ -22,7 +23,7 @@ struct Skins {
 
 inline Manifold edge_manifold(const CorePair& pair, ReferenceEdge reference, Skins skins, double speculative_distance,
                               double tolerance) {
-    // By index: whose edge it is, is as good as random.
+    // By index: a branch on the owner of the edge would be mispredicted half the time.
     const Core* const cores[2] = {&pair.a, &pair.b};
     const bool is_on_a = reference.side == Side::a;
     const double sign = kSign[!is_on_a];
@@ -36,8 +37,9 @@ inline Manifold edge_manifold(const CorePair& pair, ReferenceEdge reference, Ski
         const double separation = point.separation - (skins.reference + skins.incident);
         if (separation > speculative_distance) continue;
         const DVec2 middle = point.position - (skins.incident + 0.5 * separation) * edge.normal;
-        // By single numbers: a vector written by halves and read whole would wait for both.
+        // Number by number: a vector written in halves and read as a whole would stall.
         const DVec2 away = middle - shift;
+        TUMBLE_CHECK(manifold.point_count < 2);
         ManifoldPoint& contact = manifold.points[manifold.point_count++];
         contact.anchor_a.x = static_cast<float>(is_on_a ? middle.x : away.x);
         contact.anchor_a.y = static_cast<float>(is_on_a ? middle.y : away.y);

@@ -1,4 +1,4 @@
-// How a shape meets a chain's segment: the manifold, and on which side of the chain it is.
+// The contact of a shape with a chain's segment: the manifold, and the side of the chain that the shape is on.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace tumble {
 
-// Where the middle of a shape is that is no farther from a segment than the speculative distance. Both sides of a
-// two-sided chain are open.
+// The side of a segment that the middle of a shape is on, for a shape within the speculative distance; else `apart`.
+// Both sides of a two-sided chain are open.
 enum class LinkSide : std::uint8_t { apart, open, solid };
 
 struct LinkMeeting {
@@ -16,7 +16,7 @@ struct LinkMeeting {
     LinkSide side = LinkSide::apart;
 };
 
-// As collide_link(), which gives the manifold alone.
+// collide_link() returns the manifold of this alone.
 LinkMeeting meet_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
                       const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept;
 

@@ -1,7 +1,8 @@
-// Contact points from the closest feature: one where corners meet, else the facing edge clipped against a reference
-// edge.
+// Contact points from the closest feature: one between two corners, else the incident edge clipped against the
+// reference edge.
 #include "tumble/manifold.hpp"
 
+#include "debug/check.hpp"
 #include "narrow/distance/measure_cores.hpp"
 #include "narrow/manifold/edge_manifold.hpp"
 
@@ -21,9 +22,11 @@ Manifold corner_manifold(const CorePair& pair, const ContactFeature& core, doubl
     return manifold;
 }
 
-// Out of line and by reference: what is needed of the core distance is written and read number by number.
+// Out of line, with the core distance by reference and its numbers written and read one by one.
 [[gnu::noinline]] Manifold manifold_of(const CorePair& pair, const ContactFeature& core, double radius_a,
                                        double radius_b, double speculative_distance, SimplexCache& cache) {
+    TUMBLE_CHECK(core.pair_count >= 1);
+    TUMBLE_CHECK(core.pair_count <= 2);
     if (core.distance - (radius_a + radius_b) > speculative_distance) return {};
     const double tolerance = kReferenceTolerance * speculative_distance;
     const ReferenceEdge reference = choose_reference_edge(pair, core, cache, tolerance);

@@ -1,5 +1,6 @@
 #include "narrow/manifold/reference_edge.hpp"
 
+#include "debug/check.hpp"
 #include "narrow/distance/small_features.hpp"
 
 namespace tumble {
@@ -15,13 +16,15 @@ FoundFace face_of(const CorePair& pair, ReferenceEdge reference) {
 // The edge between two neighbours whose outward normal points along `outward`; none for vertices that are no
 // neighbours.
 ReferenceEdge edge_between_vertices(const Core& core, Side side, int first, int second, DVec2 outward) {
+    TUMBLE_CHECK(first < core.count);
+    TUMBLE_CHECK(second < core.count);
     const bool is_forward = dot(-perp(core.edge(first, second)), outward) > 0.0;
     const int from = is_forward ? first : second, to = is_forward ? second : first;
     return core.next(from) == to ? ReferenceEdge{side, from, -1, {}} : ReferenceEdge{};
 }
 
-// Corners meet squarely where the face beside one of them is within a hundredth of a radian of the normal: two points
-// keep a stack of equal boxes upright, one would not.
+// Two corners count as an edge contact if the face beside one of them is within a hundredth of a radian of the normal:
+// a stack of equal boxes stays upright on two points, not on one.
 ReferenceEdge square_edge_at(const Core& core, Side side, int vertex, DVec2 outward) {
     constexpr double kSquareCosine = 1.0 - 0.5e-4;
     for (const int edge : {core.previous(vertex), vertex}) {
@@ -31,7 +34,8 @@ ReferenceEdge square_edge_at(const Core& core, Side side, int vertex, DVec2 outw
     return {};
 }
 
-// By the direction of the face: its ends come in either order, and the two edges of a segment have the same ends.
+// The edge is chosen by the direction of the face: its ends are in either order, and the two edges of a segment have
+// the same ends.
 ReferenceEdge edge_of_face(const CorePair& pair, const Face& face) {
     const bool is_on_a = face.pairs[0].b == face.pairs[1].b && pair.a.count > 1;
     const int from = is_on_a ? face.pairs[0].a : face.pairs[0].b, to = is_on_a ? face.pairs[1].a : face.pairs[1].b;
@@ -45,7 +49,7 @@ ReferenceEdge deepest_edge(const CorePair& pair) {
 }
 
 ReferenceEdge edge_at_corners(const CorePair& pair, const ContactFeature& core, double tolerance) {
-    if (core.distance <= tolerance) return deepest_edge(pair);  // too near for the direction between them to be steady
+    if (core.distance <= tolerance) return deepest_edge(pair);  // too near for a steady direction between them
     if (pair.a.count == 1 || pair.b.count == 1) return {};
     const VertexPair at = core.pairs[0];
     const ReferenceEdge found = square_edge_at(pair.a, Side::a, at.a, core.normal);
@@ -90,7 +94,7 @@ bool is_usable(const CorePair& pair, ReferenceEdge reference) {
 
 }  // namespace
 
-// One edge, written number by number: a structure that is stored by parts and copied whole waits for them.
+// One result, written number by number: a copy of a structure that was just stored in parts would stall.
 ReferenceEdge choose_reference_edge(const CorePair& pair, const ContactFeature& core, const SimplexCache& cache,
                                     double tolerance) {
     ReferenceEdge best;
@@ -100,6 +104,7 @@ ReferenceEdge choose_reference_edge(const CorePair& pair, const ContactFeature& 
     } else {
         set_edge_of_face(pair, core, best);
     }
+    TUMBLE_CHECK((best.side == Side::none || best.edge < core_of(pair, best.side).count));
     const int other_side = static_cast<int>(cache.reference_side) - static_cast<int>(best.side);
     const int other_edge = static_cast<int>(cache.reference_edge) - best.edge;
     if ((other_side | other_edge) == 0 || best.side == Side::none) return best;

@@ -1,4 +1,4 @@
-// Which edge a manifold is clipped against, if any.
+// The choice of the edge that a manifold is clipped against.
 #pragma once
 
 #include "narrow/distance/core_distance.hpp"
@@ -6,13 +6,13 @@
 namespace tumble {
 
 struct ReferenceEdge {
-    Side side = Side::none;  // none: two corners meet
+    Side side = Side::none;  // none: two corners touch
     int edge = 0;            // by its first vertex
     int nearest = -1;        // the other core's vertex that is nearest to its line; -1 if it is not known
     DVec2 normal;            // unit, out of the owner; if `nearest` is known
 };
 
-// What a manifold needs of a core distance.
+// The part of a core distance that a manifold needs.
 struct ContactFeature {
     double distance;
     DVec2 normal;
@@ -20,7 +20,7 @@ struct ContactFeature {
     int pair_count;
 };
 
-// The edge that holds the closest feature, the deepest face, or the cached one if its separation is within `tolerance`
+// The edge of the closest feature, the deepest face, or the cached one if its separation is within `tolerance`
 // of theirs.
 ReferenceEdge choose_reference_edge(const CorePair& pair, const ContactFeature& core, const SimplexCache& cache,
                                     double tolerance);

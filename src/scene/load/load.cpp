@@ -71,7 +71,7 @@ std::vector<Shape> parse_shapes(std::string_view text, const std::string& source
     if (const std::optional<scene::Json> value = scene::parse_json(text, diagnostics)) {
         const ShapeGeometry geometry = scene::read_query_geometry(*value, diagnostics);
         try {
-            if (!diagnostics.has_errors()) shapes = make_shapes(geometry);
+            if (!diagnostics.has_errors()) shapes = make_exact_shapes(geometry);
         } catch (const std::invalid_argument& cause) {
             diagnostics.error("", cause.what());
         }

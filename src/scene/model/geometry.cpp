@@ -102,4 +102,10 @@ SurfaceMaterial make_surface(const SceneMaterial& material) {
 
 std::vector<Shape> make_shapes(const ShapeGeometry& geometry) { return std::visit(scene::ShapeMaker{}, geometry); }
 
+std::vector<Shape> make_exact_shapes(const ShapeGeometry& geometry) {
+    const auto* polygon = std::get_if<PolygonGeometry>(&geometry);
+    if (!polygon) return make_shapes(geometry);
+    return {make_exact_polygon(scene::to_float_points(polygon->vertices), scene::radius_of(polygon->radius))};
+}
+
 }  // namespace tumble
