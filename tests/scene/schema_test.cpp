@@ -1,4 +1,4 @@
-// The published schema and the reader agree, by the word of an independent validator.
+// The published schema, tested with an independent validator, agrees with the reader.
 #include <doctest/doctest.h>
 
 #include <fstream>
@@ -48,7 +48,7 @@ TEST_CASE("the schema accepts every shipped scene and the example") {
     CHECK(schema.accepts_text(R"({"format": 1})"));
 }
 
-TEST_CASE("of what the reader rejects, the schema accepts only what no schema can say") {
+TEST_CASE("the schema accepts a scene that the reader rejects only if no schema can express the reason") {
     test::SchemaValidator schema;
     int by_both = 0;
     std::map<std::string, int> by_reader_alone;
@@ -97,7 +97,7 @@ TEST_CASE("the validator checks each keyword of the schema") {
     CHECK_THROWS_AS(test::SchemaValidator(nlohmann::json{{"uniqueItems", true}}), std::invalid_argument);
 }
 
-TEST_CASE("every property of the schema has a title and a description that say something") {
+TEST_CASE("every property of the schema has a title and a description") {
     int properties = 0;
     for_each_property(nlohmann::json::parse(scene_schema()),
                       [&](const std::string& name, const nlohmann::json& property) {

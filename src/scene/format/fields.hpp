@@ -1,4 +1,4 @@
-// The table of scene fields: name, member, unit, range and meaning of everything a scene file can say, once.
+// The one table of scene fields: name, member, unit, range and meaning of every key of a scene file.
 //
 // visit_fields(visitor, Type<T>) names the fields of T in the order in which they are written. The reader, the writer
 // and the JSON schema are three visitors of it, so they cannot disagree. A visitor has
@@ -6,12 +6,12 @@
 //   pair(Field, member, member)      two texts as an array
 //   named(Field, member)             a list as an object whose keys are the names of its elements
 //   json(Field, member)              any JSON value, kept as text
-//   constant(Field, number)          a number that must be there
-//   one_of(Field, member)            a variant whose alternatives are keys of this very object
-//   exactly_one({names})             of these optional keys, one must be there
-//   at_most_one(name, name)          of these optional keys, one or none
-// and visit_alternatives(visitor, Type<Variant>) calls alternative<T>(name, description). Defaults are those of the
-// structs themselves. Checks across fields are in check.cpp.
+//   constant(Field, number)          a key whose value must be this number
+//   one_of(Field, member)            a variant whose alternatives are keys of this object
+//   exactly_one({names})             exactly one of these optional keys must be present
+//   at_most_one(name, name)          at most one of these optional keys may be present
+// and visit_alternatives(visitor, Type<Variant>) calls alternative<T>(name, description). The defaults are
+// those of the structs. Checks across fields are in scene/build/check.cpp.
 #pragma once
 
 #include "scene/format/fields_of_runs.hpp"

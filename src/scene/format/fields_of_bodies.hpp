@@ -1,4 +1,4 @@
-// The scene fields of bodies, their copies, and joints. Part of fields.hpp.
+// The scene fields of bodies, repeaters and joints. Part of fields.hpp.
 #pragma once
 
 #include "scene/format/fields_of_shapes.hpp"

@@ -1,4 +1,4 @@
-// The scene fields of what happens in a run and what is claimed of it. Part of fields.hpp.
+// The scene fields of the timeline and of claims. Part of fields.hpp.
 #pragma once
 
 #include "scene/format/fields_of_bodies.hpp"

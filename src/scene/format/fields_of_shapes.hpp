@@ -1,4 +1,4 @@
-// The scene fields of shapes: geometry, filter, what they are made of. Part of fields.hpp.
+// The scene fields of shapes: geometry, material, filter. Part of fields.hpp.
 #pragma once
 
 #include "scene/format/field.hpp"
