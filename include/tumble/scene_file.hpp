@@ -1,4 +1,4 @@
-// Scene files: reading and writing a Scene as JSON, what is wrong with one and where, and its schema.
+// Scene files: reading and writing a Scene as JSON, the diagnostics of a file, and the JSON schema.
 #pragma once
 
 #include <cstdint>
@@ -16,50 +16,51 @@
 
 namespace tumble {
 
-// Where a scene file is wrong and how to mend it.
+// An error or a warning about a scene file, with its location and a hint.
 struct Diagnostic {
     enum class Severity { error, warning };
     Severity severity = Severity::error;
     std::string file;
-    int line = 0;                            // from 1; 0 if the place is unknown
+    int line = 0;                            // from 1; 0 if the location is unknown
     int column = 0;                          // from 1, in bytes
     std::string pointer;                     // JSON pointer of the value
     std::string message;                     // "must be greater than 0, got -1"
     std::string source_line;                 // the line of the file, for the caret
     std::string hint;                        // may be empty
-    std::vector<std::string> included_by{};  // "file:line:column" of what includes the file, innermost first
+    std::vector<std::string> included_by{};  // "file:line:column" of the entries that include the file, innermost first
 };
 
-// "file:line:column: pointer: message", the source line, the caret, the hint, who includes the file.
+// "file:line:column: pointer: message", then the source line, a caret, the hint, and the files that include this one.
 std::string to_string(const Diagnostic& diagnostic);
 
-// A scene that cannot be read: all its errors, at most 20; what() is their text.
+// A scene that is not valid: its errors, at most 20. what() is their text.
 class SceneError : public std::runtime_error {
 public:
     explicit SceneError(std::vector<Diagnostic> diagnostics);
     std::vector<Diagnostic> diagnostics;
 };
 
-// Gives the text of an included file, or throws FileError.
+// Returns the text of an included file, or throws FileError.
 using ReadIncluded = std::function<std::string(const std::filesystem::path& file)>;
 
-// What a caller changes in a scene before it is read.
+// Options of load_scene() and parse_scene().
 struct LoadOptions {
     std::vector<std::string> overrides;  // "/json/pointer=value" each; a value that is not JSON is taken as a string
     std::optional<std::uint64_t> seed;   // replaces /world/seed
-    bool lint = false;  // warn of what is valid but likely to disappoint; builds the world and steps it once
+    bool lint =
+        false;  // also warn about valid scenes that are likely to disappoint: builds the world and steps it once
     bool keep_includes =
-        false;  // leave Scene::include as it is written, what it includes out: to write the scene again
+        false;  // keep Scene::include and do not add what it includes: for a scene that is written again
     ReadIncluded read_included{};  // default: from the file system for load_scene(), none for parse_scene()
 };
 
-// Reads a scene, and what it includes. Throws FileError (not readable) or SceneError (not valid). Warnings, if asked
-// for, are appended. Wrong overrides are SceneErrors too: their diagnostics have the override in place of the file, and
-// no line.
+// Reads a scene and the files that it includes. Throws FileError (not readable) or SceneError (not valid). Warnings are
+// appended to `warnings` if it is not null. Wrong overrides are SceneErrors too; their diagnostics have the override in
+// place of the file, and no line.
 Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* warnings = nullptr);
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options,
                  std::vector<Diagnostic>* warnings = nullptr);
-// A text includes files only by options.read_included; `file_name` is where their paths start from.
+// A text can include files only through options.read_included. Their paths are relative to the folder of `file_name`.
 Scene parse_scene(std::string_view text, const std::string& file_name, std::vector<Diagnostic>* warnings = nullptr);
 Scene parse_scene(std::string_view text, const std::string& file_name, const LoadOptions& options,
                   std::vector<Diagnostic>* warnings = nullptr);
@@ -68,18 +69,18 @@ Scene parse_scene(std::string_view text, const std::string& file_name, const Loa
 // std::invalid_argument for a `custom` that is not JSON.
 std::string to_json(const Scene& scene);
 void save_scene(const Scene& scene,
-                const std::filesystem::path& file);  // written aside, then renamed; throws FileError
+                const std::filesystem::path& file);  // writes another file and renames it; throws FileError
 
 // The JSON schema (Draft-07) of format 1, as published in scenes/scene.schema.json.
 std::string scene_schema();
 
-// xxHash64 of what is simulated, as canonical text: everything but $schema, name, description, camera, colours,
-// expectations and custom. Equal simulations, equal hashes.
+// xxHash64 of the canonical text of the simulated part: all but $schema, name, description, camera, colours, claims and
+// custom data. Scenes with equal simulated parts have equal hashes.
 std::uint64_t scene_hash(const Scene& scene);
 
-// Reads a shape as scene files write it, {"box": {"size": [2, 1]}}, for a distance query: radii of 0 are allowed, and a
-// polygon is the exact hull of its vertices, as make_exact_shapes() makes it. One shape, or several for chains and
-// outlines. Throws SceneError; `source` stands where the file's name would.
+// Reads a shape of the scene format, {"box": {"size": [2, 1]}}, for a distance query: radii of 0 are allowed, and a
+// polygon is the exact hull of its vertices, as make_exact_shapes() makes it. The result is one shape, or several for
+// chains and outlines. Throws SceneError, with `source` as the name of the file.
 std::vector<Shape> parse_shapes(std::string_view text, const std::string& source);
 
 }  // namespace tumble

@@ -1,4 +1,4 @@
-// "Did you mean": the nearest of the words that would have been right.
+// Suggestions for misspelt words: the nearest of the valid ones.
 #pragma once
 
 #include <span>
@@ -7,12 +7,14 @@
 
 namespace tumble {
 
-// The candidate nearest to `word` by edits (insertion, deletion, replacement, swap of neighbours), if that is at most
-// a third of its length or 1 (of one letter: none), or if they differ in case alone or one begins with the other; else
-// empty. The first of equals.
+// The candidate nearest to `word` by edits (insertion, deletion, replacement, swap of neighbours), the first of equally
+// near ones. At most max(1, length / 3) edits are allowed, for a single letter none. Otherwise a candidate qualifies if
+// it differs in case only, or if one of the two words begins with the other.
+// Empty if none qualifies.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);
 
-// "did you mean 'restitution'?", or else "expected one of: a, b, c" if the candidates are few, or nothing.
+// "did you mean 'restitution'?" or, without a near candidate, "expected one of: a, b, c" if there are at most 16.
+// Otherwise empty.
 std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);
 
 // "a, b, c"

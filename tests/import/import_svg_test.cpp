@@ -63,7 +63,7 @@ std::string error_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("one figure of each kind, 100 units a metre, y upwards from the lower edge") {
+TEST_CASE("one figure of each kind, 100 units to a metre, y upwards from the lower edge") {
     const ImportedScene imported = import_svg(kData / "figures.svg");
     CHECK(imported.notes.empty());
     CHECK(imported.scene.name == "figures");
@@ -107,7 +107,7 @@ TEST_CASE("one figure of each kind, 100 units a metre, y upwards from the lower 
     CHECK(area_of(body_named(imported, "drop")) > 0.0);
 }
 
-TEST_CASE("what a drawing program writes: layers, style sheets, clones, and what is left out") {
+TEST_CASE("files of drawing programs: layers, style sheets, clones, and features that are left out") {
     const ImportedScene imported = import_svg(kData / "editor.svg");
     const std::map<std::string, int> expected = {
         {"clip paths", 1},
@@ -155,7 +155,7 @@ TEST_CASE("an imported scene is a valid scene file and a world that steps") {
     }
 }
 
-TEST_CASE("what is filled moves, what is a line stands, and a word decides otherwise") {
+TEST_CASE("filled figures are dynamic, lines are static, and a type that is stated overrides both") {
     const auto type_of = [](const std::string& content) {
         const ImportedScene imported = import_text(content);
         REQUIRE(imported.scene.bodies.size() == 1);
@@ -180,7 +180,7 @@ TEST_CASE("what is filled moves, what is a line stands, and a word decides other
     CHECK(notes_of(import_text("<line x2='9'/>")) == std::map<std::string, int>{{"hidden elements", 1}});
 }
 
-TEST_CASE("circles and boxes survive similar maps only") {
+TEST_CASE("circles and boxes are kept under similarity transforms only") {
     const auto only_body = [](const std::string& content) { return import_text(content).scene.bodies.at(0); };
     const SceneBody box =
         only_body("<rect x='-2' y='-1' width='4' height='2' transform='translate(50 50) rotate(30) scale(3)'/>");
@@ -256,7 +256,7 @@ TEST_CASE("errors name the line, the column and what was expected") {
     CHECK(error_of("<svg>" + closed + "</svg>").find("elements are nested deeper than 100") != std::string::npos);
 }
 
-TEST_CASE("references that multiply come to an end") {
+TEST_CASE("references that multiply exponentially are refused") {
     std::string text = "<svg><rect id='r0' width='1' height='1'/>";
     for (int i = 1; i <= 40; ++i) {
         const std::string inner = "<use href='#r" + std::to_string(i - 1) + "'/>";
@@ -265,7 +265,7 @@ TEST_CASE("references that multiply come to an end") {
     CHECK(error_of(text + "</svg>").find("more than 200000 elements") != std::string::npos);
 }
 
-TEST_CASE("mutated drawings are read or refused, and what is read is a scene") {
+TEST_CASE("mutated drawings are either refused or imported as valid scenes") {
     std::mt19937_64 random(31);
     std::map<bool, int> read;
     for (const char* name : {"figures.svg", "editor.svg"}) {

@@ -30,7 +30,7 @@ const SceneBody& body_of(const ImportedScene& imported, const std::string& name)
 
 }  // namespace
 
-TEST_CASE("bodies, fixtures and materials arrive in our units") {
+TEST_CASE("bodies, fixtures and materials are imported in scene units") {
     const ImportedScene imported = import_rube(kData / "rube_small.json");
     const Scene& scene = imported.scene;
     CHECK(scene.name == "rube_small");
@@ -98,7 +98,7 @@ TEST_CASE("missing friction and restitution are 0, not the engine's defaults") {
     CHECK(imported.scene.materials.size() == 5);  // ground, crate, ball, off, notch
 }
 
-TEST_CASE("joints arrive with local anchors and degrees") {
+TEST_CASE("joints are imported with local anchors and degrees") {
     const ImportedScene imported = import_rube(kData / "rube_small.json");
     REQUIRE(imported.scene.joints.size() == 12);
     const SceneJoint& hinge = imported.scene.joints[0];
@@ -152,15 +152,15 @@ TEST_CASE("joints arrive with local anchors and degrees") {
     CHECK(gear.ratio == 2.0);
 }
 
-TEST_CASE("what is not carried over is said once, with a count") {
+TEST_CASE("features that are not carried over are noted once, with a count") {
     const ImportedScene imported = import_rube(kData / "rube_small.json");
     const std::map<std::string, int> expected = {
         {"numbers of solver iterations", 1},
-        {"body names that occurred before, numbered", 1},
+        {"repeated body names, numbered", 1},
         {"fixtures without a shape or with a degenerate one, left out", 2},
-        {"joint names that occurred before, numbered", 1},
+        {"repeated joint names, numbered", 1},
         {"pulley joints whose ratio is not positive, left out", 2},
-        {"gear joints that are not on two revolute or prismatic joints, left out", 2},
+        {"gear joints that do not couple two revolute or prismatic joints, left out", 2},
         {"gear joints of ratio 0, left out", 1},
         {"joints of the unknown type \"spaghetti\", left out", 1},
         {"images", 2},
@@ -176,7 +176,7 @@ TEST_CASE("a byte-order mark and a JavaScript wrapper are tolerated") {
     CHECK(imported.scene.bodies[0].name == "ball");
 }
 
-TEST_CASE("wrong values are errors at their place") {
+TEST_CASE("wrong values are errors at their location") {
     try {
         import_rube(kData / "rube_bad_index.json");
         FAIL("imported");
@@ -189,7 +189,7 @@ TEST_CASE("wrong values are errors at their place") {
     }
 }
 
-TEST_CASE("a body asleep arrives without its velocity, which no scene gives it") {
+TEST_CASE("a sleeping body is imported without its velocity, which a scene file does not allow") {
     const ImportedScene imported =
         parse_rube(R"({"body": [{"type": 2, "linearVelocity": {"x": 1, "y": 0}, "angularVelocity": 2},
         {"type": 2, "awake": true, "linearVelocity": {"x": 1, "y": 0}}, {"type": 1, "linearVelocity": {"x": 1, "y": 0}}]})",
@@ -198,7 +198,7 @@ TEST_CASE("a body asleep arrives without its velocity, which no scene gives it")
     CHECK(imported.scene.bodies.at(0).angular_velocity == 0.0);
     CHECK(imported.scene.bodies.at(1).velocity == DVec2{1.0, 0.0});
     CHECK(imported.scene.bodies.at(2).velocity == DVec2{1.0, 0.0});
-    CHECK(count_of(imported, "velocities of bodies asleep") == 1);
+    CHECK(count_of(imported, "velocities of sleeping bodies") == 1);
     CHECK_NOTHROW(build_world(imported.scene));
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("an editor project is recognised") {
     CHECK_THROWS_AS(import_rube(kData / "no_such_file.json"), FileError);
 }
 
-TEST_CASE("exports of others arrive with all their bodies, fixtures and joints") {
+TEST_CASE("third-party exports are imported with all their bodies, fixtures and joints") {
     const char* folder = std::getenv("TUMBLE_RUBE_DATA");
     if (folder == nullptr) {
         MESSAGE("skipped: TUMBLE_RUBE_DATA names no folder with R.U.B.E. exports");

@@ -85,7 +85,7 @@ void check_arc(const std::string& data, DVec2 center, double radius, double degr
 
 }  // namespace
 
-TEST_CASE("lines of both cases make the same square") {
+TEST_CASE("absolute and relative lines make the same square") {
     const std::vector<DVec2> square = {{1, 1}, {3, 1}, {3, 3}, {1, 3}};
     for (const char* data : {"M1 1 L3 1 L3 3 L1 3 Z", "M1,1 3,1 3,3 1,3z", "M1 1H3V3H1Z", "m1 1h2v2h-2z",
                              "m1 1 2 0 0 2-2 0z", "M1 1l2 0l0 2l-2 0l0-2", "M 1e0 +1.0 L3. 1L3 3 1 3 1 1"}) {
@@ -185,7 +185,7 @@ TEST_CASE("transforms apply from right to left") {
     CHECK_THROWS_AS(parse_transform("matrix(1 2 3 4 5 6 7)"), SvgError);
 }
 
-TEST_CASE("what is wrong with path data is told by its place") {
+TEST_CASE("errors in path data state their position") {
     CHECK(error_of("L1 1") == "expected 'M' or 'm' to begin with at character 1, got \"L1 1\"");
     CHECK(error_of("M1 1 L2") == "expected a number at character 8, got the end");
     CHECK(error_of("M1 1 X") == "expected a path command at character 6, got \"X\"");

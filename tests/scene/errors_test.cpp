@@ -69,7 +69,7 @@ TEST_CASE("syntax errors tell the place, and a hint where one is due") {
              Case{"{\"format\": NaN}", 1, 12, "invalid literal", "NaN"},
              Case{"{\"format\": 1, \"world\": {\"gravity\": [0, -Infinity]}}", 1, 41, "invalid number", "Infinity"},
              Case{"{'format': 1}", 1, 2, "invalid literal", "double quotes"},
-             Case{"{\"format\": 1e999}", 1, 12, "too large for a double, got 1e999", ""},
+             Case{"{\"format\": 1e999}", 1, 12, "the number is too large for a double, got 1e999", ""},
              Case{"{\"format\": 1} x", 1, 15, "invalid literal", ""},
              Case{"{\"format\": \"\xFF\"}", 1, 13, "ill-formed UTF-8", ""},
              Case{"{\"format\" 1}", 1, 11, "expected ':'", ""},
@@ -125,15 +125,15 @@ TEST_CASE("deep nesting is an error, not a crash") {
                                         return objects;
                                     }()}) {
         const Diagnostic error = error_of("{\"format\": 1, \"custom\": " + open);
-        CHECK(error.message == "nested deeper than 64 levels");
+        CHECK(error.message == "the file is nested deeper than 64 levels");
     }
 }
 
 TEST_CASE("a file that is too long or has too many keys is an error") {
     std::string keys = "{\"format\": 1, \"custom\": {\"k\": 0";
     for (int i = 0; i < 5000; ++i) keys += ", \"k" + std::to_string(i) + "\": 0";
-    CHECK(error_of(keys + "}}").message == "an object with more than 4096 keys");
-    CHECK(error_of("{\"format\": 1}" + std::string(33u << 20, ' ')).message == "longer than 32 MiB");
+    CHECK(error_of(keys + "}}").message == "the object has more than 4096 keys");
+    CHECK(error_of("{\"format\": 1}" + std::string(33u << 20, ' ')).message == "the file is longer than 32 MiB");
 }
 
 TEST_CASE("lists that are too long are refused before anything is made of them") {
@@ -215,7 +215,7 @@ TEST_CASE("hints translate the habits of other engines") {
     CHECK(hint_of(test::with_joint(R"("type": "revolute", "bodyA": "a", "bodies": ["a", "b"], "anchor": [0, 0])"))
               .starts_with("\"bodies\""));
     CHECK(hint_of(test::with_joint(R"("type": "hinge", "bodies": ["a", "b"], "anchor": [0, 0])")) ==
-          "here it is called 'revolute'");
+          "this format calls it 'revolute'");
     CHECK(hint_of(R"({"format": 1, "world": {"gravity": -10}})") == "a number for x and one for y: [0, -10]");
     CHECK(hint_of(R"({"format": 1, "materials": {"m": {"color": "red"}}})") == "for example \"#d33\"");
     CHECK(hint_of(R"({"format": 1, "expect": [{"count": 3, "region": [[0, 0], [1, 1]]}]})") == "[3, 3] for exactly 3");

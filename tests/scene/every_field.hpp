@@ -1,4 +1,4 @@
-// Valid scenes that say together everything that a scene file can say.
+// Valid scenes that together use every field of the format.
 #pragma once
 
 #include <string>

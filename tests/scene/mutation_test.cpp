@@ -1,5 +1,5 @@
-// The reader and the published schema, held against each other from both sides: each field of each object, made wrong
-// in every way that its description rules out, is refused by both; the ends of its range are allowed by both.
+// The reader and the published schema agree: every wrong value that can be derived from the schema's description of a
+// field is refused by both, and both ends of its range are accepted by both.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using nlohmann::json;
 
 namespace {
 
-// One wrong value, and where the reader must say so.
+// A document with one changed value, and the pointer at which the reader must report an error.
 struct Mutation {
     json document;
     std::string pointer;
@@ -64,7 +64,8 @@ private:
 
 class Mutator {
 public:
-    Mutator(const json& document, const Described& place) : document_(document), place_(place), schema_(*place.schema) {
+    Mutator(const json& document, const Described& described)
+        : document_(document), described_(described), schema_(*described.schema) {
         const std::string type = schema_.value("type", "");
         if (type == "number" || type == "integer") add_numbers(type == "integer");
         if (type == "boolean") add_values({1, "true", nullptr});
@@ -78,14 +79,15 @@ public:
     }
 
     std::vector<Mutation> wrong;
-    std::vector<Mutation> right;  // nothing to be said there
+    std::vector<Mutation> right;  // no range error may be reported
 
 private:
-    void add(std::vector<Mutation>& list, const std::string& pointer, const std::string& said_at, const json& value) {
-        list.push_back({document_, said_at});
+    void add(std::vector<Mutation>& list, const std::string& pointer, const std::string& reported_at,
+             const json& value) {
+        list.push_back({document_, reported_at});
         list.back().document[json::json_pointer(pointer)] = value;
     }
-    void add_value(const json& value) { add(wrong, place_.pointer, place_.pointer, value); }
+    void add_value(const json& value) { add(wrong, described_.pointer, described_.pointer, value); }
     void add_values(const std::vector<json>& values) {
         for (const json& value : values) add_value(value);
     }
@@ -97,26 +99,27 @@ private:
         add_value(is_open ? min : min - std::max(1.0, std::abs(min)));
         add_value(2.0 * max);
         if (whole) add_value(1.5);
-        if (max >= 0x1p64) return;  // the largest seed is no double
-        add(right, place_.pointer, place_.pointer, whole ? json(static_cast<std::int64_t>(max)) : json(max));
+        if (max >= 0x1p64) return;  // a double cannot represent the largest seed
+        add(right, described_.pointer, described_.pointer, whole ? json(static_cast<std::int64_t>(max)) : json(max));
         if (!is_open)
-            add(right, place_.pointer, place_.pointer, whole ? json(static_cast<std::int64_t>(min)) : json(min));
+            add(right, described_.pointer, described_.pointer,
+                whole ? json(static_cast<std::int64_t>(min)) : json(min));
     }
 
     void add_objects() {
         add_values({json::array(), "x", 1, nullptr});
         if (schema_["additionalProperties"].is_boolean())
-            add(wrong, place_.pointer + "/no_such_key", place_.pointer + "/no_such_key", 1);
+            add(wrong, described_.pointer + "/no_such_key", described_.pointer + "/no_such_key", 1);
         const json required = schema_.value("required", json::array());
         for (const json& key : required) {
-            wrong.push_back({document_, place_.pointer});
-            wrong.back().document.at(json::json_pointer(place_.pointer)).erase(key.get<std::string>());
+            wrong.push_back({document_, described_.pointer});
+            wrong.back().document.at(json::json_pointer(described_.pointer)).erase(key.get<std::string>());
         }
     }
 
     void add_arrays() {
         add_values({json::object(), "x", 1, nullptr});
-        const json& value = document_.at(json::json_pointer(place_.pointer));
+        const json& value = document_.at(json::json_pointer(described_.pointer));
         const std::size_t least = schema_.value("minItems", std::size_t{0}),
                           most = schema_.value("maxItems", std::size_t{65535});
         json changed = value;
@@ -130,7 +133,7 @@ private:
     }
 
     const json& document_;
-    const Described& place_;
+    const Described& described_;
     const json& schema_;
 };
 
@@ -149,12 +152,12 @@ std::vector<Diagnostic> errors_of(const std::string& text) {
     return {};
 }
 
-bool is_said_at(const std::vector<Diagnostic>& errors, const std::string& pointer) {
+bool is_reported_at(const std::vector<Diagnostic>& errors, const std::string& pointer) {
     return std::ranges::any_of(errors,
                                [&](const Diagnostic& error) { return error.pointer == pointer && error.line > 0; });
 }
 
-// The names of all that the schema describes.
+// Collects the names of all properties of the schema.
 void collect_names(const json& schema, const std::string& name, std::set<std::string>& names) {
     const json properties = schema.value("properties", json::object());
     for (const auto& [key, property] : properties.items()) {
@@ -169,7 +172,7 @@ void collect_names(const json& schema, const std::string& name, std::set<std::st
 
 }  // namespace
 
-TEST_CASE("each field made wrong is refused at its place by the reader, and by the schema") {
+TEST_CASE("wrong values of every field are refused by the reader, at their location, and by the schema") {
     test::SchemaValidator schema;
     std::set<std::string> done;
     int wrong = 0, right = 0;
@@ -179,13 +182,13 @@ TEST_CASE("each field made wrong is refused at its place by the reader, and by t
         REQUIRE(errors_of(text).empty());
         REQUIRE(schema.accepts(document));
         const Walk walk(schema.document(), document);
-        for (const Described& place : walk.values()) {
-            if (!done.insert(place.schema_name).second) continue;
-            const Mutator mutator(document, place);
+        for (const Described& described : walk.values()) {
+            if (!done.insert(described.schema_name).second) continue;
+            const Mutator mutator(document, described);
             for (const Mutation& mutation : mutator.wrong) {
                 const std::string bad = mutation.document.dump();
                 CHECK_MESSAGE(!schema.accepts(mutation.document), "the schema accepts ", bad);
-                CHECK_MESSAGE(is_said_at(errors_of(bad), mutation.pointer), mutation.pointer, " is not refused in ",
+                CHECK_MESSAGE(is_reported_at(errors_of(bad), mutation.pointer), mutation.pointer, " is not refused in ",
                               bad);
                 ++wrong;
             }

@@ -35,14 +35,14 @@ TEST_CASE("an override replaces a value anywhere in the scene") {
     CHECK(with({"/bodies/-={\"name\": \"extra\"}"}).bodies.size() == 5);
 }
 
-TEST_CASE("bodies and joints are found by their names too, and errors below them keep their place") {
+TEST_CASE("overrides find bodies and joints by name, and errors below them keep their pointer") {
     CHECK(with({"/bodies/ball/position/0=7"}).bodies[2].position.x == 7.0);
     CHECK(with({"/joints/hinge/anchor=[0, 3]"}).joints[0].anchor == DVec2(0, 3));
     CHECK(to_string(error_of("/bodies/ball/gravity_scale=true")) ==
           "--set /bodies/ball/gravity_scale=true: /bodies/2/gravity_scale: must be a number, got true");
 }
 
-TEST_CASE("what the file leaves out starts from its default") {
+TEST_CASE("a key that the file leaves out starts from its default") {
     const Scene scene = with({"/world/gravity/1=-1.6", "/camera/center=[1, 2]", "/name=moon"}, R"({"format": 1})");
     CHECK(scene.world.gravity == DVec2(0, -1.6));
     CHECK(scene.world.substeps == 4);
@@ -58,23 +58,23 @@ TEST_CASE("the later of two overrides counts, and the seed comes last") {
           18446744073709551615u);
 }
 
-TEST_CASE("an override that fits nothing is an error that names it") {
+TEST_CASE("an override whose pointer leads nowhere is an error that names the step") {
     CHECK(to_string(error_of("/world/substeps=0")) ==
           "--set /world/substeps=0: /world/substeps: must be at least 1, got 0");
     CHECK(to_string(error_of("/world/substep=8")) ==
           "--set /world/substep=8: /world/substep: unknown key \"substep\"\n  hint: did you mean 'substeps'?");
-    CHECK(error_of("/bodies/9/name=x").message == "the 2. step '9' is no index and no name in an array of 4");
+    CHECK(error_of("/bodies/9/name=x").message == "step 2, '9', is neither an index nor a name in an array of 4");
     const Diagnostic misspelt = error_of("/bodies/bal/position=[0, 0]");
-    CHECK(misspelt.message == "the 2. step 'bal' is no index and no name in an array of 4");
+    CHECK(misspelt.message == "step 2, 'bal', is neither an index nor a name in an array of 4");
     CHECK(misspelt.hint == "did you mean 'ball'?");
     CHECK(error_of("/wrold/seed=1").hint == "did you mean 'world'?");
-    CHECK(error_of("/name/x=1").message == "the 2. step 'x' lies below a value that is no object and no array");
+    CHECK(error_of("/name/x=1").message == "step 2, 'x', is below a value that is neither an object nor an array");
     CHECK(error_of("/world/gravity/1=down").message == "must be a number, got \"down\"");
     for (const char* text : {"world/seed=1", "/world/seed", "=1", ""})
         CHECK(error_of(text).message == "must read /json/pointer=value");
 }
 
-TEST_CASE("an override's value nested without end is no crash") {
-    CHECK(error_of("/custom/a/b=1").message == "the 2. step 'a' does not exist");
+TEST_CASE("a deeply nested override value is an error, not a crash") {
+    CHECK(error_of("/custom/a/b=1").message == "step 2, 'a', does not exist");
     CHECK(error_of("/world/gravity=" + std::string(100000, '[')).pointer == "/world/gravity");
 }

@@ -9,7 +9,7 @@
 
 using namespace tumble;
 
-TEST_CASE("the nearest word by edits is suggested, if it is near") {
+TEST_CASE("the word with the fewest edits is suggested, if the edits are few") {
     constexpr std::array<std::string_view, 4> kWords = {"restitution", "radius", "rolling_resistance", "size"};
     CHECK(nearest_word("restituton", kWords) == "restitution");  // one deletion
     CHECK(nearest_word("raduis", kWords) == "radius");           // one swap of neighbours
@@ -26,7 +26,7 @@ TEST_CASE("a swap of neighbours counts as one edit, not two") {
     CHECK(nearest_word("tx", kWords).empty());  // two edits
 }
 
-TEST_CASE("a single letter resembles none but its other case, and an empty list suggests nothing") {
+TEST_CASE("a single letter matches only its other case, and an empty list gives no suggestion") {
     constexpr std::array<std::string_view, 2> kWords = {"a", "B"};
     CHECK(nearest_word("c", kWords).empty());
     CHECK(nearest_word("b", kWords) == "B");

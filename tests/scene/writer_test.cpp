@@ -26,7 +26,7 @@ Scene reread(const Scene& scene) { return parse_scene(to_json(scene), "written.j
 
 }  // namespace
 
-TEST_CASE("the canonical text leaves defaults out and keeps what fits on a line") {
+TEST_CASE("the canonical text leaves defaults out and keeps short values on one line") {
     Scene scene;
     scene.name = "two";
     scene.world.seed = 18446744073709551615u;
@@ -77,7 +77,7 @@ TEST_CASE("numbers are written in their shortest form") {
     CHECK_THROWS_AS(scene::number_text(INFINITY), std::invalid_argument);
 }
 
-TEST_CASE("custom JSON is kept in its order; what is not JSON is refused") {
+TEST_CASE("custom JSON keeps its order; text that is not JSON is refused") {
     const Scene scene = parse_scene(R"({"format": 1, "custom": {"z": [1, 2.50, "é"], "a": null}})", "");
     CHECK(scene.custom == R"({"z": [1, 2.5, "é"], "a": null})");
     CHECK(reread(scene).custom == scene.custom);
@@ -86,7 +86,7 @@ TEST_CASE("custom JSON is kept in its order; what is not JSON is refused") {
     CHECK_THROWS_AS(to_json(broken), std::invalid_argument);
 }
 
-TEST_CASE("the scene hash covers what is simulated and nothing else") {
+TEST_CASE("the scene hash covers the simulated part only") {
     const Scene scene = parse_scene(test::kExample, "");
     Scene same = scene;
     same.schema = same.name = same.description = "x";

@@ -1,4 +1,4 @@
-// Radians become degrees; limits, motors and springs are kept where the scene has a place for them.
+// Radians become degrees. Limits, motors and springs are kept if the scene format has them for the type of joint.
 #include "import/rube/rube_joints.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void read_revolute(RubeObject& joint, SceneJoint& result) {
         result.limits = {std::min(limits.lower, limits.upper), std::max(limits.lower, limits.upper)};
     const SceneJointMotor motor{joint.number("motorSpeed") * kDegrees, joint.number("maxMotorTorque"), {}};
     if (joint.flag("enableMotor")) result.motor = motor;
-    joint.skip({"jointSpeed"});  // of the moment of the export
+    joint.skip({"jointSpeed"});  // the speed at the moment of the export
 }
 
 void read_distance(RubeObject& joint, SceneJoint& result) {
@@ -39,7 +39,7 @@ void read_rope(RubeObject& joint, SceneJoint& result) {
     result.limits = {0.0, *result.length};
 }
 
-// The axis is in A's coordinates, as the anchors are; old files call it otherwise.
+// The axis is in A's coordinates, as the anchors are. Old files use another key.
 void read_axis(RubeObject& joint, SceneJoint& result, DVec2 missing) {
     const std::string_view key = joint.has("localAxisA") ? "localAxisA" : "localAxis1";
     const DVec2 axis = joint.has(key) ? joint.vector(key) : DVec2{};
@@ -80,8 +80,8 @@ void read_friction(RubeObject& joint, SceneJoint& result) {
     result.max_torque = joint.number("maxTorque");
 }
 
-// The correction factor k takes k of the error away in each step of 1/60 s: about a critically damped spring of
-// frequency 60 k / (2 pi).
+// A correction factor k removes the fraction k of the error in each step of 1/60 s. A critically damped spring of
+// frequency 60 k / (2 pi) does about the same.
 void read_motor(RubeObject& joint, SceneJoint& result) {
     read_friction(joint, result);
     if (joint.has("linearOffset")) result.anchors->first = joint.vector("linearOffset");
@@ -92,7 +92,7 @@ void read_motor(RubeObject& joint, SceneJoint& result) {
     joint.skip({"anchorA", "anchorB"});
 }
 
-// The target is a point of the world, the anchor of our joint one of A.
+// The export's target is a world point; the first anchor of a mouse joint is a point of A.
 void read_mouse(RubeObject& joint, SceneJoint& result, const Pose& world_from_a) {
     result.type = SceneJointType::mouse;
     const DVec2 target = joint.vector("target");
@@ -119,14 +119,14 @@ void read_common(RubeObject& joint, SceneJoint& result) {
 
 std::optional<SceneJoint> read_rube_joint(RubeObject joint, const std::string& type, std::size_t body_count,
                                           const std::function<RubeBody(std::size_t)>& body_at, RubeNotes& notes) {
-    const int a = joint.index("bodyA", body_count), b = joint.index("bodyB", body_count);
+    const int a = joint.index("bodyA", body_count, "bodies"), b = joint.index("bodyB", body_count, "bodies");
     if (a < 0 || b < 0) return std::nullopt;
     if (std::ranges::find(kTypes, type) == kTypes.end()) {
         notes.add("joints of the unknown type " + quoted(type) + ", left out");
         return std::nullopt;
     }
     if (a == b) {
-        notes.add("joints of a body with itself, left out");
+        notes.add("joints that connect a body to itself, left out");
         return std::nullopt;
     }
     if (type == "pulley" && !(joint.number("ratio") > 0.0)) {
@@ -155,7 +155,7 @@ std::optional<SceneJoint> read_rube_joint(RubeObject joint, const std::string& t
 
 std::optional<SceneJoint> read_rube_gear(RubeObject joint, std::size_t joint_count,
                                          const std::function<SceneJoint*(std::size_t)>& joint_at, RubeNotes& notes) {
-    const int a = joint.index("joint1", joint_count), b = joint.index("joint2", joint_count);
+    const int a = joint.index("joint1", joint_count, "joints"), b = joint.index("joint2", joint_count, "joints");
     if (a < 0 || b < 0) return std::nullopt;
     const auto can_be_geared = [](const SceneJoint* geared) {
         return geared && (geared->type == SceneJointType::revolute || geared->type == SceneJointType::prismatic);
@@ -166,7 +166,7 @@ std::optional<SceneJoint> read_rube_gear(RubeObject joint, std::size_t joint_cou
     result.ratio = joint.number("ratio");
     const SceneJoint *first = joint_at(static_cast<std::size_t>(a)), *second = joint_at(static_cast<std::size_t>(b));
     if (a == b || !can_be_geared(first) || !can_be_geared(second)) {
-        notes.add("gear joints that are not on two revolute or prismatic joints, left out");
+        notes.add("gear joints that do not couple two revolute or prismatic joints, left out");
         return std::nullopt;
     }
     if (*result.ratio == 0.0) {
@@ -175,7 +175,7 @@ std::optional<SceneJoint> read_rube_gear(RubeObject joint, std::size_t joint_cou
     }
     result.joint_a = first->name;
     result.joint_b = second->name;
-    joint.skip({"type", "bodyA", "bodyB", "anchorA", "anchorB"});  // those of its joints
+    joint.skip({"type", "bodyA", "bodyB", "anchorA", "anchorB"});  // of the joints that it couples
     joint.note_unread("gear joint", notes);
     return result;
 }

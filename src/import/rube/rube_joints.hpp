@@ -1,4 +1,4 @@
-// Joints of R.U.B.E. exports as joints of a scene.
+// Reads joints of R.U.B.E. exports.
 #pragma once
 
 #include <functional>
@@ -14,13 +14,13 @@ struct RubeBody {
     Pose pose;
 };
 
-// Any type of joint but a gear, between bodies found by `body_at` (an index into the export's bodies); nothing, with a
-// note or an error, if the scene has no such joint.
+// Reads a joint of any type but gear. `body_at` returns the body at an index of the export's list. Empty, with a note
+// or an error, if a scene cannot have such a joint.
 std::optional<SceneJoint> read_rube_joint(RubeObject joint, const std::string& type, std::size_t body_count,
                                           const std::function<RubeBody(std::size_t)>& body_at, RubeNotes& notes);
 
-// The gear, on joints found by `joint_at` (an index into the export's joints; they have names, and null is one that the
-// scene has not).
+// Reads a gear. `joint_at` returns the joint at an index of the export's list, with a name, or null if it was left out.
+// Empty, with a note or an error, if a scene cannot have such a gear.
 std::optional<SceneJoint> read_rube_gear(RubeObject joint, std::size_t joint_count,
                                          const std::function<SceneJoint*(std::size_t)>& joint_at, RubeNotes& notes);
 

@@ -1,4 +1,4 @@
-// Chains of R.U.B.E. are two-sided whatever their winding: the files are older than one-sided chains.
+// Chains become two-sided whatever their winding, because R.U.B.E. is older than one-sided chains.
 #include "import/rube/rube_shapes.hpp"
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace tumble::scene {
 
 namespace {
 
-// Neighbours that are equal in float are one point.
+// Removes points that are equal in float to the one before.
 std::vector<DVec2> weld_neighbours(const std::vector<DVec2>& points, RubeNotes& notes) {
     std::vector<DVec2> kept;
     for (const DVec2 point : points)
         if (kept.empty() || to_float(kept.back()) != to_float(point)) kept.push_back(point);
     if (kept.size() < points.size())
-        notes.add("chain vertices equal to the one before", static_cast<int>(points.size() - kept.size()));
+        notes.add("repeated chain vertices", static_cast<int>(points.size() - kept.size()));
     return kept;
 }
 
@@ -33,7 +33,7 @@ ShapeGeometry make_rube_chain(const std::vector<DVec2>& points, bool loop, RubeN
     return chain;
 }
 
-// Convex as the rule, but no export is too odd: a concave polygon is an outline.
+// Polygons of an export are usually convex. A concave one becomes an outline, one of two vertices a segment.
 ShapeGeometry make_rube_polygon(const std::vector<DVec2>& vertices) {
     if (vertices.size() == 2) return SegmentGeometry{vertices[0], vertices[1]};
     HullReport report;
@@ -45,13 +45,13 @@ ShapeGeometry make_rube_polygon(const std::vector<DVec2>& vertices) {
 ShapeGeometry read_chain(RubeObject& chain, RubeNotes& notes) {
     ShapeGeometry geometry = make_rube_chain(chain.points("vertices"), false, notes);
     const bool has_ghosts = chain.flag("hasNextVertex") || chain.flag("hasPrevVertex");
-    if (has_ghosts && !std::get<ChainGeometry>(geometry).loop) notes.add("neighbours of the ends of open chains");
+    if (has_ghosts && !std::get<ChainGeometry>(geometry).loop) notes.add("ghost vertices at the ends of open chains");
     chain.skip({"nextVertex", "prevVertex", "hasPrevVertex"});
     return geometry;
 }
 
 ShapeGeometry read_edge(RubeObject& edge, RubeNotes& notes) {
-    if (edge.flag("hasVertex0") || edge.flag("hasVertex3")) notes.add("neighbours of edges");
+    if (edge.flag("hasVertex0") || edge.flag("hasVertex3")) notes.add("ghost vertices of edges");
     edge.skip({"vertex0", "vertex3", "hasVertex3"});
     return SegmentGeometry{edge.vector("vertex1"), edge.vector("vertex2")};
 }
@@ -71,7 +71,7 @@ std::optional<ShapeGeometry> read_geometry(RubeObject& fixture, RubeNotes& notes
     return geometry;
 }
 
-// The geometry if it makes shapes; nothing if it is degenerate.
+// The geometry, or empty if it is degenerate.
 std::optional<ShapeGeometry> read_sound_geometry(RubeObject& fixture, RubeNotes& notes) {
     try {
         std::optional<ShapeGeometry> geometry = read_geometry(fixture, notes);
@@ -84,9 +84,9 @@ std::optional<ShapeGeometry> read_sound_geometry(RubeObject& fixture, RubeNotes&
     }
 }
 
-constexpr double kAll = 65535.0;  // exports know 16 categories
+constexpr double kAll = 65535.0;  // exports have 16 categories
 
-// Nothing if all is as it is without a filter.
+// Empty if the filter equals the default.
 std::optional<SceneFilter> read_filter(RubeObject& fixture) {
     const double category = fixture.number("filter-categoryBits", 1.0), mask = fixture.number("filter-maskBits", kAll);
     const double group = fixture.number("filter-groupIndex");

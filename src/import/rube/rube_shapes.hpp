@@ -1,4 +1,4 @@
-// Fixtures of R.U.B.E. exports as shapes of a scene.
+// Reads fixtures of R.U.B.E. exports.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace tumble::scene {
 
-// Friction, restitution and density of a fixture, to be shared by all that have the same.
+// The surface of a fixture. Fixtures with equal surfaces share a material.
 struct RubeSurface {
     double density = 0.0;
     double friction = 0.0;
@@ -24,7 +24,7 @@ struct RubeFixture {
     bool sensor = false;
 };
 
-// Nothing, with a note, for what has no extent.
+// Empty, with a note, for a fixture without a shape or with a degenerate one.
 std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, RubeNotes& notes);
 
 }  // namespace tumble::scene

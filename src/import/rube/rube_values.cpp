@@ -1,4 +1,4 @@
-// Reading is forgiving about what is missing and strict about what is there.
+// A missing value is its default; a present value of the wrong type is an error.
 #include "import/rube/rube_values.hpp"
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "scene/format/reader.hpp"
 #include "scene/json/json_text.hpp"
 #include "scene/json/pointer.hpp"
 
@@ -19,7 +18,7 @@ namespace {
 constexpr std::size_t kHexDigits = 8;
 const Json kNothing = Json::object();
 
-// The binary32 whose bit pattern the digits are.
+// The binary32 number whose bit pattern the 8 hexadecimal digits state.
 std::optional<double> hex_float(const std::string& text) {
     std::uint32_t bits = 0;
     const char* end = text.data() + text.size();
@@ -123,12 +122,12 @@ std::vector<RubeObject> RubeObject::list(std::string_view key) {
     return elements;
 }
 
-int RubeObject::index(std::string_view key, std::size_t end) {
+int RubeObject::index(std::string_view key, std::size_t end, const std::string& of) {
     const Json* value = find(key);
     const double number = value ? to_number(*value, pointer_to(key)) : 0.0;
     if (number >= 0.0 && number < static_cast<double>(end) && number == std::floor(number))
         return static_cast<int>(number);
-    error(pointer_to(key), "the index of one of " + std::to_string(end) + " bodies", value ? *value : Json(0));
+    error(pointer_to(key), "the index of one of " + std::to_string(end) + " " + of, value ? *value : Json(0));
     return -1;
 }
 

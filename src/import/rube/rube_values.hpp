@@ -1,5 +1,5 @@
-// Values as R.U.B.E. writes them: what is missing is 0, floats may be hexadecimal bit patterns, vectors may be a bare
-// 0. Every key that is never asked for is counted, so that nothing is dropped in silence.
+// Values as R.U.B.E. writes them: missing values are 0, floats may be hexadecimal bit patterns, vectors may be a bare
+// 0. Keys that the importer never reads are noted, so that nothing is dropped silently.
 #pragma once
 
 #include <set>
@@ -13,7 +13,7 @@
 
 namespace tumble::scene {
 
-// What could not be carried over, counted by feature, in the order of the first occurrence.
+// Features that could not be carried over, with counts, in the order of their first occurrence.
 class RubeNotes {
 public:
     void add(const std::string& feature, int count = 1);
@@ -23,7 +23,7 @@ private:
     std::vector<ImportNote> notes_;
 };
 
-// One JSON object and its pointer. Wrong types are errors in the diagnostics, and read as missing.
+// One JSON object and its pointer. A value of the wrong type is an error in the diagnostics and reads as missing.
 class RubeObject {
 public:
     RubeObject(const Json& value, std::string pointer, Diagnostics& diagnostics);
@@ -36,18 +36,19 @@ public:
     std::string text(std::string_view key);
     DVec2 vector(std::string_view key);
     std::vector<DVec2> points(std::string_view key);
-    std::string custom(
-        std::initializer_list<std::string_view> keys);  // an object of these, as text; empty if all are missing
+    // The JSON text of an object with these keys, empty if all are missing.
+    std::string custom(std::initializer_list<std::string_view> keys);
     RubeObject object(std::string_view key);
     std::vector<RubeObject> list(std::string_view key);
 
-    // A whole number from 0 to `end` - 1; -1, with an error, if it is none.
-    int index(std::string_view key, std::size_t end);
+    // An index into the `end` elements of a list, which `of` names ("bodies"). -1, with an error, if it is out of
+    // range.
+    int index(std::string_view key, std::size_t end, const std::string& of);
 
-    // Keys that need no note: redundant, or without effect here.
+    // Marks keys as read that are redundant or have no effect.
     void skip(std::initializer_list<std::string_view> keys);
 
-    // Notes the keys that were never asked for, as "<owner> key '<key>'".
+    // Notes the keys that were never read, as "<owner> key '<key>'".
     void note_unread(const std::string& owner, RubeNotes& notes) const;
 
 private:

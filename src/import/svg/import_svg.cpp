@@ -1,7 +1,7 @@
-// SVG to a scene: one body for each figure that is drawn, in the order of the file.
+// Imports SVG drawings: one body for each figure that is drawn, in the order of the file.
 //
-// The y axis is turned upwards about the lower edge of the drawing, so that its lower left corner is the origin and the
-// camera shows the page. Parsed by pugixml, without entities or external files.
+// The drawing is mirrored so that y points upwards and its lower left corner is the origin. The camera shows the page.
+// Parsed by pugixml, without entities or external files.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -20,19 +20,20 @@ namespace scene {
 
 namespace {
 
-constexpr int kMostDepth = 100;                    // of groups and references: a cycle of references ends here
+constexpr int kMostDepth = 100;                    // of groups and references; ends a cycle of references
 constexpr int kMostElements = 200000;              // visited, references followed
 constexpr std::size_t kMostPointsOfAll = 4000000;  // of all figures
-constexpr std::size_t kLongestName = 200;          // bytes; longer ones are left out, and a number still fits behind
+constexpr std::size_t kLongestName =
+    200;  // bytes; longer names are left out. Leaves room for a number within the limit of scene files
 
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::ranges::find(words, word) != words.end();
 }
 
-// Bytes that are not UTF-8 are replaced, as a scene file could not hold them.
+// Replaces bytes that are not UTF-8, which a scene file cannot contain.
 std::string as_utf8(const std::string& text) { return Json::parse(quoted(text)).get<std::string>(); }
 
-// Where pugixml found a node or an error.
+// The offset at which pugixml found a node or an error; it reports -1 if there is none.
 std::size_t offset_of(std::ptrdiff_t offset) { return static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)); }
 
 class SvgImport {
@@ -61,7 +62,7 @@ public:
     }
 
 private:
-    // Runs `action`; its SvgError becomes an error at the element.
+    // Runs `action` and reports an SvgError as an error at the element.
     template <class Action>
     void at_element(const pugi::xml_node& element, const Action& action) {
         try {
@@ -73,7 +74,7 @@ private:
         }
     }
 
-    // Elements by id, and the style sheets, wherever they stand.
+    // Collects the elements by id, and the style sheets.
     void index(const pugi::xml_node& element, int depth) {
         if (depth > kMostDepth) {
             diagnostics_.error_at_offset(offset_of(element.offset_debug()),
@@ -88,7 +89,7 @@ private:
             if (child.type() == pugi::node_element) index(child, depth + 1);
     }
 
-    // The viewBox, else width and height.
+    // The page is the viewBox or, without one, width and height.
     void read_page(const pugi::xml_node& root) {
         const double scale = options_.metres_per_unit, nan = std::numeric_limits<double>::quiet_NaN();
         page_ = {{scale, 0.0}, {0.0, -scale}, {}};
@@ -116,7 +117,7 @@ private:
 
     void visit(const pugi::xml_node& element, const Affine& around, const SvgStyle& style_around, int depth) {
         if (depth > kMostDepth)
-            throw SvgError("references are nested deeper than " + std::to_string(kMostDepth) + ", or in a circle");
+            throw SvgError("references are nested deeper than " + std::to_string(kMostDepth) + ", or form a cycle");
         if (++elements_ > kMostElements)
             throw SvgError("the drawing has more than " + std::to_string(kMostElements) + " elements");
         const std::string_view tag = element.name();
@@ -174,7 +175,7 @@ private:
         std::string_view target = use.attribute("href").value();
         if (target.empty()) target = use.attribute("xlink:href").value();
         const auto found = target.starts_with('#') ? by_id_.find(target.substr(1)) : by_id_.end();
-        if (found == by_id_.end()) return count("references to what is not in the file");
+        if (found == by_id_.end()) return count("references to elements that are not in the file");
         const Affine shift = shifted(use, map);
         if (std::string_view(found->second.name()) == "symbol")
             visit_children(found->second, shift, style, depth + 1);
@@ -200,7 +201,7 @@ private:
         result_.scene.bodies.push_back(std::move(body));
     }
 
-    // A material for each colour, of that name.
+    // The name of the material of this colour, which is the colour.
     std::string add_material(const SvgPaint& paint) {
         if (!paint.visible || paint.color.empty()) return "";
         if (colors_.contains(paint.color)) return paint.color;
@@ -214,7 +215,7 @@ private:
         return paint.color;
     }
 
-    // The id; later elements of the same id get a number.
+    // The id; further elements with the same id get a number.
     std::string make_name(const std::string& id) {
         const std::string name = as_utf8(id);
         if (name.empty() || name.size() > kLongestName) return "";

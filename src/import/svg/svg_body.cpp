@@ -1,4 +1,5 @@
-// Shapes are made about the middle of the figure's bounding box, so that float keeps them exact far from the origin.
+// The body's origin is the middle of the figure's bounding box, so that shape coordinates, which are float, stay exact
+// far from the world's origin.
 #include "import/svg/svg_body.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ DVec2 middle_of(const std::vector<Contour>& contours) {
     return 0.5 * (lower + upper);
 }
 
-// How often the contour goes around the point, counter-clockwise.
+// The number of counter-clockwise turns of the contour around the point.
 int winding_number(const Contour& contour, DVec2 point) {
     int turns = 0;
     DVec2 from = contour.points.back();
@@ -64,12 +65,12 @@ public:
     }
 
 private:
-    bool shall_move() const { return style_.type && *style_.type != BodyType::static_body; }
+    bool is_movable() const { return style_.type && *style_.type != BodyType::static_body; }
 
     bool is_area(const Contour& contour) const {
         if (contour.points.size() < 3) return false;
         const bool is_filled = style_.fill.visible && (contour.closed || !style_.stroke.visible);
-        return is_filled || (contour.closed && shall_move());
+        return is_filled || (contour.closed && is_movable());
     }
 
     std::vector<DVec2> local_points(const Contour& contour) const {
@@ -88,7 +89,7 @@ private:
         body_.shapes.push_back({std::move(geometry), "", ""});
     }
 
-    // Holes, and areas within areas, are judged by one point of their boundary.
+    // One point of the boundary decides whether the area is a hole or lies within another area.
     void add_area(const Contour& area, const std::vector<const Contour*>& areas) {
         int depth = 0, turns = is_counter_clockwise(area) ? 1 : -1;
         for (const Contour* other : areas) {
@@ -122,7 +123,7 @@ private:
             ++notes_["hidden elements"];
             return;
         }
-        if (!shall_move()) return add(ChainGeometry{points, line.closed, true});
+        if (!is_movable()) return add(ChainGeometry{points, line.closed, true});
         if (!(stroke_radius_ > 0.0)) {
             ++notes_["moving lines without a width"];
             return;

@@ -1,4 +1,4 @@
-// From a figure and its style to a body.
+// Makes a body from a figure and its style.
 #pragma once
 
 #include <map>
@@ -9,15 +9,15 @@
 
 namespace tumble::scene {
 
-// What could not be carried over, by name.
+// Features that could not be carried over, with counts.
 using SvgNotes = std::map<std::string, int>;
 
-// The body of a figure: its areas as a circle, boxes, polygons or outlines, its lines as chains. Without shapes if
-// nothing of it is left, which the notes say. Materials are left out.
+// The body of a figure: areas become a circle, boxes, polygons or outlines, lines become chains. The body has no shapes
+// if all of them are degenerate or hidden, which the notes count. Materials are not set.
 //
-// A contour is an area if it is filled and closed, or filled without a stroke. A body is dynamic if it has an area,
-// else static, unless the style asks for a type. A closed line that shall move becomes an area, an open one capsules of
-// its stroke width.
+// A contour is an area if it is filled and closed, or filled without a stroke. A body is dynamic if it has an area and
+// static otherwise, unless the style states a type. If the type is not static, a closed line becomes an area and an
+// open line becomes capsules of its stroke width.
 SceneBody make_svg_body(const SvgFigure& figure, const SvgStyle& style, double metres_per_stroke, SvgNotes& notes);
 
 }  // namespace tumble::scene

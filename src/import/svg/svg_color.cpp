@@ -170,7 +170,7 @@ std::string to_hex(unsigned rgb) {
     return text;
 }
 
-// Short forms say each digit once; a fourth or an eighth-and-seventh digit is the alpha.
+// #rgb and #rgba stand for doubled digits. The alpha, in #rgba or #rrggbbaa, is dropped.
 std::optional<std::string> parse_hex(const std::string& text) {
     if (text.find_first_not_of(kDigits, 1) != std::string::npos) return std::nullopt;
     if (text.size() == 7 || text.size() == 9) return text.substr(0, 7);

@@ -1,4 +1,4 @@
-// Colours of SVG in the form of scene files.
+// Converts SVG colours to those of scene files.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace tumble::scene {
 
-// "#rrggbb" for #rgb, #rrggbb, either with alpha (which is dropped), rgb() and rgba(), and the names of CSS; nothing
-// for anything else.
+// "#rrggbb" for #rgb and #rrggbb (with or without alpha, which is dropped), rgb(), rgba() and the colour names of CSS.
+// Empty for any other text.
 std::optional<std::string> parse_color(std::string_view text);
 
 }  // namespace tumble::scene

@@ -1,4 +1,4 @@
-// One function an element (SVG 1.1, chapter 9), all drawn by the same flattener.
+// One function for each element (SVG 1.1, chapter 9); all draw into the same Flattener.
 #include "import/svg/svg_figure.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace tumble::scene {
 
 namespace {
 
-// [-90, 90) degrees: a box looks the same after half a turn.
+// In [-90, 90) degrees, because a box has a symmetry of half a turn.
 double box_angle(DVec2 direction) {
     const double degrees = arc_tangent(direction.y, direction.x) * kDegrees;
     if (degrees >= 90.0) return degrees - 180.0;
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    // The value of a length attribute, 0 if it is not there.
+    // The value of a length attribute, 0 if it is missing.
     double length_of(const char* name, double whole) const {
         const std::string_view text = trimmed(element_.attribute(name).value());
         if (text.empty() || text == "auto") return 0.0;
@@ -79,7 +79,7 @@ private:
         const std::array<DVec2, 4> corners{low, DVec2(high.x, low.y), high, DVec2(low.x, high.y)};
         const bool round = radii.x > 0.0 && radii.y > 0.0;
         for (std::size_t i = 0; i < 4; ++i) {
-            // The corner's arc leaves the side before at a quarter turn to the corner, and meets the next side.
+            // The arc of the corner starts at the end of the previous side and ends at the start of the next.
             const DVec2 inward(corners[i].x == low.x ? radii.x : -radii.x, corners[i].y == low.y ? radii.y : -radii.y);
             const DVec2 first = corners[i] + (i % 2 == 0 ? DVec2(0.0, inward.y) : DVec2(inward.x, 0.0));
             const DVec2 last = corners[i] + (i % 2 == 0 ? DVec2(inward.x, 0.0) : DVec2(0.0, inward.y));

@@ -1,4 +1,4 @@
-// The geometry of one SVG element, in the world.
+// The geometry of one SVG element, in world coordinates.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,14 @@
 
 namespace tumble::scene {
 
-// Width and height of the drawing in user units: NaN if it does not say. Percentages are of them.
+// Width and height of the drawing in user units, which percentages refer to; NaN if the drawing does not state them.
 struct SvgViewport {
     DVec2 size;
 };
 
 struct SvgFigure {
     std::vector<Contour> contours;  // curves as chords; none if the element draws nothing
-    // What the area is without chords, about its own middle at the position: a circle or a box that the transform
-    // left one.
+    // The area without chords, centred at `position`: a circle or a box, if the transform keeps it one.
     std::optional<std::variant<CircleGeometry, BoxGeometry>> exact;
     DVec2 position;
 };
@@ -27,7 +26,7 @@ struct SvgFigure {
 // True for rect, circle, ellipse, line, polyline, polygon and path.
 bool is_figure(std::string_view tag);
 
-// Throws SvgError for attributes that SVG calls an error.
+// Throws SvgError for attribute values that SVG defines as errors.
 SvgFigure read_figure(const pugi::xml_node& element, const Affine& world_from_element, const SvgViewport& viewport,
                       double tolerance);
 

@@ -1,6 +1,6 @@
-// Equal steps of the parameter, as many as the second derivative asks for: a chord over a step h is never farther from
-// the curve than h^2 / 8 times the largest second derivative. Affine maps keep Bezier curves and ellipses what they
-// are, so that curves are mapped first and the tolerance holds in the world.
+// Curves are divided at equal steps of their parameter. The chord over a step h is at most h^2 / 8 times the largest
+// second derivative from the curve, which gives the number of steps. Affine maps take Bezier curves to Bezier curves
+// and ellipses to ellipses, so curves are mapped first and the tolerance holds in the world.
 #include "import/svg/svg_flatten.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostPoints = 65535;  // of one element, as of one list in a scene file
 
-// Points nearer to each other than this part of the tolerance are one.
+// Points nearer to each other than this fraction of the tolerance are one point.
 constexpr double kCoincident = 1e-3;
 
 // The longer half axis of an ellipse given by two conjugate half diameters: the larger singular value of (u v).
@@ -61,7 +61,8 @@ void Flattener::cubic_to(DVec2 control, DVec2 other_control, DVec2 point) {
 void Flattener::arc_to(const EllipseArc& arc, DVec2 point) {
     const DVec2 center = apply(map_, arc.center), u = apply_linear(map_, arc.x_axis),
                 v = apply_linear(map_, arc.y_axis);
-    // The second derivative by the angle is no longer than the longest half axis; an eighth of a turn at the most.
+    // The second derivative with respect to the angle is at most the longest half axis. A step is at most an eighth of
+    // a turn.
     const double step = std::min(std::sqrt(8.0 * tolerance_ / longest_half_axis(u, v)), kPi / 4.0);
     const std::size_t chords = chord_count(std::abs(arc.turn) / step);
     for (std::size_t i = 1; i < chords; ++i) {
@@ -82,7 +83,7 @@ std::size_t Flattener::chord_count(double chords) const {
 
 void Flattener::add(DVec2 world_point) {
     if (!(std::max(std::abs(world_point.x), std::abs(world_point.y)) <= kLargest))
-        throw SvgError("a point lies farther than " + number_text(kLargest) + " m from the origin");
+        throw SvgError("a point is farther than " + number_text(kLargest) + " m from the origin");
     if (++count_ > kMostPoints) throw SvgError("an element has at most " + std::to_string(kMostPoints) + " points");
     std::vector<DVec2>& points = contours_.back().points;
     if (points.empty() || length(world_point - points.back()) > kCoincident * tolerance_) points.push_back(world_point);

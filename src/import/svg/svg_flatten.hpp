@@ -1,4 +1,4 @@
-// Curves into chords.
+// Divides curves into chords.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace tumble::scene {
 
-// A line in the world, m; the last point of a closed one differs from its first.
+// A polyline in world coordinates, m. If it is closed, the last point differs from the first.
 struct Contour {
     std::vector<DVec2> points;
     bool closed = false;
@@ -24,8 +24,8 @@ struct EllipseArc {
     double turn = 0.0;
 };
 
-// Takes lines and curves in the coordinates of an element and makes contours in the world: no point of a curve is
-// farther than `tolerance` (m) from its chords.
+// Takes lines and curves in the coordinates of an element and makes contours in the world. No point of a curve is
+// farther than `tolerance` (m) from its chord.
 class Flattener {
 public:
     Flattener(const Affine& world_from_element, double tolerance) : map_(world_from_element), tolerance_(tolerance) {}
@@ -37,8 +37,9 @@ public:
     void arc_to(const EllipseArc& arc, DVec2 point);  // `point` is the arc's end, exactly
     void close();
 
-    // Points that coincide are dropped, contours that end where they began are closed, single points vanish. Throws
-    // SvgError for what is not finite, farther than 100 km from the origin, or has more points than a shape may have.
+    // Returns the contours without coinciding points and without contours of a single point. A contour that ends where
+    // it began is closed. The functions above throw SvgError for points that are not finite or farther than 100 km from
+    // the origin, and for more points than a shape may have.
     std::vector<Contour> take();
 
 private:

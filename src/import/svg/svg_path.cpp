@@ -1,4 +1,4 @@
-// One command a function; smooth curves mirror the last control point, if the command before had one of their kind.
+// Smooth curves (S, T) mirror the last control point if the command before was a curve of the same kind.
 #include "import/svg/svg_path.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    // A command with its arguments, once for each set of them that follows.
+    // Runs a command once for each set of arguments that follows.
     void run_command(char command, bool absolute) {
         base_ = absolute ? DVec2{} : current_;
         if (command == 'z') return close();
@@ -61,7 +61,7 @@ private:
         }
     }
 
-    // A contour begins with its first line: after a move, or at the start of the one that was closed.
+    // A contour begins with its first line: after a move, or at the start of the contour that was closed before.
     void begin_contour() {
         if (!open_) out_.move_to(current_);
         open_ = true;
@@ -116,7 +116,7 @@ private:
 
     SvgScanner scanner_;
     Flattener& out_;
-    DVec2 base_;  // what arguments are relative to
+    DVec2 base_;  // origin of the arguments
     DVec2 current_;
     DVec2 start_;    // of the contour
     DVec2 control_;  // the last one
@@ -128,8 +128,8 @@ private:
 
 void read_path(std::string_view data, Flattener& out) { PathReader(data, out).run(); }
 
-// In coordinates where the ellipse is the unit circle: the centre lies on the chord's perpendicular bisector, on the
-// side that the flags tell.
+// Computed in coordinates in which the ellipse is the unit circle: the centre is on the perpendicular bisector of the
+// chord, on the side that the flags select.
 EllipseArc make_arc(DVec2 from, DVec2 to, double rx, double ry, double degrees, bool large, bool sweep) {
     const SinCos q = sin_cos_degrees(degrees);
     const DVec2 x_direction(q.cos, q.sin), y_direction(-q.sin, q.cos);

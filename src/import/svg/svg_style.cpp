@@ -1,4 +1,4 @@
-// The cascade of CSS 2, as far as drawings use it: no combinators, no !important, no media.
+// The cascade of CSS 2 without combinators, !important and media rules, which drawings hardly use.
 #include "import/svg/svg_style.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::pair<std::string_view, BodyType>, 3> kTypeWords{
     {{"static", BodyType::static_body}, {"kinematic", BodyType::kinematic_body}, {"dynamic", BodyType::dynamic_body}}};
 
-// Of the page, in a stroke width of so many percent: no drawing program writes that.
+// The page size for a stroke width in percent, which no drawing program writes: an error.
 constexpr double kUnknownSize = std::numeric_limits<double>::quiet_NaN();
 
 // Calls visit(part) for the parts between separators, trimmed, empty ones left out.
@@ -71,7 +71,7 @@ std::optional<BodyType> find_type(std::string_view word) {
     return std::nullopt;
 }
 
-// data-type, else a class of that name, else an id that begins with it.
+// From data-type, otherwise from a class, otherwise from the beginning of the id.
 std::optional<BodyType> read_type(const pugi::xml_node& element) {
     const std::string_view wanted = element.attribute("data-type").value(), id = element.attribute("id").value();
     if (!wanted.empty()) {

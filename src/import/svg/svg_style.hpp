@@ -1,4 +1,4 @@
-// What an element looks like, and so what it becomes: style properties, from attributes, style sheets and the elements
+// The style of an element, which decides what it becomes: properties from attributes, style sheets and the elements
 // around it.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace tumble::scene {
 // The rules of <style> elements whose selector is a tag, a .class or an #id.
 class SvgSheet {
 public:
-    // Adds the rules of one sheet. Returns how many rules with other selectors were left out.
+    // Adds the rules of one sheet. Returns the number of rules with other selectors, which are left out.
     int add(std::string_view text);
 
     // The last value among the most specific rules: id over class over tag. Empty if there is none.
@@ -27,7 +27,7 @@ private:
 
 struct SvgPaint {
     bool visible = false;
-    std::string color;  // "#rrggbb"; empty if it is not one colour
+    std::string color;  // "#rrggbb"; empty for a gradient, pattern or unknown colour
 };
 
 struct SvgStyle {
@@ -36,14 +36,15 @@ struct SvgStyle {
     double stroke_width = 1.0;
     bool even_odd = false;
     bool visible = true;
-    std::optional<BodyType> type;  // as the user asks for, else by the rule
+    std::optional<BodyType> type;  // as the drawing states it; empty: by the rule of make_svg_body()
 };
 
-// The style of an element inside something of the style `around`. `gradients` counts paints that are not one colour.
+// The style of an element inside an element of the style `around`. Adds gradients and patterns to `gradients`.
 // Throws SvgError for a body type that does not exist.
 SvgStyle read_style(const pugi::xml_node& element, const SvgSheet& sheet, const SvgStyle& around, int& gradients);
 
-// A property's value: of the style attribute, else of the sheet, else of the attribute by its name; may be empty.
+// A property's value: from the style attribute, otherwise from the sheet, otherwise from the attribute of that name.
+// May be empty.
 std::string_view find_property(const pugi::xml_node& element, const SvgSheet& sheet, std::string_view property);
 
 }  // namespace tumble::scene

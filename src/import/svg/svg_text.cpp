@@ -1,4 +1,4 @@
-// Scanning by std::from_chars, which reads the same in every locale.
+// Numbers are read by std::from_chars, which does not depend on the locale.
 #include "import/svg/svg_text.hpp"
 
 #include <array>
@@ -50,7 +50,7 @@ double SvgScanner::number() {
     const bool has_sign = peek() == '+' || peek() == '-';
     const bool negative = peek() == '-';
     if (has_sign) ++from;
-    // from_chars would take "inf" and "nan" too.
+    // from_chars would accept "inf" and "nan".
     const bool starts = from < text_.size() && (is_digit(text_[from]) || text_[from] == '.');
     double value = 0.0;
     const char* begin = text_.data() + from;
@@ -104,7 +104,7 @@ double parse_length(std::string_view text, double whole) {
     const std::string_view unit = scanner.at_end() ? "" : scanner.word();
     for (const auto& [name, pixels] : kUnits)
         if (unit == name) return value * pixels;
-    throw SvgError("there is no unit of length " + quoted(std::string(unit)));
+    throw SvgError("unknown unit of length " + quoted(std::string(unit)));
 }
 
 }  // namespace tumble::scene

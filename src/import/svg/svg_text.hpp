@@ -7,12 +7,12 @@
 
 namespace tumble::scene {
 
-// What is wrong with an element; whoever knows where the element stands adds the place.
+// An error in an element. The importer adds the line and column of the element.
 struct SvgError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Goes through an attribute from left to right; white space and commas separate, but need not.
+// Scans an attribute from left to right. White space and commas between values are optional.
 class SvgScanner {
 public:
     explicit SvgScanner(std::string_view text) : text_(text) {}
@@ -23,9 +23,9 @@ public:
     char take() { return text_[at_++]; }
     bool take_if(char wanted);  // after separators
 
-    // Throw SvgError, with what stands there instead.
+    // Throw SvgError, with the text that was found instead.
     double number();
-    bool flag();              // 0 or 1, which the next number may follow at once
+    bool flag();              // 0 or 1; the next number may follow without a separator
     std::string_view word();  // letters, digits, '-' and '_'
     void expect(char wanted);
 
@@ -40,11 +40,11 @@ private:
 
 std::string_view trimmed(std::string_view text);
 
-// Of ASCII letters alone, whatever the locale.
+// Converts ASCII letters only; independent of the locale.
 constexpr char to_lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-// A length in user units: px, mm, cm, in, pt and pc at 96 pixels an inch, em at 16 pixels; a percentage is of `whole`,
-// which is NaN if it is not known. Throws SvgError.
+// A length in user units: px, mm, cm, in, pt and pc at 96 pixels an inch, em at 16 pixels. A percentage refers to
+// `whole`, which is NaN if it is unknown. Throws SvgError.
 double parse_length(std::string_view text, double whole);
 
 }  // namespace tumble::scene

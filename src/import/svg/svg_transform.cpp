@@ -36,7 +36,7 @@ Affine rotation(double degrees) {
 
 Affine translation(DVec2 by) { return {{1.0, 0.0}, {0.0, 1.0}, by}; }
 
-// sin / cos is infinite for an odd multiple of 90 degrees; the coordinates are refused as not finite then.
+// Infinite for an odd multiple of 90 degrees; Flattener then refuses the coordinates as not finite.
 double tangent(double degrees) {
     const SinCos q = sin_cos_degrees(degrees);
     return q.sin / q.cos;

@@ -1,4 +1,4 @@
-// What is said of one scene field, and the visitors that collect names: the vocabulary of fields.hpp.
+// The description of one scene field, and the visitors that collect names: the vocabulary of fields.hpp.
 #pragma once
 
 #include <algorithm>
@@ -21,15 +21,15 @@ struct Range {
     double min = 0.0;
     double max = 0.0;
     bool above_min = false;
-    bool zero_in_queries = false;  // a distance query may have points and bare segments: 0 is allowed there
+    bool zero_in_queries = false;  // 0 is allowed in distance queries, for points and bare segments
 };
 
-// Upper ends keep every product that a step forms (mass times length squared) inside the range of float.
+// The upper limits keep every product that a step forms, such as mass times length squared, in the range of float.
 inline constexpr double kFarthest = 1e9;  // positions, m
 inline constexpr double kLargest = 1e5;   // sizes and shape coordinates, m
-inline constexpr double kFastest = 1e6;   // velocities; also angles and what else has no natural end
+inline constexpr double kFastest = 1e6;   // velocities, angles and other values without a natural limit
 inline constexpr double kLongest = 1e6;   // durations, s
-inline constexpr double kMost = 1e6;      // copies that one repeater makes
+inline constexpr double kMost = 1e6;      // copies by one repeater
 
 inline constexpr Range kPosition{-kFarthest, kFarthest};
 inline constexpr Range kCoordinate{-kLargest, kLargest};
@@ -49,7 +49,7 @@ inline constexpr Range kSeed{0.0, 0x1p64};
 
 inline constexpr std::size_t kMaxNameBytes = 256;  // bytes
 
-// What a text may be.
+// What a text may contain.
 enum class Text { any, name, color };
 
 struct Field {
@@ -67,7 +67,7 @@ struct Field {
 template <class Enum>
 inline constexpr std::array<std::pair<Enum, std::string_view>, 0> kEnumNames{};
 
-// Throws std::invalid_argument for what is none of them.
+// Throws std::invalid_argument for a value that is not one of them.
 template <class Enum>
 std::string_view enum_name(Enum value) {
     for (const auto& [enumerator, name] : kEnumNames<Enum>)

@@ -1,4 +1,4 @@
-// The scene fields of what happens in a run and what is claimed of it. Part of fields.hpp.
+// The scene fields of the timeline and of claims. Part of fields.hpp.
 #pragma once
 
 #include "scene/format/fields_of_bodies.hpp"
@@ -21,97 +21,116 @@ inline constexpr std::array<std::pair<SceneEventKind, std::string_view>, 7> kEnu
 template <class V>
 void visit_fields(V& v, Type<SceneEvent>) {
     v.field({"at", "Time of a single event.", "s", kTime}, &SceneEvent::at);
-    v.field({"every", "Interval of an event that happens again and again, from 0 on or 'from' a time.", "s", kInterval},
+    v.field({"every", "Interval of a repeated event, which happens first at time 0 or at 'from'.", "s", kInterval},
             &SceneEvent::every);
     v.exactly_one({"at", "every"});
     v.field({"from", "Time of the first repetition.", "s", kTime}, &SceneEvent::from);
     v.field({"until", "Time of the last repetition, or the end of a force or torque.", "s", kTime}, &SceneEvent::until);
-    v.field({.name = "body", .description = "Name of the body that is acted on.", .text = Text::name},
+    v.field({.name = "body", .description = "Name of the body that the event acts on.", .text = Text::name},
             &SceneEvent::body);
-    v.field({.name = "joint", .description = "Name of the joint that is acted on.", .text = Text::name},
+    v.field({.name = "joint", .description = "Name of the joint that the event acts on.", .text = Text::name},
             &SceneEvent::joint);
-    v.field({"impulse", "Impulse at the centre of mass of the body.", "N s", kForce}, &SceneEvent::impulse);
-    v.field({"angular_impulse", "Angular impulse on the body.", "N m s", kForce}, &SceneEvent::angular_impulse);
-    v.field({"force", "Force at the centre of mass of the body, from then on.", "N", kForce}, &SceneEvent::force);
-    v.field({"torque", "Torque on the body, from then on.", "N m", kForce}, &SceneEvent::torque);
-    v.field({"velocity", "The body's velocity from then on.", "m/s"}, &SceneEvent::velocity);
-    v.field({"angular_velocity", "The body's angular velocity from then on.", "degrees/s"},
-            &SceneEvent::angular_velocity);
-    v.field({"motor_speed", "New speed of the joint's motor: degrees/s if it turns, m/s if it slides."},
+    v.field({"impulse", "Impulse applied at the centre of mass of the body.", "N s", kForce}, &SceneEvent::impulse);
+    v.field({"angular_impulse", "Angular impulse applied to the body.", "N m s", kForce}, &SceneEvent::angular_impulse);
+    v.field({"force", "Force applied at the centre of mass of the body, from then on.", "N", kForce},
+            &SceneEvent::force);
+    v.field({"torque", "Torque applied to the body, from then on.", "N m", kForce}, &SceneEvent::torque);
+    v.field({"velocity", "New velocity of the body.", "m/s"}, &SceneEvent::velocity);
+    v.field({"angular_velocity", "New angular velocity of the body.", "degrees/s"}, &SceneEvent::angular_velocity);
+    v.field({"motor_speed", "New speed of the joint's motor: degrees/s if it rotates, m/s if it slides."},
             &SceneEvent::motor_speed);
-    v.field({"target", "World point that the mouse joint pulls to.", "m", kPosition}, &SceneEvent::target);
-    v.field({"gravity", "Gravity from then on.", "m/s^2"}, &SceneEvent::gravity);
-    v.field({"spawn", "A body that appears; with 'every', copies called name[0], name[1] and so on."},
+    v.field({"target", "New world point that a mouse joint pulls its body to.", "m", kPosition}, &SceneEvent::target);
+    v.field({"gravity", "New gravity of the world.", "m/s^2"}, &SceneEvent::gravity);
+    v.field({"spawn", "Body that is created. With 'every', the bodies are named name[0], name[1] and so on."},
             &SceneEvent::spawn);
-    v.field({.name = "despawn", .description = "Name of a body that goes.", .text = Text::name}, &SceneEvent::despawn);
-    v.field({.name = "release", .description = "Name of a joint that goes.", .text = Text::name}, &SceneEvent::release);
+    v.field({.name = "despawn", .description = "Name of a body that is removed.", .text = Text::name},
+            &SceneEvent::despawn);
+    v.field({.name = "release", .description = "Name of a joint that is removed.", .text = Text::name},
+            &SceneEvent::release);
     v.exactly_one({"impulse", "angular_impulse", "force", "torque", "velocity", "angular_velocity", "motor_speed",
                    "target", "gravity", "spawn", "despawn", "release"});
 }
 
 template <class V>
 void visit_fields(V& v, Type<SceneFrame>) {
-    v.field({"position", "Where the origin of the frame lies.", "m", kPosition}, &SceneFrame::position);
-    v.field({"angle", "Turn of the frame.", "degrees"}, &SceneFrame::angle);
+    v.field({"position", "Position of the frame's origin in the world.", "m", kPosition}, &SceneFrame::position);
+    v.field({"angle", "Rotation of the frame.", "degrees"}, &SceneFrame::angle);
 }
 
 template <class V>
 void visit_fields(V& v, Type<SceneExpectation>) {
-    v.field({"at_rest_by", "Time by which nothing moves any more.", "s", kTime}, &SceneExpectation::at_rest_by);
-    v.field({"max_penetration", "Depth that no overlap may pass: 0.01 for what lies, the way of a step for what lands.",
+    v.field({"at_rest_by", "Time from which every body must be at rest: asleep, or slower than 0.05 m/s.", "s", kTime},
+            &SceneExpectation::at_rest_by);
+    v.field({"max_penetration",
+             "Greatest allowed depth of an overlap. Resting overlap stays below 0.01 m; a body that lands at v may "
+             "overlap by up to v / steps_per_second - 0.02 m in the first step.",
              "m", kRounding},
             &SceneExpectation::max_penetration);
-    v.field({"max_joint_error", "How far the anchors of a joint may part, of 'joint' or of every one.", "m", kRounding},
-            &SceneExpectation::max_joint_error);
     v.field(
-        {"max_energy_gain", "How much kinetic and potential energy may grow above that at the start.", "J", kStrength},
+        {"max_joint_error", "Greatest allowed distance between the anchors of a joint: of 'joint', or of every joint.",
+         "m", kRounding},
+        &SceneExpectation::max_joint_error);
+    v.field(
+        {"max_energy_gain", "Greatest allowed increase of kinetic plus potential energy above their sum at the start.",
+         "J", kStrength},
         &SceneExpectation::max_energy_gain);
     v.field({.name = "body",
-             .description = "Name of the body that is looked at; the common name of copies means each of them.",
+             .description = "Name of the body that the claim is about. The common name of copies means every copy in "
+                            "claims about position, angle and speed, and any copy in claims about touching.",
              .text = Text::name},
             &SceneExpectation::body);
-    v.field({.name = "joint", .description = "Name of the joint that is looked at.", .text = Text::name},
+    v.field({.name = "joint", .description = "Name of the joint that the claim is about.", .text = Text::name},
             &SceneExpectation::joint);
-    v.field({"inside", "Lower left and upper right corner of a box that holds the body's position.", "m", kPosition},
-            &SceneExpectation::inside);
-    v.field({"outside", "Lower left and upper right corner of a box that does not hold the body's position.", "m",
+    v.field(
+        {"inside", "Lower left and upper right corner of a box that must contain the body's position.", "m", kPosition},
+        &SceneExpectation::inside);
+    v.field({"outside", "Lower left and upper right corner of a box that must not contain the body's position.", "m",
              kPosition},
             &SceneExpectation::outside);
-    v.field({"height", "Least and greatest y of the body's position.", "m", kPosition}, &SceneExpectation::height);
-    v.field({"speed", "Least and greatest speed of the body's centre of mass.", "m/s", kNotNegative},
+    v.field({"height", "Least and greatest allowed y of the body's position.", "m", kPosition},
+            &SceneExpectation::height);
+    v.field({"speed", "Least and greatest allowed speed of the body's centre of mass.", "m/s", kNotNegative},
             &SceneExpectation::speed);
-    v.field({"angle", "Least and greatest angle of the body, between -180 and 180.", "degrees", {-180.0, 180.0}},
-            &SceneExpectation::angle);
+    v.field(
+        {"angle", "Least and greatest allowed angle of the body, between -180 and 180.", "degrees", {-180.0, 180.0}},
+        &SceneExpectation::angle);
     v.field({.name = "touches",
-             .description = "Name of a body that the body touches at least once; of copies, any of them.",
+             .description =
+                 "Name of a body that the body must touch at least once. The common name of copies means any of them.",
              .text = Text::name},
             &SceneExpectation::touches);
-    v.field({.name = "never_touches",
-             .description = "Name of a body that the body never touches; of copies, none of them.",
-             .text = Text::name},
-            &SceneExpectation::never_touches);
+    v.field(
+        {.name = "never_touches",
+         .description = "Name of a body that the body must never touch. The common name of copies means all of them.",
+         .text = Text::name},
+        &SceneExpectation::never_touches);
     v.field({"count",
-             "Least and greatest number of bodies with their position in 'region', of the copies of 'body' or of all.",
+             "Least and greatest allowed number of bodies whose position is in 'region': of the copies of 'body', or "
+             "of all.",
              "",
              {0.0, 1e9}},
             &SceneExpectation::count);
-    v.field({"region", "Lower left and upper right corner of the box that 'count' looks at.", "m", kPosition},
+    v.field({"region", "Lower left and upper right corner of the box in which 'count' counts bodies.", "m", kPosition},
             &SceneExpectation::region);
     v.field({"event_count",
-             "Least and greatest number of events of the kind 'event' so far, of 'body' or of all.",
+             "Least and greatest allowed number of events of the kind 'event' so far: those of 'body', or all.",
              "",
              {0.0, 1e9}},
             &SceneExpectation::event_count);
-    v.field({"event", "What 'event_count' counts."}, &SceneExpectation::event);
-    v.field({"state_hash", "The state hash, 16 hexadecimal digits as run prints it."}, &SceneExpectation::state_hash);
+    v.field({"event", "Kind of the events that 'event_count' counts."}, &SceneExpectation::event);
+    v.field({"state_hash", "Expected state hash: 16 hexadecimal digits, as the run command prints them."},
+            &SceneExpectation::state_hash);
     v.exactly_one({"at_rest_by", "max_penetration", "max_joint_error", "max_energy_gain", "inside", "outside", "height",
                    "speed", "angle", "touches", "never_touches", "count", "event_count", "state_hash"});
-    v.field({"frame", "Coordinates in which boxes, heights and angles are measured; left out: those of the world."},
+    v.field({"frame", "Coordinate frame in which boxes, heights and angles are measured. Default: that of the world."},
             &SceneExpectation::frame);
-    v.field({"when", "When a claim of a state must hold: at the end, always, or sometime."}, &SceneExpectation::when);
-    v.field({"at", "At this time alone.", "s", kTime}, &SceneExpectation::at);
-    v.field({"from", "What is before does not count.", "s", kTime}, &SceneExpectation::from);
-    v.field({"until", "What is after does not count.", "s", kTime}, &SceneExpectation::until);
+    v.field({"when",
+             "When a claim about a state must hold. end: in the last state; always: in every state; sometime: in at "
+             "least one."},
+            &SceneExpectation::when);
+    v.field({"at", "Time of the one state in which the claim must hold.", "s", kTime}, &SceneExpectation::at);
+    v.field({"from", "Time before which states and events are not counted.", "s", kTime}, &SceneExpectation::from);
+    v.field({"until", "Time after which states and events are not counted.", "s", kTime}, &SceneExpectation::until);
 }
 
 }  // namespace tumble::scene

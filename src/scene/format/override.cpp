@@ -1,4 +1,4 @@
-// Overrides: a walk down the JSON value for each, with the defaults beside it.
+// Each override walks down the JSON value, in step with a scene of defaults that fills in missing values.
 #include "scene/format/override.hpp"
 
 #include <charconv>
@@ -13,8 +13,8 @@ namespace tumble::scene {
 
 namespace {
 
-// The index of the element that a step of a pointer means: its number, or its name, as bodies and joints have one. "-"
-// is the one after the last, which is made.
+// The index of the element that a step of a pointer refers to, by its index or, for bodies and joints, by its name. "-"
+// appends an element.
 std::optional<std::size_t> find_element(Json& array, const std::string& step) {
     if (step == "-") {
         array.emplace_back();
@@ -44,8 +44,9 @@ std::string keys_hint(const std::string& step, const Json& object) {
     return suggestion(step, views);
 }
 
-// Walks to the value that the pointer names, creating the last key and what `defaults` knows. Null, with an error in
-// `diagnostics`, if the way ends; else `resolved` is the pointer with indices in place of names.
+// Walks to the value that the pointer refers to. Creates the last key if it is missing, and earlier ones that the
+// defaults contain. Null, with an error in `diagnostics`, if a step leads nowhere; otherwise `resolved` is the pointer
+// with indices in place of names.
 Json* find_or_create(Json& scene, const std::string& pointer, Diagnostics& diagnostics, std::string& resolved) {
     const Json all_defaults = write_scene(Scene{}, true);
     const Json* defaults = &all_defaults;
@@ -55,12 +56,12 @@ Json* find_or_create(Json& scene, const std::string& pointer, Diagnostics& diagn
         const std::string& step = steps[i];
         const bool known = defaults != nullptr && defaults->is_object() && defaults->contains(step);
         defaults = known ? &defaults->at(step) : nullptr;
-        const std::string here = std::to_string(i + 1) + ". step '" + step + "'";
+        const std::string here = "step " + std::to_string(i + 1) + ", '" + step + "',";
         if (value->is_array()) {
             const std::optional<std::size_t> index = find_element(*value, step);
             if (!index) {
                 diagnostics.error(
-                    pointer, "the " + here + " is no index and no name in an array of " + std::to_string(value->size()),
+                    pointer, here + " is neither an index nor a name in an array of " + std::to_string(value->size()),
                     names_hint(step, *value));
                 return nullptr;
             }
@@ -69,21 +70,21 @@ Json* find_or_create(Json& scene, const std::string& pointer, Diagnostics& diagn
         } else if (value->is_object()) {
             const bool last = i + 1 == steps.size();
             if (!value->contains(step) && !known && !last) {
-                diagnostics.error(pointer, "the " + here + " does not exist", keys_hint(step, *value));
+                diagnostics.error(pointer, here + " does not exist", keys_hint(step, *value));
                 return nullptr;
             }
             if (!value->contains(step)) (*value)[step] = known ? *defaults : Json();
             value = &(*value)[step];
             resolved = append_key(resolved, step);
         } else {
-            diagnostics.error(pointer, "the " + here + " lies below a value that is no object and no array");
+            diagnostics.error(pointer, here + " is below a value that is neither an object nor an array");
             return nullptr;
         }
     }
     return value;
 }
 
-// JSON, or else the text itself, so that names need no quotes.
+// The text as JSON or, if it is not JSON, as a string, so that names need no quotes.
 Json parse_value(const std::string& text) {
     Diagnostics unused("", text);
     std::optional<Json> value = parse_json(text, unused);

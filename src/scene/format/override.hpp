@@ -7,8 +7,8 @@
 namespace tumble::scene {
 
 // Applies the overrides in order, then the seed. A key that the file leaves out is created; below a missing "world" or
-// "camera" the defaults are filled in, so that one component of a default vector can be set. Errors go to
-// `diagnostics`, which also learns what came from where.
+// "camera" the defaults are filled in, so that one component of a default vector can be set. Records in `diagnostics`
+// errors, and which values come from which override.
 void apply_overrides(const LoadOptions& options, Json& scene, Diagnostics& diagnostics);
 
 }  // namespace tumble::scene

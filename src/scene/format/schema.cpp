@@ -1,5 +1,5 @@
-// The JSON schema (Draft-07) as a third visitor of the table: what the reader checks field by field, a schema can say;
-// names that must exist and shapes that must not be degenerate are beyond it.
+// The JSON schema (Draft-07), the third visitor of the table. It expresses what the reader checks field by field, but
+// not that names must exist or that shapes must not be degenerate.
 #include <concepts>
 #include <type_traits>
 
@@ -22,7 +22,6 @@ std::string title_of(std::string_view name) {
     return title;
 }
 
-// The integers of the schema's own bounds are written without a decimal point, as everything is.
 Json number_schema(std::string_view type, const Range& range) {
     Json schema{{"type", type}};
     schema[range.above_min ? "exclusiveMinimum" : "minimum"] = range.min;
@@ -78,7 +77,7 @@ public:
     template <class... T>
     Json of(const std::variant<T...>*, const Field&);
 
-    // Bodies occur in two places (and a spawned one within the timeline): by reference.
+    // By reference, because bodies occur twice: in the list of bodies and as spawned bodies in the timeline.
     Json of(const SceneBody*, const Field&) { return {{"$ref", "#/definitions/body"}}; }
 
     template <class T>

@@ -1,4 +1,4 @@
-// The canonical text of a scene, and the hash of the part of it that is simulated.
+// The canonical text of a scene, and the hash of its simulated part.
 #include "scene/format/writer.hpp"
 
 #define XXH_INLINE_ALL

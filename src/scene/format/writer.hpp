@@ -1,4 +1,4 @@
-// From the plain data of a scene to a JSON value, by the table of fields.
+// Writes the plain data of a scene to a JSON value, by the table of fields.
 #pragma once
 
 #include "scene/json/json.hpp"

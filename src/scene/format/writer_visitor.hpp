@@ -1,4 +1,4 @@
-// The writing visitor of the table in fields.hpp; the schema uses it too, for the defaults that it shows.
+// The visitor of the table in fields.hpp that writes. The schema uses it too, for the defaults that it shows.
 #pragma once
 
 #include <concepts>
@@ -99,7 +99,7 @@ public:
 private:
     void put(const Field& field, Json value, const Json& default_value) {
         if (value.is_null()) return;
-        const bool shown = writer_.with_defaults() && value != "";  // an empty name is no name
+        const bool shown = writer_.with_defaults() && value != "";  // an empty text means that there is none
         if (field.required || shown || value != default_value) object[std::string(field.name)] = std::move(value);
     }
 

@@ -1,4 +1,5 @@
-// Diagnostics: collected with JSON pointers, located in the text once at the end, printed with their line and a caret.
+// Diagnostics are collected with JSON pointers, located in the text once, at the end, and printed with their line and a
+// caret.
 #include "scene/json/diagnostics.hpp"
 
 #include <algorithm>
@@ -11,12 +12,12 @@ namespace tumble {
 
 namespace {
 
-// A caret under a column of a long line is shown with this much of the line on each side, in bytes.
+// Of a long line, this much is shown on each side of the caret, in bytes.
 constexpr std::size_t kExcerptSide = 60;
 
 bool is_continuation_byte(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
 
-// What a terminal would obey.
+// True for bytes that a terminal may interpret as a command.
 bool is_control_byte(char c) { return (static_cast<unsigned char>(c) < 0x20u && c != '\t') || c == '\x7f'; }
 
 struct Excerpt {
@@ -65,7 +66,7 @@ std::string to_string(const Diagnostic& d) {
         text += "\n  " + excerpt.line + "\n  " + excerpt.caret;
     }
     if (!d.hint.empty()) text += "\n  hint: " + d.hint;
-    for (const std::string& place : d.included_by) text += "\n  included by " + place;
+    for (const std::string& location : d.included_by) text += "\n  included by " + location;
     return text;
 }
 
@@ -108,13 +109,13 @@ void Diagnostics::adopt(const std::vector<Diagnostic>& found, const std::string&
 }
 
 std::string Diagnostics::name_of(const std::string& pointer) const {
-    const std::optional<IncludedPlace> place = included_.find(pointer);
-    return place ? place->name : pointer;
+    const std::optional<IncludedLocation> included = included_.find(pointer);
+    return included ? included->name : pointer;
 }
 
 Diagnostic Diagnostics::locate(const Entry& entry, Diagnostic::Severity severity) const {
-    if (const std::optional<IncludedPlace> place = included_.find(entry.pointer))
-        return locate({place->include, place->name + ": " + entry.message, entry.hint}, severity);
+    if (const std::optional<IncludedLocation> included = included_.find(entry.pointer))
+        return locate({included->include, included->name + ": " + entry.message, entry.hint}, severity);
     Diagnostic d{severity, file_, 0, 0, entry.pointer, entry.message, "", entry.hint};
     for (const auto& [pointer, origin] : origins_) {
         if (!is_within(entry.pointer, pointer)) continue;

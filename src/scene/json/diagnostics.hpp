@@ -1,4 +1,4 @@
-// Collects what is wrong with a scene and, at the end, finds the places in its text.
+// Collects the errors and warnings of a scene and, at the end, finds their lines and columns in its text.
 #pragma once
 
 #include <string>
@@ -21,13 +21,13 @@ public:
     // Values at and below `pointer` come from `origin` ("--set /a/b=1"), not from the text.
     void add_origin(std::string pointer, std::string origin);
 
-    // Values that are not in the text because other files have them: located where they are included.
+    // Entries that other files contain: errors in them are located at the entry that includes the file.
     void set_included(IncludedParts included) { included_ = std::move(included); }
 
     // "/bodies/3", or "/bodies/1 of parts/car.json".
     std::string name_of(const std::string& pointer) const;
 
-    // What was found in a file that the entry at `include` includes.
+    // Adds the diagnostics of a file that the entry at `include` includes.
     void adopt(const std::vector<Diagnostic>& found, const std::string& include);
 
     enum class At { value, key };
@@ -37,10 +37,10 @@ public:
 
     bool has_errors() const { return !errors_.empty() || !adopted_errors_.empty(); }
 
-    // Whether an error lies at or below the pointer: further checks of that part would be noise.
+    // Whether an error was found at or below the pointer: further checks of that part would only repeat it.
     bool has_errors_in(std::string_view pointer) const;
 
-    // Throws SceneError with all errors in the order of the text; appends the warnings to `warnings` if there are none.
+    // Throws SceneError with all errors in the order of the text. Without errors, appends the warnings to `warnings`.
     void finish(std::vector<Diagnostic>* warnings);
 
 private:

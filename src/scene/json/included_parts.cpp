@@ -31,13 +31,13 @@ void IncludedParts::add(std::string list, std::size_t first, std::string include
     parts_.push_back({std::move(list), first, std::move(include), std::move(file)});
 }
 
-std::optional<IncludedPlace> IncludedParts::find(const std::string& pointer) const {
-    std::optional<IncludedPlace> found;
+std::optional<IncludedLocation> IncludedParts::find(const std::string& pointer) const {
+    std::optional<IncludedLocation> found;
     for (const Part& part : parts_) {
-        const std::optional<Indexed> place = index_in(part.list, pointer);
-        if (!place || place->index < part.first) continue;
-        const std::string index = std::to_string(place->index - part.first);
-        found = {part.include, part.list + '/' + index + place->rest + " of " + part.file};
+        const std::optional<Indexed> entry = index_in(part.list, pointer);
+        if (!entry || entry->index < part.first) continue;
+        const std::string index = std::to_string(entry->index - part.first);
+        found = {part.include, part.list + '/' + index + entry->rest + " of " + part.file};
     }
     return found;
 }

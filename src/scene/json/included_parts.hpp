@@ -1,4 +1,4 @@
-// Where the entries of a scene that came from other files have their place.
+// Which file each entry of a scene comes from, if the scene includes others.
 #pragma once
 
 #include <cstddef>
@@ -8,18 +8,18 @@
 
 namespace tumble::scene {
 
-struct IncludedPlace {
+struct IncludedLocation {
     std::string include;  // pointer of the entry that includes the file
     std::string name;     // "/bodies/1/shapes/0 of parts/car.json"
 };
 
 class IncludedParts {
 public:
-    // The entries `first`, first + 1... of `list` ("/bodies") up to those added next are those of `file`.
+    // The entries of `list` ("/bodies") from `first` up to the `first` of the next call are those of `file`.
     void add(std::string list, std::size_t first, std::string include, std::string file);
 
-    // Nothing for what is in the text itself.
-    std::optional<IncludedPlace> find(const std::string& pointer) const;
+    // Empty for an entry of the scene's own text.
+    std::optional<IncludedLocation> find(const std::string& pointer) const;
 
 private:
     struct Part {

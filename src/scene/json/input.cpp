@@ -1,5 +1,5 @@
-// One pass of the parser: its events build the value, and find what the builder would swallow (duplicate keys) or choke
-// on (nesting).
+// One pass of the parser: its events build the value, and detect duplicate keys, which the builder would drop, and deep
+// nesting, on which later recursion would overflow the stack.
 #include "scene/json/input.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ public:
             diagnostics_.error(append_key(pointer(), name), "this key occurs twice", "", Diagnostics::At::key);
         level.key = name;
         if (level.keys.size() <= kMaxKeysInObject) return builder_.key(name);
-        diagnostics_.error(pointer(), "an object with more than " + std::to_string(kMaxKeysInObject) + " keys");
+        diagnostics_.error(pointer(), "the object has more than " + std::to_string(kMaxKeysInObject) + " keys");
         return false;
     }
 
@@ -48,7 +48,7 @@ public:
         std::size_t offset = std::min(position > 0 ? position - 1 : 0, text_.size());
         if (cause.id == kNumberOverflow) {
             offset = position > last_token.size() ? position - last_token.size() : 0;
-            diagnostics_.error_at_offset(offset, "a number too large for a double, got " + last_token);
+            diagnostics_.error_at_offset(offset, "the number is too large for a double, got " + last_token);
             return false;
         }
         const std::string why = reason(cause.what());
@@ -73,7 +73,7 @@ private:
 
     bool open(bool is_object) {
         if (levels_.size() == kMaxDepth) {
-            diagnostics_.error(pointer(), "nested deeper than " + std::to_string(kMaxDepth) + " levels");
+            diagnostics_.error(pointer(), "the file is nested deeper than " + std::to_string(kMaxDepth) + " levels");
             return false;
         }
         levels_.push_back({is_object, 0, "", {}});
@@ -85,7 +85,7 @@ private:
         return element();
     }
 
-    // Of the innermost open container.
+    // The pointer to the innermost open container.
     std::string pointer() const {
         std::string result;
         for (std::size_t i = 0; i + 1 < levels_.size(); ++i) {
@@ -95,8 +95,9 @@ private:
         return result;
     }
 
-    // The parser says "[json.exception...] parse error at line l, column c: syntax error while parsing X - what; last
-    // read: '...'": the place is ours to tell, and the last read may hold any bytes.
+    // The parser's message is "[json.exception...] parse error at line l, column c: syntax error while parsing X -
+    // what; last read: '...'". Line and column are left out because Diagnostics adds them, and the last read token
+    // because it may contain any bytes.
     static std::string reason(const std::string& what) {
         const std::size_t start = what.find("syntax error");
         const std::string text = start == std::string::npos ? what : what.substr(start);
@@ -117,7 +118,7 @@ private:
         if (c == '\'') return "strings and keys take double quotes";
         if ((c == '}' || c == ']') && text_.substr(0, offset).find_last_not_of(" \t\r\n") != std::string_view::npos &&
             text_[text_.substr(0, offset).find_last_not_of(" \t\r\n")] == ',')
-            return "the comma before it is one too many";
+            return "remove the comma before it";
         return {};
     }
 
@@ -136,7 +137,7 @@ std::string_view without_byte_order_mark(std::string_view text) {
 
 std::optional<Json> parse_json(std::string_view text, Diagnostics& diagnostics, const std::string& if_empty) {
     if (text.size() > kMaxFileBytes) {
-        diagnostics.error_at_offset(0, "longer than " + std::to_string(kMaxFileBytes >> 20) + " MiB");
+        diagnostics.error_at_offset(0, "the file is longer than " + std::to_string(kMaxFileBytes >> 20) + " MiB");
         return std::nullopt;
     }
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {

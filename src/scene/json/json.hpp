@@ -1,4 +1,4 @@
-// The JSON values of this room: objects keep the order of their file.
+// The JSON value that scenes are read from and written to. Objects keep the order of their keys.
 #pragma once
 
 #include <nlohmann/json.hpp>

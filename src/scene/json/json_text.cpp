@@ -1,4 +1,5 @@
-// A printer for people: what fits into a line stays on it. Recursion is as deep as the value, which the reader bounds.
+// A printer for readers: a value that fits on a line stays on it. Recursion is as deep as the value, which parse_json()
+// bounds.
 #include "scene/json/json_text.hpp"
 
 #include <charconv>
@@ -11,6 +12,8 @@ namespace {
 
 constexpr std::size_t kLineWidth = 110;
 
+constexpr std::size_t kLongestQuote = 40;  // bytes; a longer text is cut in messages
+
 // Numbers in this range are written without an exponent.
 constexpr double kLeastPlain = 1e-5;
 constexpr double kMostPlain = 1e15;
@@ -21,7 +24,7 @@ std::string scalar_text(const Json& value) {
     return value.dump();
 }
 
-// Appends the value on one line; gives up, with `out` in any state, once it is longer than `limit`.
+// Appends the value on one line. False, with `out` unspecified, if that makes it longer than `limit`.
 bool append_compact(const Json& value, std::size_t limit, std::string& out) {
     if (!value.is_structured()) {
         out += scalar_text(value);
@@ -39,7 +42,7 @@ bool append_compact(const Json& value, std::size_t limit, std::string& out) {
     return out.size() <= limit;
 }
 
-// True for arrays of numbers and of vectors, which fill their lines.
+// True for arrays of numbers and of vectors, whose elements share lines.
 bool is_number_list(const Json& value, int depth = 2) {
     if (value.is_number()) return true;
     if (!value.is_array() || depth == 0) return false;
@@ -113,6 +116,13 @@ std::string compact_text(const Json& value) {
     std::string out;
     append_compact(value, std::string::npos, out);
     return out;
+}
+
+std::string describe(const Json& value) {
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return value.empty() ? "an empty array" : "an array of " + std::to_string(value.size());
+    const std::string text = compact_text(value);
+    return text.size() <= kLongestQuote ? text : quoted(value.get<std::string>().substr(0, kLongestQuote)) + "...";
 }
 
 std::string pretty_text(const Json& value) {

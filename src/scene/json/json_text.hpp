@@ -1,4 +1,4 @@
-// JSON values as text: numbers in the shortest form that reads back exactly, vectors and small objects on one line.
+// JSON values as text: whole files, and short descriptions for messages.
 #pragma once
 
 #include <string>
@@ -10,14 +10,17 @@ namespace tumble::scene {
 // The shortest decimal number that reads back as `value`: 0.1, 500, 1e+20. Throws std::invalid_argument if not finite.
 std::string number_text(double value);
 
-// The text within its quotes and with its escapes; bytes that are not UTF-8 are replaced.
+// The text in double quotes, with JSON's escapes; bytes that are not UTF-8 are replaced.
 std::string quoted(const std::string& text);
 
 // On one line: {"a": 1, "b": [0, 1]}.
 std::string compact_text(const Json& value);
 
-// Broken where a value does not fit into a line, indented by 2; the outermost object always, a key a line. Lists of
-// numbers and vectors fill their lines. Ends with a line feed.
+// A value as error messages name it: 3.5, "text", an object, an array of 3.
+std::string describe(const Json& value);
+
+// Indented by 2. A value that fits on a line stays on it, except the outermost object, which has one key on each line.
+// Lists of numbers and vectors fill their lines. Ends with a line feed.
 std::string pretty_text(const Json& value);
 
 }  // namespace tumble::scene

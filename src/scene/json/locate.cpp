@@ -1,5 +1,5 @@
-// The parser keeps no positions, so an error's place is found by walking the text a second time. The text is known to
-// be valid JSON with comments: the tokenizer only has to skip.
+// The parser keeps no positions, so a second pass over the text finds them. The text is valid JSON with comments, so
+// the tokenizer only has to skip.
 #include "scene/json/locate.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ public:
     std::size_t position() const { return position_; }
     bool at(char c) const { return position_ < text_.size() && text_[position_] == c; }
 
-    // Steps over a punctuation character if it is next, and what blank follows.
+    // Skips a punctuation character, if it is next, and the blanks after it.
     bool accept(char c) {
         if (!at(c)) return false;
         ++position_;
@@ -27,7 +27,7 @@ public:
         return true;
     }
 
-    // Steps over the value at the position; returns its text.
+    // Skips the value at the position and returns its text.
     std::string_view take_value() {
         const std::size_t start = position_;
         int depth = 0;

@@ -1,4 +1,4 @@
-// Escapes and unescapes as RFC 6901 says.
+// Escaping follows RFC 6901, section 3.
 #include "scene/json/pointer.hpp"
 
 namespace tumble::scene {
@@ -17,10 +17,11 @@ std::string append_key(const std::string& pointer, std::string_view key) {
     return result;
 }
 
-std::string pointer_to(const Place& place) {
-    if (place.parent == nullptr) return {};
-    const std::string start = pointer_to(*place.parent);
-    return place.key.data() == nullptr ? start + '/' + std::to_string(place.index) : append_key(start, place.key);
+std::string pointer_to(const Location& location) {
+    if (location.parent == nullptr) return {};
+    const std::string start = pointer_to(*location.parent);
+    return location.key.data() == nullptr ? start + '/' + std::to_string(location.index)
+                                          : append_key(start, location.key);
 }
 
 std::vector<std::string> split_pointer(std::string_view pointer) {

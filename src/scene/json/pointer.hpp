@@ -8,19 +8,19 @@
 
 namespace tumble::scene {
 
-// A step on the way from the root to a value, chained on the stack of the reader: nothing is built until an error
-// needs the pointer.
-struct Place {
-    const Place* parent = nullptr;
+// The location of a value: a key or index, linked to the location of the container. The links live on the stack of the
+// reader, so that no pointer text is built until an error needs it.
+struct Location {
+    const Location* parent = nullptr;
     std::string_view key;   // of an object, or
     std::size_t index = 0;  // of an array, if key.data() is null
 };
 
-inline Place child(const Place& parent, std::string_view key) { return {&parent, key, 0}; }
-inline Place child(const Place& parent, std::size_t index) { return {&parent, {}, index}; }
+inline Location child(const Location& parent, std::string_view key) { return {&parent, key, 0}; }
+inline Location child(const Location& parent, std::size_t index) { return {&parent, {}, index}; }
 
 // "" for the root, "/bodies/3/name"; ~ and / in keys are escaped as ~0 and ~1.
-std::string pointer_to(const Place& place);
+std::string pointer_to(const Location& location);
 
 // `pointer` with one more step.
 std::string append_key(const std::string& pointer, std::string_view key);
@@ -28,7 +28,7 @@ std::string append_key(const std::string& pointer, std::string_view key);
 // The unescaped steps of a pointer. It must be empty or start with '/'.
 std::vector<std::string> split_pointer(std::string_view pointer);
 
-// True if `pointer` is `ancestor` or lies below it.
+// True if `pointer` is `ancestor` or a pointer below it.
 bool is_within(std::string_view pointer, std::string_view ancestor);
 
 }  // namespace tumble::scene

@@ -9,7 +9,7 @@ namespace tumble {
 
 namespace {
 
-constexpr std::size_t kLongestWord = 64;  // longer ones are no typing errors: bounds the work
+constexpr std::size_t kLongestWord = 64;  // bytes; longer words get no suggestion, which bounds the work
 constexpr std::size_t kShortList = 16;
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -45,7 +45,7 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
     for (const std::string_view candidate : candidates)
         if (is_same_but_for_case(word, candidate)) return candidate;
     std::string_view nearest;
-    // One letter is like no other.
+    // A candidate must need fewer edits than this. For a single letter no edit is allowed.
     std::size_t least = word.size() < 2 ? 1 : std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string_view candidate : candidates) {
         if (candidate.size() > kLongestWord) continue;

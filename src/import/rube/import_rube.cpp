@@ -1,13 +1,14 @@
-// R.U.B.E. exports (b2dJson, Chris Campbell): world, bodies, fixtures and joints of a Box2D scene, to a scene of ours.
+// Imports R.U.B.E. exports (b2dJson, Chris Campbell): world, bodies, fixtures and joints of a Box2D scene.
 //
-// What a scene has no place for is noted, once per feature, with a count. The result is read back as a scene file
-// before it is returned: an import can always be saved and loaded.
+// Features that a scene cannot express are noted, each once, with a count. The result is read back as a scene file
+// before it is returned, so that every imported scene can be saved and loaded.
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "import/rube/rube_joints.hpp"
+#include "import/rube/rube_mass.hpp"
 #include "import/rube/rube_shapes.hpp"
 #include "import/rube/rube_values.hpp"
 #include "scene/json/diagnostics.hpp"
@@ -18,7 +19,6 @@
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_import.hpp"
-#include "tumble/scene_world.hpp"
 
 namespace tumble {
 
@@ -26,10 +26,8 @@ namespace scene {
 
 namespace {
 
-constexpr double kMassTolerance = 1e-6;  // relative: below it the shapes weigh what the export says
-
-// A JavaScript file that assigns the scene to a variable, "var name = {...};": the wrapper becomes blanks, so that
-// positions stay those of the file.
+// Replaces the wrapper of a JavaScript file that assigns the scene to a variable, "var name = {...};", by blanks, so
+// that positions in the text remain those of the file.
 std::string without_javascript(std::string_view text) {
     std::string result(text);
     const std::size_t open = result.find('{');
@@ -99,13 +97,13 @@ private:
         scene_.bodies.push_back(std::move(result));
     }
 
-    // Names are unique in a scene; the first body keeps a name that several have.
+    // Names are unique in a scene: of bodies with the same name, the first keeps it and the others get a number.
     void read_name(RubeObject& body, SceneBody& result) {
         const std::string name = body.text("name");
         result.name = name;
         for (int number = 2; !result.name.empty() && !names_.insert(result.name).second; ++number)
             result.name = name + "_" + std::to_string(number);
-        if (result.name != name) notes_.add("body names that occurred before, numbered");
+        if (result.name != name) notes_.add("repeated body names, numbered");
         result.custom = body.custom({"customProperties"});
     }
 
@@ -113,50 +111,18 @@ private:
         const bool awake = body.flag("awake"), may_sleep = body.flag("allowSleep", true);
         const bool bullet = body.flag("bullet"), fixed = body.flag("fixedRotation");
         result.enabled = body.flag("active", true);
-        const SceneMass mass = read_mass(body, fixed);
+        const SceneMass mass = read_rube_mass(body, fixed);
         if (result.type != BodyType::dynamic_body) return;
         result.awake = awake;
         if (!awake && (result.velocity != DVec2{} || result.angular_velocity != 0.0)) {
-            notes_.add("velocities of bodies asleep");
+            notes_.add("velocities of sleeping bodies");
             result.velocity = {};
             result.angular_velocity = 0.0;
         }
         result.bullet = bullet;
         result.allow_sleep = may_sleep;
         result.fixed_rotation = fixed;
-        if (differs(mass, result)) result.mass = mass;
-    }
-
-    // As Box2D takes mass data: no mass is 1 kg, and the inertia, about the body's origin in files, counts only where
-    // it is positive and the body may turn.
-    static SceneMass read_mass(RubeObject& body, bool fixed) {
-        const double mass = body.number("massData-mass"), inertia = body.number("massData-I");
-        SceneMass result{mass > 0.0 ? mass : 1.0, body.vector("massData-center"), 0.0};
-        if (inertia > 0.0 && !fixed) result.inertia = std::max(inertia - result.mass * length_sq(result.center), 0.0);
-        return result;
-    }
-
-    bool differs(const SceneMass& mass, const SceneBody& body) const {
-        SceneMass own;  // of the shapes
-        DVec2 moment;
-        double inertia = 0.0, reach = 0.0;  // about the origin
-        for (const SceneShape& shape : body.shapes) {
-            if (shape.sensor) continue;
-            for (const Shape& part : make_shapes(shape.geometry)) {
-                const MassProperties properties = mass_properties(part);
-                const double weight = surfaces_.at(shape.material).density * properties.area;
-                const DVec2 center(properties.center);
-                own.mass += weight;
-                moment += weight * center;
-                inertia += surfaces_.at(shape.material).density * properties.inertia + weight * length_sq(center);
-                reach = std::max(reach, double{farthest_distance(part, {})});
-            }
-        }
-        if (!(own.mass > 0.0) || std::abs(own.mass - mass.mass) > kMassTolerance * mass.mass) return true;
-        const DVec2 center = (1.0 / own.mass) * moment;
-        if (length(center - mass.center) > kMassTolerance * reach) return true;
-        if (body.fixed_rotation) return false;
-        return std::abs(inertia - own.mass * length_sq(center) - mass.inertia) > kMassTolerance * mass.inertia;
+        if (!is_mass_of_shapes(mass, result, scene_.materials)) result.mass = mass;
     }
 
     // The name of the material with this surface.
@@ -173,37 +139,37 @@ private:
         return material.name;
     }
 
-    // Gears last: they may stand before the joints that they are on.
+    // Gears last, because they may precede the joints that they couple.
     void read_joints(std::vector<RubeObject> joints, std::size_t body_count) {
         const auto body_at = [this](std::size_t index) {
             const SceneBody& body = scene_.bodies[index];
             return RubeBody{name_body(index), {body.position, make_rotation_degrees(body.angle)}};
         };
-        std::vector<std::optional<std::size_t>> places(joints.size());  // in the scene
+        std::vector<std::optional<std::size_t>> indices(joints.size());  // in the scene, of each joint of the export
         std::vector<std::size_t> gears;
         for (std::size_t i = 0; i < joints.size(); ++i) {
             const std::string type = joints[i].text("type");
             if (type == "gear")
                 gears.push_back(i);
             else
-                places[i] = add_joint(read_rube_joint(joints[i], type, body_count, body_at, notes_));
+                indices[i] = add_joint(read_rube_joint(joints[i], type, body_count, body_at, notes_));
         }
-        const auto joint_at = [&](std::size_t index) { return places[index] ? name_joint(*places[index]) : nullptr; };
+        const auto joint_at = [&](std::size_t index) { return indices[index] ? name_joint(*indices[index]) : nullptr; };
         for (const std::size_t i : gears) add_joint(read_rube_gear(joints[i], joints.size(), joint_at, notes_));
     }
 
-    // The first joint keeps a name that several have.
+    // Of joints with the same name, the first keeps it and the others get a number.
     std::optional<std::size_t> add_joint(std::optional<SceneJoint> joint) {
         if (!joint) return std::nullopt;
         const std::string name = joint->name;
         for (int number = 2; !joint->name.empty() && !joint_names_.insert(joint->name).second; ++number)
             joint->name = name + "_" + std::to_string(number);
-        if (joint->name != name) notes_.add("joint names that occurred before, numbered");
+        if (joint->name != name) notes_.add("repeated joint names, numbered");
         scene_.joints.push_back(std::move(*joint));
         return scene_.joints.size() - 1;
     }
 
-    // Joints go by name: a body without one gets one. Gears likewise, by those of joints.
+    // Joints refer to bodies, and gears to joints, by name: those without a name get one.
     std::string name_body(std::size_t index) { return name(scene_.bodies[index].name, "body_", index, names_); }
     SceneJoint* name_joint(std::size_t index) {
         name(scene_.joints[index].name, "joint_", index, joint_names_);
@@ -244,7 +210,7 @@ ImportedScene parse_rube(std::string_view content, const std::string& file_name)
                               "open it in the editor, export the scene as JSON, and import that file",
                               scene::Diagnostics::At::key);
         } else if (document->is_object() && !document->contains("body") && !document->contains("gravity")) {
-            diagnostics.error("", "this is no R.U.B.E. export: it has neither \"body\" nor \"gravity\"");
+            diagnostics.error("", "this is not a R.U.B.E. export: it has neither \"body\" nor \"gravity\"");
         } else {
             imported = scene::RubeImporter(diagnostics).import(*document);
         }

@@ -1,0 +1,16 @@
+// Hints for keys and words that other engines and their file formats use.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace tumble::scene {
+
+// How this format expresses `key` in an object whose keys are `known`; empty if no hint is known.
+std::string_view hint_for_foreign_key(std::string_view key, std::span<const std::string_view> known);
+
+// What this format calls `word`, which should have been one of `names`; empty if no hint is known.
+std::string hint_for_foreign_word(std::string_view word, std::span<const std::string_view> names);
+
+}  // namespace tumble::scene
