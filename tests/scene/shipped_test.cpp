@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "scene/model/names.hpp"
-#include "scene/model/place.hpp"
+#include "scene/model/place_copies.hpp"
 #include "scene/shipped.hpp"
 #include "tumble/body.hpp"
 #include "tumble/distance.hpp"

@@ -11,7 +11,7 @@
 //   exactly_one({names})             of these optional keys, one must be there
 //   at_most_one(name, name)          of these optional keys, one or none
 // and visit_alternatives(visitor, Type<Variant>) calls alternative<T>(name, description). Defaults are those of the
-// structs themselves. Checks across fields are in check.cpp.
+// structs themselves. Errors across fields are found by validate_scene().
 #pragma once
 
 #include "scene/format/fields_of_runs.hpp"

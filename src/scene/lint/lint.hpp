@@ -2,6 +2,7 @@
 // copies.
 #pragma once
 
+#include "scene/build/resolved_scene.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_world.hpp"
@@ -9,7 +10,7 @@
 namespace tumble::scene {
 
 // For a scene without errors. Builds a world and steps it once.
-void add_lints(const Scene& scene, Diagnostics& diagnostics);
+void add_lints(const Scene& scene, const ResolvedScene& resolved, Diagnostics& diagnostics);
 
 // What the bodies show by themselves: slivers, sizes, what weighs nothing, what cannot move.
 void add_body_lints(const Scene& scene, Diagnostics& diagnostics);
@@ -30,13 +31,5 @@ void add_run_lints(const Scene& scene, Diagnostics& diagnostics);
 // What the first contacts show, in a world of this scene whose bodies all started awake and at rest and that has made
 // one step: overlap, masses in contact, bodies asleep in the air, stacks.
 void add_contact_lints(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics);
-
-// The least distance of two parallel lines that the shape fits between (m).
-double width_of(const Shape& shape);
-
-// Times the other one, whichever is heavier.
-double mass_ratio(const World& world, BodyId a, BodyId b);
-
-inline constexpr double kLargeMassRatio = 100.0;
 
 }  // namespace tumble::scene

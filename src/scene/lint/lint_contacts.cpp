@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/lint/lint.hpp"
+#include "scene/lint/measures.hpp"
 #include "scene/model/display.hpp"
 #include "tumble/world_limits.hpp"
 

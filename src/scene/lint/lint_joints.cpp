@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "scene/lint/lint.hpp"
+#include "scene/lint/measures.hpp"
 #include "scene/model/display.hpp"
 #include "scene/model/joint_gap.hpp"
 #include "tumble/distance.hpp"

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "scene/lint/lint.hpp"
+#include "scene/lint/measures.hpp"
 #include "scene/model/body_plan.hpp"
 #include "scene/model/degrees.hpp"
 #include "scene/model/display.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "scene/build/validate.hpp"
 #include "scene/format/fields.hpp"
 #include "scene/format/override.hpp"
 #include "scene/format/reader.hpp"
@@ -42,21 +43,20 @@ void append_materials(Scene& scene, const std::vector<SceneMaterial>& more) {
 
 }  // namespace
 
-Scene Reading::read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
-                    Diagnostics& diagnostics) {
+ReadScene Reading::read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
+                        Diagnostics& diagnostics) {
     std::optional<Json> value = parse_json(text, diagnostics, R"(the least scene is {"format": 1})");
     if (!value) return {};
     apply_overrides(changes, *value, diagnostics);
-    Scene scene = read_scene(*value, diagnostics);
+    ReadScene result{.scene = read_scene(*value, diagnostics)};
     value.reset();
-    const SceneSizes own = sizes_of(scene);
+    result.own = sizes_of(result.scene);
     open_.push_back(file.lexically_normal());
-    include_all(scene, file, diagnostics);
+    include_all(result.scene, file, diagnostics);
     open_.pop_back();
-    // Without its includes, half the names of a scene would be unknown.
-    if (!diagnostics.has_errors_in("/include")) check_scene(scene, own, diagnostics);
-    own_ = own;
-    return scene;
+    // Without the included files, many names of the scene would be unknown.
+    if (!diagnostics.has_errors_in("/include")) result.resolved = validate_scene(result.scene, result.own, diagnostics);
+    return result;
 }
 
 void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagnostics& diagnostics) {
@@ -119,7 +119,7 @@ std::optional<Scene> Reading::read_part(const std::filesystem::path& file, const
     }
     const std::string_view body = without_byte_order_mark(text);
     Diagnostics own(file.string(), body);
-    Scene part = read(body, file, {}, own);
+    Scene part = read(body, file, {}, own).scene;
     std::vector<Diagnostic> found;
     bool is_valid = true;
     try {

@@ -9,9 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/build/check.hpp"
+#include "scene/build/resolved_scene.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/json/included_parts.hpp"
+#include "scene/model/scene_sizes.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::scene {
 
@@ -19,17 +21,20 @@ inline constexpr std::size_t kMaxIncludeDepth = 16;  // files that include each 
 inline constexpr std::size_t kMaxIncludedEntries =
     1000000;  // copied in one reading, so that files that double each other end
 
+struct ReadScene {
+    Scene scene;                              // its own entries, then those of the files that it includes
+    SceneSizes own{};                         // how many entries are its own
+    std::optional<ResolvedScene> resolved{};  // there and complete if there are no errors
+};
+
 // One reading: a file that is included many times is read and checked once.
 class Reading {
 public:
     explicit Reading(ReadIncluded read) : read_(std::move(read)) {}
 
-    // The scene with all that it includes behind what is its own; what is wrong goes to `diagnostics`.
-    Scene read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
-               Diagnostics& diagnostics);
-
-    // Of the scene that was read last, without what it includes.
-    const SceneSizes& own() const { return own_; }
+    // The scene with all that it includes; what is wrong goes to `diagnostics`.
+    ReadScene read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
+                   Diagnostics& diagnostics);
 
 private:
     void include_all(Scene& scene, const std::filesystem::path& file, Diagnostics& diagnostics);
@@ -42,7 +47,6 @@ private:
     std::map<std::filesystem::path, std::optional<Scene>> parts_;  // nothing for those with errors
     std::vector<std::filesystem::path> open_;                      // from the scene down to the file that is being read
     std::size_t entries_ = 0;                                      // copied so far
-    SceneSizes own_;
 };
 
 }  // namespace tumble::scene

@@ -131,8 +131,6 @@ private:
     template <class Def>
     Def common() const {
         Def def;
-        def.body_a = a_.id;
-        def.body_b = b_.id;
         std::tie(def.anchor_a, def.anchor_b) = local_anchors(joint_, a_.pose, b_.pose);
         def.break_force = make_strength(joint_.break_force);
         def.break_torque = make_strength(joint_.break_torque);
@@ -164,20 +162,18 @@ JointDef make_joint(const SceneJoint& joint, const PlacedBody& a, const PlacedBo
         case SceneJointType::motor: return maker.motor();
         case SceneJointType::mouse: return maker.mouse();
         case SceneJointType::pulley: return maker.pulley();
-        case SceneJointType::filter: return FilterJointDef{a.id, b.id};
+        case SceneJointType::filter: return FilterJointDef{};
         case SceneJointType::gear: break;
     }
     throw std::invalid_argument("a gear is made of joints");
 }
 
-GearJointDef make_gear(const SceneJoint& joint, JointId a, JointId b) {
+GearJointDef make_gear(const SceneJoint& gear) {
     GearJointDef def;
-    def.joint_a = a;
-    def.joint_b = b;
-    def.ratio = static_cast<float>(joint.ratio.value_or(1.0));
-    def.break_force = make_strength(joint.break_force);
-    def.break_torque = make_strength(joint.break_torque);
-    def.collide_connected = joint.collide_connected;
+    def.ratio = static_cast<float>(gear.ratio.value_or(1.0));
+    def.break_force = make_strength(gear.break_force);
+    def.break_torque = make_strength(gear.break_torque);
+    def.collide_connected = gear.collide_connected;
     return def;
 }
 

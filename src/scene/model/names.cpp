@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "scene/model/joint_copies.hpp"
 #include "scene/model/repeat.hpp"
 #include "tumble/suggest.hpp"
 
@@ -26,22 +25,22 @@ std::string hint_for(std::string_view name, const std::vector<std::string_view>&
 
 }  // namespace
 
-void EntryNames::add(const std::string& name, const NamedPlace& first) {
+void EntryNames::add(const std::string& name, const NamedCopy& first) {
     if (!name.empty()) first_.emplace(name, first);
 }
 
-std::optional<NamedPlace> EntryNames::find(std::string_view name) const {
+std::optional<NamedCopy> EntryNames::find(std::string_view name) const {
     const auto exact = first_.find(name);
     if (exact != first_.end() && !exact->second.is_copy) return exact->second;
     return find_copy(name);
 }
 
-std::optional<NamedPlace> EntryNames::find_copy(std::string_view name) const {
+std::optional<NamedCopy> EntryNames::find_copy(std::string_view name) const {
     const std::optional<std::size_t> copy = copy_number(name);
     const auto repeated = first_.find(base_name(name));
     if (!copy || repeated == first_.end() || !repeated->second.is_copy || *copy >= repeated->second.count)
         return std::nullopt;
-    NamedPlace place = repeated->second;
+    NamedCopy place = repeated->second;
     place.copy = *copy;
     return place;
 }
@@ -102,13 +101,13 @@ bool BodyNames::is_shared(std::string_view name) const {
 }
 
 std::optional<std::size_t> BodyNames::find(std::string_view name) const {
-    const std::optional<NamedPlace> place = entries_.find(name);
+    const std::optional<NamedCopy> place = entries_.find(name);
     if (!place) return std::nullopt;
     return first_built_[place->source] + place->copy;
 }
 
 std::optional<std::size_t> BodyNames::copies_after(std::string_view name) const {
-    const std::optional<NamedPlace> place = entries_.find_copy(name);
+    const std::optional<NamedCopy> place = entries_.find_copy(name);
     if (!place) return std::nullopt;
     return place->count - 1 - place->copy;
 }
@@ -138,6 +137,15 @@ JointNames::JointNames(const Scene& scene) {
     for (std::size_t i = 0; i < scene.joints.size(); ++i) {
         const SceneJoint& joint = scene.joints[i];
         entries_.add(joint.name, {i, 0, static_cast<std::size_t>(copy_count(joint)), joint.repeat.has_value()});
+    }
+    first_built_.resize(scene.joints.size());
+    std::size_t built = 0;
+    for (const bool is_gear : {false, true}) {
+        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+            if ((scene.joints[i].type == SceneJointType::gear) != is_gear) continue;
+            first_built_[i] = built;
+            built += static_cast<std::size_t>(copy_count(scene.joints[i]));
+        }
     }
 }
 

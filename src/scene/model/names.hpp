@@ -13,25 +13,25 @@
 namespace tumble::scene {
 
 // What a name means: an entry of a list of the scene, and which of its copies.
-struct NamedPlace {
+struct NamedCopy {
     std::size_t source = 0;
     std::size_t copy = 0;
     std::size_t count = 1;  // of all copies
     bool is_copy = false;
 
-    friend bool operator==(const NamedPlace&, const NamedPlace&) = default;
+    friend bool operator==(const NamedCopy&, const NamedCopy&) = default;
 };
 
 // The names of a list's entries: of a repeated one "crate[3]" names something, and "crate" all its copies.
 class EntryNames {
 public:
     // Of two entries with one name, the first counts; an empty name is none.
-    void add(const std::string& name, const NamedPlace& first);
+    void add(const std::string& name, const NamedCopy& first);
 
-    std::optional<NamedPlace> find(std::string_view name) const;
+    std::optional<NamedCopy> find(std::string_view name) const;
 
     // Of a repeated entry alone.
-    std::optional<NamedPlace> find_copy(std::string_view name) const;
+    std::optional<NamedCopy> find_copy(std::string_view name) const;
 
     // The entry that has this name, repeated or not.
     std::optional<std::size_t> find_source(std::string_view name) const;
@@ -44,7 +44,7 @@ public:
     void append_to(std::vector<std::string_view>& names) const;
 
 private:
-    std::map<std::string, NamedPlace, std::less<>> first_;  // the first copy of each
+    std::map<std::string, NamedCopy, std::less<>> first_;  // the first copy of each
 };
 
 class BodyNames {
@@ -96,16 +96,20 @@ public:
     explicit JointNames(const Scene& scene);
 
     // "hinge", or "hinge[3]" of a repeated one: an entry of Scene::joints.
-    std::optional<NamedPlace> find(std::string_view name) const { return entries_.find(name); }
+    std::optional<NamedCopy> find(std::string_view name) const { return entries_.find(name); }
 
     // The entry of Scene::joints that has this name, repeated or not.
     std::optional<std::size_t> find_source(std::string_view name) const { return entries_.find_source(name); }
+
+    // The index in SceneWorld::joints, where gears follow all other joints.
+    std::size_t built_index(const NamedCopy& joint) const { return first_built_[joint.source] + joint.copy; }
 
     // Why `name` names nothing, for a hint; may be empty.
     std::string hint(std::string_view name) const;
 
 private:
     EntryNames entries_;
+    std::vector<std::size_t> first_built_;  // [Scene::joints]: the built joint that is its first copy
 };
 
 // "crate[3]"; empty for an empty name.

@@ -16,16 +16,16 @@ namespace {
 constexpr int kTriesPerCopy = 1000;
 constexpr double kMostCells = 1024.0;  // a side
 
-std::vector<CopyPlace> places(const GridRepeat& grid, const CopyPlace& first) {
-    std::vector<CopyPlace> result;
+std::vector<CopyPose> places(const GridRepeat& grid, const CopyPose& first) {
+    std::vector<CopyPose> result;
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column)
             result.push_back({first.position + DVec2(column * grid.spacing.x, row * grid.spacing.y), first.angle});
     return result;
 }
 
-std::vector<CopyPlace> places(const PyramidRepeat& pyramid, const CopyPlace& first) {
-    std::vector<CopyPlace> result;
+std::vector<CopyPose> places(const PyramidRepeat& pyramid, const CopyPose& first) {
+    std::vector<CopyPose> result;
     for (int row = 0; row < pyramid.base; ++row)
         for (int column = 0; column < pyramid.base - row; ++column)
             result.push_back({first.position + DVec2((column + 0.5 * row) * pyramid.spacing.x, row * pyramid.spacing.y),
@@ -33,8 +33,8 @@ std::vector<CopyPlace> places(const PyramidRepeat& pyramid, const CopyPlace& fir
     return result;
 }
 
-std::vector<CopyPlace> places(const RingRepeat& ring, const CopyPlace& center) {
-    std::vector<CopyPlace> result;
+std::vector<CopyPose> places(const RingRepeat& ring, const CopyPose& center) {
+    std::vector<CopyPose> result;
     for (int i = 0; i < ring.count; ++i) {
         const double turn = static_cast<double>(i) / ring.count;
         const SinCos direction = sin_cos(2.0 * kPi * turn);
@@ -79,8 +79,8 @@ private:
     std::vector<std::vector<DVec2>> cells_;
 };
 
-std::vector<CopyPlace> places(const ScatterRepeat& scatter, const CopyPlace& center, Random random) {
-    std::vector<CopyPlace> result;
+std::vector<CopyPose> places(const ScatterRepeat& scatter, const CopyPose& center, Random random) {
+    std::vector<CopyPose> result;
     Separation separation(scatter.size, scatter.separation);
     const DVec2 corner = center.position - 0.5 * scatter.size;
     for (int i = 0; i < scatter.count; ++i) {
@@ -100,8 +100,8 @@ std::vector<CopyPlace> places(const ScatterRepeat& scatter, const CopyPlace& cen
     return result;
 }
 
-std::vector<CopyPlace> pattern(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
-    const CopyPlace first{body.position, body.angle};
+std::vector<CopyPose> pattern(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
+    const CopyPose first{body.position, body.angle};
     if (!body.repeat) return {first};
     if (const ScatterRepeat* scatter = std::get_if<ScatterRepeat>(&*body.repeat))
         return places(*scatter, first, Random(seed, stream));
@@ -123,13 +123,17 @@ struct CopyCount {
 
 std::int64_t copy_count(const SceneBody& body) { return body.repeat ? std::visit(CopyCount{}, *body.repeat) : 1; }
 
-std::vector<CopyPlace> copy_places(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
-    std::vector<CopyPlace> result = pattern(body, seed, stream);
+std::int64_t copy_count(const SceneJoint& joint) {
+    return joint.repeat ? std::int64_t{joint.repeat->columns} * joint.repeat->rows : 1;
+}
+
+std::vector<CopyPose> copy_poses(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
+    std::vector<CopyPose> result = pattern(body, seed, stream);
     const double degrees =
         body.repeat ? std::visit([](const auto& repeat) { return repeat.angle; }, *body.repeat) : 0.0;
     if (degrees == 0.0) return result;  // with the bits of the formulas
-    for (CopyPlace& place : result)
-        place.position = body.position + turned(place.position - body.position, sin_cos_degrees(degrees));
+    for (CopyPose& copy : result)
+        copy.position = body.position + turned(copy.position - body.position, sin_cos_degrees(degrees));
     return result;
 }
 

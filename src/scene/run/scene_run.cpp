@@ -10,7 +10,7 @@
 #include "scene/model/body_plan.hpp"
 #include "scene/model/degrees.hpp"
 #include "scene/model/names.hpp"
-#include "scene/model/place.hpp"
+#include "scene/model/place_copies.hpp"
 #include "scene/model/repeat.hpp"
 #include "scene/model/step_time.hpp"
 

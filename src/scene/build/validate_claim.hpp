@@ -8,7 +8,7 @@
 namespace tumble::scene {
 
 // Left alone if it has errors in `diagnostics` already.
-void check_expectation(const SceneExpectation& claim, const std::string& pointer, const References& references,
-                       Diagnostics& diagnostics);
+void validate_claim(const SceneExpectation& claim, const std::string& pointer, const References& references,
+                    Diagnostics& diagnostics);
 
 }  // namespace tumble::scene

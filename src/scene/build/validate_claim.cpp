@@ -1,5 +1,5 @@
 // Which keys of a claim go together, and whether what it speaks of is there.
-#include "scene/build/check_claim.hpp"
+#include "scene/build/validate_claim.hpp"
 
 #include <utility>
 
@@ -7,8 +7,8 @@
 
 namespace tumble::scene {
 
-void check_expectation(const SceneExpectation& claim, const std::string& pointer, const References& references,
-                       Diagnostics& diagnostics) {
+void validate_claim(const SceneExpectation& claim, const std::string& pointer, const References& references,
+                    Diagnostics& diagnostics) {
     if (diagnostics.has_errors_in(pointer)) return;
     const bool of_body = claim.inside || claim.outside || claim.height || claim.speed || claim.angle ||
                          !claim.touches.empty() || !claim.never_touches.empty();
