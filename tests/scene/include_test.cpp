@@ -350,11 +350,11 @@ TEST_CASE("an include that cannot be is refused at its place") {
                      includes(R"({"file": "b.json"})")),
                  "/include/0/file", "includes itself: main.json > b.json > c.json > b.json", ""},
             Case{with_main(bodies, includes(R"({"file": "a.json"}, {"file": "a.json"})")), "/include/1",
-                 R"(/bodies/0/name of a.json: "a" is the name of /bodies/0 of a.json already)", "prefix"},
+                 R"(/bodies/0/name of a.json: "a" is already the name of /bodies/0 of a.json)", "prefix"},
             Case{with_main(bodies, scene_text(R"("bodies": [{"name": "a"}], "include": [{"file": "a.json"}])")),
-                 "/include/0", R"("a" is the name of /bodies/0 already)", "prefix"},
+                 "/include/0", R"("a" is already the name of /bodies/0)", "prefix"},
             Case{with_main(bodies, scene_text(R"("materials": {"m": {}}, "include": [{"file": "a.json"}])")),
-                 "/include/0", R"(has another material "m")", ""},
+                 "/include/0", R"(declares the material "m" with other values)", ""},
             Case{with_main(bodies, includes(R"({"file": "a.json", "prefix": ")" + long_prefix + R"("})")), "/include/0",
                  "longer than 256 bytes", ""},
             Case{
@@ -365,7 +365,7 @@ TEST_CASE("an include that cannot be is refused at its place") {
                 "/include/1/file", "b.json", ""},
             Case{with_main({{"far.json", scene_text(R"("bodies": [{"position": [1e9, 0]}])")}},
                            includes(R"({"file": "far.json", "position": [1, 0]})")),
-                 "/include/0", "a position out of range", ""},
+                 "/include/0", "a position out of its range", ""},
             Case{
                 with_main({{"fast.json",
                             scene_text(
@@ -417,7 +417,7 @@ TEST_CASE("files that include each other deeply, or double each other, end") {
     CHECK(too_many[0].message.find("to more than 1000000") != std::string::npos);
 }
 
-TEST_CASE("a text that is no file includes nothing") {
+TEST_CASE("a scene that is not read from a file includes nothing") {
     CHECK_THROWS_WITH_AS(parse_scene(includes(R"({"file": "a.json"})"), "text"),
-                         doctest::Contains("a text that is no file"), SceneError);
+                         doctest::Contains("only scenes that are read from files"), SceneError);
 }

@@ -21,7 +21,7 @@ SceneBody repeated(SceneRepeat repeat) {
     return body;
 }
 
-std::vector<CopyPose> places_of(SceneRepeat repeat, std::uint64_t seed = 1, std::uint64_t stream = 0) {
+std::vector<CopyPose> poses_of(SceneRepeat repeat, std::uint64_t seed = 1, std::uint64_t stream = 0) {
     const SceneBody body = repeated(repeat);
     const std::vector<CopyPose> poses = scene::copy_poses(body, seed, stream);
     CHECK(scene::copy_count(body) == std::ssize(poses));
@@ -30,7 +30,7 @@ std::vector<CopyPose> places_of(SceneRepeat repeat, std::uint64_t seed = 1, std:
 
 }  // namespace
 
-TEST_CASE("a body without a repeater is at its pose") {
+TEST_CASE("a body without a repeater has one pose, its own") {
     SceneBody body;
     body.position = {1, 2};
     REQUIRE(scene::copy_count(body) == 1);
@@ -38,7 +38,7 @@ TEST_CASE("a body without a repeater is at its pose") {
 }
 
 TEST_CASE("a grid goes row by row, upwards") {
-    const std::vector<CopyPose> poses = places_of(GridRepeat{2, 3, {4, 0.5}});
+    const std::vector<CopyPose> poses = poses_of(GridRepeat{2, 3, {4, 0.5}});
     REQUIRE(poses.size() == 6);
     CHECK(poses[1].position == DVec2(14, 20));
     CHECK(poses[2].position == DVec2(10, 20.5));
@@ -48,7 +48,7 @@ TEST_CASE("a grid goes row by row, upwards") {
 
 TEST_CASE("a pyramid's rows shrink by one and are centred on each other") {
     // base 3: 3 + 2 + 1 copies; each row starts half a spacing to the right
-    const std::vector<CopyPose> poses = places_of(PyramidRepeat{3, {2, 1}});
+    const std::vector<CopyPose> poses = poses_of(PyramidRepeat{3, {2, 1}});
     REQUIRE(poses.size() == 6);
     CHECK(poses[2].position == DVec2(14, 20));
     CHECK(poses[3].position == DVec2(11, 21));
@@ -57,19 +57,19 @@ TEST_CASE("a pyramid's rows shrink by one and are centred on each other") {
 }
 
 TEST_CASE("a ring starts at the right and goes counter-clockwise") {
-    const std::vector<CopyPose> poses = places_of(RingRepeat{4, 3, true});
+    const std::vector<CopyPose> poses = poses_of(RingRepeat{4, 3, true});
     REQUIRE(poses.size() == 4);
     const DVec2 expected[] = {{13, 20}, {10, 23}, {7, 20}, {10, 17}};
     for (std::size_t i = 0; i < 4; ++i) {
         CHECK(length(poses[i].position - expected[i]) < 1e-14);
         CHECK(poses[i].angle == 5 + 90.0 * static_cast<double>(i));
     }
-    CHECK(places_of(RingRepeat{4, 3, false})[1].angle == 5);
+    CHECK(poses_of(RingRepeat{4, 3, false})[1].angle == 5);
 }
 
 TEST_CASE("a scatter stays in its box, fills it, and keeps its separation") {
     const ScatterRepeat scatter{400, {20, 10}, true, 0.4};
-    const std::vector<CopyPose> poses = places_of(scatter);
+    const std::vector<CopyPose> poses = poses_of(scatter);
     int quadrants[4] = {};
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const DVec2 offset = poses[i].position - DVec2(10, 20);
@@ -86,19 +86,19 @@ TEST_CASE("a scatter stays in its box, fills it, and keeps its separation") {
 
 TEST_CASE("a scatter depends on its seed and its stream alone") {
     const ScatterRepeat scatter{20, {1, 1}, false, 0};
-    const auto first = places_of(scatter, 7, 3);
-    CHECK(first[19].position == places_of(scatter, 7, 3)[19].position);
-    CHECK(first[0].position != places_of(scatter, 8, 3)[0].position);
-    CHECK(first[0].position != places_of(scatter, 7, 4)[0].position);
+    const auto first = poses_of(scatter, 7, 3);
+    CHECK(first[19].position == poses_of(scatter, 7, 3)[19].position);
+    CHECK(first[0].position != poses_of(scatter, 8, 3)[0].position);
+    CHECK(first[0].position != poses_of(scatter, 7, 4)[0].position);
 }
 
-TEST_CASE("a scatter without room says how far it came") {
-    CHECK_THROWS_WITH_AS(places_of(ScatterRepeat{5, {0, 0}, false, 1}), doctest::Contains("found room for 1 of 5"),
+TEST_CASE("a scatter without room reports how many copies fit") {
+    CHECK_THROWS_WITH_AS(poses_of(ScatterRepeat{5, {0, 0}, false, 1}), doctest::Contains("found room for only 1 of 5"),
                          std::invalid_argument);
 }
 
-TEST_CASE("a copy without extent may be repeated at one pose") {
-    CHECK(places_of(ScatterRepeat{3, {0, 0}, false, 0})[2].position == DVec2(10, 20));
+TEST_CASE("a copy without extent may be repeated at one position") {
+    CHECK(poses_of(ScatterRepeat{3, {0, 0}, false, 0})[2].position == DVec2(10, 20));
 }
 
 TEST_CASE("the random numbers are those of SplitMix64") {

@@ -148,11 +148,12 @@ TEST_CASE("no run comes to more than a million bodies") {
         FAIL("1000001 bodies were made");
     } catch (const SceneError& error) {
         CHECK(error.diagnostics.front().pointer == "/timeline/0/spawn");
-        CHECK(error.diagnostics.front().message == "would bring the bodies to 1000001; at most 1000000 are allowed");
+        CHECK(error.diagnostics.front().message ==
+              "brings the number of bodies to 1000001; at most 1000000 are allowed");
     }
 }
 
-TEST_CASE("motors change their speed, a mouse joint its target, and a joint is let go") {
+TEST_CASE("motors change their speed, a mouse joint its target, and a joint is released") {
     const std::string bodies =
         R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [{"name": "base", "type": "static"},
         {"name": "arm", "shapes": [{"box": {"size": [2, 0.5]}}]}], "joints": [)";

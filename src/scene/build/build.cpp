@@ -116,7 +116,7 @@ SceneWorld build_world(const Scene& scene, const ResolvedScene& resolved, Start 
 SceneWorld build_world(const Scene& scene) {
     scene::Diagnostics diagnostics(scene.name.empty() ? "scene" : scene.name, "");
     if (!scene.include.empty())
-        diagnostics.error("/include", "is written only: what it includes is not there",
+        diagnostics.error("/include", "lists files that were not loaded: such a scene can only be written",
                           "load the scene without keep_includes");
     const std::optional<scene::ResolvedScene> resolved =
         scene::validate_scene(scene, scene::sizes_of(scene), diagnostics);

@@ -26,9 +26,8 @@ bool are_within_limit(const std::vector<Entry>& list, const std::string& what, D
         const std::int64_t count = copy_count(list[i]);
         total += std::max<std::int64_t>(count, 0);
         if (count >= 0 && total <= kMaxBodies) continue;
-        diagnostics.error(element("/" + what, i), "makes " + std::to_string(total) + " " + what +
-                                                      " with those before; at most " + std::to_string(kMaxBodies) +
-                                                      " are allowed");
+        diagnostics.error(element("/" + what, i), "brings the number of " + what + " to " + std::to_string(total) +
+                                                      "; at most " + std::to_string(kMaxBodies) + " are allowed");
         return false;
     }
     return true;
@@ -45,7 +44,7 @@ void validate_material(const Scene& scene, const std::string& name, const std::s
                           : suggestion(name, names));
 }
 
-// A body whose copies find no room keeps their number, at the origin.
+// If a scatter repeater finds no room, all its copies are at the origin: the indices of later bodies stay.
 std::vector<PlacedBody> resolve_copies(const Scene& scene, std::size_t source, Diagnostics& diagnostics) {
     const SceneBody& body = scene.bodies[source];
     try {

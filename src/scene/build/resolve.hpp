@@ -1,5 +1,4 @@
-// From a scene to its ResolvedScene. Both validating a file and building its world start here, so that both agree on
-// what the file means.
+// Makes the ResolvedScene from which a scene is validated and its world is built.
 #pragma once
 
 #include <optional>
@@ -10,7 +9,7 @@
 
 namespace tumble::scene {
 
-// Reports names, shapes, copies and joints that are wrong to `diagnostics`. The result is complete if there are no
+// Reports errors of names, shapes, copies and joints to `diagnostics`. The result is complete if there are no
 // errors; nothing if the scene has too many copies. `own` as in validate_scene().
 std::optional<ResolvedScene> resolve(const Scene& scene, const SceneSizes& own, Diagnostics& diagnostics);
 

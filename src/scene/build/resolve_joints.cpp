@@ -28,7 +28,7 @@ public:
 private:
     std::vector<JointCopy> resolve_of_bodies(const SceneJoint& joint, const std::string& pointer) {
         const bool has_no_body = joint.body_a.empty() && joint.body_b.empty();
-        if (has_no_body && diagnostics_.has_errors_in(pointer)) return {};  // its keys are those of another type
+        if (has_no_body && diagnostics_.has_errors_in(pointer)) return {};  // it has the keys of another type
         const auto a = references_.body(joint.body_a, pointer, "bodies/0"),
                    b = references_.body(joint.body_b, pointer, "bodies/1");
         if (!a || !b) return {};
@@ -60,14 +60,15 @@ private:
     bool is_geared(const std::string& name, const std::string& pointer, const std::string& key) {
         const SceneJoint* const joint = references_.joint(name, pointer, key);
         if (joint && joint->type != SceneJointType::revolute && joint->type != SceneJointType::prismatic)
-            error(pointer + '/' + key, "a gear is on revolute and prismatic joints, and " + quoted(name) + " is none");
+            error(pointer + '/' + key, "a gear connects revolute or prismatic joints; " + quoted(name) + " is neither");
         return joint != nullptr;
     }
 
     void validate_repeat(const SceneJoint& joint, const std::string& pointer) {
         const BodyNames& names = resolved_.body_names;
         if (!names.is_copy(joint.body_a) && !names.is_copy(joint.body_b))
-            return error(pointer, "belongs to joints of repeated bodies", "name the first copy: \"plank[0]\"");
+            return error(pointer, "needs a body that is a copy of a repeated body",
+                         "name the first copy: \"plank[0]\"");
         if (!has_valid_rows(*joint.repeat, pointer)) return;
         for (const std::string* body : {&joint.body_a, &joint.body_b})
             if (const std::optional<std::size_t> there = names.copies_after(*body))
@@ -77,7 +78,8 @@ private:
     void validate_gear_repeat(const SceneJoint& gear, const std::string& pointer,
                               std::initializer_list<NamedCopy> joints) {
         if (std::ranges::none_of(joints, &NamedCopy::is_copy))
-            return error(pointer, "belongs to gears on repeated joints", "name the first copy: \"hinge[0]\"");
+            return error(pointer, "needs a joint that is a copy of a repeated joint",
+                         "name the first copy: \"hinge[0]\"");
         if (!has_valid_rows(*gear.repeat, pointer)) return;
         for (const NamedCopy& joint : joints)
             if (joint.is_copy)
@@ -87,13 +89,14 @@ private:
 
     bool has_valid_rows(const JointRepeat& repeat, const std::string& pointer) {
         if (repeat.rows == 1 || repeat.row_step >= repeat.columns) return true;
-        error(pointer, "has rows that tie the same copies again", "\"row_step\" is at least the number of columns");
+        error(pointer, "has rows that join the same copies twice",
+              "\"row_step\" must be at least the number of columns");
         return false;
     }
 
     void require_copies(std::size_t needed, const std::string& first, std::size_t there, const std::string& pointer) {
         if (needed > there)
-            error(pointer, "needs " + std::to_string(needed) + " copies after " + quoted(first) + ", there are " +
+            error(pointer, "needs " + std::to_string(needed) + " copies after " + quoted(first) + "; there are " +
                                std::to_string(there));
     }
 

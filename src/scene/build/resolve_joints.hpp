@@ -1,4 +1,4 @@
-// The joints of a scene: their keys, what they join, and a definition for each copy.
+// The joints of a scene: their keys, the bodies or joints that they connect, and a definition for each copy.
 #pragma once
 
 #include "scene/build/resolved_scene.hpp"
@@ -7,8 +7,8 @@
 
 namespace tumble::scene {
 
-// Fills ResolvedScene::joints; its bodies are resolved. A joint with errors has no copies there. Joints behind `own`
-// are left out as soon as there is any error, because those errors may be the reason that a joint fails.
+// Fills ResolvedScene::joints, after its bodies were resolved. A joint with errors gets no copies. The joints after the
+// first `own` were valid in their file; after any other error they are skipped, as they might only repeat its effects.
 void resolve_joints(const Scene& scene, const SceneSizes& own, ResolvedScene& resolved, Diagnostics& diagnostics);
 
 }  // namespace tumble::scene

@@ -1,4 +1,4 @@
-// A scene with its names looked up, its repeaters expanded and its shapes and joints made: all that a world needs.
+// A scene whose names are looked up, whose repeaters are expanded and whose shapes and joints are made.
 #pragma once
 
 #include <vector>

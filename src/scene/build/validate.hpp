@@ -1,4 +1,4 @@
-// The static errors of a scene that need more than one field: what can be found without a world.
+// The static errors of a scene that concern more than one field. No world is built.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace tumble::scene {
 
-// Reports what is wrong to `diagnostics`, and returns the resolved scene: complete if there are no errors, nothing if
-// the scene has too many copies.
+// Reports errors to `diagnostics`. Returns the resolved scene: complete if there are no errors, nothing if the scene
+// has too many copies.
 //
-// A part that has errors already (from the reader) is skipped. Entries behind `own` come from included files, which
-// were validated by themselves: they are only validated together with the other entries.
+// A part that has errors already, from the reader, is skipped. The entries after the first `own` come from included
+// files, which were validated by themselves: only errors that they cause together with other entries are reported.
 std::optional<ResolvedScene> validate_scene(const Scene& scene, const SceneSizes& own, Diagnostics& diagnostics);
 
 }  // namespace tumble::scene

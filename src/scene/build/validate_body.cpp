@@ -11,12 +11,12 @@ void report_hull(const PolygonGeometry& polygon, const std::string& pointer, Dia
     HullReport report;
     make_hull(polygon, &report);
     if (report.interior > 0)
-        diagnostics.warning(pointer,
-                            std::to_string(report.interior) + " of the vertices lie inside the hull and are left out",
-                            "an outline keeps a concave shape");
+        diagnostics.warning(
+            pointer, std::to_string(report.interior) + " of the vertices lie inside the convex hull and are ignored",
+            "use an \"outline\" for a concave shape");
     if (report.duplicate + report.collinear > 0)
         diagnostics.warning(pointer, std::to_string(report.duplicate + report.collinear) +
-                                         " of the vertices are duplicate or on an edge and are left out");
+                                         " of the vertices are duplicates or lie on an edge, and are ignored");
 }
 
 }  // namespace
@@ -30,8 +30,8 @@ void validate_body(const SceneBody& body, const std::string& pointer, Diagnostic
     }
     const bool moves = body.velocity != DVec2{} || body.angular_velocity != 0.0;
     if (moves && !body.awake && body.type == BodyType::dynamic_body)
-        diagnostics.error(pointer + "/awake", "a body asleep is at rest, and this one has a velocity",
-                          R"(leave out "awake": false, or the velocity)");
+        diagnostics.error(pointer + "/awake", "a sleeping body must be at rest, and this one has a velocity",
+                          R"(remove "awake": false, or the velocity)");
 }
 
 }  // namespace tumble::scene

@@ -1,4 +1,4 @@
-// What is wrong with a body beyond its shapes: for the bodies of a scene and those that its timeline spawns.
+// The static errors of one body, of a scene or spawned by its timeline. Errors of its shapes are found by resolve().
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace tumble::scene {
 
-// Warns of vertices that a polygon leaves out, too.
+// Also warns of vertices of a polygon that its convex hull ignores.
 void validate_body(const SceneBody& body, const std::string& pointer, Diagnostics& diagnostics);
 
 }  // namespace tumble::scene

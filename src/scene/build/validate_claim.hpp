@@ -1,4 +1,4 @@
-// The checks of one claim that need more than one of its fields.
+// The static errors of one claim: keys that do not go together, and bodies and joints that do not exist.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace tumble::scene {
 
-// Left alone if it has errors in `diagnostics` already.
+// Does nothing if the claim has errors in `diagnostics` already.
 void validate_claim(const SceneExpectation& claim, const std::string& pointer, const References& references,
                     Diagnostics& diagnostics);
 

@@ -11,8 +11,8 @@ void validate_joint_keys(const SceneJoint& joint, const std::string& pointer, Di
     };
     refuse(is_distance && joint.anchor.has_value(), "anchor", "a distance joint needs 'anchors', one in each body");
     for (const JointKey& key : joint_keys(joint))
-        refuse(key.is_there && !key.belongs_to(joint.type), std::string(key.name), key.owners());
-    refuse(is_distance && joint.limits && joint.limits->lower < 0.0, "limits", "a distance is at least 0");
+        refuse(key.is_present && !key.belongs_to(joint.type), std::string(key.name), key.owners());
+    refuse(is_distance && joint.limits && joint.limits->lower < 0.0, "limits", "of a distance must not be negative");
     refuse(is_pulley && joint.ratio && !(*joint.ratio > 0.0), "ratio", "must be greater than 0");
     refuse(!is_pulley && joint.ratio && *joint.ratio == 0.0, "ratio", "must not be 0");
     if (is_pulley && !joint.ground_anchors)
@@ -27,8 +27,8 @@ void validate_joint_keys(const SceneJoint& joint, const std::string& pointer, Di
         diagnostics.error(pointer, "the key 'axis' is missing: the direction of the free motion");
     if (!joint.motor) return;
     const bool slides = is_distance || joint.type == SceneJointType::prismatic;
-    refuse(slides && !joint.motor->max_force, "motor", "slides: its strength is 'max_force', in N");
-    refuse(!slides && !joint.motor->max_torque, "motor", "turns: its strength is 'max_torque', in N m");
+    refuse(slides && !joint.motor->max_force, "motor", "of a joint that slides needs 'max_force', in N");
+    refuse(!slides && !joint.motor->max_torque, "motor", "of a joint that turns needs 'max_torque', in N m");
 }
 
 }  // namespace tumble::scene

@@ -24,12 +24,12 @@ public:
             const std::string pointer = element("/bodies", i) + "/name";
             const std::size_t first = *names_.find_source(body.name);
             if (first != i)
-                diagnostics_.error(pointer,
-                                   quoted(body.name) + " is the name of " +
-                                       diagnostics_.name_of(element("/bodies", first)) + " already",
-                                   prefix_hint(i, own_.bodies));
+                diagnostics_.error(
+                    pointer,
+                    quoted(body.name) + " is already the name of " + diagnostics_.name_of(element("/bodies", first)),
+                    prefix_hint(i, own_.bodies));
             else if (!body.repeat && names_.is_copy(body.name))
-                diagnostics_.error(pointer, quoted(body.name) + " is the name of a copy of a repeated body");
+                diagnostics_.error(pointer, quoted(body.name) + " is already the name of a copy of a repeated body");
         }
     }
 
@@ -41,9 +41,9 @@ public:
             const std::string& name = scene_.joints[i].name;
             const std::string pointer = element("/joints", i) + "/name";
             if (copy_number(name) && repeated.contains(base_name(name)))
-                diagnostics_.error(pointer, quoted(name) + " is a name for copies of a repeated joint");
+                diagnostics_.error(pointer, quoted(name) + " is reserved for a copy of a repeated joint");
             if (!name.empty() && !earlier.insert(name).second)
-                diagnostics_.error(pointer, quoted(name) + " is the name of another joint already",
+                diagnostics_.error(pointer, quoted(name) + " is already the name of another joint",
                                    prefix_hint(i, own_.joints));
         }
     }
@@ -60,25 +60,26 @@ public:
             const SceneEvent& event = scene_.timeline[i];
             if (!event.spawn || event.spawn->name.empty()) continue;
             const std::string& name = event.spawn->name;
-            const auto refuse = [&](const std::string& owner, const std::string& hint = "") {
-                diagnostics_.error(element("/timeline", i) + "/spawn/name", quoted(name) + " is the name of " + owner,
-                                   hint);
+            const auto refuse = [&](const std::string& reason, const std::string& hint = "") {
+                diagnostics_.error(element("/timeline", i) + "/spawn/name", quoted(name) + " is " + reason, hint);
             };
             const auto [earlier, is_new] = last.try_emplace(name, i);
             const std::size_t other = std::exchange(earlier->second, i);
             if (names_.find_source(name) || names_.is_copy(name))
-                refuse("a body that is there from the start", prefix_hint(i, own_.timeline));
+                refuse("already the name of a body that exists from the start", prefix_hint(i, own_.timeline));
             else if (copy_number(name) && repeated.contains(base_name(name)))
-                refuse("a copy that comes by itself");
+                refuse("reserved for a copy that the timeline spawns");
             else if (!is_new && !ends_between(scene_.timeline[other], event, ends[name]))
-                refuse("what " + diagnostics_.name_of(element("/timeline", other)) + " makes already",
-                       i < own_.timeline ? "what was despawned may come again" : prefix_hint(i, own_.timeline));
+                refuse("already the name of the body that " + diagnostics_.name_of(element("/timeline", other)) +
+                           " spawns",
+                       i < own_.timeline ? "a name is free again once its body was despawned"
+                                         : prefix_hint(i, own_.timeline));
         }
     }
 
 private:
     static std::string prefix_hint(std::size_t index, std::size_t own) {
-        return index < own ? "" : R"(a "prefix" tells the names of included files apart)";
+        return index < own ? "" : R"(give the included file a "prefix" for its names)";
     }
 
     static bool ends_between(const SceneEvent& one, const SceneEvent& other, const std::set<double>& ends) {

@@ -7,8 +7,8 @@
 
 namespace tumble::scene {
 
-// Of its bodies, its joints and the bodies that its timeline spawns; `names` are those of the scene. A spawned body may
-// have the name of one that was despawned before.
+// Reports names that two bodies, two joints or two spawned bodies share. A spawned body may have the name of one that
+// was despawned before. `names` are those of the scene.
 void validate_names(const Scene& scene, const SceneSizes& own, const BodyNames& names, Diagnostics& diagnostics);
 
 }  // namespace tumble::scene

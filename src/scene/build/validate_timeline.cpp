@@ -43,12 +43,13 @@ public:
 private:
     void validate_times(const SceneEvent& event, const std::string& pointer, bool lasts) {
         if (event.every && (lasts || !event.despawn.empty() || !event.release.empty()))
-            error(pointer + "/every", "belongs to what can happen again: a force lasts, what is gone cannot go again");
+            error(pointer + "/every",
+                  "belongs to events that can repeat: a force or torque lasts, a despawn or release happens once");
         if (event.from && !event.every) error(pointer + "/from", "belongs to events with 'every'");
         if (event.from && event.until && *event.until < *event.from)
             error(pointer + "/until", "must not be before 'from'");
         if (event.until && !event.every && !lasts)
-            error(pointer + "/until", "belongs to events with 'every', and to forces");
+            error(pointer + "/until", "belongs to events with 'every', and to forces and torques");
         if (event.until && event.at && *event.until <= *event.at) error(pointer + "/until", "must be after 'at'");
     }
 
@@ -56,10 +57,10 @@ private:
         const SceneBody* body = references_.definition(event.body);
         if (!body || (!event.velocity && !event.angular_velocity)) return;
         if (body->type == BodyType::static_body)
-            error(pointer + "/body", quoted(event.body) + " is static: it has no velocity",
-                  R"("type": "kinematic" moves by its velocity alone)");
+            error(pointer + "/body", quoted(event.body) + " is static: its velocity cannot be set",
+                  R"(a body of "type": "kinematic" moves at the velocity it is given)");
         else if (!body->enabled)
-            error(pointer + "/body", quoted(event.body) + " is not enabled: it has no velocity");
+            error(pointer + "/body", quoted(event.body) + " is disabled: its velocity cannot be set");
     }
 
     void validate_joint(const SceneEvent& event, const std::string& pointer) {
@@ -68,14 +69,15 @@ private:
         if (event.motor_speed && !joint->motor)
             error(pointer + "/joint", "the joint " + quoted(event.joint) + " has no motor");
         if (event.target && joint->type != SceneJointType::mouse)
-            error(pointer + "/joint", "only a mouse joint has a target, and " + quoted(event.joint) + " is none");
+            error(pointer + "/joint",
+                  "only a mouse joint has a target; " + quoted(event.joint) + " is of another type");
     }
 
     void validate_spawn(const SceneBody& body, const std::string& pointer) {
         resolve_shapes(scene_, body, pointer, diagnostics_);
         validate_body(body, pointer, diagnostics_);
         if (copy_count(body) > kMaxBodies)
-            return error(pointer + "/repeat", "makes " + std::to_string(copy_count(body)) + " bodies; at most " +
+            return error(pointer + "/repeat", "spawns " + std::to_string(copy_count(body)) + " bodies; at most " +
                                                   std::to_string(kMaxBodies) + " are allowed");
         try {
             copy_poses(body, scene_.world.seed, 0);
@@ -99,7 +101,7 @@ void validate_timeline(const Scene& scene, const SceneSizes& own, const Referenc
                        Diagnostics& diagnostics) {
     EventValidator validator(scene, references, diagnostics);
     for (std::size_t i = 0; i < own.timeline; ++i) validator.validate(scene.timeline[i], element("/timeline", i));
-    // Included events too: the steps of their own scene may be shorter.
+    // Included events are validated again: the steps of their own scene may be shorter.
     for (std::size_t i = 0; i < scene.timeline.size(); ++i)
         validator.validate_period(scene.timeline[i], element("/timeline", i));
 }

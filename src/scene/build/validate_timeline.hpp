@@ -1,4 +1,4 @@
-// Whether the events of a timeline have the keys that go together, and act on what is there.
+// The static errors of the timeline: keys that do not go together, and bodies and joints that do not exist.
 #pragma once
 
 #include "scene/build/references.hpp"

@@ -1,4 +1,4 @@
-// A scene from text or file, as a user wants it, and back into a file.
+// The public functions that load and save scenes.
 #include "scene/format/reader.hpp"
 #include "scene/json/input.hpp"
 #include "scene/lint/lint.hpp"
@@ -19,7 +19,7 @@ void cut(std::vector<T>& list, std::size_t size) {
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(size), list.end());
 }
 
-// Takes what was included out again.
+// Removes the entries of included files.
 void keep_own(Scene& scene, const scene::SceneSizes& own) {
     cut(scene.materials, own.materials);
     cut(scene.bodies, own.bodies);

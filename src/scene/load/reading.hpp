@@ -1,5 +1,5 @@
-// The way of a scene file and of what it includes: JSON, overrides, fields, includes, checks across fields. Each stage
-// goes on as far as errors of the one before allow, so that a user sees all of them at once.
+// Reads a scene file and the files that it includes: JSON, overrides, fields, includes, validation. Each stage
+// continues as far as the errors of the one before allow, so that a user sees all errors at once.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace tumble::scene {
 
 inline constexpr std::size_t kMaxIncludeDepth = 16;  // files that include each other
 inline constexpr std::size_t kMaxIncludedEntries =
-    1000000;  // copied in one reading, so that files that double each other end
+    1000000;  // copied in one reading: a bound for files that include others many times
 
 struct ReadScene {
     Scene scene;                              // its own entries, then those of the files that it includes
@@ -27,12 +27,12 @@ struct ReadScene {
     std::optional<ResolvedScene> resolved{};  // there and complete if there are no errors
 };
 
-// One reading: a file that is included many times is read and checked once.
+// Reads one scene. A file that is included many times is read and validated once.
 class Reading {
 public:
     explicit Reading(ReadIncluded read) : read_(std::move(read)) {}
 
-    // The scene with all that it includes; what is wrong goes to `diagnostics`.
+    // The scene with everything that it includes. Errors go to `diagnostics`.
     ReadScene read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
                    Diagnostics& diagnostics);
 
@@ -44,7 +44,7 @@ private:
     std::string chain_to(const std::filesystem::path& file) const;
 
     ReadIncluded read_;
-    std::map<std::filesystem::path, std::optional<Scene>> parts_;  // nothing for those with errors
+    std::map<std::filesystem::path, std::optional<Scene>> parts_;  // nothing for a file with errors
     std::vector<std::filesystem::path> open_;                      // from the scene down to the file that is being read
     std::size_t entries_ = 0;                                      // copied so far
 };

@@ -15,7 +15,7 @@ CollisionFilter make_filter(const SceneShape& shape) {
     return {shape.filter->category, shape.filter->mask, shape.filter->group};
 }
 
-// Of the segments of a chain; none for other shapes.
+// A link for each segment of a chain; empty for other shapes.
 std::vector<ChainLink> make_links(const ShapeGeometry& geometry) {
     const ChainGeometry* chain = std::get_if<ChainGeometry>(&geometry);
     if (!chain) return {};
@@ -29,7 +29,7 @@ std::vector<ChainLink> make_links(const ShapeGeometry& geometry) {
 BodyDef make_body_def(const SceneBody& body) {
     BodyDef def;
     def.type = body.type;
-    def.velocity = to_float(body.velocity + DVec2{});  // + 0 turns -0, which no file can hold, into 0
+    def.velocity = to_float(body.velocity + DVec2{});  // + 0 turns -0, which JSON text does not keep, into 0
     def.angular_velocity = static_cast<float>(body.angular_velocity * kRadians + 0.0);
     def.linear_damping = static_cast<float>(body.linear_damping);
     def.angular_damping = static_cast<float>(body.angular_damping);

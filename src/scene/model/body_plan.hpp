@@ -1,4 +1,4 @@
-// From a scene's body to one of a world: at load, for each copy, and when it is spawned.
+// From a body of a scene to definitions for the world: once for all copies, at load or when the run starts.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// From a scene's joint to the world's, given where its bodies are at load.
+// From a joint of a scene to the definition for the world, given the poses of its bodies at load.
 #pragma once
 
 #include "scene/model/place_copies.hpp"

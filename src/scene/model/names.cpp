@@ -1,4 +1,4 @@
-// Names of copies are not stored: a name is taken apart, which stays cheap for a million copies.
+// Names of copies are not stored: "crate[3]" is split into base and number, which stays cheap for a million copies.
 #include "scene/model/names.hpp"
 
 #include <algorithm>
@@ -11,16 +11,15 @@ namespace tumble::scene {
 
 namespace {
 
-// What was meant by a name that names nothing. `copies_of` gives the names of the copies that share one of the known
-// names.
+// A suggestion for an unknown name. `copies_of` returns the text for the copies that share a known name.
 template <class CopiesOf>
 std::string hint_for(std::string_view name, const std::vector<std::string_view>& known, const CopiesOf& copies_of) {
     const std::string_view base = name.substr(0, name.rfind('['));
-    const bool is_known = std::ranges::find(known, base) != known.end();
-    const std::string_view meant = is_known ? base : nearest_word(base, known);
+    const bool is_base = std::ranges::find(known, base) != known.end();
+    const std::string_view meant = is_base ? base : nearest_word(base, known);
     const std::string copies = copies_of(meant);
     if (copies.empty()) return suggestion(name, known);
-    return (is_known ? "" : "did you mean '" + std::string(meant) + "'? ") + "the copies are called " + copies;
+    return (is_base ? "" : "did you mean '" + std::string(meant) + "'? ") + "the copies are called " + copies;
 }
 
 }  // namespace
@@ -40,9 +39,9 @@ std::optional<NamedCopy> EntryNames::find_copy(std::string_view name) const {
     const auto repeated = first_.find(base_name(name));
     if (!copy || repeated == first_.end() || !repeated->second.is_copy || *copy >= repeated->second.count)
         return std::nullopt;
-    NamedCopy place = repeated->second;
-    place.copy = *copy;
-    return place;
+    NamedCopy result = repeated->second;
+    result.copy = *copy;
+    return result;
 }
 
 std::optional<std::size_t> EntryNames::find_source(std::string_view name) const {
@@ -84,8 +83,8 @@ BodyNames::BodyNames(const Scene& scene) {
 
 bool BodyNames::is_spawned(std::string_view name) const {
     const auto exact = spawned_.find(name), again = spawned_.find(base_name(name));
-    return (exact != spawned_.end() && !exact->second.again) ||
-           (again != spawned_.end() && again->second.again && again != exact);
+    return (exact != spawned_.end() && !exact->second.repeats) ||
+           (again != spawned_.end() && again->second.repeats && again != exact);
 }
 
 std::optional<std::size_t> BodyNames::find_event(std::string_view name) const {
@@ -97,31 +96,31 @@ std::optional<std::size_t> BodyNames::find_event(std::string_view name) const {
 
 bool BodyNames::is_shared(std::string_view name) const {
     const auto spawned = spawned_.find(name);
-    return entries_.is_shared(name) || (spawned != spawned_.end() && spawned->second.again);
+    return entries_.is_shared(name) || (spawned != spawned_.end() && spawned->second.repeats);
 }
 
 std::optional<std::size_t> BodyNames::find(std::string_view name) const {
-    const std::optional<NamedCopy> place = entries_.find(name);
-    if (!place) return std::nullopt;
-    return first_built_[place->source] + place->copy;
+    const std::optional<NamedCopy> found = entries_.find(name);
+    if (!found) return std::nullopt;
+    return first_built_[found->source] + found->copy;
 }
 
 std::optional<std::size_t> BodyNames::copies_after(std::string_view name) const {
-    const std::optional<NamedCopy> place = entries_.find_copy(name);
-    if (!place) return std::nullopt;
-    return place->count - 1 - place->copy;
+    const std::optional<NamedCopy> found = entries_.find_copy(name);
+    if (!found) return std::nullopt;
+    return found->count - 1 - found->copy;
 }
 
 std::string BodyNames::hint(std::string_view name) const {
-    if (is_spawned(name)) return "the timeline makes it: it is not there from the start";
+    if (is_spawned(name)) return "the timeline spawns it: it does not exist at the start";
     std::vector<std::string_view> known;
     entries_.append_to(known);
     for (const auto& [spawned, event] : spawned_) known.push_back(spawned);
     return hint_for(name, known, [this](std::string_view meant) {
         const auto spawned = spawned_.find(meant);
-        const bool again = spawned != spawned_.end() && spawned->second.again;
-        return again ? copy_name(spawned->first, 0) + ", " + copy_name(spawned->first, 1) + " and so on"
-                     : entries_.copies_text(meant);
+        const bool repeats = spawned != spawned_.end() && spawned->second.repeats;
+        return repeats ? copy_name(spawned->first, 0) + ", " + copy_name(spawned->first, 1) + " and so on"
+                       : entries_.copies_text(meant);
     });
 }
 
