@@ -62,8 +62,8 @@ TEST_CASE("syntax errors tell the place, and a hint where one is due") {
         std::string message, hint;
     };
     for (const Case& c : {
-             Case{"", 0, 0, "the file is empty", "least scene"},
-             Case{" \n", 1, 1, "the file is empty", "least scene"},
+             Case{"", 0, 0, "the file is empty", "smallest scene"},
+             Case{" \n", 1, 1, "the file is empty", "smallest scene"},
              Case{"{\n  \"format\": 1,\n  \"bodies\": [", 3, 14, "unexpected end of input", ""},
              Case{"{\"format\": 1,}", 1, 14, "unexpected '}'", "comma"},
              Case{"{\"format\": NaN}", 1, 12, "invalid literal", "NaN"},

@@ -66,7 +66,7 @@ TEST_CASE("a depth is judged by the deepest overlap of the run") {
     CHECK(judge(parse_scene(bodies + R"({"max_penetration": 0.11}]})", ""), 60).passed);
 }
 
-TEST_CASE("a place is looked at at its time, or at the end; what is never reached has failed") {
+TEST_CASE("a position is evaluated at its time or at the end; a time that the run never reaches fails the claim") {
     const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
     // 1 m/s: at 0.5 m after half a second, at 1.5 m at the end.
     CHECK(
@@ -85,7 +85,7 @@ TEST_CASE("a place is looked at at its time, or at the end; what is never reache
     CHECK(never.time == 1.5);
 }
 
-TEST_CASE("a place can be claimed always, sometime, within a time, and from outside") {
+TEST_CASE("a position can be claimed always, sometime, within a time span, and outside a box") {
     // 1 m/s from the origin: inside the box from 0.5 s to 1 s.
     const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
     const std::string box = R"("body": "disc", "inside": [[0.5, -1], [1, 1]])",
@@ -130,7 +130,7 @@ TEST_CASE("height, speed and angle lie between bounds") {
     CHECK(slow.step == 60);
 }
 
-TEST_CASE("touching is known by contacts and sensors, and by who") {
+TEST_CASE("touching is detected by contacts and sensors, for the bodies of the claim alone") {
     const auto thrown = [](const std::string& claim, const char* sensor) {
         return judge(parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
             {"name": "ball", "velocity": [4, 0], "shapes": [{"circle": {"radius": 0.5}}]},
@@ -161,7 +161,7 @@ TEST_CASE("touching is known by contacts and sensors, and by who") {
     CHECK(missed.step == 24);
 }
 
-TEST_CASE("who flies through a thin sensor within a step touches it in that step") {
+TEST_CASE("a body that crosses a thin sensor within a step touches it in that step") {
     // From 3.33 m to 5 m in the third step; the gate is from 4.15 m to 4.2 m.
     const auto shot = [](const std::string& claim) {
         return judge(parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [

@@ -112,7 +112,7 @@ TEST_CASE("a pulley has its wheels in the world, and the rope that it has at loa
               .length == 8.0f);
 }
 
-TEST_CASE("a gear may stand before its joints, and has their second bodies") {
+TEST_CASE("a gear may precede its joints, and acts on their second bodies") {
     const SceneWorld built = build_world(parse_scene(R"({"format": 1, "bodies": [
         {"name": "wall", "type": "static"}, {"name": "a", "position": [1, 0]}, {"name": "b", "position": [5, 0]}],
         "joints": [
@@ -132,7 +132,7 @@ TEST_CASE("a gear may stand before its joints, and has their second bodies") {
     CHECK(gear.break_torque == 7.0f);
 }
 
-TEST_CASE("a repeated gear goes through copy after copy of its joints, a repeated pulley takes its wheels along") {
+TEST_CASE("a repeated gear connects copy after copy of its joints, a repeated pulley moves its wheels along") {
     const auto text = [](const std::string& columns) {
         return R"({"format": 1, "bodies": [
         {"name": "wall", "type": "static"},

@@ -1,5 +1,5 @@
-// What `validate` warns of: each lint at its place with its reason, by the smallest scene that earns it, and by one
-// beside it that does not.
+// The warnings of `validate`: for each lint the smallest scene that causes it, with its location and reason, and a
+// similar scene without a warning.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ const std::string kGround = R"({"type": "static", "position": [0, -0.5], "shapes
 
 }  // namespace
 
-TEST_CASE("slivers and sizes out of range are warned of, on bodies that move") {
+TEST_CASE("slivers and sizes out of range are warned of, on dynamic bodies") {
     const Diagnostic thin =
         warning_of(R"({"position": [0, 5], "shapes": [{"polygon": {"vertices": [[0, 0], [3, 1], [3, 1.02]]}}]})");
     CHECK(thin.pointer == "/bodies/0/shapes/0");
@@ -129,7 +129,7 @@ TEST_CASE("an arm that a motor swings farther in a step than it is thick is warn
     CHECK(says(turned, "the joint moves 'arm' by up to 1.05 m in a step"));
 }
 
-TEST_CASE("a chain that bodies start behind is warned of, one that they stand on is not") {
+TEST_CASE("a chain with a body on its open side is warned of, one with a body on its solid side is not") {
     const auto on_chain = [](const std::string& points, const std::string& more = "") {
         return warnings_of(
             R"({"name": "hills", "type": "static", "shapes": [{"circle": {"radius": 0.1}}, {"chain": {"points": )" +
@@ -171,11 +171,11 @@ TEST_CASE("joints that start apart or act far away, and springs too stiff for th
     // 0.15 of 240 sub-steps a second.
     const Diagnostic stiff = warning_of(bodies, tied(rod + R"(, "spring": {"hertz": 36.5})"));
     CHECK(stiff.pointer == "/joints/0/spring/hertz");
-    CHECK(says(stiff, "counts as 36 Hz"));
+    CHECK(says(stiff, "is limited to 36 Hz"));
     CHECK(warnings_of(bodies, tied(rod + R"(, "spring": {"hertz": 36})")).empty());
 }
 
-TEST_CASE("what the run never comes to, and what nothing obeys, is warned of") {
+TEST_CASE("events and claims after the end of the run, and events without effect, are warned of") {
     const std::string bodies =
         R"({"name": "ball", "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "wall", "type": "static", "position": [9, 0]},
         {"name": "lift", "type": "kinematic", "position": [-9, 0], "shapes": [{"box": {"size": [1, 1]}}]})";
@@ -215,7 +215,7 @@ TEST_CASE("what the run never comes to, and what nothing obeys, is warned of") {
 
 TEST_CASE("bodies of segments and sensors alone are warned of, because they have no mass") {
     CHECK(says(warning_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})"),
-               "counts as 1 kg that does not turn"));
+               "gets 1 kg and does not rotate"));
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 1}, "sensor": true}]})"), "which have no mass"));
     CHECK(warnings_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}], "mass": {"mass": 2, "inertia": 1}})")
               .empty());
@@ -271,7 +271,7 @@ TEST_CASE("a body that sleeps without support is warned of, one with support or 
     CHECK(warnings_of(kGround + at("3"), R"(, "world": {"gravity": [0, 0]})").empty());
 }
 
-TEST_CASE("a stack is said to sink by half of what the contact springs would give") {
+TEST_CASE("a stack is predicted to sink by half of what the contact springs would yield") {
     // Twenty unit boxes: sum over k < 20 of 2.5 k g / w^2 + 1.25 20 g / (4 w^2) = (475 + 6.25) g / w^2, w = 2 pi 30, by
     // half: 0.0677 m.
     const Diagnostic stack = warning_of(

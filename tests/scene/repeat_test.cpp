@@ -1,4 +1,4 @@
-// Repeaters: poses worked out by hand, and what a scatter promises.
+// Repeaters: poses worked out by hand, and the guarantees of a scatter.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -37,7 +37,7 @@ TEST_CASE("a body without a repeater has one pose, its own") {
     CHECK(scene::copy_poses(body, 1, 0)[0].position == DVec2(1, 2));
 }
 
-TEST_CASE("a grid goes row by row, upwards") {
+TEST_CASE("a grid is filled row by row, upwards") {
     const std::vector<CopyPose> poses = poses_of(GridRepeat{2, 3, {4, 0.5}});
     REQUIRE(poses.size() == 6);
     CHECK(poses[1].position == DVec2(14, 20));
@@ -56,7 +56,7 @@ TEST_CASE("a pyramid's rows shrink by one and are centred on each other") {
     CHECK(poses[5].position == DVec2(12, 22));
 }
 
-TEST_CASE("a ring starts at the right and goes counter-clockwise") {
+TEST_CASE("a ring starts at the right and continues counter-clockwise") {
     const std::vector<CopyPose> poses = poses_of(RingRepeat{4, 3, true});
     REQUIRE(poses.size() == 4);
     const DVec2 expected[] = {{13, 20}, {10, 23}, {7, 20}, {10, 17}};
