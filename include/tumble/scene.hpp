@@ -28,9 +28,9 @@ struct SceneSettings {
 };
 
 struct SceneCamera {
-    std::optional<DVec2> center;   // m; default: everything in view; with `follow`: when the body is first seen
+    std::optional<DVec2> center;   // m; default: everything in view; with `follow`: when the body first exists
     std::optional<double> height;  // m of the world from the lower to the upper edge
-    std::string follow;            // name of a body, also of one that the timeline makes, or empty
+    std::string follow;            // name of a body, also of one that the timeline spawns, or empty
 };
 
 struct SceneMaterial {
@@ -60,7 +60,7 @@ struct BoxGeometry {
     double angle = 0.0;
 };
 struct PolygonGeometry {
-    std::vector<DVec2> vertices;  // any order; their convex hull counts
+    std::vector<DVec2> vertices;  // any order; the shape is their convex hull
     double radius = 0.0;          // grows the hull
 };
 struct SegmentGeometry {
@@ -89,12 +89,12 @@ struct SceneShape {
     ShapeGeometry geometry;
     std::string material;                 // name of a material; empty: the default one
     std::string custom;                   // JSON text, or empty
-    std::optional<SceneFilter> filter{};  // which shapes it meets; default: all
+    std::optional<SceneFilter> filter{};  // which shapes it collides with; default: all
     bool sensor = false;
 };
 
-// Repeaters copy a body, starting at its position; the copies are named name[0], name[1], ... The angle (degrees) turns
-// the pattern about the position; the copies keep their own.
+// Repeaters copy a body, starting at its position; the copies are named name[0], name[1], ... The angle (degrees)
+// rotates the pattern about the position; the angles of the copies stay.
 struct GridRepeat {  // row by row, upwards
     int columns = 1;
     int rows = 1;
@@ -109,13 +109,13 @@ struct PyramidRepeat {  // lowest row first, each row centred above the one belo
 struct RingRepeat {  // about the position, counter-clockwise from the angle
     int count = 1;
     double radius = 1.0;
-    bool turn = false;  // each copy by its angle from the first
+    bool turn = false;  // rotates each copy by its angle from the first
     double angle = 0.0;
 };
 struct ScatterRepeat {  // at random in a box about the position, drawn from the scene's seed
     int count = 1;
     DVec2 size{1.0, 1.0};
-    bool turn = false;        // each copy by a random angle
+    bool turn = false;        // rotates each copy by a random angle
     double separation = 0.0;  // least distance between the positions of two copies
     double angle = 0.0;
 };
@@ -125,7 +125,7 @@ using SceneRepeat = std::variant<GridRepeat, PyramidRepeat, RingRepeat, ScatterR
 struct SceneMass {
     double mass = 0.0;     // kg
     DVec2 center;          // body coordinates, m
-    double inertia = 0.0;  // about the centre, kg m^2; 0: it does not turn
+    double inertia = 0.0;  // about the centre, kg m^2; 0: the body does not rotate
 };
 
 struct SceneBody {
@@ -146,7 +146,7 @@ struct SceneBody {
     bool enabled = true;
     bool allow_sleep = true;
     bool allow_fast_rotation = false;
-    std::optional<SceneMass> mass{};  // in place of that of the shapes
+    std::optional<SceneMass> mass{};  // default: that of the shapes
     std::optional<SceneRepeat> repeat;
     std::vector<SceneShape> shapes;
     std::string custom;
@@ -161,18 +161,19 @@ struct SceneInterval {
 };
 struct SceneJointMotor {
     double speed = 0.0;                  // degrees/s (revolute, wheel) or m/s (distance, prismatic)
-    std::optional<double> max_torque{};  // N m: of what turns
-    std::optional<double> max_force{};   // N: of what slides
+    std::optional<double> max_torque{};  // N m: revolute, wheel
+    std::optional<double> max_force{};   // N: distance, prismatic
 };
 struct SceneJointSpring {
     double hertz = 0.0;
     double damping_ratio = 0.0;
 };
 
-// Makes a joint for each of so many copies of its bodies, row by row: the next column ties the next copies, the next
-// row those `row_step` places on. A body that is not a copy stays. Anchor and axis in the world are those of the first
-// joint, and keep their place in the first of its bodies that is a copy. Copies are named name[0], name[1], ... A gear
-// goes through the copies of its joints likewise.
+// Copies a joint, row by row: each next column joins the next copies of its bodies, each next row the copies that
+// follow those of the row before by `row_step`. A body that is not a copy is joined by all. An anchor or axis in world
+// coordinates is that of the first joint; its coordinates in the first of the joint's bodies that is a copy are the
+// same for all copies. Copies are named name[0], name[1], ... A gear is repeated over the copies of its joints in the
+// same way.
 struct JointRepeat {
     int columns = 1;
     int rows = 1;
@@ -182,10 +183,10 @@ struct JointRepeat {
 struct SceneJoint {
     SceneJointType type = SceneJointType::revolute;
     std::string name;
-    std::string body_a, body_b;                             // names; empty for gears, which have those of their joints
-    std::string joint_a, joint_b;                           // names, gears
-    std::optional<DVec2> anchor;                            // world coordinates at load, for both bodies, or:
-    std::optional<std::pair<DVec2, DVec2>> anchors;         // body coordinates of each
+    std::string body_a, body_b;                      // names; empty for gears, which act on the bodies of their joints
+    std::string joint_a, joint_b;                    // names, gears
+    std::optional<DVec2> anchor;                     // world coordinates at load, for both bodies, or:
+    std::optional<std::pair<DVec2, DVec2>> anchors;  // body coordinates of each
     std::optional<std::pair<DVec2, DVec2>> ground_anchors;  // of a pulley, world coordinates at load
     std::optional<DVec2> axis;              // world direction at load, or A's with `anchors`; prismatic, wheel
     std::optional<double> reference_angle;  // degrees; default: the angle at load
@@ -206,31 +207,31 @@ struct SceneJoint {
     std::string custom;
 };
 
-// Something that happens during the run, once (`at`) or again and again (`every`, `from` a time `until` a time):
-// exactly one of the actions. Who acts on a body or joint that is not there, not yet or no longer, does nothing.
+// An action during the run, once (`at`) or repeatedly (`every`, `from` a time `until` a time); exactly one of the
+// actions is set. An event on a body or joint that does not exist at that time has no effect.
 struct SceneEvent {
     std::optional<double> at;     // s
     std::optional<double> every;  // s
     std::optional<double> from;   // s: the first repetition; default: 0
     std::optional<double>
         until;          // s: the last repetition, or the end of a force or torque; default: the end of the run
-    std::string body;   // what impulses, forces and velocities act on
-    std::string joint;  // what motor speeds and targets belong to
+    std::string body;   // the body that impulses, forces and velocities act on
+    std::string joint;  // the joint that motor speeds and targets act on
     std::optional<DVec2> impulse;            // N s, at the centre of mass
     std::optional<double> angular_impulse;   // N m s
     std::optional<DVec2> force;              // N, at the centre of mass, in each step from `at` on
     std::optional<double> torque;            // N m, the same
-    std::optional<DVec2> velocity;           // m/s, from now on
+    std::optional<DVec2> velocity;           // m/s
     std::optional<double> angular_velocity;  // degrees/s
-    std::optional<double> motor_speed;       // degrees/s or m/s, as the joint's motor has it
+    std::optional<double> motor_speed;       // degrees/s or m/s, as for the joint's motor
     std::optional<DVec2> target;             // m, world: where a mouse joint pulls its second body
     std::optional<DVec2> gravity;            // m/s^2
-    std::optional<SceneBody> spawn;          // a new body; with `every` they are called name[0], name[1]...
-    std::string despawn;                     // a body that goes
-    std::string release;                     // a joint that goes
+    std::optional<SceneBody> spawn;          // a new body; with `every` the bodies are named name[0], name[1], ...
+    std::string despawn;                     // name of a body to destroy
+    std::string release;                     // name of a joint to destroy
 };
 
-// When a claim of a state must hold: in the last state, in all of them, or in one.
+// When a claim on a state must hold: in the last state, in all states, or in at least one.
 enum class SceneMoment { end, always, sometime };
 
 enum class SceneEventKind {
@@ -245,22 +246,22 @@ enum class SceneEventKind {
 
 using SceneBox = std::pair<DVec2, DVec2>;  // lower left and upper right corner, m
 
-// Coordinates of their own: a turn, then a shift.
+// A coordinate frame: a rotation, then a translation.
 struct SceneFrame {
     DVec2 position;
     double angle = 0.0;  // degrees
 };
 
-// A claim that ExpectationWatch (scene_run.hpp) tests: exactly one of those that are starred.
+// A claim that ExpectationWatch (scene_run.hpp) evaluates: exactly one of the starred members is set.
 struct SceneExpectation {
     std::optional<double> at_rest_by;       // * s
     std::optional<double> max_penetration;  // * m, of every contact
-    std::optional<double> max_joint_error;  // * m that anchors may part, of `joint` or of all joints
+    std::optional<double> max_joint_error;  // * m between anchors, of `joint` or of all joints
     std::optional<double> max_energy_gain;  // * J of kinetic and potential energy above the first state
     std::string body;
     std::string joint;
-    std::optional<SceneBox> inside;       // * holds the body's position
-    std::optional<SceneBox> outside;      // * does not
+    std::optional<SceneBox> inside;       // * contains the body's position
+    std::optional<SceneBox> outside;      // * does not contain it
     std::optional<SceneInterval> height;  // * m, y of the body's position
     std::optional<SceneInterval> speed;   // * m/s, of its centre of mass
     std::optional<SceneInterval> angle;   // * degrees, in (-180, 180]
@@ -272,17 +273,17 @@ struct SceneExpectation {
     std::optional<SceneEventKind> event;
     std::string state_hash;               // * 16 hexadecimal digits
     std::optional<SceneFrame> frame;      // in which boxes, heights and angles are measured; default: the world's
-    SceneMoment when = SceneMoment::end;  // for the claims of a state
-    std::optional<double> at;             // s: at this time in place of `when`
-    std::optional<double> from;           // s: what is before does not count
-    std::optional<double> until;          // s: nor what is after
+    SceneMoment when = SceneMoment::end;  // for claims on a state
+    std::optional<double> at;             // s: in the state at this time; replaces `when`
+    std::optional<double> from;           // s: earlier states do not count
+    std::optional<double> until;          // s: later states do not count
 };
 
-// Another scene file whose bodies, joints, materials, events and claims become part of this scene. What belongs to its
-// world stays behind: settings, camera, events of gravity, claims that name neither a body nor a joint.
+// Another scene file whose bodies, joints, materials, events and claims become part of this scene. What applies to a
+// whole world is left out: settings, camera, events of gravity, claims that name neither a body nor a joint.
 struct SceneInclude {
-    std::string file;    // seen from the folder of the including file
-    DVec2 position;      // where its origin comes to lie
+    std::string file;    // relative to the folder of the including file
+    DVec2 position;      // of its origin in this scene
     double angle = 0.0;  // degrees, about that point
     std::string prefix;  // put before each of its names
 };
@@ -293,7 +294,7 @@ struct Scene {
     std::string description;
     SceneSettings world;
     SceneCamera camera;
-    std::vector<SceneInclude> include;  // empty once its files are part of what follows: behind what is the scene's own
+    std::vector<SceneInclude> include;  // empty after loading: the entries of its files follow the scene's own
     std::vector<SceneMaterial> materials;
     std::vector<SceneBody> bodies;
     std::vector<SceneJoint> joints;

@@ -1,4 +1,4 @@
-// A scene as it runs: its world, what happens to it by its timeline, and what becomes of the claims it makes.
+// Running a scene: its world, the events of its timeline, and the evaluation of its claims.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ std::uint64_t nearest_step(double time, double steps_per_second);
 // The steps from the start of a scene's run to its end.
 std::uint64_t count_steps(const Scene& scene);
 
-// Steps a scene's world. An event of time t happens before the first step that begins at t or later; step k (from 0)
-// begins at k / steps_per_second. Events of one time happen in the order of the file.
+// Steps the world of a scene. An event at time t is applied before the first step that begins at t or later; step k
+// (from 0) begins at k / steps_per_second. Events of one time are applied in the order of the file.
 class SceneRun {
 public:
     // Throws SceneError as build_world() does.
@@ -27,11 +27,11 @@ public:
     SceneRun(SceneRun&&) noexcept;
     SceneRun& operator=(SceneRun&&) noexcept;
 
-    // Lets the events happen that are due, and advances by one step. Throws SimulationDiverged, and SceneError for a
-    // body that the world refuses to take.
+    // Applies the events that are due, then advances by one step. Throws SimulationDiverged, and SceneError if the
+    // world refuses a spawned body.
     void step();
 
-    double time() const;  // s, of the state that the world shows
+    double time() const;  // s, of the current state
     const SceneWorld& built() const noexcept;
     const World& world() const noexcept { return built().world; }
 
@@ -40,23 +40,26 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// What became of one claim of a scene.
+// The result of one claim of a scene.
 struct ExpectationResult {
     bool passed = false;
     std::string claim;       // "'crate' is inside [0, 0] to [2, 3] at 4 s"
-    std::string finding;     // what was seen instead, or how near it was: "it is at [2.5, 0.5]"
-    std::uint64_t step = 0;  // that decided it: the last one of a run that ended too early
+    std::string finding;     // the deciding state: "it is at [2.5, 0.5]"
+    std::uint64_t step = 0;  // that decided it; the last one if the run ended too early
     double time = 0.0;       // s, of that step
 };
 
 // Watches a run and decides the claims of its scene (Scene::expect).
 //
-// At rest is a body that sleeps, or whose farthest point is slower than 0.05 m/s (times the root of the world's scale),
-// the speed below which bodies fall asleep; `at_rest_by` asks it of all dynamic bodies in all states from that time on.
-// Bodies touch by the contact and sensor events of the steps. A claim of a state is looked at where
-// SceneExpectation::when, at, from and until say. What the run never reaches has failed, and so has a claim of a body
-// that is not there. The common name of copies claims a state of each of them (`always`: while there are any, which
-// there must be sometime), and a touch of any.
+// A body is at rest if it sleeps, or if its farthest point is slower than 0.05 m/s times the root of the world's scale,
+// the speed below which bodies fall asleep; `at_rest_by` requires that of all dynamic bodies in all states from that
+// time on. Whether bodies touch is decided by the contact and sensor events of the steps. A claim on a state is
+// evaluated in the states that SceneExpectation::when, at, from and until select. A claim fails if the run never
+// reaches such a state, or if its body does not exist there.
+//
+// A claim may name one body or copy ("crate[3]"), or all copies by their common name ("crate"). A claim on `crate` must
+// hold for every copy; a `touches` claim holds if any copy touches. An `always` claim on copies is evaluated in the
+// states in which a copy exists, and fails if there is no such state.
 class ExpectationWatch {
 public:
     ExpectationWatch(const Scene& scene, const SceneWorld& built);

@@ -1,5 +1,5 @@
-// The world that a scene describes. Each number of the scene is converted once, so that saving and loading it give the
-// same world bit for bit.
+// Building the world that a scene describes. Each number of the scene is converted once, so that a scene that is saved
+// and loaded again gives the same world bit for bit.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace tumble {
 
-// The shapes that a scene's shape stands for, in body coordinates: one, or several for chains and outlines. Throws
+// The shapes of a scene's shape, in body coordinates: one, or several for chains and outlines. Throws
 // std::invalid_argument, with the value printed, for degenerate geometry.
 std::vector<Shape> make_shapes(const ShapeGeometry& geometry);
 
@@ -21,10 +21,10 @@ std::vector<Shape> make_shapes(const ShapeGeometry& geometry);
 // segment if they span no area.
 std::vector<Shape> make_exact_shapes(const ShapeGeometry& geometry);
 
-// The bodies of the world that a scene makes, copies counted.
+// The number of bodies in the world of a scene, copies included.
 std::size_t count_bodies(const Scene& scene);
 
-// Its joints, likewise.
+// The number of joints, copies included.
 std::size_t count_joints(const Scene& scene);
 
 // One body of the built world: which entry of Scene::bodies it came from (or, counted on from there, of
@@ -48,17 +48,16 @@ struct SceneJointInstance {
 
 struct SceneWorld {
     World world;
-    std::vector<SceneInstance> bodies;       // in the order of creation: ids of those that have gone are stale
-    std::vector<SceneJointInstance> joints;  // in the order of the scene and of the copies
+    std::vector<SceneInstance> bodies;       // in the order of creation; the ids of destroyed ones are stale
+    std::vector<SceneJointInstance> joints;  // in the order of the scene and of the copies, gears last
 };
 
-// What a body or joint is called in output: by its name, or body[i] or joint[i] as the one at that place of a
-// SceneWorld.
+// The name of a body or joint in output: its own, or body[i] or joint[i] by its index in SceneWorld.
 std::string output_name(const SceneInstance& body, std::size_t index);
 std::string output_name(const SceneJointInstance& joint, std::size_t index);
 
-// Throws SceneError if a name does not resolve, geometry is degenerate (the reader has checked both already) or the
-// scene was loaded with keep_includes.
+// Throws SceneError if the scene is not valid, which load_scene() excludes, if it was loaded with keep_includes, or if
+// the world refuses a body or joint.
 SceneWorld build_world(const Scene& scene);
 
 }  // namespace tumble

@@ -62,8 +62,8 @@ TEST_CASE("syntax errors tell the place, and a hint where one is due") {
         std::string message, hint;
     };
     for (const Case& c : {
-             Case{"", 0, 0, "the file is empty", "least scene"},
-             Case{" \n", 1, 1, "the file is empty", "least scene"},
+             Case{"", 0, 0, "the file is empty", "smallest scene"},
+             Case{" \n", 1, 1, "the file is empty", "smallest scene"},
              Case{"{\n  \"format\": 1,\n  \"bodies\": [", 3, 14, "unexpected end of input", ""},
              Case{"{\"format\": 1,}", 1, 14, "unexpected '}'", "comma"},
              Case{"{\"format\": NaN}", 1, 12, "invalid literal", "NaN"},
@@ -198,7 +198,7 @@ TEST_CASE("of what is repeated or comes later the hints know the names") {
     CHECK(
         hint_of(
             R"(, {"type": "weld", "bodies": ["plank[0]", "late"], "anchor": [0, 0]}], "timeline": [{"at": 1, "spawn": {"name": "late"}})") ==
-        "the timeline makes it: it is not there from the start");
+        "the timeline spawns it: it does not exist at the start");
 }
 
 TEST_CASE("hints translate the habits of other engines") {
@@ -221,7 +221,7 @@ TEST_CASE("hints translate the habits of other engines") {
     CHECK(hint_of(R"({"format": 1, "expect": [{"count": 3, "region": [[0, 0], [1, 1]]}]})") == "[3, 3] for exactly 3");
     CHECK(hint_of(
               R"({"format": 1, "bodies": [{"name": "a"}], "expect": [{"body": "a", "height": [0, 1], "from": 1}]})") ==
-          R"("when": "always" or "sometime" makes it one)");
+          R"(add "when": "always" or "sometime")");
     CHECK(hint_of(R"({"format": 1, "timeline": [{"at": 1, "joint": "j", "motor_speed": 3}]})") ==
           "no joint has a \"name\"");
 }
@@ -236,7 +236,8 @@ TEST_CASE("hulls that drop vertices are warnings") {
     parse_scene(test::with_shape(R"({"polygon": {"vertices": [[0, 0], [2, 0], [2, 2], [1, 0.5], [0, 2], [1, 0]]}})"),
                 "scene.json", &warnings);
     REQUIRE(warnings.size() == 2);
-    CHECK(warnings[0].message == "1 of the vertices lie inside the hull and are left out");
-    CHECK(to_string(warnings[1]).find(": warning: 1 of the vertices are duplicate or on an edge") != std::string::npos);
+    CHECK(warnings[0].message == "1 of the vertices lie inside the convex hull and are ignored");
+    CHECK(to_string(warnings[1]).find(": warning: 1 of the vertices are duplicates or lie on an edge") !=
+          std::string::npos);
     CHECK(warnings[0].pointer == "/bodies/0/shapes/0/polygon/vertices");
 }

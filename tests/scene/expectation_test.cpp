@@ -66,7 +66,7 @@ TEST_CASE("a depth is judged by the deepest overlap of the run") {
     CHECK(judge(parse_scene(bodies + R"({"max_penetration": 0.11}]})", ""), 60).passed);
 }
 
-TEST_CASE("a place is looked at at its time, or at the end; what is never reached has failed") {
+TEST_CASE("a position is evaluated at its time or at the end; a time that the run never reaches fails the claim") {
     const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
     // 1 m/s: at 0.5 m after half a second, at 1.5 m at the end.
     CHECK(
@@ -85,7 +85,7 @@ TEST_CASE("a place is looked at at its time, or at the end; what is never reache
     CHECK(never.time == 1.5);
 }
 
-TEST_CASE("a place can be claimed always, sometime, within a time, and from outside") {
+TEST_CASE("a position can be claimed always, sometime, within a time span, and outside a box") {
     // 1 m/s from the origin: inside the box from 0.5 s to 1 s.
     const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
     const std::string box = R"("body": "disc", "inside": [[0.5, -1], [1, 1]])",
@@ -130,7 +130,7 @@ TEST_CASE("height, speed and angle lie between bounds") {
     CHECK(slow.step == 60);
 }
 
-TEST_CASE("touching is known by contacts and sensors, and by who") {
+TEST_CASE("touching is detected by contacts and sensors, for the bodies of the claim alone") {
     const auto thrown = [](const std::string& claim, const char* sensor) {
         return judge(parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
             {"name": "ball", "velocity": [4, 0], "shapes": [{"circle": {"radius": 0.5}}]},
@@ -161,7 +161,7 @@ TEST_CASE("touching is known by contacts and sensors, and by who") {
     CHECK(missed.step == 24);
 }
 
-TEST_CASE("who flies through a thin sensor within a step touches it in that step") {
+TEST_CASE("a body that crosses a thin sensor within a step touches it in that step") {
     // From 3.33 m to 5 m in the third step; the gate is from 4.15 m to 4.2 m.
     const auto shot = [](const std::string& claim) {
         return judge(parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
@@ -178,8 +178,7 @@ TEST_CASE("who flies through a thin sensor within a step touches it in that step
     CHECK(passed.finding == "they touch");
 }
 
-TEST_CASE(
-    "a touch of a sensor that is missed says by how much, and one of a body that never comes that it is not there") {
+TEST_CASE("a missed touch of a sensor reports the gap, one of a body that is never spawned that it does not exist") {
     const std::string scene = R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
         {"name": "ball", "velocity": [4, 0], "shapes": [{"circle": {"radius": 0.5}}]},
         {"name": "gate", "type": "static", "position": [9, 0], "shapes": [{"box": {"size": [1, 4]}, "sensor": true}]}],
@@ -188,10 +187,10 @@ TEST_CASE(
     CHECK(judge(parse_scene(scene + R"({"body": "ball", "touches": "gate"}]})", ""), 60).finding ==
           "they are 4 m apart");
     CHECK(judge(parse_scene(scene + R"({"body": "ball", "touches": "late"}]})", ""), 60).finding ==
-          "'late' is not there");
+          "'late' does not exist");
 }
 
-TEST_CASE("the common name of copies claims of each where they are, and of any what they touch") {
+TEST_CASE("a claim on the common name of copies must hold for every copy, a touch for any") {
     // Copies at x = 0, 3 and 6 m; each falls for a second by 5 m and a little, the ball hits the middle one at once.
     const auto fall = [](const std::string& claim) {
         return judge(parse_scene(R"({"format": 1, "bodies": [
@@ -212,12 +211,12 @@ TEST_CASE("the common name of copies claims of each where they are, and of any w
     CHECK_FALSE(hit.passed);
     CHECK(hit.finding == "'ball' and 'drop[1]' touch");
     CHECK(fall(R"({"body": "drop", "never_touches": "drop"})").passed);
-    // Before the first of them there is nothing to look at, and if none comes nothing is borne out.
+    // States before the first copy do not count; without any copy the claim fails.
     CHECK(fall(R"({"body": "late", "inside": [[19, -9], [21, 1]], "when": "always"})").passed);
     CHECK_FALSE(fall(R"({"body": "late", "height": [-0.1, 1], "when": "always"})").passed);
     const ExpectationResult never = fall(R"({"body": "late", "height": [-9, 1], "when": "always", "until": 0.4})");
     CHECK_FALSE(never.passed);
-    CHECK(never.finding == "there never is any");
+    CHECK(never.finding == "no copy ever exists");
 }
 
 TEST_CASE("a claim reads as a sentence") {

@@ -1,4 +1,4 @@
-// Scenes within scenes: placed as if someone had drawn them there by hand, named apart, and refused with their place.
+// Scenes that include scenes: poses, names, and errors with their location.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ std::string scene_text(const std::string& keys) { return R"({"format": 1)" + (ke
 
 std::string includes(const std::string& entries) { return scene_text(R"("include": [)" + entries + "]"); }
 
-// A part in which everything occurs that has a place, a direction, an angle or a name.
+// A part with everything that has a position, a direction, an angle or a name.
 const std::string kPart = scene_text(R"(
     "world": {"gravity": [0, 5], "duration": 1}, "camera": {"center": [9, 9]},
     "materials": {"rubber": {"friction": 0.9}},
@@ -94,7 +94,7 @@ const SceneBody& body_of(const Scene& scene, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a part turned by a quarter lies where hand arithmetic puts it, exactly") {
+TEST_CASE("a part rotated by 90 degrees has the poses of hand arithmetic, exactly") {
     const Scene scene = load(kQuarterTurn);
     REQUIRE(scene.bodies.size() == 4);
     const SceneBody& hub = scene.bodies[0];
@@ -146,7 +146,7 @@ TEST_CASE("the copies of a repeated body turn with the part") {
     }
 }
 
-TEST_CASE("a part at any angle moves as it does alone, seen from its place") {
+TEST_CASE("a part at any angle moves as it does alone, seen from its frame") {
     // In a world without gravity nothing tells a turned part from an upright one.
     Files files = {
         {"part.json", kPart},
@@ -228,7 +228,7 @@ TEST_CASE("one file can be included twice, and the scene's own joints reach both
     CHECK(build_world(scene).joints.size() == 13);
 }
 
-TEST_CASE("includes nest: places and prefixes add up") {
+TEST_CASE("includes nest: poses and prefixes combine") {
     // wheel at (1, 0) in the axle; the axle at (2, 0), turned by 90, in the car; the car at (0, 5): wheel at (2, 6).
     const Files files = {
         {"main.json", includes(R"({"file": "cars/car.json", "position": [0, 5], "prefix": "car/"})")},
@@ -275,7 +275,7 @@ TEST_CASE("a scene file includes from its own folder, and is written as it was")
     CHECK(to_json(load_scene(file, as_written)) == read_file(file, 1 << 20));
 }
 
-TEST_CASE("an included error is shown in its own file, with who included it") {
+TEST_CASE("an error of an included file is shown there, with the file that includes it") {
     const std::vector<Diagnostic> errors =
         errors_of({{"main.json", "{\"format\": 1,\n \"include\": [{\"file\": \"a/car.json\"}]}"},
                    {"a/car.json", "{\"format\": 1, \"include\": [\n{\"file\": \"wheel.json\"}]}"},
@@ -313,7 +313,7 @@ TEST_CASE("a misspelt include hides the errors of no other") {
     CHECK(errors[3].file == "bad.json");
 }
 
-TEST_CASE("warnings of a part come once, however often it is included") {
+TEST_CASE("warnings of a part are reported once, however often it is included") {
     const std::string hull = scene_text(
         R"("bodies": [{"shapes": [{"polygon": {"vertices": [[0, 0], [2, 0], [2, 2], [1, 0.5], [0, 2]]}}]}])");
     const Files files = {{"main.json", includes(R"({"file": "hull.json"}, {"file": "hull.json", "position": [9, 9]})")},
@@ -325,7 +325,7 @@ TEST_CASE("warnings of a part come once, however often it is included") {
     CHECK(warnings[0].included_by == std::vector<std::string>{"main.json:1:27"});
 }
 
-TEST_CASE("an include that cannot be is refused at its place") {
+TEST_CASE("an invalid include is refused at its entry") {
     const std::string body = scene_text(
         R"("bodies": [{"name": "a", "shapes": [{"circle": {"radius": 1}}]}], "materials": {"m": {"friction": 0.1}})");
     struct Case {
@@ -350,11 +350,11 @@ TEST_CASE("an include that cannot be is refused at its place") {
                      includes(R"({"file": "b.json"})")),
                  "/include/0/file", "includes itself: main.json > b.json > c.json > b.json", ""},
             Case{with_main(bodies, includes(R"({"file": "a.json"}, {"file": "a.json"})")), "/include/1",
-                 R"(/bodies/0/name of a.json: "a" is the name of /bodies/0 of a.json already)", "prefix"},
+                 R"(/bodies/0/name of a.json: "a" is already the name of /bodies/0 of a.json)", "prefix"},
             Case{with_main(bodies, scene_text(R"("bodies": [{"name": "a"}], "include": [{"file": "a.json"}])")),
-                 "/include/0", R"("a" is the name of /bodies/0 already)", "prefix"},
+                 "/include/0", R"("a" is already the name of /bodies/0)", "prefix"},
             Case{with_main(bodies, scene_text(R"("materials": {"m": {}}, "include": [{"file": "a.json"}])")),
-                 "/include/0", R"(has another material "m")", ""},
+                 "/include/0", R"(declares the material "m" with other values)", ""},
             Case{with_main(bodies, includes(R"({"file": "a.json", "prefix": ")" + long_prefix + R"("})")), "/include/0",
                  "longer than 256 bytes", ""},
             Case{
@@ -365,7 +365,7 @@ TEST_CASE("an include that cannot be is refused at its place") {
                 "/include/1/file", "b.json", ""},
             Case{with_main({{"far.json", scene_text(R"("bodies": [{"position": [1e9, 0]}])")}},
                            includes(R"({"file": "far.json", "position": [1, 0]})")),
-                 "/include/0", "a position out of range", ""},
+                 "/include/0", "a position out of its range", ""},
             Case{
                 with_main({{"fast.json",
                             scene_text(
@@ -417,7 +417,7 @@ TEST_CASE("files that include each other deeply, or double each other, end") {
     CHECK(too_many[0].message.find("to more than 1000000") != std::string::npos);
 }
 
-TEST_CASE("a text that is no file includes nothing") {
+TEST_CASE("a scene that is not read from a file includes nothing") {
     CHECK_THROWS_WITH_AS(parse_scene(includes(R"({"file": "a.json"})"), "text"),
-                         doctest::Contains("a text that is no file"), SceneError);
+                         doctest::Contains("only scenes that are read from files"), SceneError);
 }

@@ -112,7 +112,7 @@ TEST_CASE("a pulley has its wheels in the world, and the rope that it has at loa
               .length == 8.0f);
 }
 
-TEST_CASE("a gear may stand before its joints, and has their second bodies") {
+TEST_CASE("a gear may precede its joints, and acts on their second bodies") {
     const SceneWorld built = build_world(parse_scene(R"({"format": 1, "bodies": [
         {"name": "wall", "type": "static"}, {"name": "a", "position": [1, 0]}, {"name": "b", "position": [5, 0]}],
         "joints": [
@@ -132,7 +132,7 @@ TEST_CASE("a gear may stand before its joints, and has their second bodies") {
     CHECK(gear.break_torque == 7.0f);
 }
 
-TEST_CASE("a repeated gear goes through copy after copy of its joints, a repeated pulley takes its wheels along") {
+TEST_CASE("a repeated gear connects copy after copy of its joints, a repeated pulley moves its wheels along") {
     const auto text = [](const std::string& columns) {
         return R"({"format": 1, "bodies": [
         {"name": "wall", "type": "static"},
@@ -159,10 +159,10 @@ TEST_CASE("a repeated gear goes through copy after copy of its joints, a repeate
         CHECK(gear.joint_b == built.joints[i + 1].id);
     }
     CHECK_THROWS_WITH_AS(parse_scene(text("4"), "train.json"),
-                         doctest::Contains(R"(needs 3 copies after "axle[1]", there are 2)"), SceneError);
+                         doctest::Contains(R"(needs 3 copies after "axle[1]"; there are 2)"), SceneError);
 }
 
-TEST_CASE("a repeated joint ties copy after copy, its anchor at the same place in each") {
+TEST_CASE("a repeated joint joins copy after copy, its anchor at the same point of each") {
     // Four planks on a ring, each turned by its angle: the hinge at the end of the first is at the end of each.
     const SceneWorld built = build_world(parse_scene(R"({"format": 1, "bodies": [
         {"name": "post", "type": "static"},
@@ -204,7 +204,7 @@ TEST_CASE("rows of a repeated joint start row_step copies on") {
     }
 }
 
-TEST_CASE("a repeated joint is refused where copies are missing or tied twice") {
+TEST_CASE("a repeated joint is refused where copies are missing or joined twice") {
     const auto error_of = [](const std::string& repeat) -> std::string {
         try {
             parse_scene(R"({"format": 1, "bodies": [{"name": "ball", "repeat": {"grid": {"columns": 3, "rows": 2}}}],
@@ -217,8 +217,8 @@ TEST_CASE("a repeated joint is refused where copies are missing or tied twice") 
         return "";
     };
     CHECK(error_of(R"({"columns": 5})").empty());
-    CHECK(error_of(R"({"columns": 6})") == "/joints/0/repeat: needs 5 copies after \"ball[1]\", there are 4");
-    CHECK(error_of(R"({"columns": 2, "rows": 2})") == "/joints/0/repeat: has rows that tie the same copies again");
+    CHECK(error_of(R"({"columns": 6})") == "/joints/0/repeat: needs 5 copies after \"ball[1]\"; there are 4");
+    CHECK(error_of(R"({"columns": 2, "rows": 2})") == "/joints/0/repeat: has rows that join the same copies twice");
     CHECK(error_of(R"({"columns": 1000000, "rows": 1000000, "row_step": 1000000})")
-              .starts_with("/joints/0: makes 1000000000000 joints"));
+              .starts_with("/joints/0: brings the number of joints to 1000000000000"));
 }

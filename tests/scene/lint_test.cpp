@@ -1,5 +1,5 @@
-// What `validate` warns of: each lint at its place with its reason, by the smallest scene that earns it, and by one
-// beside it that does not.
+// The warnings of `validate`: for each lint the smallest scene that causes it, with its location and reason, and a
+// similar scene without a warning.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ const std::string kGround = R"({"type": "static", "position": [0, -0.5], "shapes
 
 }  // namespace
 
-TEST_CASE("slivers and sizes out of range are warned of, on bodies that move") {
+TEST_CASE("slivers and sizes out of range are warned of, on dynamic bodies") {
     const Diagnostic thin =
         warning_of(R"({"position": [0, 5], "shapes": [{"polygon": {"vertices": [[0, 0], [3, 1], [3, 1.02]]}}]})");
     CHECK(thin.pointer == "/bodies/0/shapes/0");
@@ -54,16 +54,17 @@ TEST_CASE("a body that moves farther in a step than it is thick is warned of, un
     const std::string ball = R"({"velocity": [60, 0], "shapes": [{"circle": {"radius": 0.25}}])";
     const Diagnostic fast = warning_of(target + ball + "}");
     CHECK(fast.pointer == "/bodies/1/velocity");
-    CHECK(says(fast, "is 1 m in a step, and the body is 0.5 m thick: it may pass through other moving bodies"));
+    CHECK(says(fast,
+               "the body moves 1 m in a step, and the body is 0.5 m thick: it may pass through other moving bodies"));
     CHECK(warnings_of(target + ball + R"(, "bullet": true})").empty());
     CHECK(warnings_of(target + ball + "}", R"(, "world": {"steps_per_second": 240})").empty());
     const Diagnostic unswept =
         warning_of(target + ball + R"(, "bullet": true})", R"(, "world": {"continuous": false})");
-    CHECK(says(unswept, "whatever is in its way, as the world is not continuous"));
+    CHECK(says(unswept, "anything in its path, because the world is not continuous"));
     CHECK(unswept.hint.find(R"("continuous": true)") != std::string::npos);
     // No body is faster than 400 m/s: 6.67 m a step.
     CHECK(says(warning_of(target + R"({"velocity": [0, 90000], "shapes": [{"circle": {"radius": 0.25}}]})"),
-               "is 6.67 m in a step"));
+               "moves 6.67 m in a step"));
 }
 
 TEST_CASE(
@@ -78,7 +79,7 @@ TEST_CASE(
                       later = R"(, "timeline": [{"at": 1, "body": "blade", "angular_velocity": 1200}])";
     const Diagnostic spinning = warning_of(blade(spin));
     CHECK(spinning.pointer == "/bodies/1/angular_velocity");
-    CHECK(says(spinning, "moves its ends by up to 0.699 m in a step, and the body is 0.2 m thick"));
+    CHECK(says(spinning, "moves the ends of the body by up to 0.699 m in a step, and the body is 0.2 m thick"));
     CHECK(warning_of(blade(""), later).pointer == "/timeline/0/angular_velocity");
     CHECK(warnings_of(blade(R"(, "angular_velocity": 300)")).empty());
     CHECK(warnings_of(blade(spin + R"(, "bullet": true)")).empty());
@@ -105,7 +106,7 @@ TEST_CASE("an arm that a motor swings farther in a step than it is thick is warn
     };
     const Diagnostic fast = warning_of(bodies + "}", joint("900", ""));
     CHECK(fast.pointer == "/joints/0/motor");
-    CHECK(says(fast, "moves 'arm' by up to 0.524 m in a step, and the body is 0.2 m thick"));
+    CHECK(says(fast, "the joint moves 'arm' by up to 0.524 m in a step, and the body is 0.2 m thick"));
     CHECK(warning_of(bodies + "}", joint("0", R"({"at": 1, "joint": "hinge", "motor_speed": -900})")).pointer ==
           "/timeline/0/motor_speed");
     CHECK(warning_of(bodies + "}", joint("900", R"({"at": 1, "joint": "hinge", "motor_speed": -800})")).pointer ==
@@ -115,19 +116,20 @@ TEST_CASE("an arm that a motor swings farther in a step than it is thick is warn
                "not continuous"));
     CHECK(warnings_of(bodies + "}", joint("300", "")).empty());
     CHECK(says(warning_of(bodies + "}", joint("0", R"({"at": 1, "body": "ball", "velocity": [90, 0]})")),
-               "is 1.5 m in a step"));
+               "moves 1.5 m in a step"));
     // A motor joint drives by velocities of its own: 30 / 60 m, and 1800 degrees/s of the tip.
     const auto drive = [](const std::string& velocity) {
         return R"(, "joints": [{"type": "motor", "bodies": ["wall", "arm"], "anchor": [-1, 0], "max_force": 1, "max_torque": 1, )" +
                velocity + "}]";
     };
-    CHECK(says(warning_of(bodies + "}", drive(R"("velocity": [18, 24])")), "moves 'arm' by up to 0.5 m in a step"));
+    CHECK(says(warning_of(bodies + "}", drive(R"("velocity": [18, 24])")),
+               "the joint moves 'arm' by up to 0.5 m in a step"));
     const Diagnostic turned = warning_of(bodies + "}", drive(R"("velocity": [0, 9], "angular_velocity": 1800)"));
     CHECK(turned.pointer == "/joints/0/angular_velocity");
-    CHECK(says(turned, "moves 'arm' by up to 1.05 m in a step"));
+    CHECK(says(turned, "the joint moves 'arm' by up to 1.05 m in a step"));
 }
 
-TEST_CASE("a chain that bodies start behind is warned of, one that they stand on is not") {
+TEST_CASE("a chain with a body on its open side is warned of, one with a body on its solid side is not") {
     const auto on_chain = [](const std::string& points, const std::string& more = "") {
         return warnings_of(
             R"({"name": "hills", "type": "static", "shapes": [{"circle": {"radius": 0.1}}, {"chain": {"points": )" +
@@ -137,7 +139,7 @@ TEST_CASE("a chain that bodies start behind is warned of, one that they stand on
     const std::vector<Diagnostic> wrong = on_chain(to_the_right);
     REQUIRE(wrong.size() == 1);
     CHECK(wrong[0].pointer == "/bodies/0/shapes/1/chain/points");
-    CHECK(says(wrong[0], "'car' is on the side from which it is open"));
+    CHECK(says(wrong[0], "'car' starts on the open side of the chain"));
     CHECK(on_chain(to_the_left).empty());
     CHECK(on_chain(to_the_right, R"(, "two_sided": true)").empty());
     // A block that the car is above, and a room that it is in.
@@ -158,22 +160,22 @@ TEST_CASE("joints that start apart or act far away, and springs too stiff for th
         return R"(, "world": {"gravity": [0, 0]}, "joints": [{"bodies": ["a", "b"], )" + joint + "}]";
     };
     const std::string rod = R"("type": "distance", "anchors": [[0, 0], [0, 0]])";
-    CHECK(
-        says(warning_of(bodies, tied(rod + R"(, "length": 30)")), "starts 22 m apart from where it holds 'a' and 'b'"));
+    CHECK(says(warning_of(bodies, tied(rod + R"(, "length": 30)")),
+               "starts 22 m away from a position that it allows for 'a' and 'b'"));
     CHECK(warnings_of(bodies, tied(rod + R"(, "length": 8.05)")).empty());
     CHECK(warnings_of(bodies, tied(rod + R"(, "limits": [0, 9])")).empty());
     CHECK(warnings_of(bodies, tied(rod + R"(, "length": 30, "spring": {"hertz": 2})")).empty());
     CHECK(says(warning_of(bodies, tied(R"("type": "revolute", "anchor": [50, 50])")),
-               "acts at [50, 50], far away from both 'a' and 'b'"));
+               "acts at [50, 50], far from both 'a' and 'b'"));
     CHECK(warnings_of(bodies, tied(R"("type": "revolute", "anchor": [0, -9])")).empty());
     // 0.15 of 240 sub-steps a second.
     const Diagnostic stiff = warning_of(bodies, tied(rod + R"(, "spring": {"hertz": 36.5})"));
     CHECK(stiff.pointer == "/joints/0/spring/hertz");
-    CHECK(says(stiff, "counts as 36 Hz"));
+    CHECK(says(stiff, "is limited to 36 Hz"));
     CHECK(warnings_of(bodies, tied(rod + R"(, "spring": {"hertz": 36})")).empty());
 }
 
-TEST_CASE("what the run never comes to, and what nothing obeys, is warned of") {
+TEST_CASE("events and claims after the end of the run, and events without effect, are warned of") {
     const std::string bodies =
         R"({"name": "ball", "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "wall", "type": "static", "position": [9, 0]},
         {"name": "lift", "type": "kinematic", "position": [-9, 0], "shapes": [{"box": {"size": [1, 1]}}]})";
@@ -183,10 +185,11 @@ TEST_CASE("what the run never comes to, and what nothing obeys, is warned of") {
     const auto claim = [](const std::string& text) {
         return R"(, "world": {"duration": 3}, "expect": [)" + text + "]";
     };
-    CHECK(says(warning_of(bodies, event(R"({"at": 3, "gravity": [0, 0]})")), "the run ends at 3 s: it never happens"));
+    CHECK(says(warning_of(bodies, event(R"({"at": 3, "gravity": [0, 0]})")),
+               "the run ends at 3 s: the event never happens"));
     CHECK(warnings_of(bodies, event(R"({"at": 2.98, "gravity": [0, 0]})")).empty());
     CHECK(warning_of(bodies, event(R"({"every": 1, "from": 4, "gravity": [0, 0]})")).pointer == "/timeline/0/from");
-    CHECK(says(warning_of(bodies, claim(R"({"at_rest_by": 3.1})")), "the run ends at 3 s: it cannot hold"));
+    CHECK(says(warning_of(bodies, claim(R"({"at_rest_by": 3.1})")), "the run ends at 3 s: the claim cannot hold"));
     CHECK(warnings_of(bodies, claim(R"({"at_rest_by": 3})")).empty());
     CHECK(warning_of(bodies, claim(R"({"body": "ball", "height": [0, 1], "at": 8})")).pointer == "/expect/0/at");
     CHECK(says(warning_of(bodies, event(R"({"at": 1, "body": "wall", "impulse": [1, 0]})")), "is static"));
@@ -197,7 +200,7 @@ TEST_CASE("what the run never comes to, and what nothing obeys, is warned of") {
     const Diagnostic gone =
         warning_of(bodies, event(R"({"at": 2, "body": "ball", "impulse": [1, 0]}, {"at": 1, "despawn": "ball"})"));
     CHECK(gone.pointer == "/timeline/0/body");
-    CHECK(says(gone, "goes at 1 s"));
+    CHECK(says(gone, "is removed at 1 s"));
     // What is called alike, a body that comes and a joint that goes, are two things; a body that comes again has not
     // gone.
     const std::string late = R"({"at": 0.5, "spawn": {"name": "hinge", "position": [0, 9]}}, {"at": 1, )";
@@ -210,10 +213,10 @@ TEST_CASE("what the run never comes to, and what nothing obeys, is warned of") {
     CHECK(warnings_of(bodies, hinged(R"("despawn": "hinge"}, {"at": 2, "body": "hinge", "impulse": [1, 0]})")).empty());
 }
 
-TEST_CASE("bodies of segments and sensors alone are warned of, as they weigh nothing") {
+TEST_CASE("bodies of segments and sensors alone are warned of, because they have no mass") {
     CHECK(says(warning_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})"),
-               "counts as 1 kg that does not turn"));
-    CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 1}, "sensor": true}]})"), "weigh nothing"));
+               "gets 1 kg and does not rotate"));
+    CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 1}, "sensor": true}]})"), "which have no mass"));
     CHECK(warnings_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}], "mass": {"mass": 2, "inertia": 1}})")
               .empty());
     CHECK(warnings_of(R"({"name": "pin"}, {"type": "static", "shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})")
@@ -226,7 +229,7 @@ TEST_CASE("a static body with a velocity is warned of") {
     CHECK(warnings_of(R"({"type": "kinematic", "velocity": [1, 0], "shapes": [{"circle": {"radius": 1}}]})").empty());
 }
 
-TEST_CASE("masses that differ by more than a hundred are warned of where they touch or are tied") {
+TEST_CASE("masses that differ by more than a hundred are warned of where they touch or are joined") {
     const std::string light = R"({"name": "light", "position": [0, 0.5], "shapes": [{"box": {"size": [1, 1]}}]}, )";
     // 1 kg under 4 x 4 x 10 = 160 kg.
     const std::string heavy =
@@ -257,32 +260,32 @@ TEST_CASE("bodies that start inside each other are warned of once for all copies
               .empty());
 }
 
-TEST_CASE("a body asleep in the air is warned of, one that is held or where nothing falls is not") {
+TEST_CASE("a body that sleeps without support is warned of, one with support or without gravity is not") {
     const std::string sleeper =
         R"({"name": "lamp", "position": [0, HEIGHT], "awake": false, "shapes": [{"box": {"size": [1, 1]}}]})";
     const auto at = [&](const std::string& height) {
         return std::string(sleeper).replace(sleeper.find("HEIGHT"), 6, height);
     };
-    CHECK(says(warning_of(kGround + at("3")), "'lamp' sleeps in the air"));
+    CHECK(says(warning_of(kGround + at("3")), "'lamp' starts asleep without support"));
     CHECK(warnings_of(kGround + at("0.5")).empty());
     CHECK(warnings_of(kGround + at("3"), R"(, "world": {"gravity": [0, 0]})").empty());
 }
 
-TEST_CASE("a stack is said to sink by half of what the contact springs would give") {
+TEST_CASE("a stack is predicted to sink by half of what the contact springs would yield") {
     // Twenty unit boxes: sum over k < 20 of 2.5 k g / w^2 + 1.25 20 g / (4 w^2) = (475 + 6.25) g / w^2, w = 2 pi 30, by
     // half: 0.0677 m.
     const Diagnostic stack = warning_of(
         kGround +
         R"({"name": "box", "position": [0, 0.5], "repeat": {"grid": {"rows": 20}}, "shapes": [{"box": {"size": [1, 1]}}]})");
     CHECK(stack.pointer == "/bodies/1");
-    CHECK(says(stack, "'box[19]' stands on ('box[18]') will sink by about 0.0677 m"));
+    CHECK(says(stack, "the support of 'box[19]' ('box[18]') will sink by about 0.0677 m"));
     // Other piles are named too, of those that are alike one.
     const auto pile = [](const std::string& name, const std::string& at) {
         return R"(, {"name": ")" + name + R"(", "position": [)" + at +
                R"(, 0.5], "repeat": {"grid": {"columns": 2, "rows": 20, "spacing": [3, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]})";
     };
     CHECK(says(warning_of(kGround.substr(0, kGround.rfind(',')) + pile("a", "0") + pile("b", "9")),
-               "by about 0.0677 m under its weight, what 'b[38]' stands on by about 0.0677 m"));
+               "by about 0.0677 m under the weight on it, that of 'b[38]' by about 0.0677 m"));
     // 1 kg on a feather of 2.5 g: 400 times its load.
     const std::string feather =
         R"({"name": "feather", "position": [0, 0.25], "shapes": [{"box": {"size": [0.5, 0.5]}, "material": "f"}]}, )";
@@ -291,7 +294,7 @@ TEST_CASE("a stack is said to sink by half of what the contact springs would giv
             R"({"name": "anvil", "position": [0, 1], "shapes": [{"box": {"size": [1, 1]}, "material": "a"}]})",
         R"(, "materials": {"f": {"density": 0.01}, "a": {"density": 5000}})");
     CHECK(std::ranges::any_of(crushed, [](const Diagnostic& warning) {
-        return says(warning, "'anvil' stands on ('feather') will sink by more than its size");
+        return says(warning, "the support of 'anvil' ('feather') will sink by more than the size of the body");
     }));
     CHECK(
         warnings_of(kGround +
@@ -312,7 +315,7 @@ TEST_CASE("in a world of marbles sizes and sinking are those of marbles") {
         R"({"position": [0, 0.01], "repeat": {"grid": {"rows": 20, "spacing": [1, 0.02]}}, "shapes": [{"box": {"size": [0.02, 0.02]}}]})";
     const std::string quick = R"(, "world": {"scale": 0.02, "steps_per_second": 424.264})";
     CHECK(says(warning_of(ground + tower, quick), "will sink by about 0.00135 m"));
-    CHECK(says(warning_of(ground + tower, small), "will sink by more than its size"));
+    CHECK(says(warning_of(ground + tower, small), "will sink by more than the size of the body"));
 }
 
 TEST_CASE("lints are made on request alone") {

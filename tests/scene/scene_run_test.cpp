@@ -119,7 +119,7 @@ TEST_CASE("bodies appear by their names, are acted on, and go") {
     CHECK(names() == "drop[1] drop[2] pair[0] pair[1] ");
 }
 
-TEST_CASE("a body that went may come again under its name, and is acted on again") {
+TEST_CASE("a name may be used again after its body was despawned, and events act on the new body") {
     const Scene scene = make_disc_scene(
         R"("timeline": [{"at": 0, "spawn": {"name": "late", "position": [9, 9], "gravity_scale": 0, "shapes": [{"circle": {"radius": 1}}]}},
         {"at": 0.05, "body": "late", "velocity": [1, 0]}, {"at": 0.1, "despawn": "late"},
@@ -139,7 +139,7 @@ TEST_CASE("a body that went may come again under its name, and is acted on again
     CHECK(speeds == std::vector<float>{1.0f, -1.0f, 0.0f, 2.0f, -1.0f});
 }
 
-TEST_CASE("no run comes to more than a million bodies") {
+TEST_CASE("no run has more than a million bodies") {
     const Scene scene = make_disc_scene(
         R"("timeline": [{"at": 0, "spawn": {"name": "crowd", "repeat": {"grid": {"columns": 1000, "rows": 1000}}}}])");
     SceneRun run(scene);
@@ -148,11 +148,12 @@ TEST_CASE("no run comes to more than a million bodies") {
         FAIL("1000001 bodies were made");
     } catch (const SceneError& error) {
         CHECK(error.diagnostics.front().pointer == "/timeline/0/spawn");
-        CHECK(error.diagnostics.front().message == "would bring the bodies to 1000001; at most 1000000 are allowed");
+        CHECK(error.diagnostics.front().message ==
+              "brings the number of bodies to 1000001; at most 1000000 are allowed");
     }
 }
 
-TEST_CASE("motors change their speed, a mouse joint its target, and a joint is let go") {
+TEST_CASE("motors change their speed, a mouse joint its target, and a joint is released") {
     const std::string bodies =
         R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [{"name": "base", "type": "static"},
         {"name": "arm", "shapes": [{"box": {"size": [2, 0.5]}}]}], "joints": [)";
@@ -175,7 +176,7 @@ TEST_CASE("motors change their speed, a mouse joint its target, and a joint is l
     CHECK(length(position - DVec2{3.0, 1.0}) < 1e-2);
 }
 
-TEST_CASE("what a timeline may not say is refused at its place") {
+TEST_CASE("an invalid timeline is refused at its entry") {
     const auto pointer_of = [](const std::string& event, const std::string& more = "") {
         try {
             make_disc_scene(more + R"("timeline": [)" + event + "]");

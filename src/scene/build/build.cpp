@@ -1,17 +1,13 @@
-// Definitions out of a scene's plain data, in the order of the file: the order of creation is part of the simulation.
-// Only gears come last, as they are made of other joints.
+// Bodies and joints are created in the order of the file, because the order of creation is part of the simulation. Only
+// gears come last, as they are made of other joints.
+#include "scene/build/build.hpp"
+
 #include <stdexcept>
 
-#include "scene/build/build.hpp"
-#include "scene/build/check.hpp"
-#include "scene/json/diagnostics.hpp"
-#include "scene/model/body_plan.hpp"
-#include "scene/model/joint_copies.hpp"
-#include "scene/model/names.hpp"
-#include "scene/model/place.hpp"
+#include "debug/check.hpp"
+#include "scene/build/element.hpp"
+#include "scene/build/validate.hpp"
 #include "scene/model/repeat.hpp"
-#include "tumble/scene.hpp"
-#include "tumble/scene_world.hpp"
 
 namespace tumble {
 
@@ -32,48 +28,62 @@ WorldDef make_world_def(const SceneSettings& settings) {
 
 class Builder {
 public:
-    Builder(const Scene& scene, Start start)
-        : scene_(scene), start_(start), result_{World(make_world_def(scene.world)), {}, {}} {}
+    Builder(const Scene& scene, const ResolvedScene& resolved, Start start)
+        : scene_(scene), resolved_(resolved), start_(start), result_{World(make_world_def(scene.world)), {}, {}} {
+        TUMBLE_CHECK(resolved.plans.size() == scene.bodies.size());
+        TUMBLE_CHECK(resolved.joints.size() == scene.joints.size());
+    }
 
+    // To be called for all bodies, in order.
     void add_bodies(std::size_t source) {
         const SceneBody& body = scene_.bodies[source];
-        BodyPlan plan = plan_body(scene_, body);
+        BodyPlan plan = resolved_.plans[source];
         if (start_ == Start::at_rest) {
             plan.def.awake = true;
             plan.def.velocity = {};
             plan.def.angular_velocity = 0.0f;
         }
-        std::size_t copy = 0;
-        for (PlacedBody placed : place_copies(body, scene_.world.seed, source)) {
-            placed.id = create_body(result_.world, plan, placed.pose);
-            result_.bodies.push_back({placed.id, source, copy_name(body, copy++)});
-            placed_.push_back(placed);
+        const auto count = static_cast<std::size_t>(copy_count(body));
+        for (std::size_t copy = 0; copy < count; ++copy) {
+            const Pose& pose = resolved_.placed.at(result_.bodies.size()).pose;
+            result_.bodies.push_back({create_body(result_.world, plan, pose), source, copy_name(body, copy)});
         }
     }
 
-    void add_joints(std::size_t source, const BodyNames& names) {
-        add(source, make_joints(scene_.joints[source], names, placed_));
-    }
-    void add_gears(std::size_t source, const JointNames& names) {
-        add(source, make_gears(scene_.joints[source], names, joints_));
+    // To be called for all joints but gears, in order, then for all gears.
+    void add_joints(std::size_t source) {
+        const SceneJoint& joint = scene_.joints[source];
+        TUMBLE_CHECK(resolved_.joint_names.built_index({source, 0, 1, false}) == result_.joints.size());
+        const std::vector<JointCopy>& copies = resolved_.joints[source];
+        for (std::size_t copy = 0; copy < copies.size(); ++copy) {
+            const JointId id = result_.world.create_joint(with_ids(copies[copy]));
+            result_.joints.push_back({id, source, copy_name(joint, copy)});
+        }
     }
 
     SceneWorld take() { return std::move(result_); }
 
 private:
-    void add(std::size_t source, const std::vector<JointDef>& copies) {
-        for (const JointDef& def : copies) {
-            const JointId id = result_.world.create_joint(def);
-            result_.joints.push_back({id, source, copy_name(scene_.joints[source], joints_[source].size())});
-            joints_[source].push_back(id);
-        }
+    JointDef with_ids(const JointCopy& copy) const {
+        JointDef joint = copy.def;
+        std::visit(
+            [&](auto& def) {
+                if constexpr (requires { def.joint_a; }) {
+                    def.joint_a = result_.joints.at(copy.a).id;
+                    def.joint_b = result_.joints.at(copy.b).id;
+                } else {
+                    def.body_a = result_.bodies.at(copy.a).id;
+                    def.body_b = result_.bodies.at(copy.b).id;
+                }
+            },
+            joint);
+        return joint;
     }
 
     const Scene& scene_;
+    const ResolvedScene& resolved_;
     const Start start_;
     SceneWorld result_;
-    std::vector<PlacedBody> placed_;
-    std::vector<std::vector<JointId>> joints_{scene_.joints.size()};  // the copies of each
 };
 
 // Runs `action`; what the world refuses becomes an error at the pointer.
@@ -89,56 +99,29 @@ void report_refusal(Diagnostics& diagnostics, const std::string& pointer, const 
 
 }  // namespace
 
-SceneWorld build_world(const Scene& scene, Start start) {
-    Diagnostics diagnostics(scene.name.empty() ? "scene" : scene.name, "");
-    if (!scene.include.empty())
-        diagnostics.error("/include", "is written only: what it includes is not there",
-                          "load the scene without keep_includes");
-    check_scene(scene, sizes_of(scene), diagnostics);
-    diagnostics.finish(nullptr);
+SceneWorld build_world(const Scene& scene, const ResolvedScene& resolved, Start start, Diagnostics& diagnostics) {
     std::optional<Builder> builder;
-    report_refusal(diagnostics, "/world", [&] { builder.emplace(scene, start); });
+    report_refusal(diagnostics, "/world", [&] { builder.emplace(scene, resolved, start); });
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        report_refusal(diagnostics, "/bodies/" + std::to_string(i), [&] { builder->add_bodies(i); });
-    const BodyNames names(scene);
-    const JointNames joint_names(scene);
-    const auto for_each_joint = [&](bool is_gear, const auto& add) {
+        report_refusal(diagnostics, element("/bodies", i), [&] { builder->add_bodies(i); });
+    for (const bool is_gear : {false, true})
         for (std::size_t i = 0; i < scene.joints.size(); ++i)
             if ((scene.joints[i].type == SceneJointType::gear) == is_gear)
-                report_refusal(diagnostics, "/joints/" + std::to_string(i), [&] { add(i); });
-    };
-    for_each_joint(false, [&](std::size_t i) { builder->add_joints(i, names); });
-    for_each_joint(true, [&](std::size_t i) { builder->add_gears(i, joint_names); });
+                report_refusal(diagnostics, element("/joints", i), [&] { builder->add_joints(i); });
     return builder->take();
 }
 
 }  // namespace scene
 
-SceneWorld build_world(const Scene& scene) { return scene::build_world(scene, scene::Start::as_written); }
-
-const SceneBody& source_of(const Scene& scene, const SceneInstance& body) {
-    if (body.source < scene.bodies.size()) return scene.bodies[body.source];
-    return scene.timeline.at(body.source - scene.bodies.size()).spawn.value();
-}
-
-std::string output_name(const SceneInstance& body, std::size_t index) {
-    return body.name.empty() ? "body[" + std::to_string(index) + "]" : body.name;
-}
-
-std::string output_name(const SceneJointInstance& joint, std::size_t index) {
-    return joint.name.empty() ? "joint[" + std::to_string(index) + "]" : joint.name;
-}
-
-std::size_t count_bodies(const Scene& scene) {
-    std::int64_t count = 0;
-    for (const SceneBody& body : scene.bodies) count += scene::copy_count(body);
-    return static_cast<std::size_t>(count);
-}
-
-std::size_t count_joints(const Scene& scene) {
-    std::int64_t count = 0;
-    for (const SceneJoint& joint : scene.joints) count += scene::copy_count(joint);
-    return static_cast<std::size_t>(count);
+SceneWorld build_world(const Scene& scene) {
+    scene::Diagnostics diagnostics(scene.name.empty() ? "scene" : scene.name, "");
+    if (!scene.include.empty())
+        diagnostics.error("/include", "lists files that were not loaded: such a scene can only be written",
+                          "load the scene without keep_includes");
+    const std::optional<scene::ResolvedScene> resolved =
+        scene::validate_scene(scene, scene::sizes_of(scene), diagnostics);
+    diagnostics.finish(nullptr);
+    return scene::build_world(scene, resolved.value(), scene::Start::as_written, diagnostics);
 }
 
 }  // namespace tumble

@@ -75,7 +75,7 @@ std::unique_ptr<Claim> make_claim(const SceneExpectation& claim, const BodyNames
     return of_world ? std::move(of_world) : make_claim_of_bodies(claim, names);
 }
 
-bool has_place(const SceneExpectation& claim) {
+bool can_have_frame(const SceneExpectation& claim) {
     return claim.inside || claim.outside || claim.height || claim.angle || claim.count;
 }
 
@@ -84,8 +84,8 @@ std::string claim_text(const SceneExpectation& claim) {
     if (claim.at_rest_by) return "everything is at rest from " + number_text(*claim.at_rest_by) + " s on";
     if (claim.max_penetration) return "no overlap is deeper than " + number_text(*claim.max_penetration) + " m";
     if (claim.max_joint_error)
-        return "the anchors of " + (claim.joint.empty() ? "no joint" : "'" + claim.joint + "' do not") +
-               " part by more than " + number_text(*claim.max_joint_error) + " m";
+        return "the anchors of " + (claim.joint.empty() ? "all joints" : "'" + claim.joint + "'") + " stay within " +
+               number_text(*claim.max_joint_error) + " m";
     if (claim.max_energy_gain)
         return "the energy does not grow by more than " + number_text(*claim.max_energy_gain) + " J";
     if (claim.inside) return body + " is inside " + box_text(*claim.inside) + frame_text(claim) + time_text(claim);

@@ -1,4 +1,4 @@
-// The claims of a scene as measures: how far a state is from what is claimed of it.
+// The claims of a scene as measures: how far a state is from one in which the claim holds.
 #pragma once
 
 #include <memory>
@@ -14,32 +14,33 @@ class Claim {
 public:
     virtual ~Claim() = default;
 
-    // To be called for the first state and after each step: for claims about what happened since.
+    // To be called for the first state and after each step: collects the events of the step.
     virtual void follow(const SceneWorld&) {}
 
-    // Whether there is anything to look at in this state, which was followed; else it does not count.
+    // Whether the claim can be evaluated in the state that follow() saw last; if not, that state does not count.
     virtual bool applies() const { return true; }
 
-    // 0 where the claim holds in this state, which was followed, else how far it is from holding.
+    // 0 if the claim holds in this state, which is the one that follow() saw last; else how far it is from holding.
     virtual double excess(const SceneWorld& built) = 0;
 
-    // What was seen in the state that excess() looked at last; `margin` is how near to failing it was, for claims that
-    // hold with room: larger is nearer.
+    // What excess() found in the state that it evaluated last. margin() ranks states in which the claim holds: the
+    // larger it is, the nearer the claim is to failing.
     virtual std::string finding(const SceneWorld& built) const = 0;
     virtual double margin() const { return 0.0; }
 };
 
-// One of the two below. `built` is the world at its start.
+// A claim on the world or on bodies. `built` is the world at its start.
 std::unique_ptr<Claim> make_claim(const SceneExpectation& expectation, const BodyNames& names, const SceneWorld& built);
 
-// Of the whole world: rest, depth, joints, energy, hash. Null for other claims.
+// Claims on the whole world: rest, penetration, joint error, energy, state hash. Null for other claims.
 std::unique_ptr<Claim> make_claim_of_world(const SceneExpectation& expectation, const SceneWorld& built);
 
-// Of bodies: where they are, how fast, what they touch, how many, what happens to them.
+// Claims on bodies: position, speed, angle, touching, counts of bodies and of events. A claim on the common name of
+// copies must hold for every copy; a `touches` claim holds if any copy touches.
 std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& expectation, const BodyNames& names);
 
-// Whether it speaks of a place or an angle, which a frame can measure.
-bool has_place(const SceneExpectation& expectation);
+// Whether the claim is on a position or an angle, which can be measured in a frame.
+bool can_have_frame(const SceneExpectation& expectation);
 
 // "'crate' is inside [0, 0] to [2, 3] at 4 s".
 std::string claim_text(const SceneExpectation& expectation);

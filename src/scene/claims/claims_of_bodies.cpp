@@ -17,10 +17,10 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kGone = std::numeric_limits<double>::infinity();  // excess of a claim about a body that is not there
+constexpr double kAbsent = std::numeric_limits<double>::infinity();  // excess of a claim on a body that does not exist
 
 double excess_of(double value, const SceneInterval& allowed) {
-    if (std::isnan(value)) return kGone;
+    if (std::isnan(value)) return kAbsent;
     return std::max({0.0, allowed.lower - value, value - allowed.upper});
 }
 
@@ -38,7 +38,7 @@ double distance_to_outside(const SceneBox& box, DVec2 p) {
     return std::max(least, std::numeric_limits<double>::min());
 }
 
-// Claims are measured in a frame; that of the world changes no bit.
+// Claims are measured in a frame. The default, the frame of the world, changes no bit of a pose.
 Pose make_frame(const SceneExpectation& claim) {
     const SceneFrame frame = claim.frame.value_or(SceneFrame{});
     return {frame.position, make_rotation_degrees(frame.angle)};
@@ -49,22 +49,22 @@ Pose seen_from(const Pose& frame, const Pose& pose) {
     return {inverse_transform_point(frame, pose.position), {f.c * q.c + f.s * q.s, f.c * q.s - f.s * q.c}};
 }
 
-// Something about the state of a body, or of each of its copies: the worst of them decides.
+// A claim on the state of a body, or of every copy: the copy with the largest excess decides.
 class OfBody : public Claim {
 public:
     OfBody(const SceneExpectation& claim, bool of_copies)
         : bodies_(claim.body, of_copies),
           of_copies_(of_copies),
           frame_(make_frame(claim)),
-          waits_(of_copies && claim.when == SceneMoment::always && !claim.at) {}
+          may_be_absent_(of_copies && claim.when == SceneMoment::always && !claim.at) {}
 
     void follow(const SceneWorld& built) override { bodies_.update(built); }
 
-    // What holds of all copies at all times is asked while there are any.
-    bool applies() const override { return !waits_ || !bodies_.members().empty(); }
+    // A claim that must always hold for all copies is evaluated while at least one copy exists.
+    bool applies() const override { return !may_be_absent_ || !bodies_.members().empty(); }
 
     double excess(const SceneWorld& built) override {
-        double worst = kGone;
+        double worst = kAbsent;
         state_.reset();
         for (const SceneInstance& body : bodies_.members()) {
             BodyState state = built.world.state(body.id);
@@ -78,7 +78,7 @@ public:
         return worst;
     }
     std::string finding(const SceneWorld&) const override {
-        if (!state_) return of_copies_ ? "there is none" : "it is not there";
+        if (!state_) return of_copies_ ? "no copy exists" : "it does not exist";
         return (of_copies_ ? "'" + name_ + "': " : "") + seen(*state_);
     }
 
@@ -89,14 +89,14 @@ private:
     BodyGroup bodies_;
     bool of_copies_;
     Pose frame_;
-    bool waits_;
-    std::string name_;                // of who decides
-    std::optional<BodyState> state_;  // its, in the frame
+    bool may_be_absent_;
+    std::string name_;                // of the body that decides
+    std::optional<BodyState> state_;  // of that body, in the frame
 };
 
-class BodyPlace final : public OfBody {
+class BodyPosition final : public OfBody {
 public:
-    BodyPlace(const SceneExpectation& claim, bool of_copies, const SceneBox& box, bool inside)
+    BodyPosition(const SceneExpectation& claim, bool of_copies, const SceneBox& box, bool inside)
         : OfBody(claim, of_copies), box_(box), inside_(inside) {}
 
 private:
@@ -110,7 +110,7 @@ private:
     bool inside_;
 };
 
-// A number of a body's state, between two bounds.
+// A claim that a number of a body's state lies between two bounds.
 class Measure final : public OfBody {
 public:
     Measure(const SceneExpectation& claim, bool of_copies, const SceneInterval& allowed,
@@ -129,10 +129,10 @@ private:
     const char* unit_;
 };
 
-// How near the nearest shapes of two bodies are that could touch, a sensor's included (m).
+// The distance of the nearest shapes of two bodies that can cause contact or sensor events (m); 0 if they overlap.
 double gap_between(const World& world, BodyId a, BodyId b) {
-    const DistanceResult nearest = world.distance(a, b).nearest;  // of the solid ones
-    double gap = nearest.status == DistanceStatus::invalid ? kGone : nearest.distance;
+    const DistanceResult nearest = world.distance(a, b).nearest;  // of the shapes that are no sensors
+    double gap = nearest.status == DistanceStatus::invalid ? kAbsent : nearest.distance;
     for (const ShapeId one : world.shapes(a))
         for (const ShapeId other : world.shapes(b))
             if (world.is_sensor(one) != world.is_sensor(other))
@@ -142,7 +142,7 @@ double gap_between(const World& world, BodyId a, BodyId b) {
     return std::max(gap, 0.0);
 }
 
-// Whether two bodies touch, or any of their copies, from the events of every step.
+// A claim that two bodies, or any of their copies, touch or never touch, by the events of every step.
 class Touching final : public Claim {
 public:
     Touching(BodyGroup a, BodyGroup b, bool wanted) : a_(std::move(a)), b_(std::move(b)), wanted_(wanted) {}
@@ -154,7 +154,7 @@ public:
         std::erase_if(touching_, [&](const auto& pair) {
             return !world.is_valid(pair.first.first) || !world.is_valid(pair.first.second);
         });
-        met_ = false;
+        touched_in_step_ = false;
         if (world.step_count() == 0) return;
         const auto add = [&](ShapeId one, ShapeId other, int change) {
             if (!world.is_valid(one) || !world.is_valid(other)) return;
@@ -162,7 +162,7 @@ public:
             if (!(a_.has(p) && b_.has(q)) && !(a_.has(q) && b_.has(p))) return;
             const auto pair = touching_.try_emplace(std::minmax(p, q), 0).first;
             pair->second += change;
-            if (change > 0) met_ = true, who_met_ = pair->first;
+            if (change > 0) touched_in_step_ = true, last_pair_ = pair->first;
             if (pair->second <= 0) touching_.erase(pair);
         };
         const StepEvents& events = world.events();
@@ -172,9 +172,9 @@ public:
         for (const SensorEvent& event : events.sensor_ends) add(event.sensor, event.visitor, -1);
     }
 
-    // Of a touch that is missed, the nearest approach decides.
+    // If the bodies never touch, the smallest gap decides.
     double excess(const SceneWorld& built) override {
-        gap_ = kGone;
+        gap_ = kAbsent;
         if (is_touching() == wanted_) return 0.0;
         if (!wanted_) return 1.0;
         if (a_.members().size() * b_.members().size() <= kMostPairs) measure_gap(built.world);
@@ -183,12 +183,12 @@ public:
     std::string finding(const SceneWorld& built) const override {
         if (is_touching()) return touching_text(built);
         if (a_.members().empty() || b_.members().empty())
-            return "'" + (a_.members().empty() ? a_ : b_).name() + "'" + " is not there";
-        return gap_ == kGone ? "they do not touch" : "they are " + brief(gap_) + " m apart";
+            return "'" + (a_.members().empty() ? a_ : b_).name() + "' does not exist";
+        return gap_ == kAbsent ? "they do not touch" : "they are " + brief(gap_) + " m apart";
     }
 
 private:
-    static constexpr std::size_t kMostPairs = 1000;  // whose distance is asked in every step
+    static constexpr std::size_t kMostPairs = 1000;  // whose distance is measured in every step
 
     void measure_gap(const World& world) {
         for (const SceneInstance& a : a_.members())
@@ -196,12 +196,12 @@ private:
                 if (a.id != b.id) gap_ = std::min(gap_, gap_between(world, a.id, b.id));
     }
 
-    // Who meets and parts within a step has touched in it.
-    bool is_touching() const { return met_ || !touching_.empty(); }
+    // Bodies whose contact begins and ends within a step have touched in it.
+    bool is_touching() const { return touched_in_step_ || !touching_.empty(); }
 
-    // Copies are told apart.
+    // With the names of the copies, if there are several.
     std::string touching_text(const SceneWorld& built) const {
-        const auto& [first, second] = touching_.empty() ? who_met_ : touching_.begin()->first;
+        const auto& [first, second] = touching_.empty() ? last_pair_ : touching_.begin()->first;
         const bool are_single = a_.members().size() == 1 && b_.members().size() == 1;
         return are_single ? "they touch"
                           : display_name(built, first) + " and " + display_name(built, second) + " touch";
@@ -209,13 +209,13 @@ private:
 
     BodyGroup a_, b_;
     bool wanted_;
-    std::map<std::pair<BodyId, BodyId>, int> touching_;  // how many pairs of their shapes do
-    bool met_ = false;                                   // two of them did in the last step...
-    std::pair<BodyId, BodyId> who_met_;                  // ...and who
-    double gap_ = kGone;                                 // m
+    std::map<std::pair<BodyId, BodyId>, int> touching_;  // the number of touching pairs of their shapes
+    bool touched_in_step_ = false;                       // a contact or sensor event began in the last step
+    std::pair<BodyId, BodyId> last_pair_;                // the bodies of the last such event
+    double gap_ = kAbsent;                               // m
 };
 
-// Whether an instance is the body of that name, one of its copies, or any if there is no name.
+// Whether an instance is the body of that name or one of its copies. An empty name stands for all bodies.
 bool is_one_of(const std::string& name, const SceneInstance& body) {
     return name.empty() || body.name == name || base_name(body.name) == name;
 }
@@ -306,8 +306,8 @@ double degrees_of(const BodyState& state) { return angle(state.pose.rotation) * 
 std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& claim, const BodyNames& names) {
     const bool of_copies = names.is_shared(claim.body);
     const auto group = [&](const std::string& name) { return BodyGroup(name, names.is_shared(name)); };
-    if (claim.inside) return std::make_unique<BodyPlace>(claim, of_copies, *claim.inside, true);
-    if (claim.outside) return std::make_unique<BodyPlace>(claim, of_copies, *claim.outside, false);
+    if (claim.inside) return std::make_unique<BodyPosition>(claim, of_copies, *claim.inside, true);
+    if (claim.outside) return std::make_unique<BodyPosition>(claim, of_copies, *claim.outside, false);
     if (claim.height)
         return std::make_unique<Measure>(claim, of_copies, *claim.height, height_of, "its height is", "m");
     if (claim.speed) return std::make_unique<Measure>(claim, of_copies, *claim.speed, speed_of, "its speed is", "m/s");

@@ -97,7 +97,7 @@ public:
     }
     double margin() const override { return widest_; }
     std::string finding(const SceneWorld&) const override {
-        if (joints_.empty()) return "there is no joint";
+        if (joints_.empty()) return "no such joint exists";
         return "the anchors of " + joints_[joint_].display_name + " are " + brief(widest_) + " m apart";
     }
 
@@ -126,7 +126,7 @@ public:
     }
     double margin() const override { return gain_; }
     std::string finding(const SceneWorld&) const override {
-        return gain_ > 0.0 ? "there are " + brief(gain_) + " J more than at the start" : "the energy never grew";
+        return gain_ > 0.0 ? "the energy is " + brief(gain_) + " J above that of the start" : "the energy never grew";
     }
 
 private:

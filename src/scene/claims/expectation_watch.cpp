@@ -1,8 +1,10 @@
-// When a claim is looked at, and which moment decides it: that of the worst state for what must hold always, of the
-// best one for what must hold sometime. The finding keeps that moment, so that a report can say how near it came.
+// Decides in which states a claim is evaluated, and which state decides it: the worst one of a claim that must always
+// hold, the best one of a claim that must hold sometime. The finding is that of the deciding state, so that a report
+// shows how near the claim was to failing or holding.
 #include <limits>
 #include <memory>
 
+#include "debug/check.hpp"
 #include "scene/claims/claims.hpp"
 #include "scene/model/names.hpp"
 #include "scene/model/step_time.hpp"
@@ -14,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
 
-// What is claimed of single states holds `when` it says; the rest has a moment of its own.
+// Claims on a state have a `when`; the moment of all others is fixed.
 SceneMoment moment_of(const SceneExpectation& claim) {
     if (claim.at_rest_by || claim.max_penetration || claim.max_joint_error || claim.max_energy_gain ||
         !claim.never_touches.empty())
@@ -29,19 +31,19 @@ struct Watched {
     SceneMoment moment = SceneMoment::end;
     std::uint64_t from = 0;       // the first step that counts
     std::uint64_t to = kForever;  // the last one
-    bool reached = false;         // whether the run came to a step that counts
-    bool seen = false;            // and to one that the claim applies to
-    double excess = 0.0;          // of the moment that decides so far
+    bool reached = false;         // whether the run has had a step that counts
+    bool seen = false;            // whether the claim applied to one of them
+    double excess = 0.0;          // of the state that decides so far
     double margin = 0.0;
     std::string finding;
     std::uint64_t step = 0;
 
     std::string finding_text() const {
         if (seen) return finding;
-        return reached ? "there never is any" : "the run ends before that";
+        return reached ? "no copy ever exists" : "the run ends before that";
     }
 
-    // Whether a new state decides in place of the one before it.
+    // Whether a new state decides in place of the one that decides so far.
     bool decides(double new_excess, double new_margin) const {
         if (!seen || moment == SceneMoment::end) return true;
         const bool is_worse = new_excess > excess || (new_excess == excess && new_margin > margin);
@@ -80,6 +82,7 @@ ExpectationWatch& ExpectationWatch::operator=(ExpectationWatch&&) noexcept = def
 
 void ExpectationWatch::observe(const SceneWorld& built) {
     const std::uint64_t step = built.world.step_count();
+    TUMBLE_CHECK(step >= impl_->last_step);
     impl_->last_step = step;
     for (Watched& watched : impl_->watched) {
         watched.claim->follow(built);

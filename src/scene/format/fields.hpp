@@ -11,7 +11,7 @@
 //   exactly_one({names})             exactly one of these optional keys must be present
 //   at_most_one(name, name)          at most one of these optional keys may be present
 // and visit_alternatives(visitor, Type<Variant>) calls alternative<T>(name, description). The defaults are
-// those of the structs. Checks across fields are in scene/build/check.cpp.
+// those of the structs. Errors across fields are found by validate_scene().
 #pragma once
 
 #include "scene/format/fields_of_runs.hpp"

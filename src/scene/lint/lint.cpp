@@ -1,117 +1,17 @@
 #include "scene/lint/lint.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 #include "scene/build/build.hpp"
-#include "scene/model/display.hpp"
-#include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 
-namespace {
-
-constexpr double kSliver = 0.01;  // of its length
-constexpr double kSmallestBody = 0.005,
-                 kLargestBody = 100.0;  // m, in a world of scale 1: where the solver's constants are tried
-
-class BodyLinter {
-public:
-    BodyLinter(const Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
-
-    void check_shapes(const SceneBody& body, const std::string& pointer) {
-        if (body.type != BodyType::dynamic_body) return;
-        for (std::size_t i = 0; i < body.shapes.size(); ++i) {
-            double width = HUGE_VAL, size = 0.0;
-            for (const Shape& part : make_shapes(body.shapes[i].geometry)) {
-                width = std::min(width, width_of(part));
-                size = std::max(size, double{extent(part).larger});
-            }
-            check_size(pointer + "/shapes/" + std::to_string(i), width, size);
-        }
-    }
-
-    // A body without shapes is one that something is tied to.
-    void check_weight(const SceneBody& body, const std::string& pointer) {
-        const auto weighs = [](const SceneShape& shape) {
-            return !shape.sensor && !std::holds_alternative<SegmentGeometry>(shape.geometry) &&
-                   !std::holds_alternative<ChainGeometry>(shape.geometry);
-        };
-        if (body.type != BodyType::dynamic_body || body.mass || body.shapes.empty() ||
-            std::ranges::any_of(body.shapes, weighs))
-            return;
-        diagnostics_.warning(
-            pointer,
-            "is made of segments, chains and sensors, which weigh nothing: it counts as 1 kg that does not turn",
-            R"(give it a "mass", or a shape with an inside)");
-    }
-
-    void check_motion(const SceneBody& body, const std::string& pointer) {
-        const bool is_pushed = body.velocity != DVec2{} || body.angular_velocity != 0.0;
-        if (is_pushed && body.type == BodyType::static_body)
-            diagnostics_.warning(pointer, "is static, and has a velocity: it does not move",
-                                 R"("type": "kinematic" moves by its velocity alone)");
-    }
-
-private:
-    void check_size(const std::string& pointer, double width, double size) {
-        if (width > 0.0 && width < kSliver * size)
-            diagnostics_.warning(pointer,
-                                 "is a sliver, " + brief(size) + " m long and " + brief(width) +
-                                     " m thin: it has next to no inertia about its length, and its contacts rattle",
-                                 "make it thicker, or a capsule, whose ends are round");
-        const double scale = scene_.world.scale;
-        if (size < scale * kSmallestBody || size > scale * kLargestBody)
-            diagnostics_.warning(pointer,
-                                 "is " + brief(size) + " m large: moving bodies behave best between " +
-                                     brief(scale * kSmallestBody) + " m and " + brief(scale * kLargestBody) + " m",
-                                 R"(give the world a "scale", the size of a typical body)");
-    }
-
-    const Scene& scene_;
-    Diagnostics& diagnostics_;
-};
-
-}  // namespace
-
-double width_of(const Shape& shape) {
-    const int count = shape.vertex_count();
-    double least = count < 3 ? 0.0 : HUGE_VAL;
-    for (int i = 0; i < count && count >= 3; ++i) {
-        const DVec2 from(shape.vertex(i)), edge = DVec2(shape.vertex(i + 1 == count ? 0 : i + 1)) - from;
-        double height = 0.0;
-        for (int k = 0; k < count; ++k) height = std::max(height, cross(edge, DVec2(shape.vertex(k)) - from));
-        least = std::min(least, height / length(edge));
-    }
-    return least + 2.0 * double{shape.radius()};
-}
-
-double mass_ratio(const World& world, BodyId a, BodyId b) {
-    const auto [lighter, heavier] = std::minmax({double{world.mass(a).mass}, double{world.mass(b).mass}});
-    return heavier / lighter;
-}
-
-void add_body_lints(const Scene& scene, Diagnostics& diagnostics) {
-    BodyLinter linter(scene, diagnostics);
-    const auto check = [&](const SceneBody& body, const std::string& pointer) {
-        linter.check_shapes(body, pointer);
-        linter.check_weight(body, pointer);
-        linter.check_motion(body, pointer);
-    };
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) check(scene.bodies[i], "/bodies/" + std::to_string(i));
-    for (std::size_t i = 0; i < scene.timeline.size(); ++i)
-        if (scene.timeline[i].spawn) check(*scene.timeline[i].spawn, "/timeline/" + std::to_string(i) + "/spawn");
-}
-
-void add_lints(const Scene& scene, Diagnostics& diagnostics) {
-    SceneWorld started = build_world(scene, Start::at_rest);
+void add_lints(const Scene& scene, const ResolvedScene& resolved, Diagnostics& diagnostics) {
+    SceneWorld started = build_world(scene, resolved, Start::at_rest, diagnostics);
     add_body_lints(scene, diagnostics);
     add_motion_lints(scene, started, diagnostics);
     add_joint_lints(scene, started, diagnostics);
     add_chain_lints(scene, started, diagnostics);
     add_run_lints(scene, diagnostics);
-    // At rest, the first step finds every contact where the file has put the bodies.
+    // At rest, the first step finds every contact at the poses of the file.
     started.world.step();
     add_contact_lints(scene, started, diagnostics);
 }

@@ -1,7 +1,8 @@
-// Warnings for scenes that are valid but likely to disappoint, each with the reason and a remedy. One warning for all
-// copies.
+// Warnings for scenes that are valid but unlikely to behave as their author expects, each with the reason and a remedy.
+// All copies of a body or joint get one warning.
 #pragma once
 
+#include "scene/build/resolved_scene.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_world.hpp"
@@ -9,34 +10,25 @@
 namespace tumble::scene {
 
 // For a scene without errors. Builds a world and steps it once.
-void add_lints(const Scene& scene, Diagnostics& diagnostics);
+void add_lints(const Scene& scene, const ResolvedScene& resolved, Diagnostics& diagnostics);
 
-// What the bodies show by themselves: slivers, sizes, what weighs nothing, what cannot move.
+// Single bodies: slivers, sizes outside the tested range, dynamic bodies without mass, static bodies with a velocity.
 void add_body_lints(const Scene& scene, Diagnostics& diagnostics);
 
-// Whose surface moves farther in a step than it is thick: by its velocity, a motor or an event.
+// Bodies whose surface moves farther in a step than they are thick: by their velocity, a motor or an event.
 void add_motion_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics);
 
-// Joints before the first step: masses that are tied together, anchors apart or far away, springs too stiff for the
-// steps.
+// Joints before the first step: large mass ratios, anchors apart or far away, springs too stiff for the steps.
 void add_joint_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics);
 
-// Chains that bodies start behind, and fall through.
+// One-sided chains with a body on their open side, which falls through.
 void add_chain_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics);
 
-// Events and claims that never come, and events that nothing obeys.
+// Events and claims after the end of the run, and events without effect.
 void add_run_lints(const Scene& scene, Diagnostics& diagnostics);
 
-// What the first contacts show, in a world of this scene whose bodies all started awake and at rest and that has made
-// one step: overlap, masses in contact, bodies asleep in the air, stacks.
+// The first contacts, in a world of this scene whose bodies started awake and at rest, after one step: overlaps, large
+// mass ratios, bodies that sleep without support, stacks that sink.
 void add_contact_lints(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics);
-
-// The least distance of two parallel lines that the shape fits between (m).
-double width_of(const Shape& shape);
-
-// Times the other one, whichever is heavier.
-double mass_ratio(const World& world, BodyId a, BodyId b);
-
-inline constexpr double kLargeMassRatio = 100.0;
 
 }  // namespace tumble::scene

@@ -1,6 +1,6 @@
-// A chain is solid on the left of its direction, and grounds drawn the wrong way round are fallen through without a
-// sound. Whoever starts above a ground sees it first along gravity: if what is seen is its solid side, it is the wrong
-// one.
+// A chain is solid on the left of its direction. Bodies fall through a ground whose points are in the wrong order. A
+// ray from the centre of a body along gravity finds the ground below it: if the ray hits the open side of a one-sided
+// chain, the body will fall through.
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "debug/check.hpp"
 #include "scene/lint/lint.hpp"
 #include "scene/model/display.hpp"
 
@@ -16,7 +17,7 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kDeep = 1e4;  // m: how far down is looked, times the scale
+constexpr double kDeep = 1e4;  // m, times the scale: the length of the ray
 
 bool is_one_sided(const SceneShape& shape) {
     const auto* chain = std::get_if<ChainGeometry>(&shape.geometry);
@@ -35,6 +36,7 @@ std::size_t index_of_source(const World& world, const SceneInstance& body, const
         if (before < parts) break;
         before -= parts;
     }
+    TUMBLE_CHECK(index < source.shapes.size());
     return index;
 }
 
@@ -43,7 +45,7 @@ public:
     ChainLinter(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics)
         : scene_(scene), built_(built), diagnostics_(diagnostics) {}
 
-    void check(const SceneInstance& body) {
+    void lint(const SceneInstance& body) {
         const World& world = built_.world;
         const SceneBody& source = scene_.bodies[body.source];
         if (source.type != BodyType::dynamic_body || !source.enabled || !(source.gravity_scale > 0.0) ||
@@ -56,13 +58,13 @@ public:
             filter.shape = {own->category, own->mask, own->group};
         for (const CastHit& hit : world.cast_ray_all(center, down, filter)) {
             if (world.type(hit.body) == BodyType::dynamic_body) continue;
-            check_ground(body, hit);
+            lint_ground(body, hit);
             return;
         }
     }
 
 private:
-    void check_ground(const SceneInstance& body, const CastHit& hit) {
+    void lint_ground(const SceneInstance& body, const CastHit& hit) {
         const World& world = built_.world;
         const auto ground = std::ranges::find(built_.bodies, hit.body, &SceneInstance::id);
         const SceneBody& source = scene_.bodies[ground->source];
@@ -70,20 +72,20 @@ private:
         if (!is_one_sided(source.shapes[index])) return;
         const Shape segment = world.shape(hit.shape);
         const DVec2 along = rotate(world.state(hit.body).pose.rotation, DVec2(segment.vertex(1) - segment.vertex(0)));
-        const bool is_behind = cross(along, hit.normal) > 0.0;  // the normal is on the side that the ray came from
-        if (!is_behind || !said_.insert({ground->source, index}).second) return;
+        const bool is_behind = cross(along, hit.normal) > 0.0;  // the normal points towards the start of the ray
+        if (!is_behind || !reported_.insert({ground->source, index}).second) return;
         diagnostics_.warning(
             "/bodies/" + std::to_string(ground->source) + "/shapes/" + std::to_string(index) + "/chain/points",
             display_name(built_, body.id) +
-                " is on the side from which it is open, and falls through: a chain is "
-                "solid on the left of its direction",
-            R"(list the points the other way round, of a ground from right to left, or "two_sided": true)");
+                " starts on the open side of the chain and falls through it: a chain is solid on the left of its "
+                "direction",
+            R"(list the points in reverse order, those of a ground from right to left, or set "two_sided": true)");
     }
 
     const Scene& scene_;
     const SceneWorld& built_;
     Diagnostics& diagnostics_;
-    std::set<std::pair<std::size_t, std::size_t>> said_;  // body and shape of the scene
+    std::set<std::pair<std::size_t, std::size_t>> reported_;  // body and shape of the scene
 };
 
 }  // namespace
@@ -92,7 +94,7 @@ void add_chain_lints(const Scene& scene, const SceneWorld& built, Diagnostics& d
     const auto has_one = [](const SceneBody& body) { return std::ranges::any_of(body.shapes, is_one_sided); };
     if (!(length(scene.world.gravity) > 0.0) || std::ranges::none_of(scene.bodies, has_one)) return;
     ChainLinter linter(scene, built, diagnostics);
-    for (const SceneInstance& body : built.bodies) linter.check(body);
+    for (const SceneInstance& body : built.bodies) linter.lint(body);
 }
 
 }  // namespace tumble::scene

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/lint/lint.hpp"
+#include "scene/lint/measures.hpp"
 #include "scene/model/display.hpp"
 #include "tumble/world_limits.hpp"
 
@@ -14,12 +15,12 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kOverlap = 0.02;       // of the smaller extent: twice the overlap that contacts keep at rest, and
-constexpr double kOverlapLimit = 0.01;  // m, in a world of scale 1: never more
-constexpr double kAcross = 0.5;         // cosine: steeper contacts carry no weight
-constexpr double kVisibleSag = 0.05;    // of the smaller extent of the body that sinks
+constexpr double kOverlap = 0.02;       // of the smaller extent: twice the overlap of resting contacts
+constexpr double kOverlapLimit = 0.01;  // m, in a world of scale 1: the upper bound of the above
+constexpr double kLeastRise = 0.5;      // cosine of normal and up: contacts with a smaller one carry no weight
+constexpr double kVisibleSag = 0.05;    // of the smallest extent of the body that sinks
 
-// All points between two bodies, as one.
+// The contact points of two bodies, combined.
 struct Touch {
     std::size_t a = 0, b = 0;  // built bodies
     double separation = 0.0;   // the least, m
@@ -27,7 +28,7 @@ struct Touch {
     double stiffness = 0.0;    // of all points along their normals, N/m
 };
 
-// Of the body's shapes; of what is a line its length.
+// The smallest extent of the body's shapes (m); of a segment its length.
 double smallest_extent(const World& world, BodyId body) {
     double least = HUGE_VAL;
     for (const ShapeId shape : world.shapes(body)) {
@@ -53,7 +54,7 @@ public:
         for (const ContactPoint& contact : built_.world.contacts()) {
             const std::size_t a = index_.at(contact.body_a.index), b = index_.at(contact.body_b.index);
             Touch& touch = touches.try_emplace({a, b}, Touch{a, b, HUGE_VAL, {}, 0.0}).first->second;
-            // A spring on the mass that the point moves, in rad/s.
+            // The contact is a spring on the effective mass of the point; its frequency in rad/s.
             const double stiffening = is_dynamic(a) && is_dynamic(b) ? 1.0 : double{limits_.static_stiffening};
             const double spring = 2.0 * kPi * stiffening * double{limits_.contact_hertz};
             touch.stiffness += spring * spring / (mobility(a, contact) + mobility(b, contact));
@@ -64,53 +65,55 @@ public:
         for (const auto& [pair, touch] : touches) touches_.push_back(touch);
     }
 
-    void check_overlaps() {
-        std::set<std::pair<std::size_t, std::size_t>> said;
+    void lint_overlaps() {
+        std::set<std::pair<std::size_t, std::size_t>> reported;
         for (const Touch& touch : touches_) {
             const double allowed = std::min(kOverlap * std::min(extent_of(touch.a), extent_of(touch.b)),
                                             scene_.world.scale * kOverlapLimit);
-            if (touch.separation >= -allowed || !said.insert({source(touch.a), source(touch.b)}).second) continue;
+            if (touch.separation >= -allowed || !reported.insert({source(touch.a), source(touch.b)}).second) continue;
             warn(touch.b,
                  name(touch.b) + " starts " + brief(-touch.separation) + " m inside " + name(touch.a) +
-                     ": they are pushed apart, by up to " + brief(double{limits_.push_out_speed}) + " m/s",
-                 "move one of them, or keep them from meeting by a filter");
+                     ": they will be pushed apart at up to " + brief(double{limits_.push_out_speed}) + " m/s",
+                 "move one of them, or let a \"filter\" exclude their contact");
         }
     }
 
-    void check_masses() {
-        std::set<std::pair<std::size_t, std::size_t>> said;
+    void lint_masses() {
+        std::set<std::pair<std::size_t, std::size_t>> reported;
         for (const Touch& touch : touches_) {
             if (!is_dynamic(touch.a) || !is_dynamic(touch.b)) continue;
             const double ratio = mass_ratio(built_.world, id(touch.a), id(touch.b));
-            if (ratio <= kLargeMassRatio || !said.insert({source(touch.a), source(touch.b)}).second) continue;
+            if (ratio <= kLargeMassRatio || !reported.insert({source(touch.a), source(touch.b)}).second) continue;
             warn(touch.b,
                  name(touch.a) + " of " + brief(mass(touch.a)) + " kg touches " + name(touch.b) + " of " +
-                     brief(mass(touch.b)) + " kg: what is over 100 times lighter is squeezed",
-                 "bring the densities nearer to each other, or give the world more substeps");
+                     brief(mass(touch.b)) +
+                     " kg: a body in contact with one that is over 100 times heavier is squeezed",
+                 "bring their densities closer together, or give the world more substeps");
         }
     }
 
-    void check_sleepers() {
-        std::set<std::size_t> held;  // by a contact or a joint
-        for (const Touch& touch : touches_) held.insert({touch.a, touch.b});
+    void lint_sleepers() {
+        std::set<std::size_t> supported;  // by a contact or a joint
+        for (const Touch& touch : touches_) supported.insert({touch.a, touch.b});
         for (const JointId joint : built_.world.joints())
             std::visit(
                 [&](const auto& def) {
-                    held.insert({index_.at(def.body_a.index), index_.at(def.body_b.index)});
+                    supported.insert({index_.at(def.body_a.index), index_.at(def.body_b.index)});
                 },
                 built_.world.joint(joint));
-        std::set<std::size_t> said;
+        std::set<std::size_t> reported;
         for (std::size_t i = 0; i < built_.bodies.size(); ++i) {
             const SceneBody& body = scene_.bodies[source(i)];
             const bool falls = length(up_) > 0.0 && body.gravity_scale != 0.0;
-            if (body.awake || !is_dynamic(i) || !falls || held.contains(i) || !said.insert(source(i)).second) continue;
-            warn(i, name(i) + " sleeps in the air: it falls only once something touches it",
-                 R"(leave out "awake": false, or lower it onto what holds it)");
+            if (body.awake || !is_dynamic(i) || !falls || supported.contains(i) || !reported.insert(source(i)).second)
+                continue;
+            warn(i, name(i) + " starts asleep without support: it falls only after something touches it",
+                 R"(remove "awake": false, or place it on its support)");
         }
     }
 
-    // The worst of all piles, and which other kinds of bodies top one that sags.
-    void check_stacks() {
+    // Warns of the pile that sinks most, and lists the other piles whose worst body is of another kind.
+    void lint_stacks() {
         if (!(length(up_) > 0.0)) return;
         const Sinking sinking = find_sinking();
         const std::vector<int> pile = built_.world.islands();
@@ -135,16 +138,16 @@ private:
     // [built bodies]
     struct Sinking {
         std::vector<double> sunk;          // m
-        std::vector<std::size_t> softest;  // what gives way most below a body
+        std::vector<std::size_t> softest;  // the body below that adds most to it
     };
 
-    // Loads go down from body to body, sinking adds up from the ground.
+    // Loads are handed down from body to body, displacements add up from the ground.
     Sinking find_sinking() const {
         std::vector<std::vector<Support>> below(built_.bodies.size());
         for (const Touch& touch : touches_) {
             const double rise = dot(touch.normal, up_) / length(up_);
-            if (rise > kAcross) below[touch.b].push_back({touch.a, touch.stiffness});
-            if (rise < -kAcross) below[touch.a].push_back({touch.b, touch.stiffness});
+            if (rise > kLeastRise) below[touch.b].push_back({touch.a, touch.stiffness});
+            if (rise < -kLeastRise) below[touch.a].push_back({touch.b, touch.stiffness});
         }
         std::vector<std::size_t> upwards(built_.bodies.size());
         std::iota(upwards.begin(), upwards.end(), std::size_t{0});
@@ -169,19 +172,19 @@ private:
         return result;
     }
 
-    // Of the worst in each pile, the worst of them first.
+    // `tops` has the worst body of each pile, the worst of all first.
     void warn_of_sinking(const std::vector<std::size_t>& tops, const Sinking& sinking) {
         const auto depth = [&](std::size_t i) {
-            return sinking.sunk[i] > extent_of(i) ? "more than its size" : "about " + brief(sinking.sunk[i]) + " m";
+            return sinking.sunk[i] > extent_of(i) ? "more than the size of the body"
+                                                  : "about " + brief(sinking.sunk[i]) + " m";
         };
         const std::size_t worst = tops.front();
-        std::string text = "what " + name(worst) + " stands on (" + name(sinking.softest[worst]) + ") will sink by " +
-                           depth(worst) + " under its weight";
-        std::set<std::size_t> said{source(worst)};
+        std::string text = "the support of " + name(worst) + " (" + name(sinking.softest[worst]) + ") will sink by " +
+                           depth(worst) + " under the weight on it";
+        std::set<std::size_t> reported{source(worst)};
         for (const std::size_t i : tops)
-            if (said.insert(source(i)).second) text += ", what " + name(i) + " stands on by " + depth(i);
-        warn(worst, text,
-             "contacts give a little each: fewer or lighter bodies on top of each other, or lower gravity");
+            if (reported.insert(source(i)).second) text += ", that of " + name(i) + " by " + depth(i);
+        warn(worst, text, "each contact yields a little: stack fewer or lighter bodies, or lower the gravity");
     }
 
     void warn(std::size_t body, const std::string& message, const std::string& hint) {
@@ -210,7 +213,7 @@ private:
     const SceneWorld& built_;
     Diagnostics& diagnostics_;
     WorldLimits limits_;
-    DVec2 up_;                                    // gravity, the other way round (m/s^2)
+    DVec2 up_;                                    // the negative gravity (m/s^2)
     std::map<std::uint32_t, std::size_t> index_;  // of BodyId::index
     std::vector<double> extents_;                 // [built bodies] m: the smallest
     std::vector<Touch> touches_;                  // in the order of the bodies
@@ -220,10 +223,10 @@ private:
 
 void add_contact_lints(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics) {
     ContactLinter linter(scene, started, diagnostics);
-    linter.check_overlaps();
-    linter.check_masses();
-    linter.check_sleepers();
-    linter.check_stacks();
+    linter.lint_overlaps();
+    linter.lint_masses();
+    linter.lint_sleepers();
+    linter.lint_stacks();
 }
 
 }  // namespace tumble::scene

@@ -1,4 +1,4 @@
-// What joints show before the first step.
+// Lints of joints before the first step.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "scene/lint/lint.hpp"
+#include "scene/lint/measures.hpp"
 #include "scene/model/display.hpp"
 #include "scene/model/joint_gap.hpp"
 #include "tumble/distance.hpp"
@@ -16,26 +17,26 @@ namespace tumble::scene {
 namespace {
 
 constexpr double kWideGap = 0.1;     // of the size of the smaller body
-constexpr double kFarAnchor = 10.0;  // times the size of a body: no lever is that long
+constexpr double kFarAnchor = 10.0;  // times the size of a body: a longer lever arm is taken for an error
 
 class JointLinter {
 public:
     JointLinter(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics)
         : scene_(scene), world_(built.world), built_(built), diagnostics_(diagnostics) {}
 
-    void check(const SceneJointInstance& joint) {
+    void lint(const SceneJointInstance& joint) {
         const SceneJointType type = scene_.joints[joint.source].type;
         if (type == SceneJointType::filter || type == SceneJointType::gear)
-            return;  // a gear's joints are looked at themselves
+            return;  // the joints of a gear are linted by themselves
         const auto [a, b] =
             std::visit([](const auto& def) { return std::pair(def.body_a, def.body_b); }, world_.joint(joint.id));
-        if (said_.contains(joint.source)) return;
-        check_masses(joint, a, b);
-        if (!check_gap(joint, a, b)) check_anchors(joint, a, b);
-        if (said_of_springs_.insert(joint.source).second) {
+        if (reported_.contains(joint.source)) return;
+        lint_masses(joint, a, b);
+        if (!lint_gap(joint, a, b)) lint_anchors(joint, a, b);
+        if (reported_springs_.insert(joint.source).second) {
             const SceneJoint& source = scene_.joints[joint.source];
-            check_spring(source.spring, pointer(joint) + "/spring");
-            check_spring(source.angular_spring, pointer(joint) + "/angular_spring");
+            lint_spring(source.spring, pointer(joint) + "/spring");
+            lint_spring(source.angular_spring, pointer(joint) + "/angular_spring");
         }
     }
 
@@ -44,16 +45,16 @@ private:
 
     void warn(const SceneJointInstance& joint, const std::string& message, const std::string& hint) {
         diagnostics_.warning(pointer(joint), message, hint);
-        said_.insert(joint.source);
+        reported_.insert(joint.source);
     }
 
-    void check_masses(const SceneJointInstance& joint, BodyId a, BodyId b) {
+    void lint_masses(const SceneJointInstance& joint, BodyId a, BodyId b) {
         if (world_.type(a) != BodyType::dynamic_body || world_.type(b) != BodyType::dynamic_body) return;
         if (mass_ratio(world_, a, b) <= kLargeMassRatio) return;
         warn(joint,
-             "ties bodies of " + brief(world_.mass(a).mass) + " kg and " + brief(world_.mass(b).mass) +
-                 " kg: joints stretch under what is over 100 times heavier",
-             "bring the densities nearer to each other, or give the world more substeps");
+             "the joint connects bodies of " + brief(world_.mass(a).mass) + " kg and " + brief(world_.mass(b).mass) +
+                 " kg: a joint stretches if one body is over 100 times heavier than the other",
+             "bring their densities closer together, or give the world more substeps");
     }
 
     // Of the largest shape (m); 0 without shapes.
@@ -64,27 +65,27 @@ private:
         return size;
     }
 
-    bool check_gap(const SceneJointInstance& joint, BodyId a, BodyId b) {
+    bool lint_gap(const SceneJointInstance& joint, BodyId a, BodyId b) {
         const double size_a = size_of(a), size_b = size_of(b), gap = joint_gap(world_, joint.id);
         const double size = size_a > 0.0 && size_b > 0.0 ? std::min(size_a, size_b) : std::max(size_a, size_b);
         if (!(gap > kWideGap * size)) return false;
         warn(joint,
-             "starts " + brief(gap) + " m apart from where it holds " + display_name(built_, a) + " and " +
-                 display_name(built_, b) + ": they are thrown together",
-             R"(mend its anchors, its "length" or its "limits", or move the bodies)");
+             "the joint starts " + brief(gap) + " m away from a position that it allows for " +
+                 display_name(built_, a) + " and " + display_name(built_, b) + ": it will pull them there at once",
+             R"(correct its anchors, its "length" or its "limits", or move the bodies)");
         return true;
     }
 
-    void check_anchors(const SceneJointInstance& joint, BodyId a, BodyId b) {
+    void lint_anchors(const SceneJointInstance& joint, BodyId a, BodyId b) {
         const std::optional<JointAnchors> anchors = world_.joint_anchors(joint.id);
         if (!anchors || !is_far(a, anchors->a) || !is_far(b, anchors->b)) return;
         warn(joint,
-             "acts at " + brief(anchors->a) + ", far away from both " + display_name(built_, a) + " and " +
-                 display_name(built_, b) + ": its lever is over ten times their size",
+             "the joint acts at " + brief(anchors->a) + ", far from both " + display_name(built_, a) + " and " +
+                 display_name(built_, b) + ": its lever arm is over 10 times their size",
              R"("anchor" is a point of the world, "anchors" are points in the coordinates of each body)");
     }
 
-    // Nothing is far from a body without shapes: it stands for a point.
+    // No point is far from a body without shapes: its size is unknown.
     bool is_far(BodyId body, DVec2 point) const {
         const Shape at_point = make_circle(0.0f);
         const double far = kFarAnchor * size_of(body);
@@ -93,26 +94,27 @@ private:
                });
     }
 
-    void check_spring(const std::optional<SceneJointSpring>& spring, const std::string& pointer) {
+    void lint_spring(const std::optional<SceneJointSpring>& spring, const std::string& pointer) {
         const double stiffest = double{world_limits(world_.def()).stiffest_spring};
         if (!spring || !(spring->hertz > stiffest)) return;
-        diagnostics_.warning(pointer + "/hertz",
-                             "is more than the steps can follow: it counts as " + brief(stiffest) + " Hz",
-                             "more substeps or steps_per_second, or a softer spring");
+        diagnostics_.warning(
+            pointer + "/hertz",
+            "the spring is stiffer than the steps can follow: it is limited to " + brief(stiffest) + " Hz",
+            "use more substeps or steps_per_second, or a softer spring");
     }
 
     const Scene& scene_;
     const World& world_;
     const SceneWorld& built_;
     Diagnostics& diagnostics_;
-    std::set<std::size_t> said_, said_of_springs_;  // joints of the scene
+    std::set<std::size_t> reported_, reported_springs_;  // joints of the scene
 };
 
 }  // namespace
 
 void add_joint_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics) {
     JointLinter linter(scene, built, diagnostics);
-    for (const SceneJointInstance& joint : built.joints) linter.check(joint);
+    for (const SceneJointInstance& joint : built.joints) linter.lint(joint);
 }
 
 }  // namespace tumble::scene

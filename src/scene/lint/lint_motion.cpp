@@ -1,5 +1,5 @@
-// Tunnelling: continuous collision keeps bodies from passing through what is static or kinematic, and bullets through
-// each other too. What it looks at is the way of a step, so that the thickness of a body is the measure.
+// Tunnelling: continuous collision stops bodies from passing through static and kinematic bodies, and bullets through
+// all others. Other bodies may pass through each other if their displacement in a step exceeds their thickness.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "scene/lint/lint.hpp"
+#include "scene/lint/measures.hpp"
 #include "scene/model/body_plan.hpp"
 #include "scene/model/degrees.hpp"
 #include "scene/model/display.hpp"
@@ -26,8 +27,8 @@ double thickness_of(const SceneBody& body) {
     return least;
 }
 
-// How far what sweeps over other places, when the body turns about a point of it, is from there (m): a disc about the
-// point sweeps over nothing new.
+// The farthest distance from the pivot at which a rotation about it moves the surface of the body (m). The radius of a
+// shape is subtracted: a disc about the pivot sweeps over no new area.
 double reach_of(const SceneBody& body, Vec2 pivot) {
     double reach = 0.0;
     for (const SceneShape& shape : body.shapes)
@@ -47,26 +48,26 @@ public:
         const auto is_dynamic = [&](const SceneInstance& body) {
             return built.world.type(body.id) == BodyType::dynamic_body;
         };
-        const auto comes = [](const SceneEvent& event) {
+        const auto is_spawned = [](const SceneEvent& event) {
             return event.spawn && event.spawn->type == BodyType::dynamic_body;
         };
-        moving_ = std::ranges::count_if(built.bodies, is_dynamic);
-        moving_ += std::ranges::any_of(scene.timeline, comes);  // one more stands for all that come
+        dynamic_count_ = std::ranges::count_if(built.bodies, is_dynamic);
+        dynamic_count_ += std::ranges::any_of(scene.timeline, is_spawned);  // one stands for all that are spawned
     }
 
-    void check_body(const SceneBody& body, const std::string& pointer) {
-        check_velocity(body, body.velocity, pointer);
-        check_turning(body, body.angular_velocity, pointer);
+    void lint_body(const SceneBody& body, const std::string& pointer) {
+        lint_velocity(body, body.velocity, pointer);
+        lint_rotation(body, body.angular_velocity, pointer);
     }
 
-    void check_event(const SceneEvent& event, const std::string& pointer) {
+    void lint_event(const SceneEvent& event, const std::string& pointer) {
         const SceneBody* body = find_definition(scene_, names_, event.body);
-        if (body && event.velocity) check_velocity(*body, *event.velocity, pointer);
-        if (body && event.angular_velocity) check_turning(*body, *event.angular_velocity, pointer);
+        if (body && event.velocity) lint_velocity(*body, *event.velocity, pointer);
+        if (body && event.angular_velocity) lint_rotation(*body, *event.angular_velocity, pointer);
         const auto joint = std::ranges::find(built_.joints, event.joint, &SceneJointInstance::name);
         if (event.motor_speed && joint != built_.joints.end())
             note_motor(*joint, *event.motor_speed, pointer + "/motor_speed");
-        if (event.spawn) check_body(*event.spawn, pointer + "/spawn");
+        if (event.spawn) lint_body(*event.spawn, pointer + "/spawn");
     }
 
     void note_joint(const SceneJointInstance& instance) {
@@ -77,13 +78,13 @@ public:
         if (joint.angular_velocity) note({&instance, true, *joint.angular_velocity, pointer + "/angular_velocity"});
     }
 
-    // Of all joints and events that were noted.
-    void check_drives() {
-        for (const auto& [key, drive] : fastest_) check_drive(drive);
+    // Lints the fastest drive of each joint that was noted.
+    void lint_drives() {
+        for (const auto& [key, drive] : fastest_) lint_drive(drive);
     }
 
 private:
-    // The fastest that a joint is told to move its bodies, and where.
+    // The largest speed at which a joint drives its bodies, and the value that sets it.
     struct Drive {
         const SceneJointInstance* joint = nullptr;
         bool turns = false;
@@ -100,18 +101,18 @@ private:
         if (!fastest.joint || std::abs(drive.speed) > std::abs(fastest.speed)) fastest = drive;
     }
 
-    void check_velocity(const SceneBody& body, DVec2 velocity, const std::string& pointer) {
-        check_way(body, way_of(length(velocity)), pointer + "/velocity", "is ");
+    void lint_velocity(const SceneBody& body, DVec2 velocity, const std::string& pointer) {
+        lint_displacement(body, displacement_of(length(velocity)), pointer + "/velocity", "the body moves ");
     }
 
-    void check_turning(const SceneBody& body, double angular_velocity, const std::string& pointer) {
+    void lint_rotation(const SceneBody& body, double angular_velocity, const std::string& pointer) {
         if (angular_velocity != 0.0)
-            check_way(body, way_of_turn(body, angular_velocity, center_of(body)), pointer + "/angular_velocity",
-                      "moves its ends by up to ");
+            lint_displacement(body, displacement_of_rotation(body, angular_velocity, center_of(body)),
+                              pointer + "/angular_velocity", "the rotation moves the ends of the body by up to ");
     }
 
-    // Of the body that the joint moves: the second one, unless that cannot be moved.
-    void check_drive(const Drive& drive) {
+    // For the body that the joint moves: the second one, or the first if the second one is not dynamic.
+    void lint_drive(const Drive& drive) {
         std::visit(
             [&](const auto& def) {
                 if constexpr (requires { def.anchor_a; }) {
@@ -119,37 +120,40 @@ private:
                     const BodyId id = moves_b ? def.body_b : def.body_a;
                     const SceneBody& body =
                         scene_.bodies[std::ranges::find(built_.bodies, id, &SceneInstance::id)->source];
-                    const double way = drive.turns
-                                           ? way_of_turn(body, drive.speed, moves_b ? def.anchor_b : def.anchor_a)
-                                           : way_of(drive.speed);
-                    check_way(body, way, drive.pointer, "moves " + display_name(built_, id) + " by up to ");
+                    const double displacement =
+                        drive.turns ? displacement_of_rotation(body, drive.speed, moves_b ? def.anchor_b : def.anchor_a)
+                                    : displacement_of(drive.speed);
+                    lint_displacement(body, displacement, drive.pointer,
+                                      "the joint moves " + display_name(built_, id) + " by up to ");
                 }
             },
             built_.world.joint(drive.joint->id));
     }
 
-    void check_way(const SceneBody& body, double way, const std::string& pointer, const std::string& moves) {
+    void lint_displacement(const SceneBody& body, double displacement, const std::string& pointer,
+                           const std::string& moves) {
         const bool is_continuous = scene_.world.continuous;
-        const bool may_pass = !is_continuous || (moving_ > 1 && !body.bullet);
-        if (body.type != BodyType::dynamic_body || !may_pass) return;
+        const bool may_pass_through = !is_continuous || (dynamic_count_ > 1 && !body.bullet);
+        if (body.type != BodyType::dynamic_body || !may_pass_through) return;
         const double thickness = thickness_of(body);
-        if (!(way > thickness)) return;
+        if (!(displacement > thickness)) return;
         const std::string what =
-            is_continuous ? "other moving bodies" : "whatever is in its way, as the world is not continuous";
+            is_continuous ? "other moving bodies" : "anything in its path, because the world is not continuous";
         const std::string remedy =
-            is_continuous ? R"("bullet": true, also of what moves as fast towards it, or more steps_per_second)"
-                          : R"("continuous": true, or more steps_per_second)";
+            is_continuous
+                ? R"(set "bullet": true, also on bodies that move as fast towards it, or use more steps_per_second)"
+                : R"(set "continuous": true, or use more steps_per_second)";
         diagnostics_.warning(pointer,
-                             moves + brief(way) + " m in a step, and the body is " + brief(thickness) +
+                             moves + brief(displacement) + " m in a step, and the body is " + brief(thickness) +
                                  " m thick: it may pass through " + what,
                              remedy);
     }
 
-    // In a step (m).
-    double way_of(double speed) const {
+    // Over a step (m).
+    double displacement_of(double speed) const {
         return std::min(std::abs(speed), double{limits_.max_speed}) / scene_.world.steps_per_second;
     }
-    double way_of_turn(const SceneBody& body, double angular_velocity, Vec2 pivot) const {
+    double displacement_of_rotation(const SceneBody& body, double angular_velocity, Vec2 pivot) const {
         if (body.fixed_rotation) return 0.0;
         const double turn = std::abs(angular_velocity) * kRadians / scene_.world.steps_per_second;
         return (body.allow_fast_rotation ? turn : std::min(turn, double{limits_.max_rotation})) * reach_of(body, pivot);
@@ -167,7 +171,7 @@ private:
     Diagnostics& diagnostics_;
     BodyNames names_;
     WorldLimits limits_;
-    std::ptrdiff_t moving_ = 0;                              // dynamic bodies
+    std::ptrdiff_t dynamic_count_ = 0;                       // dynamic bodies
     std::map<std::pair<std::size_t, bool>, Drive> fastest_;  // by the joint of the scene, and whether it turns
 };
 
@@ -176,11 +180,11 @@ private:
 void add_motion_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics) {
     MotionLinter linter(scene, built, diagnostics);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        linter.check_body(scene.bodies[i], "/bodies/" + std::to_string(i));
+        linter.lint_body(scene.bodies[i], "/bodies/" + std::to_string(i));
     for (const SceneJointInstance& joint : built.joints) linter.note_joint(joint);
     for (std::size_t i = 0; i < scene.timeline.size(); ++i)
-        linter.check_event(scene.timeline[i], "/timeline/" + std::to_string(i));
-    linter.check_drives();
+        linter.lint_event(scene.timeline[i], "/timeline/" + std::to_string(i));
+    linter.lint_drives();
 }
 
 }  // namespace tumble::scene

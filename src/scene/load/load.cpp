@@ -1,4 +1,4 @@
-// A scene from text or file, as a user wants it, and back into a file.
+// The public functions that load and save scenes.
 #include "scene/format/reader.hpp"
 #include "scene/json/input.hpp"
 #include "scene/lint/lint.hpp"
@@ -19,7 +19,7 @@ void cut(std::vector<T>& list, std::size_t size) {
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(size), list.end());
 }
 
-// Takes what was included out again.
+// Removes the entries of included files.
 void keep_own(Scene& scene, const scene::SceneSizes& own) {
     cut(scene.materials, own.materials);
     cut(scene.bodies, own.bodies);
@@ -34,15 +34,14 @@ Scene parse_scene(std::string_view text, const std::string& file_name, const Loa
                   std::vector<Diagnostic>* warnings) {
     text = scene::without_byte_order_mark(text);
     scene::Diagnostics diagnostics(file_name, text);
-    scene::Reading reading(options.read_included);
-    Scene result = reading.read(text, file_name, options, diagnostics);
+    auto [result, own, resolved] = scene::Reading(options.read_included).read(text, file_name, options, diagnostics);
     std::vector<SceneInclude> include = std::exchange(result.include, {});
-    if (options.lint && !diagnostics.has_errors()) scene::add_lints(result, diagnostics);
+    if (options.lint && !diagnostics.has_errors()) scene::add_lints(result, resolved.value(), diagnostics);
     diagnostics.finish(warnings);
-    if (!options.keep_includes) return result;
-    keep_own(result, reading.own());
+    if (!options.keep_includes) return std::move(result);
+    keep_own(result, own);
     result.include = std::move(include);
-    return result;
+    return std::move(result);
 }
 
 Scene parse_scene(std::string_view text, const std::string& file_name, std::vector<Diagnostic>* warnings) {

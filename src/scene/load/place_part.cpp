@@ -1,5 +1,5 @@
-// Points are moved, vectors turned, angles added; what is said in a body's own coordinates stays. Adding 0 turns -0,
-// which no file can hold, into 0.
+// Points are moved, vectors rotated, angles added; values in body coordinates stay. Adding 0 turns -0, which JSON text
+// does not keep, into 0.
 #include "scene/load/place_part.hpp"
 
 #include <cmath>
@@ -48,7 +48,7 @@ public:
 
     void place(SceneExpectation& claim) const {
         for (std::string* name : {&claim.body, &claim.joint, &claim.touches, &claim.never_touches}) rename(*name);
-        if (!has_place(claim)) return;
+        if (!can_have_frame(claim)) return;
         SceneFrame frame = claim.frame.value_or(SceneFrame{});
         move(frame.position);
         add_angle(frame.angle);
@@ -82,20 +82,20 @@ private:
     // Both ranges are symmetric.
     static void require(DVec2 v, const Range& range, const char* what) {
         if (!(std::abs(v.x) <= range.max && std::abs(v.y) <= range.max))
-            throw std::invalid_argument(std::string("would have ") + what + " out of range there");
+            throw std::invalid_argument(std::string("moves ") + what + " out of its range");
     }
 
     const SceneInclude& include_;
     SinCos turn_;
 };
 
-bool is_of_the_world(const SceneExpectation& claim) { return claim.body.empty() && claim.joint.empty(); }
+bool is_of_world(const SceneExpectation& claim) { return claim.body.empty() && claim.joint.empty(); }
 
 }  // namespace
 
 void place_part(Scene& part, const SceneInclude& include) {
     std::erase_if(part.timeline, [](const SceneEvent& event) { return event.gravity.has_value(); });
-    std::erase_if(part.expect, is_of_the_world);
+    std::erase_if(part.expect, is_of_world);
     const PartPlacer placer(include);
     for (SceneMaterial& material : part.materials) placer.place(material);
     for (SceneBody& body : part.bodies) placer.place(body);

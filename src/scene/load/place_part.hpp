@@ -1,13 +1,13 @@
-// An included scene on its way into another: in its place, under its names.
+// Moves an included scene to its pose in the including one, and prefixes its names.
 #pragma once
 
 #include "tumble/scene.hpp"
 
 namespace tumble::scene {
 
-// Moves and turns the part as `include` says, puts the prefix before all its names, and takes away what belongs to the
-// world of its own: gravity, and the claims that name neither a body nor a joint. Throws std::invalid_argument for what
-// no scene file can say: places, velocities or angles out of range, names too long.
+// Moves and rotates the part as `include` states, and puts the prefix before all its names. Removes what applies to a
+// whole world: events of gravity, and claims that name neither a body nor a joint. Throws std::invalid_argument if
+// positions, velocities, angles or the lengths of names leave the ranges of scene files.
 void place_part(Scene& part, const SceneInclude& include);
 
 }  // namespace tumble::scene

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "scene/build/validate.hpp"
 #include "scene/format/fields.hpp"
 #include "scene/format/override.hpp"
 #include "scene/format/reader.hpp"
@@ -29,38 +30,38 @@ bool are_same(const SceneMaterial& a, const SceneMaterial& b) {
     return write_scene(one) == write_scene(other);
 }
 
-// A material may come from several files, if it is the same in all of them.
+// Several files may declare a material of one name if it is the same in all of them.
 void append_materials(Scene& scene, const std::vector<SceneMaterial>& more) {
     for (const SceneMaterial& material : more) {
         const SceneMaterial* known = find_material(scene, material.name);
         if (known == nullptr)
             scene.materials.push_back(material);
         else if (!are_same(*known, material))
-            throw std::invalid_argument("has another material " + quoted(material.name) + " than there is already");
+            throw std::invalid_argument("declares the material " + quoted(material.name) +
+                                        " with other values than the one that exists");
     }
 }
 
 }  // namespace
 
-Scene Reading::read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
-                    Diagnostics& diagnostics) {
-    std::optional<Json> value = parse_json(text, diagnostics, R"(the least scene is {"format": 1})");
+ReadScene Reading::read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
+                        Diagnostics& diagnostics) {
+    std::optional<Json> value = parse_json(text, diagnostics, R"(the smallest scene is {"format": 1})");
     if (!value) return {};
     apply_overrides(changes, *value, diagnostics);
-    Scene scene = read_scene(*value, diagnostics);
+    ReadScene result{.scene = read_scene(*value, diagnostics)};
     value.reset();
-    const SceneSizes own = sizes_of(scene);
+    result.own = sizes_of(result.scene);
     open_.push_back(file.lexically_normal());
-    include_all(scene, file, diagnostics);
+    include_all(result.scene, file, diagnostics);
     open_.pop_back();
-    // Without its includes, half the names of a scene would be unknown.
-    if (!diagnostics.has_errors_in("/include")) check_scene(scene, own, diagnostics);
-    own_ = own;
-    return scene;
+    // Without the included files, many names of the scene would be unknown.
+    if (!diagnostics.has_errors_in("/include")) result.resolved = validate_scene(result.scene, result.own, diagnostics);
+    return result;
 }
 
 void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagnostics& diagnostics) {
-    IncludedParts places;
+    IncludedParts included;
     for (std::size_t i = 0; i < scene.include.size(); ++i) {
         const SceneInclude& include = scene.include[i];
         const std::string pointer = "/include/" + std::to_string(i);
@@ -70,7 +71,7 @@ void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagn
         const SceneSizes size = sizes_of(*part);
         entries_ += 1 + size.materials + size.bodies + size.joints + size.timeline + size.expect;
         if (entries_ > kMaxIncludedEntries) {
-            diagnostics.error(pointer, "brings the bodies, joints, events and claims that are included to more than " +
+            diagnostics.error(pointer, "brings the number of included bodies, joints, events and claims to more than " +
                                            std::to_string(kMaxIncludedEntries));
             return;
         }
@@ -82,23 +83,23 @@ void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagn
             diagnostics.error(pointer, cause.what());
             continue;
         }
-        places.add("/bodies", scene.bodies.size(), pointer, include.file);
-        places.add("/joints", scene.joints.size(), pointer, include.file);
-        places.add("/timeline", scene.timeline.size(), pointer, include.file);
-        places.add("/expect", scene.expect.size(), pointer, include.file);
+        included.add("/bodies", scene.bodies.size(), pointer, include.file);
+        included.add("/joints", scene.joints.size(), pointer, include.file);
+        included.add("/timeline", scene.timeline.size(), pointer, include.file);
+        included.add("/expect", scene.expect.size(), pointer, include.file);
         append(scene.bodies, placed.bodies);
         append(scene.joints, placed.joints);
         append(scene.timeline, placed.timeline);
         append(scene.expect, placed.expect);
     }
-    diagnostics.set_included(std::move(places));
+    diagnostics.set_included(std::move(included));
 }
 
 const Scene* Reading::find_part(const std::filesystem::path& file, const std::string& include,
                                 Diagnostics& diagnostics) {
     auto part = parts_.find(file);
     if (part == parts_.end()) part = parts_.emplace(file, read_part(file, include, diagnostics)).first;
-    return part->second ? &*part->second : nullptr;  // who included it first has its errors
+    return part->second ? &*part->second : nullptr;  // its errors were reported where it was first included
 }
 
 std::optional<Scene> Reading::read_part(const std::filesystem::path& file, const std::string& include,
@@ -107,7 +108,7 @@ std::optional<Scene> Reading::read_part(const std::filesystem::path& file, const
         diagnostics.error(include + "/file", message, hint);
         return std::nullopt;
     };
-    if (!read_) return refuse("a text that is no file cannot include files");
+    if (!read_) return refuse("cannot be included: only scenes that are read from files include others");
     if (std::ranges::find(open_, file) != open_.end()) return refuse("includes itself: " + chain_to(file));
     if (open_.size() > kMaxIncludeDepth)
         return refuse("is included more than " + std::to_string(kMaxIncludeDepth) + " files deep: " + chain_to(file));
@@ -115,11 +116,11 @@ std::optional<Scene> Reading::read_part(const std::filesystem::path& file, const
     try {
         text = read_(file);
     } catch (const FileError& error) {
-        return refuse(error.what(), "paths start from the folder of the file that includes");
+        return refuse(error.what(), "paths are relative to the folder of the including file");
     }
     const std::string_view body = without_byte_order_mark(text);
     Diagnostics own(file.string(), body);
-    Scene part = read(body, file, {}, own);
+    Scene part = read(body, file, {}, own).scene;
     std::vector<Diagnostic> found;
     bool is_valid = true;
     try {

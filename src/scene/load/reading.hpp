@@ -1,5 +1,5 @@
-// The way of a scene file and of what it includes: JSON, overrides, fields, includes, checks across fields. Each stage
-// goes on as far as errors of the one before allow, so that a user sees all of them at once.
+// Reads a scene file and the files that it includes: JSON, overrides, fields, includes, validation. Each stage
+// continues as far as the errors of the one before allow, so that a user sees all errors at once.
 #pragma once
 
 #include <filesystem>
@@ -9,27 +9,32 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/build/check.hpp"
+#include "scene/build/resolved_scene.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/json/included_parts.hpp"
+#include "scene/model/scene_sizes.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::scene {
 
 inline constexpr std::size_t kMaxIncludeDepth = 16;  // files that include each other
 inline constexpr std::size_t kMaxIncludedEntries =
-    1000000;  // copied in one reading, so that files that double each other end
+    1000000;  // copied in one reading: a bound for files that include others many times
 
-// One reading: a file that is included many times is read and checked once.
+struct ReadScene {
+    Scene scene;                              // its own entries, then those of the files that it includes
+    SceneSizes own{};                         // how many entries are its own
+    std::optional<ResolvedScene> resolved{};  // there and complete if there are no errors
+};
+
+// Reads one scene. A file that is included many times is read and validated once.
 class Reading {
 public:
     explicit Reading(ReadIncluded read) : read_(std::move(read)) {}
 
-    // The scene with all that it includes behind what is its own; what is wrong goes to `diagnostics`.
-    Scene read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
-               Diagnostics& diagnostics);
-
-    // Of the scene that was read last, without what it includes.
-    const SceneSizes& own() const { return own_; }
+    // The scene with everything that it includes. Errors go to `diagnostics`.
+    ReadScene read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
+                   Diagnostics& diagnostics);
 
 private:
     void include_all(Scene& scene, const std::filesystem::path& file, Diagnostics& diagnostics);
@@ -39,10 +44,9 @@ private:
     std::string chain_to(const std::filesystem::path& file) const;
 
     ReadIncluded read_;
-    std::map<std::filesystem::path, std::optional<Scene>> parts_;  // nothing for those with errors
+    std::map<std::filesystem::path, std::optional<Scene>> parts_;  // nothing for a file with errors
     std::vector<std::filesystem::path> open_;                      // from the scene down to the file that is being read
     std::size_t entries_ = 0;                                      // copied so far
-    SceneSizes own_;
 };
 
 }  // namespace tumble::scene

@@ -1,4 +1,4 @@
-// A body by its name, or all its copies by their common one, in a world where bodies come and go.
+// Finds a body, or all copies of one, by name in a world in which bodies are spawned and despawned.
 #pragma once
 
 #include <set>
@@ -6,20 +6,23 @@
 #include <utility>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "scene/model/names.hpp"
 #include "tumble/scene_world.hpp"
 
 namespace tumble::scene {
 
+// One body.
 class BodyLookup {
 public:
     explicit BodyLookup(std::string name = {}) : name_(std::move(name)) {}
 
     const std::string& name() const { return name_; }
 
-    // Null while there is none; what has gone may come again under its name. Each instance is passed once: new ones
-    // come last.
+    // Null while no body has the name; a later body may have the name of one that was despawned. The search goes on
+    // where the last one ended, as new instances are appended.
     const SceneInstance* find(const SceneWorld& built) {
+        TUMBLE_CHECK(next_ <= built.bodies.size());
         for (; next_ < built.bodies.size(); ++next_) {
             const SceneInstance& body = built.bodies[next_];
             if (body.name == name_ && built.world.is_valid(body.id)) return &body;
@@ -29,17 +32,18 @@ public:
 
 private:
     std::string name_;
-    std::size_t next_ = 0;  // the one that was found last, or where to go on
+    std::size_t next_ = 0;  // the instance that was found last, or the first one that was not searched
 };
 
-// A body, or the copies that share its name, in a world where they come and go.
+// A body, or all copies that share a name.
 class BodyGroup {
 public:
     BodyGroup(std::string name, bool of_copies) : name_(std::move(name)), of_copies_(of_copies) {}
 
-    // To be called before the questions below, for every state. Each instance is looked at once.
+    // To be called for every state, before the accessors below. Searches each instance once.
     void update(const SceneWorld& built) {
         std::erase_if(members_, [&](const SceneInstance& body) { return !built.world.is_valid(body.id); });
+        TUMBLE_CHECK(searched_ <= built.bodies.size());
         for (; searched_ < built.bodies.size(); ++searched_) {
             const SceneInstance& body = built.bodies[searched_];
             if ((of_copies_ ? base_name(body.name) : body.name) != name_ || !built.world.is_valid(body.id)) continue;
@@ -49,7 +53,7 @@ public:
     }
 
     const std::string& name() const { return name_; }
-    const std::vector<SceneInstance>& members() const { return members_; }  // that are there
+    const std::vector<SceneInstance>& members() const { return members_; }  // those that exist
     bool has(BodyId body) const { return ids_.contains(body); }
 
 private:

@@ -1,4 +1,4 @@
-// Angles of scene files and drawings are degrees, those of worlds radians.
+// Angles are degrees in scene files and drawings, radians in worlds.
 #pragma once
 
 #include "tumble/math.hpp"

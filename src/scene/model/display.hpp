@@ -1,4 +1,4 @@
-// What people read of a world: names and numbers.
+// Names and numbers for messages.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace tumble::scene {
 
-// Names as in output, in quotes if they are its own: "'crate[3]'", "body[7]".
+// output_name(), in quotes if it is the name in the scene file: "'crate[3]'", "body[7]".
 std::string display_name(const SceneWorld& built, std::size_t body);
 std::string display_joint_name(const SceneWorld& built, std::size_t joint);
 std::string display_name(const SceneWorld& built, BodyId id);
 
-// Three digits are enough to read, and do not pretend more.
+// Three significant digits.
 std::string brief(double value);
 std::string brief(DVec2 point);  // "[1.5, -2]"
 

@@ -1,5 +1,4 @@
-// A factory call for each kind of shape, and the refusals that a scene adds to those of the factories: whatever has no
-// extent in float.
+// A factory call for each kind of shape. Refuses what the factories accept but has no extent in float.
 #include "scene/model/geometry.hpp"
 
 #include <algorithm>
@@ -29,7 +28,7 @@ void require_distinct(Vec2 from, Vec2 to, const std::string& what, DVec2 given) 
     if (from == to) refuse(what + " are the same point, " + text(given));
 }
 
-// Radii that are positive in the file stay so in float.
+// A radius that is positive in the file must not round to 0.
 float radius_of(double radius) {
     const float rounded = static_cast<float>(radius);
     if (radius > 0.0 && rounded == 0.0f) refuse("the radius " + number_text(radius) + " is too small");

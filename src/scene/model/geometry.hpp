@@ -1,11 +1,12 @@
-// From a scene's shapes and materials to the world's: the one conversion from double to float.
+// From the shapes and materials of a scene to those of the world, rounded from double to float.
 #pragma once
 
 #include "tumble/scene.hpp"
 
 namespace tumble::scene {
 
-// The hull of the vertices, and what taking it did. Throws std::invalid_argument if no three of them span an area.
+// The hull of the vertices; `report`, if given, counts those that it ignores. Throws std::invalid_argument if no three
+// of them span an area.
 Shape make_hull(const PolygonGeometry& polygon, HullReport* report);
 
 // The material of this name, or null.

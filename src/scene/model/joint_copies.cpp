@@ -1,10 +1,13 @@
 #include "scene/model/joint_copies.hpp"
 
+#include "debug/check.hpp"
+#include "scene/model/repeat.hpp"
+
 namespace tumble::scene {
 
 namespace {
 
-// The joint as it is for other bodies: what it says of the world keeps its place in the body.
+// The joint for other bodies: its points and directions of the world keep their coordinates in the body.
 SceneJoint moved(const SceneJoint& joint, const PlacedBody& from, const PlacedBody& to) {
     SceneJoint copy = joint;
     const auto move = [&](DVec2& point) {
@@ -17,7 +20,7 @@ SceneJoint moved(const SceneJoint& joint, const PlacedBody& from, const PlacedBo
     return copy;
 }
 
-// How far the copies that each joint ties are from those of the first one.
+// For each copy of the joint, how many copies of its bodies lie between its own and those of the first one.
 std::vector<std::size_t> steps_of(const SceneJoint& joint) {
     const JointRepeat repeat = joint.repeat.value_or(JointRepeat{});
     std::vector<std::size_t> steps;
@@ -29,39 +32,38 @@ std::vector<std::size_t> steps_of(const SceneJoint& joint) {
 
 }  // namespace
 
-std::int64_t copy_count(const SceneJoint& joint) {
-    return joint.repeat ? std::int64_t{joint.repeat->columns} * joint.repeat->rows : 1;
-}
-
 std::size_t last_step(const SceneJoint& joint) {
     const JointRepeat repeat = joint.repeat.value_or(JointRepeat{});
     return static_cast<std::size_t>(repeat.columns - 1 + std::int64_t{repeat.rows - 1} * repeat.row_step);
 }
 
-std::vector<JointDef> make_joints(const SceneJoint& joint, const BodyNames& names, std::span<const PlacedBody> placed) {
-    const std::size_t a = names.find(joint.body_a).value(), b = names.find(joint.body_b).value();
+std::vector<JointCopy> make_joints(const SceneJoint& joint, const BodyNames& names,
+                                   std::span<const PlacedBody> placed) {
+    const std::size_t first_a = names.find(joint.body_a).value(), first_b = names.find(joint.body_b).value();
     const bool moves_a = names.is_copy(joint.body_a), moves_b = names.is_copy(joint.body_b);
-    std::vector<JointDef> joints;
+    std::vector<JointCopy> copies;
     for (const std::size_t step : steps_of(joint)) {
-        const PlacedBody &own_a = placed[moves_a ? a + step : a], &own_b = placed[moves_b ? b + step : b];
+        const std::size_t a = moves_a ? first_a + step : first_a, b = moves_b ? first_b + step : first_b;
+        TUMBLE_CHECK(a < placed.size());
+        TUMBLE_CHECK(b < placed.size());
         const SceneJoint copy = step == 0 ? joint
-                                : moves_a ? moved(joint, placed[a], own_a)
-                                          : moved(joint, placed[b], own_b);
-        joints.push_back(make_joint(copy, own_a, own_b));
+                                : moves_a ? moved(joint, placed[first_a], placed[a])
+                                          : moved(joint, placed[first_b], placed[b]);
+        copies.push_back({make_joint(copy, placed[a], placed[b]), a, b});
     }
-    return joints;
+    return copies;
 }
 
-std::vector<JointDef> make_gears(const SceneJoint& gear, const JointNames& names,
-                                 const std::vector<std::vector<JointId>>& built) {
-    const NamedPlace a = names.find(gear.joint_a).value(), b = names.find(gear.joint_b).value();
-    const auto joint_at = [&](const NamedPlace& place, std::size_t step) {
-        return built[place.source].at(place.is_copy ? place.copy + step : 0);
+std::vector<JointCopy> make_gears(const SceneJoint& gear, const JointNames& names) {
+    const NamedCopy first_a = names.find(gear.joint_a).value(), first_b = names.find(gear.joint_b).value();
+    const auto joint_at = [&](const NamedCopy& first, std::size_t step) {
+        TUMBLE_CHECK(first.copy + (first.is_copy ? step : 0) < first.count);
+        return names.built_index(first) + (first.is_copy ? step : 0);
     };
-    std::vector<JointDef> gears;
+    std::vector<JointCopy> copies;
     for (const std::size_t step : steps_of(gear))
-        gears.push_back(make_gear(gear, joint_at(a, step), joint_at(b, step)));
-    return gears;
+        copies.push_back({make_gear(gear), joint_at(first_a, step), joint_at(first_b, step)});
+    return copies;
 }
 
 }  // namespace tumble::scene

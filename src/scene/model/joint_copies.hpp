@@ -1,4 +1,4 @@
-// Repeated joints: which bodies each copy ties, and where.
+// Repeated joints: which bodies each copy joins, and where.
 #pragma once
 
 #include <span>
@@ -10,18 +10,20 @@
 
 namespace tumble::scene {
 
-// 1 without a repeater.
-std::int64_t copy_count(const SceneJoint& joint);
+// A definition whose ids are not known before its bodies, or the joints of a gear, are created.
+struct JointCopy {
+    JointDef def;
+    std::size_t a = 0, b = 0;  // indices in SceneWorld::bodies; of a gear, in SceneWorld::joints
+};
 
-// The copies of bodies, or of a gear's joints, that must follow those named, for the last copy of the joint.
+// How many copies of its bodies, or of a gear's joints, must follow those that the joint names: those of its last copy.
 std::size_t last_step(const SceneJoint& joint);
 
-// A definition for each copy of any joint but a gear, in order. The names must be those of bodies, followed by enough
-// copies; `placed` has every built body. Throws std::invalid_argument as make_joint() does.
-std::vector<JointDef> make_joints(const SceneJoint& joint, const BodyNames& names, std::span<const PlacedBody> placed);
+// A definition for each copy of any joint but a gear, in order. The names must be those of bodies that enough copies
+// follow. placed[built bodies]. Throws std::invalid_argument as make_joint() does.
+std::vector<JointCopy> make_joints(const SceneJoint& joint, const BodyNames& names, std::span<const PlacedBody> placed);
 
-// The same of a gear. `built` has the copies of every other joint of the scene, by its index.
-std::vector<JointDef> make_gears(const SceneJoint& gear, const JointNames& names,
-                                 const std::vector<std::vector<JointId>>& built);
+// The same for a gear and the joints that it names.
+std::vector<JointCopy> make_gears(const SceneJoint& gear, const JointNames& names);
 
 }  // namespace tumble::scene

@@ -1,13 +1,13 @@
-// How far a joint is open.
+// The error of a joint.
 #pragma once
 
 #include "tumble/world.hpp"
 
 namespace tumble::scene {
 
-// The distance of the anchors where the joint holds them together, their distance across the axis of a slider or wheel,
-// and how far a rod or rope is from a length that it allows (m). 0 for joints and springs that give by design, and for
-// gears.
+// The distance of the anchors for joints that keep them together, their distance perpendicular to the axis for
+// prismatic and wheel joints, and the difference to an allowed length for distance joints and pulleys (m). 0 for soft
+// joints and gears.
 double joint_gap(const World& world, JointId id);
 
 }  // namespace tumble::scene

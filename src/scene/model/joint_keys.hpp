@@ -11,14 +11,14 @@ namespace tumble::scene {
 
 struct JointKey {
     std::string_view name;
-    bool is_there = false;
+    bool is_present = false;
     std::vector<SceneJointType> types;
 
     bool belongs_to(SceneJointType type) const;
     std::string owners() const;  // "belongs to prismatic and wheel joints"
 };
 
-// The keys of a joint that not every type has.
+// All keys that some types of joints do not have; `is_present` for those of this joint.
 std::vector<JointKey> joint_keys(const SceneJoint& joint);
 
 }  // namespace tumble::scene

@@ -1,4 +1,4 @@
-// Anchors given in the world become local ones of both bodies; what is left out is taken from the poses at load.
+// Anchors in world coordinates become local anchors of both bodies. Missing values are measured in the poses at load.
 #include "scene/model/joints.hpp"
 
 #include <cmath>
@@ -42,7 +42,7 @@ float make_strength(const std::optional<double>& strength) {
     return strength ? static_cast<float>(*strength) : kUnbreakable;
 }
 
-// An axis of the world at load is turned into A's coordinates, one given with own anchors is in them already.
+// The axis in A's coordinates. Given with `anchors` it is already, else it is a direction of the world at load.
 Vec2 local_axis(const SceneJoint& joint, const Pose& a) {
     const DVec2 axis = joint.axis.value_or(DVec2{1.0, 0.0});
     const Vec2 local = to_float(joint.anchors ? axis : inverse_rotate(a.rotation, axis));
@@ -50,7 +50,7 @@ Vec2 local_axis(const SceneJoint& joint, const Pose& a) {
     return local;
 }
 
-// One joint of a scene on its way to a definition: what several types have is filled in by name.
+// Makes the definition of one joint. common() fills in the members that several types have, by name.
 class JointMaker {
 public:
     JointMaker(const SceneJoint& joint, const PlacedBody& a, const PlacedBody& b) : joint_(joint), a_(a), b_(b) {}
@@ -72,7 +72,8 @@ public:
         def.motor = make_linear_motor(joint_.motor);
         def.spring = make_spring(joint_.spring);
         if (def.motor && !def.limits && !def.spring)
-            throw std::invalid_argument("a rod does not move: its motor needs 'limits' or a 'spring' beside it");
+            throw std::invalid_argument(
+                "the motor of a rigid distance joint cannot move it: add 'limits' or a 'spring'");
         return def;
     }
 
@@ -131,15 +132,13 @@ private:
     template <class Def>
     Def common() const {
         Def def;
-        def.body_a = a_.id;
-        def.body_b = b_.id;
         std::tie(def.anchor_a, def.anchor_b) = local_anchors(joint_, a_.pose, b_.pose);
         def.break_force = make_strength(joint_.break_force);
         def.break_torque = make_strength(joint_.break_torque);
         def.collide_connected = joint_.collide_connected;
         if constexpr (requires { def.axis_a; }) def.axis_a = local_axis(joint_, a_.pose);
         if constexpr (requires { def.reference_angle; }) {
-            // The joint angle is known up to whole turns only: the reference is the nearest to 0 of its kind.
+            // A joint measures its angle up to whole turns: the reference is reduced to [-180, 180] degrees.
             const double degrees = std::remainder(joint_.reference_angle.value_or(b_.angle - a_.angle), 360.0);
             def.reference_angle = static_cast<float>(degrees * kRadians);
         }
@@ -164,20 +163,18 @@ JointDef make_joint(const SceneJoint& joint, const PlacedBody& a, const PlacedBo
         case SceneJointType::motor: return maker.motor();
         case SceneJointType::mouse: return maker.mouse();
         case SceneJointType::pulley: return maker.pulley();
-        case SceneJointType::filter: return FilterJointDef{a.id, b.id};
+        case SceneJointType::filter: return FilterJointDef{};
         case SceneJointType::gear: break;
     }
-    throw std::invalid_argument("a gear is made of joints");
+    throw std::invalid_argument("a gear connects joints, not bodies");
 }
 
-GearJointDef make_gear(const SceneJoint& joint, JointId a, JointId b) {
+GearJointDef make_gear(const SceneJoint& gear) {
     GearJointDef def;
-    def.joint_a = a;
-    def.joint_b = b;
-    def.ratio = static_cast<float>(joint.ratio.value_or(1.0));
-    def.break_force = make_strength(joint.break_force);
-    def.break_torque = make_strength(joint.break_torque);
-    def.collide_connected = joint.collide_connected;
+    def.ratio = static_cast<float>(gear.ratio.value_or(1.0));
+    def.break_force = make_strength(gear.break_force);
+    def.break_torque = make_strength(gear.break_torque);
+    def.collide_connected = gear.collide_connected;
     return def;
 }
 

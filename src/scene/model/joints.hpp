@@ -1,22 +1,17 @@
-// From a scene's joint to the world's, given where its bodies are at load.
+// From a joint of a scene to the definition for the world, given the poses of its bodies at load.
 #pragma once
 
+#include "scene/model/place_copies.hpp"
 #include "tumble/joint.hpp"
 #include "tumble/scene.hpp"
-#include "tumble/world.hpp"
 
 namespace tumble::scene {
 
-// A body at load; the angle in degrees beside its rotation, because differences of angles stay exact in degrees.
-struct PlacedBody {
-    BodyId id;
-    Pose pose;
-    double angle = 0.0;
-};
-
-// Any joint but a gear. Throws std::invalid_argument for a distance joint or a pulley without length.
+// Any joint but a gear, without the ids of its bodies. Throws std::invalid_argument for a distance joint or a pulley
+// without length.
 JointDef make_joint(const SceneJoint& joint, const PlacedBody& a, const PlacedBody& b);
 
-GearJointDef make_gear(const SceneJoint& joint, JointId a, JointId b);
+// Without the ids of its joints.
+GearJointDef make_gear(const SceneJoint& gear);
 
 }  // namespace tumble::scene

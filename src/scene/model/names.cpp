@@ -1,10 +1,9 @@
-// Names of copies are not stored: a name is taken apart, which stays cheap for a million copies.
+// Names of copies are not stored: "crate[3]" is split into base and number, which stays cheap for a million copies.
 #include "scene/model/names.hpp"
 
 #include <algorithm>
 #include <charconv>
 
-#include "scene/model/joint_copies.hpp"
 #include "scene/model/repeat.hpp"
 #include "tumble/suggest.hpp"
 
@@ -12,38 +11,37 @@ namespace tumble::scene {
 
 namespace {
 
-// What was meant by a name that names nothing. `copies_of` gives the names of the copies that share one of the known
-// names.
+// A suggestion for an unknown name. `copies_of` returns the text for the copies that share a known name.
 template <class CopiesOf>
 std::string hint_for(std::string_view name, const std::vector<std::string_view>& known, const CopiesOf& copies_of) {
     const std::string_view base = name.substr(0, name.rfind('['));
-    const bool is_known = std::ranges::find(known, base) != known.end();
-    const std::string_view meant = is_known ? base : nearest_word(base, known);
+    const bool is_base = std::ranges::find(known, base) != known.end();
+    const std::string_view meant = is_base ? base : nearest_word(base, known);
     const std::string copies = copies_of(meant);
     if (copies.empty()) return suggestion(name, known);
-    return (is_known ? "" : "did you mean '" + std::string(meant) + "'? ") + "the copies are called " + copies;
+    return (is_base ? "" : "did you mean '" + std::string(meant) + "'? ") + "the copies are called " + copies;
 }
 
 }  // namespace
 
-void EntryNames::add(const std::string& name, const NamedPlace& first) {
+void EntryNames::add(const std::string& name, const NamedCopy& first) {
     if (!name.empty()) first_.emplace(name, first);
 }
 
-std::optional<NamedPlace> EntryNames::find(std::string_view name) const {
+std::optional<NamedCopy> EntryNames::find(std::string_view name) const {
     const auto exact = first_.find(name);
     if (exact != first_.end() && !exact->second.is_copy) return exact->second;
     return find_copy(name);
 }
 
-std::optional<NamedPlace> EntryNames::find_copy(std::string_view name) const {
+std::optional<NamedCopy> EntryNames::find_copy(std::string_view name) const {
     const std::optional<std::size_t> copy = copy_number(name);
     const auto repeated = first_.find(base_name(name));
     if (!copy || repeated == first_.end() || !repeated->second.is_copy || *copy >= repeated->second.count)
         return std::nullopt;
-    NamedPlace place = repeated->second;
-    place.copy = *copy;
-    return place;
+    NamedCopy result = repeated->second;
+    result.copy = *copy;
+    return result;
 }
 
 std::optional<std::size_t> EntryNames::find_source(std::string_view name) const {
@@ -85,8 +83,8 @@ BodyNames::BodyNames(const Scene& scene) {
 
 bool BodyNames::is_spawned(std::string_view name) const {
     const auto exact = spawned_.find(name), again = spawned_.find(base_name(name));
-    return (exact != spawned_.end() && !exact->second.again) ||
-           (again != spawned_.end() && again->second.again && again != exact);
+    return (exact != spawned_.end() && !exact->second.repeats) ||
+           (again != spawned_.end() && again->second.repeats && again != exact);
 }
 
 std::optional<std::size_t> BodyNames::find_event(std::string_view name) const {
@@ -98,31 +96,31 @@ std::optional<std::size_t> BodyNames::find_event(std::string_view name) const {
 
 bool BodyNames::is_shared(std::string_view name) const {
     const auto spawned = spawned_.find(name);
-    return entries_.is_shared(name) || (spawned != spawned_.end() && spawned->second.again);
+    return entries_.is_shared(name) || (spawned != spawned_.end() && spawned->second.repeats);
 }
 
 std::optional<std::size_t> BodyNames::find(std::string_view name) const {
-    const std::optional<NamedPlace> place = entries_.find(name);
-    if (!place) return std::nullopt;
-    return first_built_[place->source] + place->copy;
+    const std::optional<NamedCopy> found = entries_.find(name);
+    if (!found) return std::nullopt;
+    return first_built_[found->source] + found->copy;
 }
 
 std::optional<std::size_t> BodyNames::copies_after(std::string_view name) const {
-    const std::optional<NamedPlace> place = entries_.find_copy(name);
-    if (!place) return std::nullopt;
-    return place->count - 1 - place->copy;
+    const std::optional<NamedCopy> found = entries_.find_copy(name);
+    if (!found) return std::nullopt;
+    return found->count - 1 - found->copy;
 }
 
 std::string BodyNames::hint(std::string_view name) const {
-    if (is_spawned(name)) return "the timeline makes it: it is not there from the start";
+    if (is_spawned(name)) return "the timeline spawns it: it does not exist at the start";
     std::vector<std::string_view> known;
     entries_.append_to(known);
     for (const auto& [spawned, event] : spawned_) known.push_back(spawned);
     return hint_for(name, known, [this](std::string_view meant) {
         const auto spawned = spawned_.find(meant);
-        const bool again = spawned != spawned_.end() && spawned->second.again;
-        return again ? copy_name(spawned->first, 0) + ", " + copy_name(spawned->first, 1) + " and so on"
-                     : entries_.copies_text(meant);
+        const bool repeats = spawned != spawned_.end() && spawned->second.repeats;
+        return repeats ? copy_name(spawned->first, 0) + ", " + copy_name(spawned->first, 1) + " and so on"
+                       : entries_.copies_text(meant);
     });
 }
 
@@ -138,6 +136,15 @@ JointNames::JointNames(const Scene& scene) {
     for (std::size_t i = 0; i < scene.joints.size(); ++i) {
         const SceneJoint& joint = scene.joints[i];
         entries_.add(joint.name, {i, 0, static_cast<std::size_t>(copy_count(joint)), joint.repeat.has_value()});
+    }
+    first_built_.resize(scene.joints.size());
+    std::size_t built = 0;
+    for (const bool is_gear : {false, true}) {
+        for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+            if ((scene.joints[i].type == SceneJointType::gear) != is_gear) continue;
+            first_built_[i] = built;
+            built += static_cast<std::size_t>(copy_count(scene.joints[i]));
+        }
     }
 }
 

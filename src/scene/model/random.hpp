@@ -8,7 +8,7 @@ namespace tumble::scene {
 
 class Random {
 public:
-    // Streams of one seed are independent of each other.
+    // Streams of one seed are independent.
     Random(std::uint64_t seed, std::uint64_t stream) : state_(mix(seed) ^ mix(~stream)) {}
 
     std::uint64_t next() { return mix(state_ += kStep); }

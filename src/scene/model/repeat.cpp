@@ -1,11 +1,12 @@
-// Grid, pyramid and ring are formulas; scatter throws darts and keeps those that are far enough from all before, looked
-// up in a grid of cells.
+// Grid, pyramid and ring are formulas. Scatter draws random points and keeps those that are far enough from all points
+// before (dart throwing); a grid of cells finds the near ones.
 #include "scene/model/repeat.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
+#include "debug/check.hpp"
 #include "scene/model/random.hpp"
 #include "scene/model/turn.hpp"
 
@@ -16,16 +17,16 @@ namespace {
 constexpr int kTriesPerCopy = 1000;
 constexpr double kMostCells = 1024.0;  // a side
 
-std::vector<CopyPlace> places(const GridRepeat& grid, const CopyPlace& first) {
-    std::vector<CopyPlace> result;
+std::vector<CopyPose> poses(const GridRepeat& grid, const CopyPose& first) {
+    std::vector<CopyPose> result;
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column)
             result.push_back({first.position + DVec2(column * grid.spacing.x, row * grid.spacing.y), first.angle});
     return result;
 }
 
-std::vector<CopyPlace> places(const PyramidRepeat& pyramid, const CopyPlace& first) {
-    std::vector<CopyPlace> result;
+std::vector<CopyPose> poses(const PyramidRepeat& pyramid, const CopyPose& first) {
+    std::vector<CopyPose> result;
     for (int row = 0; row < pyramid.base; ++row)
         for (int column = 0; column < pyramid.base - row; ++column)
             result.push_back({first.position + DVec2((column + 0.5 * row) * pyramid.spacing.x, row * pyramid.spacing.y),
@@ -33,8 +34,8 @@ std::vector<CopyPlace> places(const PyramidRepeat& pyramid, const CopyPlace& fir
     return result;
 }
 
-std::vector<CopyPlace> places(const RingRepeat& ring, const CopyPlace& center) {
-    std::vector<CopyPlace> result;
+std::vector<CopyPose> poses(const RingRepeat& ring, const CopyPose& center) {
+    std::vector<CopyPose> result;
     for (int i = 0; i < ring.count; ++i) {
         const double turn = static_cast<double>(i) / ring.count;
         const SinCos direction = sin_cos(2.0 * kPi * turn);
@@ -44,7 +45,7 @@ std::vector<CopyPlace> places(const RingRepeat& ring, const CopyPlace& center) {
     return result;
 }
 
-// Remembers points in cells at least as wide as the separation, so that only nine cells can hold one that is too near.
+// Points in cells at least as wide as the separation, so that only nine cells can contain a point that is too near.
 class Separation {
 public:
     Separation(DVec2 size, double distance) : distance_(distance) {
@@ -54,7 +55,7 @@ public:
         if (distance > 0.0) cells_.resize(static_cast<std::size_t>(columns_ * rows_));
     }
 
-    // Keeps the point (from the lower left corner) unless it is too near to one that was kept.
+    // Adds the point, relative to the lower left corner, unless it is too near to an earlier one.
     bool accept(DVec2 point) {
         if (distance_ <= 0.0) return true;
         const long column = cell_index(point.x), row = cell_index(point.y);
@@ -69,6 +70,10 @@ public:
 private:
     long cell_index(double coordinate) const { return cell_ > 0.0 ? static_cast<long>(coordinate / cell_) : 0; }
     std::vector<DVec2>& cell(long column, long row) {
+        TUMBLE_CHECK(column >= 0);
+        TUMBLE_CHECK(column < columns_);
+        TUMBLE_CHECK(row >= 0);
+        TUMBLE_CHECK(row < rows_);
         return cells_[static_cast<std::size_t>(row * columns_ + column)];
     }
 
@@ -79,8 +84,8 @@ private:
     std::vector<std::vector<DVec2>> cells_;
 };
 
-std::vector<CopyPlace> places(const ScatterRepeat& scatter, const CopyPlace& center, Random random) {
-    std::vector<CopyPlace> result;
+std::vector<CopyPose> poses(const ScatterRepeat& scatter, const CopyPose& center, Random random) {
+    std::vector<CopyPose> result;
     Separation separation(scatter.size, scatter.separation);
     const DVec2 corner = center.position - 0.5 * scatter.size;
     for (int i = 0; i < scatter.count; ++i) {
@@ -88,9 +93,9 @@ std::vector<CopyPlace> places(const ScatterRepeat& scatter, const CopyPlace& cen
         int tries = 0;
         do {
             if (++tries > kTriesPerCopy)
-                throw std::invalid_argument("found room for " + std::to_string(i) + " of " +
+                throw std::invalid_argument("found room for only " + std::to_string(i) + " of " +
                                             std::to_string(scatter.count) +
-                                            " copies only: enlarge 'size' or lessen 'separation'");
+                                            " copies: enlarge 'size' or reduce 'separation'");
             point.x = random.unit() * scatter.size.x;
             point.y = random.unit() * scatter.size.y;
         } while (!separation.accept(point));
@@ -100,14 +105,14 @@ std::vector<CopyPlace> places(const ScatterRepeat& scatter, const CopyPlace& cen
     return result;
 }
 
-std::vector<CopyPlace> pattern(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
-    const CopyPlace first{body.position, body.angle};
+std::vector<CopyPose> pattern(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
+    const CopyPose first{body.position, body.angle};
     if (!body.repeat) return {first};
     if (const ScatterRepeat* scatter = std::get_if<ScatterRepeat>(&*body.repeat))
-        return places(*scatter, first, Random(seed, stream));
-    if (const RingRepeat* ring = std::get_if<RingRepeat>(&*body.repeat)) return places(*ring, first);
-    if (const GridRepeat* grid = std::get_if<GridRepeat>(&*body.repeat)) return places(*grid, first);
-    return places(std::get<PyramidRepeat>(*body.repeat), first);
+        return poses(*scatter, first, Random(seed, stream));
+    if (const RingRepeat* ring = std::get_if<RingRepeat>(&*body.repeat)) return poses(*ring, first);
+    if (const GridRepeat* grid = std::get_if<GridRepeat>(&*body.repeat)) return poses(*grid, first);
+    return poses(std::get<PyramidRepeat>(*body.repeat), first);
 }
 
 struct CopyCount {
@@ -123,13 +128,17 @@ struct CopyCount {
 
 std::int64_t copy_count(const SceneBody& body) { return body.repeat ? std::visit(CopyCount{}, *body.repeat) : 1; }
 
-std::vector<CopyPlace> copy_places(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
-    std::vector<CopyPlace> result = pattern(body, seed, stream);
+std::int64_t copy_count(const SceneJoint& joint) {
+    return joint.repeat ? std::int64_t{joint.repeat->columns} * joint.repeat->rows : 1;
+}
+
+std::vector<CopyPose> copy_poses(const SceneBody& body, std::uint64_t seed, std::uint64_t stream) {
+    std::vector<CopyPose> result = pattern(body, seed, stream);
     const double degrees =
         body.repeat ? std::visit([](const auto& repeat) { return repeat.angle; }, *body.repeat) : 0.0;
-    if (degrees == 0.0) return result;  // with the bits of the formulas
-    for (CopyPlace& place : result)
-        place.position = body.position + turned(place.position - body.position, sin_cos_degrees(degrees));
+    if (degrees == 0.0) return result;  // rotating by 0 could change bits
+    for (CopyPose& copy : result)
+        copy.position = body.position + turned(copy.position - body.position, sin_cos_degrees(degrees));
     return result;
 }
 

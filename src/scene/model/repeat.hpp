@@ -1,4 +1,4 @@
-// Repeaters: the places of the copies of a body.
+// Repeaters: the number of copies of a body or joint, and the poses of those of a body.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,17 @@ namespace tumble::scene {
 
 inline constexpr std::int64_t kMaxBodies = 1000000;  // of a scene, after repeating
 
-struct CopyPlace {
+struct CopyPose {
     DVec2 position;      // world
     double angle = 0.0;  // degrees
 };
 
 // 1 without a repeater.
 std::int64_t copy_count(const SceneBody& body);
+std::int64_t copy_count(const SceneJoint& joint);
 
-// The places of all copies, in order. `stream` tells the scatter repeaters of a scene apart. Throws
+// The poses of all copies, in order. `stream` selects the random numbers of a scatter repeater. Throws
 // std::invalid_argument if a scatter repeater finds no room for a copy.
-std::vector<CopyPlace> copy_places(const SceneBody& body, std::uint64_t seed, std::uint64_t stream);
+std::vector<CopyPose> copy_poses(const SceneBody& body, std::uint64_t seed, std::uint64_t stream);
 
 }  // namespace tumble::scene

@@ -1,4 +1,4 @@
-// Times of a scene, which are decimal fractions of a second, and steps, which are not.
+// From the times of a scene, which are decimal fractions of a second, to steps, which are not.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,8 @@
 
 namespace tumble::scene {
 
-inline constexpr double kTimeSlack = 1e-6;  // of a step: a time so little before a step is meant to be at it
+// Of a step: a time that is later than the start of a step by less than this counts as that start.
+inline constexpr double kTimeSlack = 1e-6;
 
 // The first step that begins at the time (s) or later.
 inline std::uint64_t first_step_at(double time, double steps_per_second) {

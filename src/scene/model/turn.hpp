@@ -1,4 +1,4 @@
-// Turning vectors in double, for what a scene file places.
+// Rotating vectors in double.
 #pragma once
 
 #include "tumble/math.hpp"

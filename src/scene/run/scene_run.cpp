@@ -5,12 +5,13 @@
 #include <optional>
 #include <type_traits>
 
+#include "debug/check.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/model/body_lookup.hpp"
 #include "scene/model/body_plan.hpp"
 #include "scene/model/degrees.hpp"
 #include "scene/model/names.hpp"
-#include "scene/model/place.hpp"
+#include "scene/model/place_copies.hpp"
 #include "scene/model/repeat.hpp"
 #include "scene/model/step_time.hpp"
 
@@ -18,20 +19,20 @@ namespace tumble {
 
 namespace {
 
-// One entry of the timeline with what it needs at hand.
-struct Happening {
+// One entry of the timeline, with its names looked up and its body planned.
+struct ScheduledEvent {
     SceneEvent event;
     std::size_t index = 0;   // in the timeline
-    scene::BodyLookup body;  // that it acts on, or that goes
+    scene::BodyLookup body;  // that it acts on or despawns
     std::optional<JointId> joint;
-    std::optional<scene::BodyPlan> plan;  // of the body that it makes
-    std::uint64_t count = 0;              // how often it has happened
-    std::size_t spawned = 0;              // how many bodies it has made
+    std::optional<scene::BodyPlan> plan;  // of the body that it spawns
+    std::uint64_t count = 0;              // how often it has occurred
+    std::size_t spawned = 0;              // how many bodies it has spawned
 
     bool lasts() const { return event.force || event.torque; }
 };
 
-// The motor of a joint, if it has one, at another speed.
+// Does nothing if the joint has no motor.
 void set_motor_speed(JointDef& joint, double speed) {
     std::visit(
         [speed](auto& def) {
@@ -55,35 +56,35 @@ struct SceneRun::Impl {
         : built(build_world(scene)), name(scene.name), seed(scene.world.seed), bodies_of_file(scene.bodies.size()) {
         for (std::size_t i = 0; i < scene.timeline.size(); ++i) {
             const SceneEvent& event = scene.timeline[i];
-            Happening& happening = happenings.emplace_back();
-            happening.event = event;
-            happening.index = i;
-            happening.body = scene::BodyLookup(event.despawn.empty() ? event.body : event.despawn);
+            ScheduledEvent& scheduled = events.emplace_back();
+            scheduled.event = event;
+            scheduled.index = i;
+            scheduled.body = scene::BodyLookup(event.despawn.empty() ? event.body : event.despawn);
             const std::string& joint = event.release.empty() ? event.joint : event.release;
             const auto found = std::ranges::find(built.joints, joint, &SceneJointInstance::name);
-            if (!joint.empty() && found != built.joints.end()) happening.joint = found->id;
-            if (event.spawn) happening.plan = scene::plan_body(scene, *event.spawn);
+            if (!joint.empty() && found != built.joints.end()) scheduled.joint = found->id;
+            if (event.spawn) scheduled.plan = scene::plan_body(scene, *event.spawn);
         }
     }
 
-    bool is_due(const Happening& happening) const {
-        const SceneEvent& event = happening.event;
+    bool is_due(const ScheduledEvent& scheduled) const {
+        const SceneEvent& event = scheduled.event;
         const double slack = scene::kTimeSlack / built.world.def().steps_per_second;
         const double now = built.world.time() + slack;
-        if (event.at && happening.lasts()) return now >= *event.at && (!event.until || now < *event.until);
-        if (event.at) return happening.count == 0 && now >= *event.at;
-        const double due = event.from.value_or(0.0) + static_cast<double>(happening.count) * event.every.value_or(0.0);
+        if (event.at && scheduled.lasts()) return now >= *event.at && (!event.until || now < *event.until);
+        if (event.at) return scheduled.count == 0 && now >= *event.at;
+        const double due = event.from.value_or(0.0) + static_cast<double>(scheduled.count) * event.every.value_or(0.0);
         return now >= due && due <= event.until.value_or(std::numeric_limits<double>::infinity()) + slack;
     }
 
-    void happen(Happening& happening) {
-        const SceneEvent& event = happening.event;
+    void apply(ScheduledEvent& scheduled) {
+        const SceneEvent& event = scheduled.event;
         World& world = built.world;
         if (event.gravity) world.set_gravity(to_float(*event.gravity));
-        if (event.spawn) spawn(happening);
-        if (happening.joint && world.is_valid(*happening.joint)) act_on_joint(event, *happening.joint);
-        if (const SceneInstance* body = happening.body.find(built)) act_on_body(event, body->id);
-        ++happening.count;
+        if (event.spawn) spawn(scheduled);
+        if (scheduled.joint && world.is_valid(*scheduled.joint)) act_on_joint(event, *scheduled.joint);
+        if (const SceneInstance* body = scheduled.body.find(built)) act_on_body(event, body->id);
+        ++scheduled.count;
     }
 
     void act_on_body(const SceneEvent& event, BodyId body) {
@@ -113,29 +114,30 @@ struct SceneRun::Impl {
             world.destroy_joint(joint);
     }
 
-    void spawn(Happening& happening) {
-        const SceneBody& body = *happening.event.spawn;
-        const std::size_t source = bodies_of_file + happening.index;
-        const bool is_one = !happening.event.every && !body.repeat;
+    void spawn(ScheduledEvent& scheduled) {
+        TUMBLE_CHECK(scheduled.plan.has_value());
+        const SceneBody& body = *scheduled.event.spawn;
+        const std::size_t source = bodies_of_file + scheduled.index;
+        const bool is_one = !scheduled.event.every && !body.repeat;
         const std::int64_t count = static_cast<std::int64_t>(built.world.bodies().size()) + scene::copy_count(body);
         try {
             if (count > scene::kMaxBodies)
-                throw std::invalid_argument("would bring the bodies to " + std::to_string(count) + "; at most " +
+                throw std::invalid_argument("brings the number of bodies to " + std::to_string(count) + "; at most " +
                                             std::to_string(scene::kMaxBodies) + " are allowed");
-            for (const scene::PlacedBody& place : scene::place_copies(body, seed + happening.count, source)) {
-                const BodyId id = scene::create_body(built.world, *happening.plan, place.pose);
+            for (const scene::PlacedBody& copy : scene::place_copies(body, seed + scheduled.count, source)) {
+                const BodyId id = scene::create_body(built.world, *scheduled.plan, copy.pose);
                 built.bodies.push_back(
-                    {id, source, is_one ? body.name : scene::copy_name(body.name, happening.spawned++)});
+                    {id, source, is_one ? body.name : scene::copy_name(body.name, scheduled.spawned++)});
             }
         } catch (const std::invalid_argument& refusal) {
             scene::Diagnostics diagnostics(name.empty() ? "scene" : name, "");
-            diagnostics.error("/timeline/" + std::to_string(happening.index) + "/spawn", refusal.what());
+            diagnostics.error("/timeline/" + std::to_string(scheduled.index) + "/spawn", refusal.what());
             diagnostics.finish(nullptr);
         }
     }
 
     SceneWorld built;
-    std::vector<Happening> happenings;
+    std::vector<ScheduledEvent> events;
     std::string name;  // of the scene, for errors
     std::uint64_t seed = 0;
     std::size_t bodies_of_file = 0;  // how many entries Scene::bodies has
@@ -155,8 +157,8 @@ SceneRun::SceneRun(SceneRun&&) noexcept = default;
 SceneRun& SceneRun::operator=(SceneRun&&) noexcept = default;
 
 void SceneRun::step() {
-    for (Happening& happening : impl_->happenings)
-        if (impl_->is_due(happening)) impl_->happen(happening);
+    for (ScheduledEvent& scheduled : impl_->events)
+        if (impl_->is_due(scheduled)) impl_->apply(scheduled);
     impl_->built.world.step();
 }
 
