@@ -5,11 +5,13 @@
 
 #include "scene/example.hpp"
 #include "scene/shipped.hpp"
+#include "support/near.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_world.hpp"
 
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
 
@@ -47,7 +49,7 @@ TEST_CASE("degrees, materials and poses arrive as the world counts them") {
     CHECK(ball.angular_velocity == static_cast<float>(kPi / 2));
     const ShapeId shape = built.world.shapes(built.bodies[2].id)[0];
     CHECK(built.world.material(shape) == SurfaceMaterial{0.9f, 0.02f, 0.1f, 0.0f, 0.0f});
-    CHECK(built.world.mass(built.bodies[2].id).mass == doctest::Approx(0.9 * kPi * 0.25).epsilon(1e-6));
+    CHECK(near(built.world.mass(built.bodies[2].id).mass, 0.9 * kPi * 0.25, kFloat));
     CHECK(built.world.type(built.bodies[0].id) == BodyType::static_body);
     CHECK(built.world.def().gravity == Vec2{0, -10});
 }
@@ -68,7 +70,7 @@ TEST_CASE("sleep, bullets, filters and sensors arrive") {
     CHECK(world.filter(shapes[0]) == CollisionFilter{});
     CHECK(world.filter(shapes[1]) == CollisionFilter{4, 6, -2});
     CHECK(may_meet(world.filter(shapes[2]), CollisionFilter{}));
-    CHECK(world.mass(built.bodies[0].id).mass == doctest::Approx(2.0 * kPi));
+    CHECK(near(world.mass(built.bodies[0].id).mass, 2.0 * kPi, kFloat));
 }
 
 TEST_CASE("locks, a mass of its own and whether a body takes part arrive") {
@@ -136,7 +138,7 @@ TEST_CASE("a concave outline becomes several shapes of one body with the whole a
                                     "");
     const SceneWorld built = build_world(scene);
     CHECK(built.world.shapes(built.bodies[0].id).size() == 2);
-    CHECK(built.world.mass(built.bodies[0].id).mass == doctest::Approx(5.0).epsilon(1e-6));
+    CHECK(near(built.world.mass(built.bodies[0].id).mass, 5.0, kFloat));
 }
 
 TEST_CASE("a scene made by a program is checked as a file is") {
@@ -182,10 +184,10 @@ TEST_CASE("the segments of a chain become neighbours, open on the right of its d
     const std::string one_sided = "{\"points\": " + points + "}",
                       two_sided = "{\"points\": " + points + ", \"two_sided\": true}";
     const Pose slid = falls_to(one_sided, 0.25, 8.0);  // its right is up
-    CHECK(slid.position.x == doctest::Approx(4.0).epsilon(1e-5));
-    CHECK(slid.position.y == doctest::Approx(0.25).epsilon(1e-3));
+    CHECK(near(slid.position.x, 4.0, kFloat));
+    CHECK(near(slid.position.y, 0.25, absolute(1e-4)));
     CHECK(std::abs(slid.rotation.s) < 1e-3f);
-    CHECK(falls_to(two_sided, 0.25, 8.0).position.x == doctest::Approx(4.0).epsilon(1e-5));
+    CHECK(near(falls_to(two_sided, 0.25, 8.0).position.x, 4.0, kFloat));
     const std::string reversed = R"({"points": [[-9, 0], [0.1, 0], [9, 0]]})";
     CHECK(falls_to(reversed, 0.25, 0.0).position.y < -1.0);
     CHECK(falls_to(R"({"points": [[-9, 0], [0.1, 0], [9, 0]], "two_sided": true})", 0.25, 0.0).position.y > 0.2);
