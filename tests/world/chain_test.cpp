@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "support/near.hpp"
 #include "support/slide.hpp"
 
 using namespace tumble;
@@ -194,5 +195,5 @@ TEST_CASE("what has passed a chain lands on it when it comes back") {
         begins += static_cast<int>(world.events().contact_begins.size());
     }
     CHECK(begins >= 1);
-    CHECK(world.state(ball).pose.position.y == doctest::Approx(0.25).epsilon(0.04));
+    CHECK(near(world.state(ball).pose.position.y, 0.25, absolute(kRestingDepth)));
 }

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "support/near.hpp"
 #include "support/worlds.hpp"
 
 using namespace tumble;
@@ -196,7 +197,8 @@ TEST_CASE("what leans on a body wakes when that goes, static or not") {
     CHECK(world.is_awake(boxes[2]));
     world.validate();
     run(world, 180);
-    CHECK(world.state(boxes[2]).pose.position.y == doctest::Approx(1.5).epsilon(0.01));
+    // It falls asleep while it still settles, at less than 0.05 m/s.
+    CHECK(near(world.state(boxes[2]).pose.position.y, 1.5, absolute(0.002)));
     REQUIRE_FALSE(world.is_awake(boxes[2]));
     world.destroy_body(floor);
     CHECK(world.is_awake(boxes[2]));
@@ -215,7 +217,7 @@ TEST_CASE("a lift at rest lets its load sleep, takes it along when it starts, an
     CHECK(world.is_awake(load));
     run(world, 600);
     CHECK(world.is_awake(load));
-    CHECK(world.state(load).pose.position.y == doctest::Approx(1.2).epsilon(0.001));
+    CHECK(near(world.state(load).pose.position.y, 1.2, absolute(kRestingDepth)));
     world.set_velocity(lift, {}, 0.0f);
     run(world, 120);
     CHECK_FALSE(world.is_awake(load));
@@ -230,7 +232,7 @@ TEST_CASE("a lift that was at rest beside a sleeper meets it when it starts") {
     world.set_velocity(lift, {1.0f, 0.0f}, 0.0f);
     run(world, 60);
     CHECK(world.is_awake(load));
-    CHECK(world.state(load).pose.position.x == doctest::Approx(2.0).epsilon(0.01));
+    CHECK(near(world.state(load).pose.position.x, 2.0, kFloat));
     world.validate();
 }
 
@@ -322,7 +324,7 @@ TEST_CASE("a stack that wakes goes on as if it had not slept") {
     for (const ContactPoint& point : slept.contacts())
         if (point.body_b == boxes[0] || point.body_a == boxes[0])
             if (point.separation < 0.0f && point.point.y < 0.5) carried += double{point.normal_impulse};
-    CHECK(carried == doctest::Approx(5.0 * 10.0 / 60.0).epsilon(0.01));
+    CHECK(near(carried, 5.0 * 10.0 / 60.0, relative(0.001)));
     for (World* world : {&slept, &stayed}) run(*world, 10);
     CHECK(slept.state_hash() == stayed.state_hash());
 }
