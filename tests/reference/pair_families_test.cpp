@@ -16,10 +16,12 @@
 #include "reference/parity/parallel_blocks.hpp"
 #include "reference/query/random.hpp"
 #include "support/distance_results.hpp"
+#include "support/near.hpp"
 #include "tumble/distance.hpp"
 
 using namespace tumble;
 using namespace tumble::reference;
+using namespace tumble::test;
 using namespace tumble_test;
 
 namespace {
@@ -282,7 +284,7 @@ TEST_CASE("the regression list") {
         CHECK(is_status_right(answer.status, exact.sign()));
         CHECK(check_certificate(q, answer) == CertificateVerdict::accepted);
         CHECK_FALSE(answer.reached_cap);
-        CHECK(length(answer.normal) == doctest::Approx(1.0).epsilon(1e-14));
+        CHECK(near(length(answer.normal), 1.0, kDouble));
     }
 }
 

@@ -1,4 +1,4 @@
-// A R.U.B.E. export of a row of bodies, as the editor writes it: floats as 8 hexadecimal digits, mass data of what the
+// A R.U.B.E. export of rows of bodies, as the editor writes it: floats as 8 hexadecimal digits, mass data of what the
 // fixtures weigh.
 #pragma once
 
@@ -40,6 +40,8 @@ inline RubeExport make_rube_export(int count) {
     for (int i = 1; i <= count; ++i) {
         const Vec2 half{draw(0.2f, 0.5f), draw(0.2f, 0.5f)};
         const float radius = draw(0.1f, 0.3f), side = draw(-0.5f, 0.5f), density = draw(0.5f, 4.0f);
+        // In rows of 20: Box2D's floats round to 1e-6 m within 32 m of the origin.
+        const Vec2 position{1.5f * static_cast<float>(i % 20), draw(1.0f, 1.5f) + static_cast<float>(i / 20)};
         // Of a box about the origin and a ball at (side, 0): I is about the origin.
         const double width = 2.0 * double{half.x}, height = 2.0 * double{half.y}, r = radius, x = side;
         const double box = double{density} * width * height, ball = double{density} * kPi * r * r;
@@ -47,12 +49,12 @@ inline RubeExport make_rube_export(int count) {
         const std::string hx = hex_float(half.x), hy = hex_float(half.y), nx = hex_float(-half.x),
                           ny = hex_float(-half.y), weight = hex_float(density);
         bodies += R"(, {"type": 2, "awake": true, "name": "part)" + std::to_string(i) + R"(", "position": )" +
-                  hex_vector({1.5f * static_cast<float>(i), draw(1.0f, 2.0f)}) + R"(, "angle": )" +
-                  hex_float(draw(-3.0f, 3.0f)) + R"(, "massData-mass": )" + hex_float(static_cast<float>(box + ball)) +
-                  R"(, "massData-center": )" + hex_vector({static_cast<float>(ball * x / (box + ball)), 0.0f}) +
-                  R"(, "massData-I": )" + hex_float(static_cast<float>(inertia)) + R"(, "fixture": [{"density": )" +
-                  weight + R"(, "polygon": {"vertices": {"x": [)" + nx + ", " + hx + ", " + hx + ", " + nx +
-                  R"(], "y": [)" + ny + ", " + ny + ", " + hy + ", " + hy + R"(]}}}, {"density": )" + weight +
+                  hex_vector(position) + R"(, "angle": )" + hex_float(draw(-3.0f, 3.0f)) + R"(, "massData-mass": )" +
+                  hex_float(static_cast<float>(box + ball)) + R"(, "massData-center": )" +
+                  hex_vector({static_cast<float>(ball * x / (box + ball)), 0.0f}) + R"(, "massData-I": )" +
+                  hex_float(static_cast<float>(inertia)) + R"(, "fixture": [{"density": )" + weight +
+                  R"(, "polygon": {"vertices": {"x": [)" + nx + ", " + hx + ", " + hx + ", " + nx + R"(], "y": [)" +
+                  ny + ", " + ny + ", " + hy + ", " + hy + R"(]}}}, {"density": )" + weight +
                   R"(, "circle": {"radius": )" + hex_float(radius) + R"(, "center": )" + hex_vector({side, 0.0f}) +
                   "}}]}";
         if (i == 1) continue;
