@@ -195,3 +195,12 @@ TEST_CASE("a camera is widened to what is marked, unless that is too far away") 
     CHECK(Framing(widened({.regions = {{DVec2{0.0, 6.0}, {2.0, 6.0}, {2.0, 9.0}, {0.0, 9.0}}}}), kAspect)
               .holds({0.0, 0.0}, {2.0, 9.0}));
 }
+
+TEST_CASE("room to spare lies above what is shown, seven parts of ten") {
+    HandMadeScene s;
+    s.add_static("floor", {0.0, -0.5}, make_box({40.0f, 1.0f}));
+    for (int i = 0; i < 20; ++i) s.add_dynamic("crate", {1.5 * i - 14.25, 0.5}, make_box({1.0f, 1.0f}));
+    const Framing frame(make_camera(s.scene, s.built, kAspect), kAspect);
+    CHECK(frame.bottom < -0.5);
+    CHECK(frame.top - 1.0 > 1.5 * (0.0 - frame.bottom));
+}

@@ -54,6 +54,18 @@ TEST_CASE("degrees, materials and poses arrive as the world counts them") {
     CHECK(built.world.def().gravity == Vec2{0, -10});
 }
 
+TEST_CASE("a box of a body is turned by its angle in degrees") {
+    const SceneWorld built = build_world(
+        parse_scene(R"({"format": 1, "bodies": [{"shapes": [{"box": {"size": [4, 2], "angle": 90}}]}]})", "box.json"));
+    REQUIRE(built.bodies.size() == 1);
+    REQUIRE(built.world.shapes(built.bodies[0].id).size() == 1);
+    const Shape& shape = built.world.shape(built.world.shapes(built.bodies[0].id)[0]);
+    for (int i = 0; i < shape.vertex_count(); ++i) {
+        CHECK(near(std::abs(shape.vertex(i).x), 1.0, kFloat));
+        CHECK(near(std::abs(shape.vertex(i).y), 2.0, kFloat));
+    }
+}
+
 TEST_CASE("sleep, bullets, filters and sensors arrive") {
     const SceneWorld built = build_world(parse_scene(R"({"format": 1, "world": {"sleeping": false, "continuous": false},
         "bodies": [{"awake": false, "shapes": [{"circle": {"radius": 1}, "sensor": true},

@@ -397,3 +397,30 @@ TEST_CASE("a joint that keeps sleepers that touch from touching wakes them") {
         CHECK(world.state(boxes[joins_floor ? 0 : 1]).pose.position.y < (joins_floor ? -4.0 : 0.51));
     }
 }
+
+// At 1 Hz and up to 0.2 m/s it is slower than 0.05 m/s for 0.08 s at each end of its swing.
+TEST_CASE("a body that swings does not add up the moments in which it is slow") {
+    World world = weightless();
+    const BodyId wall = world.create_body({.type = BodyType::static_body});
+    const BodyId body = add_dynamic(world, {2.0, 0.0}, kBox);
+    world.create_joint(
+        DistanceJointDef{.body_a = wall, .body_b = body, .length = 2.0f, .spring = JointSpring{1.0f, 0.0f}});
+    world.set_velocity(body, {0.2f, 0.0f}, 0.0f);
+    run(world, 360);
+    CHECK(world.is_awake(body));
+}
+
+TEST_CASE("a sleeper wakes when a static body that it touches is taken away, in either order of the two") {
+    for (const bool static_first : {true, false}) {
+        CAPTURE(static_first);
+        World world;
+        BodyId shelf, box;
+        if (static_first) shelf = add_static(world, {0.0, -0.5}, make_box({4.0f, 1.0f}));
+        box = add_dynamic(world, {0.0, 0.5}, kBox);
+        if (!static_first) shelf = add_static(world, {0.0, -0.5}, make_box({4.0f, 1.0f}));
+        run(world, 120);
+        REQUIRE_FALSE(world.is_awake(box));
+        world.destroy_body(shelf);
+        CHECK(world.is_awake(box));
+    }
+}

@@ -150,3 +150,28 @@ TEST_CASE("a weld with an angular spring bends as a spring does") {
     const Oscillation seen = measure(rig.world, 240, [&] { return rig.angle(); });
     CHECK(near(seen.period, implicit_spring(2.0, 0.0).period, relative(kInterpolation)));
 }
+
+TEST_CASE("a weld with a linear spring hangs as far down as g / w^2") {
+    Rig rig(true);
+    rig.world.create_joint(
+        WeldJointDef{.body_a = rig.pivot, .body_b = rig.box, .linear_spring = JointSpring{2.0f, 0.5f}});
+    rig.world.set_allow_sleep(rig.box, false);
+    run(rig.world, 600);
+    CHECK(near(rig.position().y, -kGravity / (16.0 * kPi * kPi), absolute(1e-6)));
+}
+
+TEST_CASE("a motor joint with a spring swings at its frequency, along and about") {
+    Rig rig(false);
+    rig.world.create_joint(MotorJointDef{.body_a = rig.pivot,
+                                         .body_b = rig.box,
+                                         .max_force = 1e6f,
+                                         .max_torque = 1e6f,
+                                         .spring = JointSpring{2.0f, 0.0f}});
+    rig.world.set_velocity(rig.box, {}, 1.0f);
+    CHECK(near(measure(rig.world, 240, [&] { return rig.angle(); }).period, implicit_spring(2.0, 0.0).period,
+               relative(kInterpolation)));
+    rig.world.set_transform(rig.box, {});
+    rig.world.set_velocity(rig.box, {1.0f, 0.0f}, 0.0f);
+    CHECK(near(measure(rig.world, 240, [&] { return rig.position().x; }).period, implicit_spring(2.0, 0.0).period,
+               relative(kInterpolation)));
+}
