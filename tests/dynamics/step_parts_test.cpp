@@ -24,12 +24,12 @@ TEST_CASE("softness is the implicit damped spring") {
     CHECK(near(soft.mass_scale + soft.impulse_scale, 1.0, kFloat));
 }
 
-TEST_CASE("softness gives way to the sub-step") {
+TEST_CASE("contacts and joints are softened to what the sub-step can resolve") {
     CHECK(contact_softness({}, 1.0f / 60.0f).bias_rate == make_softness(7.5f, 10.0f, 1.0f / 60.0f).bias_rate);
     CHECK(joint_softness({}, 1.0f / 60.0f).bias_rate == make_softness(15.0f, 2.0f, 1.0f / 60.0f).bias_rate);
 }
 
-TEST_CASE("a small rotation has unit length and the angle asked for") {
+TEST_CASE("a small rotation has unit length and the given angle") {
     for (const double wanted : {1e-6, 0.01, -0.05, 0.2}) {
         const Rotation q = small_rotation(static_cast<float>(wanted));
         CHECK(std::abs(double{q.c} * q.c + double{q.s} * q.s - 1.0) < 2e-7);

@@ -32,8 +32,8 @@ const SceneBody& body_named(const ImportedScene& imported, const std::string& na
 template <class Geometry>
 const Geometry& only_shape(const SceneBody& body) {
     REQUIRE(body.shapes.size() == 1);
-    REQUIRE(std::holds_alternative<Geometry>(body.shapes[0].geometry));
-    return std::get<Geometry>(body.shapes[0].geometry);
+    REQUIRE(std::holds_alternative<Geometry>(body.shapes.at(0).geometry));
+    return std::get<Geometry>(body.shapes.at(0).geometry);
 }
 
 std::map<std::string, int> notes_of(const ImportedScene& imported) {
@@ -77,17 +77,17 @@ TEST_CASE("one figure of each kind, 100 units a metre, y upwards from the lower 
     CHECK(floor.type == BodyType::static_body);
     CHECK(near(floor.position, {2.0, 0.1}));
     CHECK(near(only_shape<BoxGeometry>(floor).size, {4.0, 0.2}));
-    CHECK(floor.shapes[0].material == "#445566");
+    CHECK(floor.shapes.at(0).material == "#445566");
 
     const SceneBody& crate = body_named(imported, "crate");
     CHECK(crate.type == BodyType::dynamic_body);
     CHECK(near(crate.position, {0.7, 1.9}));  // (70, 110) of 300
     CHECK(near(only_shape<BoxGeometry>(crate).size, {0.4, 0.2}));
     CHECK(only_shape<BoxGeometry>(crate).angle == 0.0);
-    CHECK(crate.shapes[0].material == "#ffa500");
+    CHECK(crate.shapes.at(0).material == "#ffa500");
 
     CHECK(near(only_shape<BoxGeometry>(body_named(imported, "pill")).radius, 0.05, kDouble));
-    CHECK(body_named(imported, "pill").shapes[0].material == "#0a141e");
+    CHECK(body_named(imported, "pill").shapes.at(0).material == "#0a141e");
     CHECK(near(only_shape<CircleGeometry>(body_named(imported, "ball")).radius, 0.25, kDouble));
     // The chords of the ellipse are inside it by at most the tolerance of 5 mm: its area is pi a b = 0.0628 m^2 less at
     // most the tolerance times the perimeter, 0.97 m.
@@ -109,7 +109,7 @@ TEST_CASE("one figure of each kind, 100 units a metre, y upwards from the lower 
     CHECK(area_of(body_named(imported, "drop")) > 0.0);
 }
 
-TEST_CASE("what a drawing program writes: layers, style sheets, clones, and what is left out") {
+TEST_CASE("layers, style sheets and clones of a drawing program are imported, and the rest is noted") {
     const ImportedScene imported = import_svg(kData / "editor.svg");
     const std::map<std::string, int> expected = {
         {"clip paths", 1},
@@ -127,23 +127,23 @@ TEST_CASE("what a drawing program writes: layers, style sheets, clones, and what
     const SceneBody& brick = body_named(imported, "brick");
     CHECK(near(only_shape<BoxGeometry>(brick).size, {0.1, 0.05}));
     CHECK(near(brick.position, {0.2, 0.725}));  // (10 + 5 + 5, 20 + 5 + 2.5) of 100
-    CHECK(brick.shapes[0].material == "#a52a2a");
+    CHECK(brick.shapes.at(0).material == "#a52a2a");
     // Turned by 90 degrees in a plane that is then mirrored: (40, 20) is its corner, it reaches 5 to the left, 10 down.
     const SceneBody& turned = body_named(imported, "brick-2");
     CHECK(near(turned.position, {0.375, 0.75}));
     CHECK(only_shape<BoxGeometry>(turned).angle == -90.0);
 
-    const SceneBody& plank = imported.scene.bodies[2];
+    const SceneBody& plank = imported.scene.bodies.at(2);
     CHECK(plank.type == BodyType::static_body);
     CHECK(only_shape<OutlineGeometry>(plank).points.size() == 8);
     CHECK(near(area_of(plank), 1.0 * 0.1 - 0.2 * 0.05, kFloat));
 
-    CHECK(imported.scene.bodies[3].type == BodyType::static_body);
-    CHECK(imported.scene.bodies[3].shapes[0].material == "#c0c0c0");
-    const SceneBody& wire = imported.scene.bodies[4];
+    CHECK(imported.scene.bodies.at(3).type == BodyType::static_body);
+    CHECK(imported.scene.bodies.at(3).shapes.at(0).material == "#c0c0c0");
+    const SceneBody& wire = imported.scene.bodies.at(4);
     CHECK(wire.type == BodyType::dynamic_body);
     REQUIRE(wire.shapes.size() == 2);
-    CHECK(near(std::get<CapsuleGeometry>(wire.shapes[0].geometry).radius, 0.01, kDouble));
+    CHECK(near(std::get<CapsuleGeometry>(wire.shapes.at(0).geometry).radius, 0.01, kDouble));
 }
 
 TEST_CASE("an imported scene is a valid scene file and a world that steps") {
@@ -157,11 +157,11 @@ TEST_CASE("an imported scene is a valid scene file and a world that steps") {
     }
 }
 
-TEST_CASE("what is filled moves, what is a line stands, and a word decides otherwise") {
+TEST_CASE("filled shapes become dynamic bodies, lines static ones, and a label overrides both") {
     const auto type_of = [](const std::string& content) {
         const ImportedScene imported = import_text(content);
         REQUIRE(imported.scene.bodies.size() == 1);
-        return imported.scene.bodies[0].type;
+        return imported.scene.bodies.at(0).type;
     };
     const std::string box = "width='10' height='10'/>", none = "fill='none' stroke='red' ";
     CHECK(type_of("<rect " + box) == BodyType::dynamic_body);

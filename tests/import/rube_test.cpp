@@ -62,8 +62,8 @@ TEST_CASE("bodies, fixtures and materials arrive in our units") {
     CHECK_FALSE(body_of(imported, "crate_2").awake);  // missing is false
     const SceneBody& fixed = body_of(imported, "crate_2");
     REQUIRE(fixed.shapes.size() == 2);
-    CHECK_FALSE(fixed.shapes[0].sensor);
-    CHECK(fixed.shapes[1].sensor);
+    CHECK_FALSE(fixed.shapes.at(0).sensor);
+    CHECK(fixed.shapes.at(1).sensor);
     CHECK(fixed.fixed_rotation);
     CHECK(fixed.mass.value().mass == 5.0);  // and not the pi / 2 kg of its disc
     CHECK(fixed.mass.value().inertia == 0.0);
@@ -105,7 +105,7 @@ TEST_CASE("missing friction and restitution are 0, not the engine's defaults") {
 TEST_CASE("joints arrive with local anchors and degrees") {
     const ImportedScene imported = import_rube(kData / "rube_small.json");
     REQUIRE(imported.scene.joints.size() == 12);
-    const SceneJoint& hinge = imported.scene.joints[0];
+    const SceneJoint& hinge = imported.scene.joints.at(0);
     CHECK(hinge.type == SceneJointType::revolute);
     CHECK(hinge.body_a == "ground");
     CHECK(hinge.body_b == "crate");
@@ -114,31 +114,31 @@ TEST_CASE("joints arrive with local anchors and degrees") {
     CHECK(near(hinge.limits.value().upper, 180.0 / kPi, kDouble));
     CHECK(!hinge.motor.has_value());
     CHECK(hinge.collide_connected);
-    const SceneJoint& rod = imported.scene.joints[1];
+    const SceneJoint& rod = imported.scene.joints.at(1);
     CHECK(rod.name == "hinge_2");
     CHECK(rod.body_a == "body_3");
     CHECK(rod.length == 4.0);
     CHECK(rod.spring.value().hertz == 2.0);
-    const SceneJoint& wheel = imported.scene.joints[2];
+    const SceneJoint& wheel = imported.scene.joints.at(2);
     CHECK(wheel.type == SceneJointType::wheel);
     CHECK(wheel.axis == DVec2{0.0, 1.0});
     CHECK(near(wheel.motor.value().speed, 360.0 / kPi, kDouble));
     CHECK(wheel.spring.value().damping_ratio == 0.7);
-    const SceneJoint& slider = imported.scene.joints[3];
+    const SceneJoint& slider = imported.scene.joints.at(3);
     CHECK(slider.type == SceneJointType::prismatic);
     CHECK(slider.axis == DVec2{0.0, 2.0});
     CHECK(slider.limits.value().lower == -1.0);
     CHECK(slider.motor.value().max_force == 9.0);
-    CHECK(imported.scene.joints[4].angular_spring.value().hertz == 3.0);
-    const SceneJoint& rope = imported.scene.joints[5];
+    CHECK(imported.scene.joints.at(4).angular_spring.value().hertz == 3.0);
+    const SceneJoint& rope = imported.scene.joints.at(5);
     CHECK(rope.type == SceneJointType::distance);
     CHECK(rope.limits.value().lower == 0.0);
     CHECK(rope.limits.value().upper == 6.0);
-    CHECK(imported.scene.joints[6].max_torque == 2.0);
+    CHECK(imported.scene.joints.at(6).max_torque == 2.0);
     // The target (2, 5) of the world in the coordinates of the body at (0, 5).
-    CHECK(imported.scene.joints[7].anchors.value().first == DVec2{2.0, 0.0});
-    CHECK(imported.scene.joints[8].body_a == "off");
-    const SceneJoint& pulley = imported.scene.joints[10];
+    CHECK(imported.scene.joints.at(7).anchors.value().first == DVec2{2.0, 0.0});
+    CHECK(imported.scene.joints.at(8).body_a == "off");
+    const SceneJoint& pulley = imported.scene.joints.at(10);
     CHECK(pulley.type == SceneJointType::pulley);
     CHECK(pulley.name == "rope");
     CHECK(pulley.anchors.value().second == DVec2{0.0, 0.25});
@@ -146,17 +146,17 @@ TEST_CASE("joints arrive with local anchors and degrees") {
     CHECK(pulley.ratio == 2.0);
     CHECK(pulley.length == 6.5 + 2.0 * 5.75);
     // The joints of a gear have names, and may come after it: the export's 16 and 5 are the scene's 9 and 3.
-    const SceneJoint& gear = imported.scene.joints[11];
+    const SceneJoint& gear = imported.scene.joints.at(11);
     CHECK(gear.type == SceneJointType::gear);
     CHECK(gear.name == "teeth");
     CHECK(gear.joint_a == "joint_9");
     CHECK(gear.joint_b == "joint_3");
-    CHECK(imported.scene.joints[9].name == "joint_9");
-    CHECK(imported.scene.joints[3].name == "joint_3");
+    CHECK(imported.scene.joints.at(9).name == "joint_9");
+    CHECK(imported.scene.joints.at(3).name == "joint_3");
     CHECK(gear.ratio == 2.0);
 }
 
-TEST_CASE("what is not carried over is said once, with a count") {
+TEST_CASE("each feature that is not imported is noted once, with a count") {
     const ImportedScene imported = import_rube(kData / "rube_small.json");
     const std::map<std::string, int> expected = {
         {"numbers of solver iterations", 1},
@@ -177,7 +177,7 @@ TEST_CASE("a byte-order mark and a JavaScript wrapper are tolerated") {
     const ImportedScene imported = import_rube(kData / "rube_wrapped.js");
     REQUIRE(imported.scene.bodies.size() == 1);
     CHECK(imported.scene.world.gravity == DVec2(0, 0));
-    CHECK(imported.scene.bodies[0].name == "ball");
+    CHECK(imported.scene.bodies.at(0).name == "ball");
 }
 
 TEST_CASE("wrong values are errors at their place") {
@@ -186,10 +186,10 @@ TEST_CASE("wrong values are errors at their place") {
         FAIL("imported");
     } catch (const SceneError& error) {
         REQUIRE(error.diagnostics.size() == 2);
-        CHECK(error.diagnostics[0].pointer == "/body/1/angle");
-        CHECK(error.diagnostics[1].pointer == "/joint/0/bodyB");
-        CHECK(error.diagnostics[1].message == "must be the index of one of 2 bodies, got 2");
-        CHECK(error.diagnostics[1].line == 5);
+        CHECK(error.diagnostics.at(0).pointer == "/body/1/angle");
+        CHECK(error.diagnostics.at(1).pointer == "/joint/0/bodyB");
+        CHECK(error.diagnostics.at(1).message == "must be the index of one of 2 bodies, got 2");
+        CHECK(error.diagnostics.at(1).line == 5);
     }
 }
 

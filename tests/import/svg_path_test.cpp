@@ -187,7 +187,7 @@ TEST_CASE("transforms apply from right to left") {
     CHECK_THROWS_AS(parse_transform("matrix(1 2 3 4 5 6 7)"), SvgError);
 }
 
-TEST_CASE("what is wrong with path data is told by its place") {
+TEST_CASE("an error in path data names its location") {
     CHECK(error_of("L1 1") == "expected 'M' or 'm' to begin with at character 1, got \"L1 1\"");
     CHECK(error_of("M1 1 L2") == "expected a number at character 8, got the end");
     CHECK(error_of("M1 1 X") == "expected a path command at character 6, got \"X\"");

@@ -82,7 +82,7 @@ TEST_CASE("the arc tangent is exact on the axes") {
     CHECK(near(arc_tangent(1e308, 1e308), kPi / 4.0, relative(1e-15)));
 }
 
-TEST_CASE("what is not finite, or turns too far, answers NaN") {
+TEST_CASE("the sine and cosine of an angle that is not finite or too large are NaN") {
     CHECK(std::isnan(sin_cos(INFINITY).sin));
     CHECK(std::isnan(sin_cos(NAN).cos));
     CHECK(std::isnan(sin_cos(2e6).sin));

@@ -27,7 +27,7 @@ void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
-TEST_CASE("distance, by any way, and collide do not allocate") {
+TEST_CASE("no method of distance, and no collide, allocates") {
     using namespace tumble_test;
     PairSource source(81);
     double sum = 0.0;

@@ -59,7 +59,7 @@ TEST_CASE("a ray finds what the cast of a point finds, and stops on the surface"
     CHECK(hits < 0.9 * static_cast<double>(count));
 }
 
-TEST_CASE("rays meet a box and a ball where the arithmetic says") {
+TEST_CASE("rays hit a box and a ball where the arithmetic says") {
     const Shape box = make_box({2, 4}), ball = make_circle(5);
     const CastResult wall = cast_ray(box, {{10, 0}, make_rotation_degrees(90)}, {0, 0.5}, {16, 0});
     CHECK(wall.status == CastStatus::hit);
@@ -89,7 +89,7 @@ TEST_CASE("a ray from inside overlaps, one that leaves a surface misses, one tha
     }
 }
 
-TEST_CASE("rays at a vertex and along an edge hit, whichever way single ulps move them") {
+TEST_CASE("rays at a vertex and along an edge hit, in whatever direction single ulps move them") {
     const Shape box = make_box({2, 2});
     for (int ulps = -20; ulps <= 20; ++ulps) {
         double y = 1.0;

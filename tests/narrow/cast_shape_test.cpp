@@ -196,7 +196,7 @@ TEST_CASE("scaling everything by a power of two scales the answer bit for bit") 
     }
 }
 
-TEST_CASE("a box meets a box face to face where the arithmetic says") {
+TEST_CASE("a box hits a box face to face where the arithmetic says") {
     // Half sides 1 and 1/2, centres 4 apart: a gap of 2.5, of which the motion of 5 takes one half.
     const Query query{make_box({2, 2}), make_box({1, 1}), {}, {{4, 0}, {}}, {-5, 0}};
     const CastResult result = query.cast();
@@ -210,7 +210,7 @@ TEST_CASE("a box meets a box face to face where the arithmetic says") {
     CHECK(std::abs(result.point.y) <= 0.5);
 }
 
-TEST_CASE("circles meet where a right triangle says") {
+TEST_CASE("circles touch where a right triangle says") {
     // Centres (0, 0) and (10, 3) with radii 2 and 3: moving left they meet at (4, 3), after 6 of 12.
     const Query query{make_circle(2), make_circle(3), {}, {{10, 3}, {}}, {-12, 0}};
     const CastResult result = query.cast();
@@ -267,7 +267,7 @@ TEST_CASE("moving the input by single ulps never loses the hit") {
         }
 }
 
-TEST_CASE("shapes without area meet too") {
+TEST_CASE("shapes without area are hit too") {
     const Shape point = make_circle(0), upright = make_segment({0, -1}, {0, 1}), level = make_segment({-1, 0}, {1, 0});
     const auto fraction = [](const Shape& a, const Shape& b, DVec2 from, DVec2 motion) {
         const CastResult result = cast_shape(a, {}, b, {from, {}}, motion);
@@ -282,7 +282,7 @@ TEST_CASE("shapes without area meet too") {
     CHECK(fraction(upright, upright, {4, 2.5}, {-8, 0}) == -1.0);
 }
 
-TEST_CASE("what is not a number is invalid, never an answer") {
+TEST_CASE("a cast with a NaN is invalid") {
     const Query good{make_box({2, 2}), make_circle(1), {}, {{4, 0}, {}}, {-5, 0}};
     CHECK(good.cast().status == CastStatus::hit);
     for (const double bad : {kNan, kInfinity, -kInfinity, 1e300}) {

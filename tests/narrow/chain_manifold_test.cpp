@@ -90,11 +90,11 @@ TEST_CASE("a one-sided chain is met from the right of its direction, a two-sided
     const Shape ball = make_circle(0.25f);
     CHECK(one.collide(ball, {{0.5, 0.24}, {}}).size() == 1);
     CHECK(one.collide(ball, {{0.5, -0.24}, {}}).empty());
-    CHECK(two.collide(ball, {{0.5, 0.24}, {}}).front().normal == Vec2{0, 1});
-    CHECK(two.collide(ball, {{0.5, -0.24}, {}}).front().normal == Vec2{0, -1});
+    CHECK(two.collide(ball, {{0.5, 0.24}, {}}).at(0).normal == Vec2{0, 1});
+    CHECK(two.collide(ball, {{0.5, -0.24}, {}}).at(0).normal == Vec2{0, -1});
     // A loop drawn counter-clockwise is solid inside.
     const Chain island({{-2, -1}, {2, -1}, {2, 1}, {-2, 1}}, true, true);
-    CHECK(island.collide(ball, {{0, 1.24}, {}}).front().normal == Vec2{0, 1});
+    CHECK(island.collide(ball, {{0, 1.24}, {}}).at(0).normal == Vec2{0, 1});
     CHECK(island.collide(ball, {{0, 0.8}, {}}).empty());
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("at a round corner the normal turns from one neighbour's to the other'
             REQUIRE(std::abs(normal) <= steepest + 0.001);  // a thousandth of a radian is not told apart
             if (std::abs(angle) <= steepest) REQUIRE(near(normal, angle, absolute(1e-7)));
         }
-        const double normal = std::atan2(found.front().normal.x, found.front().normal.y);
+        const double normal = std::atan2(found.at(0).normal.x, found.at(0).normal.y);
         CHECK(normal >= last - 1e-6);
         last = normal;
     }
@@ -125,21 +125,20 @@ TEST_CASE("in a hollow corner each segment pushes along its own normal alone") {
     const Chain corner({{3, 0}, {0, 0}, {0, 3}}, false, true);
     const std::vector<Manifold> found = corner.collide(make_box({1, 1}), {{0.499, 0.49}, {}});
     REQUIRE(found.size() == 2);
-    CHECK(found[0].normal == Vec2{0, 1});
-    CHECK(found[1].normal == Vec2{1, 0});
-    CHECK(near(deepest({found[0]}), -0.01, kFloat));
-    CHECK(near(deepest({found[1]}), -0.001, kFloat));
+    CHECK(found.at(0).normal == Vec2{0, 1});
+    CHECK(found.at(1).normal == Vec2{1, 0});
+    CHECK(near(deepest({found.at(0)}), -0.01, kFloat));
+    CHECK(near(deepest({found.at(1)}), -0.001, kFloat));
 }
 
 TEST_CASE("an open end is met from all around") {
     const Chain wall({{0, 0}, {0, 2}}, false);
     const Shape ball = make_circle(0.25f);
-    CHECK(wall.collide(ball, {{0, 2.24}, {}}).front().normal == Vec2{0, 1});
-    CHECK(wall.collide(ball, {{0, -0.24}, {}}).front().normal == Vec2{0, -1});
-    CHECK(wall.collide(ball, {{0.24, 1}, {}}).front().normal == Vec2{1, 0});
-    CHECK(wall.collide(ball, {{-0.24, 1}, {}}).front().normal == Vec2{-1, 0});
-    CHECK(wall.collide(make_box({4, 0.5f}), {{0.01, 2.24}, {}}).front().normal ==
-          Vec2{0, 1});  // a plank across the top
+    CHECK(wall.collide(ball, {{0, 2.24}, {}}).at(0).normal == Vec2{0, 1});
+    CHECK(wall.collide(ball, {{0, -0.24}, {}}).at(0).normal == Vec2{0, -1});
+    CHECK(wall.collide(ball, {{0.24, 1}, {}}).at(0).normal == Vec2{1, 0});
+    CHECK(wall.collide(ball, {{-0.24, 1}, {}}).at(0).normal == Vec2{-1, 0});
+    CHECK(wall.collide(make_box({4, 0.5f}), {{0.01, 2.24}, {}}).at(0).normal == Vec2{0, 1});  // a plank across the top
 }
 
 TEST_CASE("over random hills no normal leaves the cone of the neighbours, and nothing on the surface falls through") {

@@ -170,7 +170,7 @@ TEST_CASE("swapping the compounds swaps the answer") {
     }
 }
 
-TEST_CASE("two large decomposed outlines: few of a million pairs are asked for") {
+TEST_CASE("two large decomposed outlines: few of a million pairs are visited") {
     std::mt19937_64 random(14);
     const Parts a = decompose_outline(test::star(2000, 10000.0f, random));
     const Parts b = decompose_outline(test::star(2000, 10000.0f, random));

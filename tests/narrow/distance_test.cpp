@@ -130,7 +130,7 @@ TEST_CASE("collinear capsules: apart, end to end, one in the other") {
     }
 }
 
-TEST_CASE("crossing segments overlap by nothing lengthwise: the way out is to the nearer end") {
+TEST_CASE("crossing segments separate towards the nearer end") {
     // A from -1 to 1 on x, B from y = -0.25 to 4 at x = 0.5: lift B by 0.25.
     const DistanceResult r =
         distance(make_segment({-1, 0}, {1, 0}), at(0, 0), make_segment({0, -0.25f}, {0, 4}), at(0.5, 0));
@@ -196,7 +196,7 @@ TEST_CASE("a twelve-gon keeps its twelve vertices") {
     CHECK(distance(make_polygon(points), at(0, 0), make_segment({1.5f, -9}, {1.5f, 9}), at(0, 0)).distance == 0.5);
 }
 
-TEST_CASE("what is not finite, empty or negative is invalid, and every number is NaN") {
+TEST_CASE("input that is not finite, empty or negative is invalid, and every number of the result is NaN") {
     constexpr double inf = std::numeric_limits<double>::infinity();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const auto is_refused = [](const Shape& a, const Pose& pa, const Shape& b, const Pose& pb) {

@@ -33,7 +33,7 @@ void check_near(Vec2 found, double x, double y) {
 
 }  // namespace
 
-TEST_CASE("two circles meet in one point on the line of their centers") {
+TEST_CASE("two circles touch in one point on the line of their centers") {
     // Centers 3-4-5 apart, radii 2 and 2.99: gap 0.01, the middle of the gap 2.005 from A along (0.6, 0.8).
     const Manifold m = collide_cold(make_circle(2), at(10, 20), make_circle(2.99f), at(13, 24));
     REQUIRE(m.point_count == 1);

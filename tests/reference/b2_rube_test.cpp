@@ -42,7 +42,7 @@ TEST_CASE("a body that weighs otherwise and a joint elsewhere are seen") {
     Scene scene = import_rube(kSmall).scene;
     for (SceneBody& body : scene.bodies)
         if (body.name == "crate_2") body.mass = SceneMass{5.01, {}, 0.0};
-    scene.joints[0].anchors->first.x += 0.25;
+    scene.joints.at(0).anchors->first.x += 0.25;
     const ImportDifferences found = compare_with_box2d(kSmall, scene);
     CHECK(near(found.mass, 0.002, absolute(1e-7)));
     CHECK(near(found.anchor, 0.25, kFloat));

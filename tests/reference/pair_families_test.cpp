@@ -291,7 +291,9 @@ TEST_CASE("the regression list") {
 TEST_CASE("a certificate proves the upper bound also where rounding leaves open whether the cores overlap") {
     // 10 km against 1 mm, 1.01 E deep by exact arithmetic and 0.998 E by ours: no overlap is claimed, and the face is
     // farther from the origin than E.
-    const PairQuery query = find_pair_family("mixed_scales")->generate(20261121, 127616);
+    const auto* const family = find_pair_family("mixed_scales");
+    REQUIRE(family);
+    const PairQuery query = family->generate(20261121, 127616);
     const DistanceResult answer = distance(query.a, query.pose_a, query.b, query.pose_b);
     const double bound = core_error_bound(query);
     CHECK(answer.status == DistanceStatus::touching);

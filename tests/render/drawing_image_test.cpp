@@ -32,7 +32,7 @@ TEST_CASE("a drawing's y runs downwards from the upper left corner") {
     CHECK(pixel(image, 15, 33) == kBlack);
 }
 
-TEST_CASE("what comes later in a drawing covers what came before") {
+TEST_CASE("later elements of a drawing cover earlier ones") {
     Drawing drawing = on_black(40, 40);
     drawing.disc({20.0, 20.0}, 15.0, kRed);
     drawing.polygon({{0.0, 15.0}, {40.0, 15.0}, {40.0, 25.0}, {0.0, 25.0}}, kBlue, 0.0, {});

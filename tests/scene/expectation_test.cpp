@@ -85,7 +85,7 @@ TEST_CASE("a place is looked at at its time, or at the end; what is never reache
     CHECK(never.time == 1.5);
 }
 
-TEST_CASE("a place can be claimed always, sometime, within a time, and from outside") {
+TEST_CASE("a position can be claimed always, sometime, within a time, and outside a box") {
     // 1 m/s from the origin: inside the box from 0.5 s to 1 s.
     const std::string kick = R"("timeline": [{"at": 0, "body": "disc", "impulse": [0.785398, 0]}], "expect": [)";
     const std::string box = R"("body": "disc", "inside": [[0.5, -1], [1, 1]])",
@@ -165,7 +165,7 @@ TEST_CASE("touching is known by contacts and sensors, and by who") {
     CHECK(missed.step == 24);
 }
 
-TEST_CASE("who flies through a thin sensor within a step touches it in that step") {
+TEST_CASE("a body that crosses a thin sensor within a step touches it in that step") {
     // From 3.33 m to 5 m in the third step; the gate is from 4.15 m to 4.2 m.
     const auto shot = [](const std::string& claim) {
         return judge(parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [

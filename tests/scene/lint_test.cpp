@@ -173,7 +173,7 @@ TEST_CASE("joints that start apart or act far away, and springs too stiff for th
     CHECK(warnings_of(bodies, tied(rod + R"(, "spring": {"hertz": 36})")).empty());
 }
 
-TEST_CASE("what the run never comes to, and what nothing obeys, is warned of") {
+TEST_CASE("events after the end of the run, and settings without effect, are warned of") {
     const std::string bodies =
         R"({"name": "ball", "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "wall", "type": "static", "position": [9, 0]},
         {"name": "lift", "type": "kinematic", "position": [-9, 0], "shapes": [{"box": {"size": [1, 1]}}]})";
@@ -257,7 +257,7 @@ TEST_CASE("bodies that start inside each other are warned of once for all copies
               .empty());
 }
 
-TEST_CASE("a body asleep in the air is warned of, one that is held or where nothing falls is not") {
+TEST_CASE("a body asleep in the air is warned of, but not if a joint carries it or nothing falls") {
     const std::string sleeper =
         R"({"name": "lamp", "position": [0, HEIGHT], "awake": false, "shapes": [{"box": {"size": [1, 1]}}]})";
     const auto at = [&](const std::string& height) {

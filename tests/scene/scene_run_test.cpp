@@ -20,7 +20,7 @@ namespace {
 float speed_after(const Scene& scene, int steps) {
     SceneRun run(scene);
     for (int i = 0; i < steps; ++i) run.step();
-    return run.world().state(run.built().bodies[0].id).velocity.x;
+    return run.world().state(run.built().bodies.at(0).id).velocity.x;
 }
 
 constexpr float kMass = 0.785398f;
@@ -37,7 +37,7 @@ TEST_CASE("an impulse happens before the first step that begins at its time or l
     CHECK(near(speed_after(at_start, 1), 2.0f / kMass, kFloat));
 }
 
-TEST_CASE("what repeats from a time on begins then and keeps its beat") {
+TEST_CASE("a repeated event begins at its time and keeps its period") {
     const Scene scene = make_disc_scene(
         R"("timeline": [{"every": 0.1, "from": 0.25, "until": 0.4, "body": "disc", "impulse": [1, 0]}])");
     // At 15 and 21 steps; 27 is past the end.
@@ -63,7 +63,7 @@ TEST_CASE("an impulse acts on the centre of mass: the body does not turn") {
                                     "");
     SceneRun run(scene);
     run.step();
-    const BodyState state = run.world().state(run.built().bodies[0].id);
+    const BodyState state = run.world().state(run.built().bodies.at(0).id);
     CHECK(near(state.velocity.y, 5.0f, kFloat));
     CHECK(std::abs(state.angular_velocity) < 1e-5f);
 }
@@ -79,7 +79,7 @@ TEST_CASE("a force acts in each step from its time until its end, and an angular
                                     R"({"at": 0, "until": 0.5, "body": "disc", "torque": 0.2})"}) {
         SceneRun run(make_disc_scene(std::string(R"("timeline": [)") + event + "]"));
         for (int i = 0; i < 60; ++i) run.step();
-        CHECK(near(run.world().state(run.built().bodies[0].id).angular_velocity, 0.1 / 0.0981748, float_sum(240)));
+        CHECK(near(run.world().state(run.built().bodies.at(0).id).angular_velocity, 0.1 / 0.0981748, float_sum(240)));
     }
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("velocities and gravity are set") {
     SceneRun run(make_disc_scene(
         R"("timeline": [{"at": 0.5, "gravity": [4, 0]}, {"at": 0, "body": "disc", "angular_velocity": 90}])"));
     for (int i = 0; i < 90; ++i) run.step();
-    const BodyState state = run.world().state(run.built().bodies[0].id);
+    const BodyState state = run.world().state(run.built().bodies.at(0).id);
     CHECK(near(state.velocity.x, 4.0f, float_sum(240)));  // for a second
     CHECK(near(state.angular_velocity, kPi / 2, kFloat));
 }
@@ -111,11 +111,11 @@ TEST_CASE("bodies appear by their names, are acted on, and go") {
     CHECK(names() == "disc drop[0] ");
     for (int i = 0; i < 40; ++i) run.step();
     CHECK(names() == "disc drop[0] drop[1] drop[2] pair[0] pair[1] ");
-    const SceneInstance& second = run.built().bodies[2];
+    const SceneInstance& second = run.built().bodies.at(2);
     CHECK(second.name == "drop[1]");
     CHECK(run.world().state(second.id).velocity == Vec2{0.0f, 7.0f});
     CHECK(source_of(scene, second).name == "drop");
-    CHECK(run.world().state(run.built().bodies[5].id).pose.position == DVec2{2.0, 50.0});
+    CHECK(run.world().state(run.built().bodies.at(5).id).pose.position == DVec2{2.0, 50.0});
     for (int i = 0; i < 60; ++i) run.step();
     CHECK(names() == "drop[1] drop[2] pair[0] pair[1] ");
 }
@@ -162,9 +162,9 @@ TEST_CASE("motors change their speed, a mouse joint its target, and a joint is l
         "motor": {"speed": 0, "max_torque": 1000}}], "timeline": [{"at": 0.5, "joint": "m", "motor_speed": 90}, {"at": 1, "release": "m"}]})",
                     ""));
     for (int i = 0; i < 30; ++i) motor.step();
-    CHECK(motor.world().state(motor.built().bodies[1].id).angular_velocity == 0.0f);
+    CHECK(motor.world().state(motor.built().bodies.at(1).id).angular_velocity == 0.0f);
     for (int i = 0; i < 20; ++i) motor.step();
-    CHECK(near(motor.world().state(motor.built().bodies[1].id).angular_velocity, kPi / 2, kFloat));
+    CHECK(near(motor.world().state(motor.built().bodies.at(1).id).angular_velocity, kPi / 2, kFloat));
     for (int i = 0; i < 20; ++i) motor.step();
     CHECK(motor.world().joints().empty());
     SceneRun mouse(parse_scene(
@@ -172,11 +172,11 @@ TEST_CASE("motors change their speed, a mouse joint its target, and a joint is l
         "timeline": [{"at": 0, "joint": "m", "target": [3, 1]}]})",
         ""));
     for (int i = 0; i < 180; ++i) mouse.step();
-    const DVec2 position = mouse.world().state(mouse.built().bodies[1].id).pose.position;
+    const DVec2 position = mouse.world().state(mouse.built().bodies.at(1).id).pose.position;
     CHECK(length(position - DVec2{3.0, 1.0}) < 1e-2);
 }
 
-TEST_CASE("what a timeline may not say is refused at its place") {
+TEST_CASE("an invalid timeline entry is refused with its location") {
     const auto pointer_of = [](const std::string& event, const std::string& more = "") {
         try {
             make_disc_scene(more + R"("timeline": [)" + event + "]");

@@ -48,7 +48,7 @@ TEST_CASE("bounds follow the shape in y as in x") {
     CHECK(near(box.upper.y, 24.5, kFloat));
 }
 
-TEST_CASE("what is not finite or has no vertices gives an empty box; a position beyond float a half-open one") {
+TEST_CASE("a shape that is not finite or has no vertices has an empty box; a position beyond float a half-open one") {
     const Shape circle = make_circle(1);
     CHECK(is_empty(bounds(Shape{}, Pose{})));
     CHECK(is_empty(bounds(circle, {{NAN, 0}, {}})));

@@ -55,7 +55,7 @@ TEST_CASE("the first step, body and component that differ are named, with ulps a
     CHECK(run_tumble({"diff", a, c, "--tolerance", "0.5"}).code == 7);
 }
 
-TEST_CASE("beyond the first difference, the largest of each kind is found, and angles go the shorter way") {
+TEST_CASE("beyond the first difference, the largest of each kind is found, and angles differ by the shorter turn") {
     const Folder folder;
     const std::string a = folder.write(
         "a.csv", std::string(kHeader) + "0,0,ball,1,2,3.14,0,0,0\n1,0.5,ball,1,2,0,0,0,0\n2,1,ball,1,2,0,0,0,7\n");
@@ -136,7 +136,7 @@ TEST_CASE("a scene agrees with the trajectory that it wrote, and the contacts of
     CHECK(touching["contacts_a"][0].get<std::string>().find("ball") != std::string::npos);
 }
 
-TEST_CASE("what is no trajectory is refused with its line") {
+TEST_CASE("a file that is no trajectory is refused with its line") {
     const Folder folder;
     const std::string good = folder.write("a.csv", std::string(kHeader) + "0,0,ball,1,2,0,0,0,0\n");
     const auto refuse = [&](const std::string& text) {

@@ -17,7 +17,7 @@ const Shape kBox = make_box({1.0f, 1.0f});
 
 }  // namespace
 
-TEST_CASE("a body that is moved loses its contacts, wakes what it carried and finds new ones") {
+TEST_CASE("a body that is moved loses its contacts, wakes the bodies on it and finds new contacts") {
     World world;
     add_floor(world);
     const BodyId lower = add_dynamic(world, {0.0, 0.5}, kBox), upper = add_dynamic(world, {0.0, 1.5}, kBox);
@@ -68,7 +68,7 @@ TEST_CASE("a body made with its shapes is the one that gets them one by one, wit
     world.validate();
 }
 
-TEST_CASE("a static body that is moved away lets fall what leant on it, and wakes what it comes to") {
+TEST_CASE("a static body that is moved away drops the body that rested on it, and wakes the bodies at its new pose") {
     World world;
     const BodyId shelf = add_static(world, {0.0, 0.0}, make_box({2.0f, 0.2f}));
     add_floor(world);
@@ -83,7 +83,7 @@ TEST_CASE("a static body that is moved away lets fall what leant on it, and wake
     CHECK(near(world.state(beside).pose.position.x, 9.8, absolute(kRestingDepth)));  // pushed out to its edge
 }
 
-TEST_CASE("what is disabled is not there: nothing rests on it, its joints do not hold, no query sees it") {
+TEST_CASE("a disabled body has no contacts, no joints, and no query finds it") {
     World world;
     add_floor(world);
     const BodyId shelf = add_static(world, {0.0, 3.0}, make_box({4.0f, 0.2f}));
@@ -229,7 +229,7 @@ TEST_CASE("a definition tells locks, type, and whether a body is enabled or awak
     CHECK(again(disabled).type == BodyType::dynamic_body);
 }
 
-TEST_CASE("what cannot be is refused and changes nothing") {
+TEST_CASE("invalid values are refused and change nothing") {
     World world;
     const BodyId body = add_dynamic(world, {0.0, 5.0}, kBox);
     const ShapeId shape = world.shapes(body)[0];
@@ -280,7 +280,7 @@ TEST_CASE("a body that is moved towards a pose is there after a step, by the sho
     CHECK_THROWS_AS(world.move_towards(add_floor(world), Pose{}), std::invalid_argument);
 }
 
-TEST_CASE("a body knows its joints and its contacts") {
+TEST_CASE("a body lists its joints and its contacts") {
     World world;
     const BodyId floor = add_floor(world);
     const BodyId lower = add_dynamic(world, {0.0, 0.5}, kBox), upper = add_dynamic(world, {0.0, 1.5}, kBox);

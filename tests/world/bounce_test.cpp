@@ -51,7 +51,7 @@ std::vector<double> bounce_heights(const Faller& faller, float restitution, doub
 
 }  // namespace
 
-TEST_CASE("whatever falls flat bounces to e^2 of the height, at any number of sub-steps") {
+TEST_CASE("a shape that falls flat bounces to e^2 of the height, at any number of sub-steps") {
     for (const Faller& faller : kFallers)
         for (const int substeps : {1, 4, 8})
             for (const float e : {0.5f, 0.8f, 1.0f})
@@ -88,7 +88,7 @@ TEST_CASE("a slow approach does not bounce") {
     CHECK(std::abs(world.state(ball).pose.position.y - 0.5) < 1e-3);
 }
 
-TEST_CASE("equal balls that meet head-on exchange their velocities") {
+TEST_CASE("equal balls that collide head-on exchange their velocities") {
     World world = weightless();
     const SurfaceMaterial bouncy{.restitution = 1.0f};
     const BodyId left = add_dynamic(world, {-2.0, 0.0}, make_circle(0.5f), bouncy);
@@ -100,7 +100,7 @@ TEST_CASE("equal balls that meet head-on exchange their velocities") {
     CHECK(near(world.state(right).velocity.x, 3.0, kFloat));
 }
 
-TEST_CASE("without restitution balls that meet go on together, momentum shared by mass") {
+TEST_CASE("without restitution balls that collide move on together, with their momentum") {
     World world = weightless();
     const BodyId heavy = add_dynamic(world, {-2.0, 0.0}, make_circle(0.5f), {.density = 3.0f});
     const BodyId light = add_dynamic(world, {2.0, 0.0}, make_circle(0.5f), {.density = 1.0f});

@@ -44,7 +44,7 @@ std::vector<Vec2> flat_points() {
 
 }  // namespace
 
-TEST_CASE("what slides over a flat chain at 50 m/s is not lifted, turned or slowed by a seam") {
+TEST_CASE("a body that slides over a flat chain at 50 m/s is not lifted, turned or slowed by a seam") {
     const struct {
         std::string name;
         Shape shape;
@@ -67,7 +67,7 @@ TEST_CASE("what slides over a flat chain at 50 m/s is not lifted, turned or slow
         }
 }
 
-TEST_CASE("a ball runs around the inside of a smooth loop and loses no more than its bends take") {
+TEST_CASE("a ball runs around the inside of a smooth loop and loses no more speed than its bends absorb") {
     // 120 segments, radius 5 m, drawn clockwise: the inside is on their right. A bend by 3 degrees that does not bounce
     // keeps the part cos 3 degrees of the speed; in 5 s the ball meets at most 200 of them.
     std::vector<Vec2> points;
@@ -91,7 +91,7 @@ TEST_CASE("a ball runs around the inside of a smooth loop and loses no more than
     CHECK(length(world.state(ball).velocity) < 10.01);
 }
 
-TEST_CASE("a one-sided chain lets through what comes from its solid side, and holds it from the other") {
+TEST_CASE("a one-sided chain lets a body cross from its solid side, and stops it from the other") {
     for (const float speed : {4.0f, 12.0f, 120.0f}) {  // by contacts, and swept
         World world = weightless();
         add_chain(world, flat_points(), false, true, 0.0f);
@@ -106,7 +106,7 @@ TEST_CASE("a one-sided chain lets through what comes from its solid side, and ho
     }
 }
 
-TEST_CASE("what comes from the solid side of a chain meets nothing, at any speed and wherever its steps fall") {
+TEST_CASE("a body from the solid side of a one-sided chain crosses it without contact, at any speed") {
     for (const Shape& shape : {make_circle(0.1f), make_circle(0.5f), make_box({0.3f, 0.6f}),
                                make_capsule({-0.4f, 0.0f}, {0.4f, 0.0f}, 0.1f)})
         for (const float speed : {0.5f, 2.9f, 7.3f, 13.0f, 31.0f, 90.0f})
@@ -128,7 +128,7 @@ TEST_CASE("what comes from the solid side of a chain meets nothing, at any speed
 }
 
 // So slowly that contacts are recycled from step to step, and over the corners of a zigzag.
-TEST_CASE("what creeps through a bent chain from its solid side meets nothing") {
+TEST_CASE("a body that creeps through a bent chain from its solid side crosses it without contact") {
     for (const float height : {0.05f, 0.2f})
         for (const float sideways : {-1.0f, -0.5f, 0.5f, 1.0f})
             for (const double start : {0.13, 0.4, 0.77}) {
@@ -149,7 +149,7 @@ TEST_CASE("what creeps through a bent chain from its solid side meets nothing") 
 }
 
 // The walls of a cup are met from their open side by what has come in through its bottom.
-TEST_CASE("what passes one segment is held by the next if that turns away by a right angle") {
+TEST_CASE("a body that has crossed one segment is stopped by the next if that turns by a right angle") {
     const std::vector<Vec2> cup{{1.0f, 8.0f}, {1.0f, 0.0f}, {-1.0f, 0.0f}, {-1.0f, 8.0f}};
     struct Shot {
         double from;
@@ -168,7 +168,7 @@ TEST_CASE("what passes one segment is held by the next if that turns away by a r
     }
 }
 
-TEST_CASE("what falls asleep half through a chain passes it when it wakes") {
+TEST_CASE("a body that falls asleep half through a chain crosses it when it wakes") {
     World world = weightless();
     add_chain(world, flat_points(), false, true, 0.5f);
     const BodyId ball = add_dynamic(world, {0.0, -0.6}, make_circle(0.5f));
@@ -184,7 +184,7 @@ TEST_CASE("what falls asleep half through a chain passes it when it wakes") {
     CHECK(world.state(ball).pose.position.y < rest + 0.06 / 3.0);
 }
 
-TEST_CASE("what has passed a chain lands on it when it comes back") {
+TEST_CASE("a body that has crossed a chain lands on it when it falls back") {
     World world;
     add_chain(world, flat_points(), false, true, 0.5f);
     const BodyId ball = add_dynamic(world, {0.0, -1.0}, make_circle(0.25f));

@@ -190,7 +190,7 @@ TEST_CASE("a bounce between floor and wall gives back no more than both have tak
 }
 
 // Who meets two at once is asked to part from each with the speed that it came with, which may be more than both took.
-TEST_CASE("ten bodies that meet each other without loss gain no energy in a minute") {
+TEST_CASE("ten bodies that collide without loss gain no energy in a minute") {
     for (unsigned seed = 1; seed <= 12; ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);

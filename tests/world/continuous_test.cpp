@@ -60,7 +60,7 @@ int count_through(BodyType wall_type, bool bullet, bool continuous) {
 
 }  // namespace
 
-TEST_CASE("of 1000 shots at 400 m/s none gets through a wall of 1 cm") {
+TEST_CASE("none of 1000 shots at 400 m/s passes through a wall of 1 cm") {
     CHECK(count_through(BodyType::static_body, false, true) == 0);
     CHECK(count_through(BodyType::kinematic_body, false, true) == 0);
     CHECK(count_through(BodyType::static_body, false, false) > 900);  // the shots would pass
@@ -71,7 +71,7 @@ TEST_CASE("bullets do not pass a dynamic wall either, and others do") {
     CHECK(count_through(BodyType::dynamic_body, false, true) > 900);
 }
 
-TEST_CASE("two bullets that fly at each other meet, wherever they are in the step") {
+TEST_CASE("two bullets that fly at each other collide, wherever they are in the step") {
     for (int i = 0; i < 200; ++i) {
         World world = weightless();
         const BodyId left = shoot(world, make_circle(0.05f), {-5.0 - 0.033 * i, 0.0}, {380.0f, 0.0f}, 0.0f, true);
@@ -119,7 +119,7 @@ TEST_CASE("a body that spins in the ground gets out of it, however it lies") {
 }
 
 // It falls at its terminal speed: damping takes the energy, not a bounce.
-TEST_CASE("a damped ball that is stopped on its way keeps its spin") {
+TEST_CASE("a damped ball that is stopped at an impact keeps its spin") {
     for (const float damping : {10.0f, 40.0f, 60.0f})
         for (int start = 0; start < 30; ++start) {
             World world;
@@ -218,7 +218,7 @@ TEST_CASE("no part of a long bar that spins fast passes a pillar") {
     }
 }
 
-TEST_CASE("a body that is stopped on its way begins to touch in that step, with the speed that it came with") {
+TEST_CASE("a body that is stopped at an impact begins to touch in that step, with its approach speed") {
     World world = weightless();
     const BodyId wall = add_static(world, {10.0, 0.0}, make_box({0.01f, 40.0f}));
     const BodyId first = shoot(world, make_circle(0.05f), {0.0, 0.0}, {400.0f, 0.0f}, 0.0f, false);

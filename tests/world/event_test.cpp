@@ -92,7 +92,7 @@ TEST_CASE("a ball that bounces begins and ends once a bounce") {
     CHECK(ends == 2);
 }
 
-TEST_CASE("whoever is destroyed while touching ends its contacts, asleep or awake") {
+TEST_CASE("a body that is destroyed while touching ends its contacts, asleep or awake") {
     for (const int wait : {20, 120}) {
         World world;
         const BodyId floor = add_floor(world);
@@ -217,7 +217,7 @@ TEST_CASE("filters: categories must know each other, groups have the last word")
 
 // Balls of 10 cm that fly at each other, 5 cm off the middle, are done with each other within two steps; the phase is
 // where in a step they meet. They touch for less than one, and are out of each other's boxes at its end.
-TEST_CASE("who is deflected has begun to touch, also if both are far apart at the end of the step") {
+TEST_CASE("a deflected body has begun to touch, also if both are far apart at the end of the step") {
     int met = 0, within_a_step = 0;
     for (int phase = 0; phase < 200; ++phase) {
         World world = weightless();
@@ -289,7 +289,7 @@ TEST_CASE("a thin sensor notices who flies through it within a step, once") {
     }
 }
 
-TEST_CASE("who is stopped before a sensor does not pass it") {
+TEST_CASE("a body that is stopped in front of a sensor does not touch it") {
     World world = weightless();
     add_static(world, {0.0, 0.0}, make_box({0.1f, 4.0f}));
     add_sensor(world, {0.3, 0.0}, make_box({0.05f, 4.0f}));
@@ -301,7 +301,7 @@ TEST_CASE("who is stopped before a sensor does not pass it") {
     }
 }
 
-TEST_CASE("a meeting is a hit in the step in which it begins, and only if it is fast") {
+TEST_CASE("a contact that begins is a hit, in that step, and only if it is fast") {
     for (const float speed : {0.9f, 1.1f, 20.0f, 300.0f}) {
         World world = weightless();
         add_static(world, {0.0, 0.0}, make_box({0.1f, 4.0f}));

@@ -71,7 +71,7 @@ TEST_CASE("definitions out of range are refused with the value") {
     world.validate();
 }
 
-TEST_CASE("a world that diverges says which body, and can still be read") {
+TEST_CASE("a world that diverges names the body, and can still be read") {
     World world(WorldDef{.steps_per_second = 0.1f});  // 10 s at 3e38 m/s: more than a float holds
     add_static(world, {}, make_circle(1.0f));
     const BodyId lost = world.create_body({.type = BodyType::kinematic_body, .velocity = {3e38f, 0.0f}});
@@ -87,7 +87,7 @@ TEST_CASE("a world that diverges says which body, and can still be read") {
     CHECK_NOTHROW(world.state(lost));
 }
 
-TEST_CASE("a body of whatever shapes has a mass that gives way") {
+TEST_CASE("a body of any size and density has a positive and finite mass") {
     for (const float radius : {1e-30f, 1e-19f, 1e-10f, 1e-3f, 1e19f, 3e38f})
         for (const float density : {0.0f, 1e-38f, 1.0f, 3e38f}) {
             World world = weightless();

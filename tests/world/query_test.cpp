@@ -56,7 +56,7 @@ void for_each_seen(const World& world, const QueryFilter& filter, Visitor&& visi
 
 }  // namespace
 
-TEST_CASE("rays find what a look at every shape finds, at the origin and 10 km away") {
+TEST_CASE("rays find what a test of every shape finds, at the origin and 10 km away") {
     for (const DVec2 origin : {DVec2{}, DVec2{10000.0, -7000.0}}) {
         Draw draw{std::mt19937(5)};
         const World world = make_field(origin, draw);
@@ -97,7 +97,7 @@ TEST_CASE("rays find what a look at every shape finds, at the origin and 10 km a
     }
 }
 
-TEST_CASE("a moving shape meets first what a look at every shape says") {
+TEST_CASE("a cast shape hits first what a test of every shape says") {
     Draw draw{std::mt19937(6)};
     const World world = make_field({}, draw);
     const Shape shape = make_box({0.6f, 0.3f}, 0.05f);

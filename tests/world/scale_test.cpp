@@ -72,7 +72,7 @@ TEST_CASE("a world 64 times as large or as small is the same one, bit for bit") 
 
 // Sizes that round differently part by rounding alone where nothing is chaotic: 400 steps of half an ulp of float
 // velocities of 10 m/s make 400 x 5e-7 m/s x 1/60 s = 3e-6 m, a contact that begins a step later 0.1 m/s x 1/60 s.
-TEST_CASE("a world at 1/50 or 50 times the size settles in the same places") {
+TEST_CASE("a world at 1/50 or 50 times the size settles in the same positions") {
     constexpr double kTolerance = 0.002;  // m at scale 1
     for (const float scale : {50.0f, 0.02f}) {
         CAPTURE(scale);
@@ -90,7 +90,7 @@ TEST_CASE("a world at 1/50 or 50 times the size settles in the same places") {
 }
 
 // The speculative distance is a tenth of the ball: a gap of its own size is none of its business.
-TEST_CASE("a 2 cm ball does not touch with a gap of 2 cm, and rests on the floor without one") {
+TEST_CASE("a 2 cm ball does not touch across a gap of 2 cm, and rests on the floor") {
     World world;
     add_floor(world);
     const BodyId ball = add_dynamic(world, {0.0, 0.03}, make_circle(0.01f));

@@ -8,7 +8,7 @@
 using namespace tumble;
 using namespace tumble::test;
 
-TEST_CASE("who slides over tiles, at rest or moving, is neither lifted nor turned nor slowed by their seams") {
+TEST_CASE("a body that slides over tiles, at rest or moving, is not lifted, turned or slowed by their seams") {
     const struct {
         std::string name;
         Shape shape;
@@ -43,7 +43,7 @@ TEST_CASE("who slides over tiles, at rest or moving, is neither lifted nor turne
 }
 
 // The rise of a ramp and a step is no seam.
-TEST_CASE("what rises above the floor is met as before") {
+TEST_CASE("an edge that rises above the floor still stops a body") {
     for (const bool ramp : {false, true}) {
         CAPTURE(ramp);
         World world({.sleeping = false});

@@ -43,7 +43,7 @@ bool all_awake(const World& world, const std::vector<BodyId>& bodies) {
 
 }  // namespace
 
-TEST_CASE("as many pairs are asked about as collide, also in the step in which all fall asleep") {
+TEST_CASE("the broad phase reports as many pairs as collide, also in the step in which all fall asleep") {
     World world;
     const BodyId floor = world.create_body({.type = BodyType::static_body});
     world.add_shape(floor, {.shape = make_box({20.0f, 1.0f}, 0.0f, {0.0f, -0.5f})});
@@ -134,7 +134,7 @@ TEST_CASE("one body that may not sleep keeps its island awake, and no other") {
     CHECK_FALSE(world.is_awake(apart));
 }
 
-TEST_CASE("nobody sleeps where sleeping is off, unless told to") {
+TEST_CASE("no body falls asleep where sleeping is off, except by a call") {
     WorldDef def;
     def.sleeping = false;
     World world(def);
@@ -186,7 +186,7 @@ TEST_CASE("a wave of waking goes through sleepers that were never awake, within 
     world.validate();
 }
 
-TEST_CASE("what leans on a body wakes when that goes, static or not") {
+TEST_CASE("bodies wake when a body that they rest on is destroyed, static or not") {
     World world;
     const BodyId floor = add_floor(world);
     const std::vector<BodyId> boxes = add_stack(world, 3);
@@ -223,7 +223,7 @@ TEST_CASE("a lift at rest lets its load sleep, takes it along when it starts, an
     CHECK_FALSE(world.is_awake(load));
 }
 
-TEST_CASE("a lift that was at rest beside a sleeper meets it when it starts") {
+TEST_CASE("a lift that was at rest beside a sleeper pushes it when it starts") {
     World world = weightless();
     const BodyId lift = add_body(world, BodyType::kinematic_body, {}, kBox);
     const BodyId load = add_dynamic(world, {1.07, 0.0}, kBox);  // boxes with margins overlap, contacts begin at 2 cm
@@ -364,7 +364,7 @@ TEST_CASE("a body that is taken away and put to sleep there leaves its old neigh
     CHECK(std::abs(world.state(boxes[1]).pose.position.y - 0.5) < 0.01);
 }
 
-TEST_CASE("what may not touch any more is not held through sleep") {
+TEST_CASE("a filter that changes during sleep ends the contact") {
     CollisionFilter apart;
     apart.group = -1;
     World world;

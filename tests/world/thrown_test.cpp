@@ -99,7 +99,7 @@ TEST_CASE("a slider that its limits pull two ways moves no faster than its carri
 }
 
 // It hangs 2 cm below the line of its carriers again, which sags by F / (m w^2) = 0.1 mm.
-TEST_CASE("what was torn is whole again once its carriers have come back") {
+TEST_CASE("a torn joint closes once its bodies have come back") {
     const auto check = [](const auto& def) {
         Torn torn(5.0f, 0.0f, 1.0f);
         torn.hold_by(def);

@@ -8,7 +8,7 @@
 using namespace tumble;
 using namespace tumble::test;
 
-TEST_CASE("what is slower than the speed of rest falls asleep, in worlds of all scales") {
+TEST_CASE("a body slower than the speed of rest falls asleep, in worlds of all scales") {
     for (const float scale : {0.02f, 1.0f, 50.0f}) {
         CAPTURE(scale);
         const auto sleeps = [&](float part) {
@@ -24,7 +24,7 @@ TEST_CASE("what is slower than the speed of rest falls asleep, in worlds of all 
     }
 }
 
-TEST_CASE("what is thrown goes at the greatest speed, in worlds of all scales") {
+TEST_CASE("a body faster than the speed limit is clamped to it, in worlds of all scales") {
     for (const float scale : {0.02f, 1.0f, 50.0f}) {
         CAPTURE(scale);
         const WorldDef def{.gravity = {}, .scale = scale};
@@ -40,7 +40,7 @@ TEST_CASE("what is thrown goes at the greatest speed, in worlds of all scales") 
     }
 }
 
-TEST_CASE("what is spun turns no farther in a step than the limit, unless it may") {
+TEST_CASE("a spin is clamped to the limit of a step, unless fast rotation is allowed") {
     const WorldDef def{.gravity = {}};
     const float limit = world_limits(def).most_turn * def.steps_per_second;
     const auto spin_after_step = [&](float spin, bool may) {

@@ -255,7 +255,7 @@ TEST_CASE("a gear breaks by the torque on its second wheel, and goes unsaid with
     wheels.world.validate();
 }
 
-TEST_CASE("geared bodies fall asleep and wake as one, whichever way round their joints are") {
+TEST_CASE("geared bodies fall asleep and wake as one, in either order of their joints") {
     for (const bool reversed : {false, true}) {
         CAPTURE(reversed);
         World world;

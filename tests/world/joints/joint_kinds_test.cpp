@@ -125,7 +125,7 @@ TEST_CASE("a lift's motor raises its load at its speed up to the limit, or stall
 }
 
 // Its weight of 20 N on an arm of 0.3 m asks for 6 N m. It sags by F / (m w^2) = 0.1 mm.
-TEST_CASE("a slider whose weight is beside its rail is held upright by its rail") {
+TEST_CASE("a slider whose weight is beside its rail is kept upright by its rail") {
     Rig rig(true, {0.3, 0.0});
     const JointId lift = rig.world.create_joint(PrismaticJointDef{.body_a = rig.pivot,
                                                                   .body_b = rig.box,
@@ -142,7 +142,7 @@ TEST_CASE("a slider whose weight is beside its rail is held upright by its rail"
 }
 
 // A limit that gave way to its motor would give by F / (m w^2) = 500 / (2 w^2) = 1.8 mm, or T / (I w^2).
-TEST_CASE("a strong motor stops at the limit, and holds there what pulls it away") {
+TEST_CASE("a strong motor stops at the limit, and stays there under a load") {
     Rig lift(true);
     const JointId joint = lift.world.create_joint(PrismaticJointDef{.body_a = lift.pivot,
                                                                     .body_b = lift.box,
@@ -162,7 +162,7 @@ TEST_CASE("a strong motor stops at the limit, and holds there what pulls it away
     CHECK(std::abs(hinge.angle() + 0.5) < 1e-5);
 }
 
-TEST_CASE("a slider that is torn tens of kilometres away is still solved") {
+TEST_CASE("a slider that is torn tens of kilometres away turns with its rail and is pulled back") {
     World world = weightless();
     const BodyId rail = add_body(world, BodyType::kinematic_body, {}, make_box({0.1f, 0.1f}));
     world.set_velocity(rail, {-5.7f, 3.4f}, 7.5f);
@@ -273,7 +273,7 @@ TEST_CASE("a motor joint without a spring is friction: v^2 m / (2 F) to a stop")
     CHECK(rig.world.state(rig.box).angular_velocity == 0.0f);
 }
 
-TEST_CASE("a motor joint drives at a velocity, and with a spring to a place") {
+TEST_CASE("a motor joint drives at a velocity, and with a spring to a pose") {
     Rig rig(false, {2.0, 1.0});
     MotorJointDef def{.body_a = rig.pivot,
                       .body_b = rig.box,

@@ -82,7 +82,7 @@ TEST_CASE("half the weight holds a block and tackle of ratio 2") {
     CHECK(std::abs(machine.place(machine.b).y - 5.0) < 0.002);
 }
 
-TEST_CASE("a rope is as long as it is told, and has it from A's wheel to A in its position") {
+TEST_CASE("a rope has the length that it is set to, and reports the part from A's wheel to A") {
     Atwood machine(2.0f, 2.0f, 1.0f);
     machine.def.length = 8.0f;
     machine.world.set_joint(machine.pulley, machine.def);
@@ -97,7 +97,7 @@ TEST_CASE("a rope is as long as it is told, and has it from A's wheel to A in it
 }
 
 // As in Box2D: under a rope that only pulls, A, which is pushed up, would let B fall freely.
-TEST_CASE("the rope pushes where it would hang loose") {
+TEST_CASE("the rope of a pulley pushes where it would hang slack") {
     Atwood machine(2.0f, 2.0f, 1.0f);
     machine.world.set_velocity(machine.a, {0.0f, 4.0f}, 0.0f);
     run(machine.world, 30);
@@ -167,7 +167,7 @@ TEST_CASE("a rope breaks above its force on B, and not below") {
     }
 }
 
-TEST_CASE("what hangs on one rope falls asleep and wakes as one") {
+TEST_CASE("bodies on one rope fall asleep and wake as one") {
     World world;
     const BodyId a = add_dynamic(world, {-2.0, 5.0}, make_box({1.0f, 1.0f}));
     const BodyId b = add_dynamic(world, {2.0, 5.0}, make_box({1.0f, 1.0f}));
@@ -184,7 +184,7 @@ TEST_CASE("what hangs on one rope falls asleep and wakes as one") {
     world.validate();
 }
 
-TEST_CASE("a body hauled up to its wheel is no end of the world") {
+TEST_CASE("a body hauled up to its wheel stays finite") {
     Atwood machine(1.0f, 4.0f, 1.0f);
     for (int step = 0; step < 600; ++step) {
         machine.world.step();
