@@ -6,9 +6,11 @@
 
 #include "support/brute_distance.hpp"
 #include "support/moving_pairs.hpp"
+#include "support/near.hpp"
 #include "tumble/cast.hpp"
 
 using namespace tumble;
+using namespace tumble::test;
 using tumble_test::Random;
 using tumble_test::Real;
 
@@ -66,8 +68,8 @@ TEST_CASE("rays hit a box and a ball at hand-computed fractions") {
     CHECK(wall.point == DVec2{8, 0.5});
     const CastResult curve = cast_ray(ball, {}, {-12, 3}, {16, 0});
     CHECK(curve.fraction == 0.5);  // at (-4, 3)
-    CHECK(curve.normal.x == doctest::Approx(-0.8).epsilon(1e-15));
-    CHECK(curve.normal.y == doctest::Approx(0.6).epsilon(1e-15));
+    CHECK(near(curve.normal.x, -0.8, kDouble));
+    CHECK(near(curve.normal.y, 0.6, kDouble));
     CHECK(cast_ray(ball, {}, {-12, 5.0000001}, {16, 0}).status == CastStatus::miss);
     CHECK(cast_ray(ball, {}, {-12, 3}, {7.9999, 0}).status == CastStatus::miss);
     CHECK(cast_ray(ball, {}, {-12, 3}, {-16, 0}).status == CastStatus::miss);
@@ -87,16 +89,16 @@ TEST_CASE("a ray from inside overlaps, one that leaves a surface misses, one tha
     }
 }
 
-TEST_CASE("rays at a vertex and along an edge hit, whichever way single ulps move them") {
+TEST_CASE("rays at a vertex and along an edge hit, in whatever direction single ulps move them") {
     const Shape box = make_box({2, 2});
     for (int ulps = -20; ulps <= 20; ++ulps) {
         double y = 1.0;
         for (int i = 0; i < std::abs(ulps); ++i) y = std::nextafter(y, ulps < 0 ? -kInfinity : kInfinity);
         const CastResult along = cast_ray(box, {}, {-5, y}, {8, 0});
         const CastResult corner = cast_ray(box, {}, {-1 - 4, y + 4}, {8, -8});
-        if (ulps <= 0) CHECK(along.fraction == doctest::Approx(0.5).epsilon(1e-14));
+        if (ulps <= 0) CHECK(near(along.fraction, 0.5, kDouble));
         CHECK(corner.status == CastStatus::hit);
-        CHECK(corner.fraction == doctest::Approx(0.5).epsilon(1e-14));
+        CHECK(near(corner.fraction, 0.5, kDouble));
     }
 }
 
@@ -113,9 +115,9 @@ TEST_CASE("scaling the rotation away from 1 scales the shape, as for distances")
     const Pose pose{{}, {3, 4}};
     const CastResult ray = cast_ray(make_box({2, 2}), pose, {-12, -16}, {12, 16});
     CHECK(ray.status == CastStatus::hit);
-    CHECK(ray.fraction == doctest::Approx(0.75).epsilon(1e-15));
-    CHECK(ray.normal.x == doctest::Approx(-0.6).epsilon(1e-15));
-    CHECK(ray.normal.y == doctest::Approx(-0.8).epsilon(1e-15));
+    CHECK(near(ray.fraction, 0.75, kDouble));
+    CHECK(near(ray.normal.x, -0.6, kDouble));
+    CHECK(near(ray.normal.y, -0.8, kDouble));
 }
 
 TEST_CASE("a ray that is not finite is invalid") {

@@ -59,7 +59,7 @@ TEST_CASE("a batch gives the bits of one by one, in any order") {
     check_as_alone(in_order);
 }
 
-TEST_CASE("what is invalid stays in its lane") {
+TEST_CASE("an invalid pair does not change the results of its neighbours in a batch") {
     std::vector<Pair> pairs = random_pairs(103, 4000);
     PairSource source(104);
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();

@@ -7,21 +7,24 @@
 #include <cmath>
 #include <limits>
 
+#include "support/near.hpp"
+
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
 
 Pose at(double x, double y, double degrees = 0.0) { return {{x, y}, make_rotation_degrees(degrees)}; }
 
 void check_point(DVec2 found, double x, double y) {
-    CHECK(found.x == doctest::Approx(x).epsilon(1e-14));
-    CHECK(found.y == doctest::Approx(y).epsilon(1e-14));
+    CHECK(near(found.x, x, absolute(1e-14)));
+    CHECK(near(found.y, y, absolute(1e-14)));
 }
 
 void check_consistent(const DistanceResult& r) {
     CHECK(r.lower <= r.distance);
     CHECK(r.distance <= r.upper);
-    CHECK(length(r.normal) == doctest::Approx(1.0).epsilon(1e-15));
+    CHECK(near(length(r.normal), 1.0, relative(1e-15)));
     CHECK(length((r.point_b - r.point_a) - r.distance * r.normal) <=
           1e-14 * (1.0 + length(r.point_a) + length(r.point_b)));
 }
@@ -46,7 +49,7 @@ TEST_CASE("face to vertex: a box and one turned by 45 degrees") {
     const DistanceResult r = distance(kBox, at(0, 0), kBox, at(4, 0.25, 45));
     // The rotation is rounded to float: its corner is at 2 c with c = float(sqrt(1/2)).
     const double corner = 2.0 * make_rotation_degrees(45).c;
-    CHECK(r.distance == doctest::Approx(3.0 - corner).epsilon(1e-15));
+    CHECK(near(r.distance, 3.0 - corner, kDouble));
     check_point(r.normal, 1, 0);
     check_point(r.point_a, 1, 0.25);
     check_point(r.point_b, 4.0 - corner, 0.25);
@@ -117,11 +120,11 @@ TEST_CASE("collinear capsules: apart, end to end, one in the other") {
         const Pose origin = at(0, 0, degrees);
         const DVec2 along = rotate(origin.rotation, DVec2{1, 0});
         const auto shifted = [&](double by) { return Pose{by * along, origin.rotation}; };
-        CHECK(distance(capsule, origin, capsule, shifted(3)).distance == doctest::Approx(1.0 - 0.5).epsilon(1e-6));
-        CHECK(distance(capsule, origin, capsule, shifted(2)).distance == doctest::Approx(-0.5).epsilon(1e-6));
-        CHECK(distance(capsule, origin, capsule, shifted(0.5)).distance == doctest::Approx(-0.5).epsilon(1e-6));
+        CHECK(near(distance(capsule, origin, capsule, shifted(3)).distance, 1.0 - 0.5, kFloat));
+        CHECK(near(distance(capsule, origin, capsule, shifted(2)).distance, -0.5, kDouble));
+        CHECK(near(distance(capsule, origin, capsule, shifted(0.5)).distance, -0.5, kDouble));
         const DistanceResult same = distance(capsule, origin, capsule, origin);
-        CHECK(same.distance == doctest::Approx(-0.5).epsilon(1e-12));
+        CHECK(near(same.distance, -0.5, kDouble));
         CHECK(std::abs(dot(same.normal, along)) < 1e-6);  // out sideways: the shortest way
         check_consistent(same);
     }
@@ -171,15 +174,15 @@ TEST_CASE("the distance of vertices in any order is that of their hull") {
         const double expected = distance(box, at(0, 0), box, pose).distance;
         REQUIRE(expected > 0.0);
         for (const Shape& shape : {clockwise, bow_tie}) {
-            CHECK(distance(shape, at(0, 0), box, pose).distance == doctest::Approx(expected).epsilon(1e-14));
-            CHECK(distance(box, at(0, 0), shape, pose).distance == doctest::Approx(expected).epsilon(1e-14));
+            CHECK(near(distance(shape, at(0, 0), box, pose).distance, expected, kDouble));
+            CHECK(near(distance(box, at(0, 0), shape, pose).distance, expected, kDouble));
         }
     }
 }
 
 TEST_CASE("identical shapes at one pose are as deep as they are thin") {
     const DistanceResult r = distance(make_box({4, 1}), at(7, 8, 30), make_box({4, 1}), at(7, 8, 30));
-    CHECK(r.distance == doctest::Approx(-1.0).epsilon(1e-7));
+    CHECK(near(r.distance, -1.0, kFloat));
     CHECK(r.status == DistanceStatus::overlapping);
 }
 
@@ -193,7 +196,7 @@ TEST_CASE("a twelve-gon keeps its twelve vertices") {
     CHECK(distance(make_polygon(points), at(0, 0), make_segment({1.5f, -9}, {1.5f, 9}), at(0, 0)).distance == 0.5);
 }
 
-TEST_CASE("what is not finite, empty or negative is invalid, and every number is NaN") {
+TEST_CASE("input that is not finite, empty or negative is invalid, and every number of the result is NaN") {
     constexpr double inf = std::numeric_limits<double>::infinity();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const auto is_refused = [](const Shape& a, const Pose& pa, const Shape& b, const Pose& pb) {
@@ -227,7 +230,7 @@ TEST_CASE("what is not finite, empty or negative is invalid, and every number is
 TEST_CASE("huge and denormal coordinates are in range") {
     const float huge = std::numeric_limits<float>::max(), tiny = std::numeric_limits<float>::denorm_min();
     const Shape large = Shape::from_raw(std::array<Vec2, 3>{{{-huge, -huge}, {huge, -huge}, {huge, huge}}}, 0);
-    CHECK(distance(large, at(0, 0), large, at(3.0 * huge, 0)).distance == doctest::Approx(1.0 * huge).epsilon(1e-15));
+    CHECK(near(distance(large, at(0, 0), large, at(3.0 * huge, 0)).distance, 1.0 * huge, kDouble));
     const Shape small = Shape::from_raw(std::array<Vec2, 3>{{{0, 0}, {tiny, 0}, {0, tiny}}}, 0);
     CHECK(distance(small, at(0, 0), small, at(3.0 * tiny, 0)).distance == 2.0 * static_cast<double>(tiny));
     CHECK(distance(small, at(0, 0), small, at(0, 0)).status == DistanceStatus::overlapping);
@@ -249,7 +252,7 @@ TEST_CASE("tiny gaps keep a unit normal and their sign") {
 TEST_CASE("1 cm against 10 km") {
     const Shape ground = make_box({20000, 20000}), crumb = make_box({0.01f, 0.01f});
     const DistanceResult r = distance(ground, at(0, -10000), crumb, at(5000, 0.00501));
-    CHECK(r.distance == doctest::Approx(0.00501 - 0.5 * 0.01f).epsilon(1e-6));
+    CHECK(near(r.distance, 0.00501 - 0.5 * 0.01f, kFloat));
     CHECK(r.normal == DVec2{0, 1});
     CHECK(r.status == DistanceStatus::separated);
 }

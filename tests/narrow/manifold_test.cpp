@@ -8,9 +8,11 @@
 #include <set>
 
 #include "support/moving_pairs.hpp"
+#include "support/near.hpp"
 #include "support/random_pairs.hpp"
 
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
 
@@ -36,7 +38,7 @@ TEST_CASE("two circles touch in one point on the line of their centers") {
     const Manifold m = collide_cold(make_circle(2), at(10, 20), make_circle(2.99f), at(13, 24));
     REQUIRE(m.point_count == 1);
     check_near(m.normal, 0.6, 0.8);
-    CHECK(m.points[0].separation == doctest::Approx(0.01).epsilon(1e-5));
+    CHECK(near(m.points[0].separation, 0.01, absolute(1e-7)));
     check_near(m.points[0].anchor_a, 2.005 * 0.6, 2.005 * 0.8);
     check_near(m.points[0].anchor_b, -2.995 * 0.6, -2.995 * 0.8);
 }
@@ -51,16 +53,16 @@ TEST_CASE("a box on the ground touches in its two lower corners") {
         check_near(m.normal, 0, ground_first ? 1 : -1);
         std::multiset<double> xs;
         for (const ManifoldPoint& point : m.points) {
-            CHECK(point.separation == doctest::Approx(-0.01).epsilon(1e-6));
+            CHECK(near(point.separation, -0.01, kFloat));
             const Vec2 from_box = ground_first ? point.anchor_b : point.anchor_a;
             const Vec2 from_ground = ground_first ? point.anchor_a : point.anchor_b;
-            CHECK(from_box.y == doctest::Approx(-0.495));  // between the surfaces at y = -0.005
-            CHECK(from_ground.y == doctest::Approx(0.495));
-            CHECK(from_ground.x == doctest::Approx(3 + from_box.x));
+            CHECK(near(from_box.y, -0.495, kFloat));  // between the surfaces at y = -0.005
+            CHECK(near(from_ground.y, 0.495, kFloat));
+            CHECK(near(from_ground.x, 3 + from_box.x, kFloat));
             xs.insert(from_box.x);
         }
-        CHECK(*xs.begin() == doctest::Approx(-0.5));
-        CHECK(*xs.rbegin() == doctest::Approx(0.5));
+        CHECK(near(*xs.begin(), -0.5, kFloat));
+        CHECK(near(*xs.rbegin(), 0.5, kFloat));
         CHECK(m.points[0].feature != m.points[1].feature);
     }
 }
@@ -70,8 +72,8 @@ TEST_CASE("an overhanging box is clipped at the edge below it") {
     const Manifold m = collide_cold(make_box({1, 1}), at(0, 0), make_box({1, 1}), at(0.8, 1.0));
     REQUIRE(m.point_count == 2);
     check_near(m.normal, 0, 1);
-    CHECK(std::min(m.points[0].anchor_a.x, m.points[1].anchor_a.x) == doctest::Approx(0.3));
-    CHECK(std::max(m.points[0].anchor_a.x, m.points[1].anchor_a.x) == doctest::Approx(0.5));
+    CHECK(near(std::min(m.points[0].anchor_a.x, m.points[1].anchor_a.x), 0.3, kFloat));
+    CHECK(near(std::max(m.points[0].anchor_a.x, m.points[1].anchor_a.x), 0.5, kFloat));
 }
 
 TEST_CASE("a tilted box touches in one corner, the other is beyond the speculative distance") {
@@ -90,7 +92,7 @@ TEST_CASE("equal boxes exactly on top of each other touch in two points, rounded
             const Manifold m = collide_cold(box, at(0, 0), box, at(0, 1 + gap));
             REQUIRE(m.point_count == 2);
             check_near(m.normal, 0, 1);
-            CHECK(m.points[0].separation == doctest::Approx(gap).epsilon(1e-5));
+            CHECK(near(m.points[0].separation, gap, absolute(1e-7)));
         }
     }
 }
@@ -100,7 +102,7 @@ TEST_CASE("a deep overlap is left through the nearest face") {
     const Manifold m = collide_cold(make_box({1, 1}), at(0, 0), make_box({1, 1}), at(0.2, 0.9));
     REQUIRE(m.point_count == 2);
     check_near(m.normal, 0, 1);
-    CHECK(m.points[0].separation == doctest::Approx(-0.1));
+    CHECK(near(m.points[0].separation, -0.1, kFloat));
 }
 
 TEST_CASE("around the corner of a rounded box the normal turns smoothly") {
@@ -111,7 +113,7 @@ TEST_CASE("around the corner of a rounded box the normal turns smoothly") {
             collide_cold(box, at(0, 0), ball, at(0.5 + 0.74 * direction.cos, 0.5 + 0.74 * direction.sin));
         REQUIRE(m.point_count == 1);
         check_near(m.normal, direction.cos, direction.sin);
-        CHECK(m.points[0].separation == doctest::Approx(-0.01).epsilon(1e-5));
+        CHECK(near(m.points[0].separation, -0.01, kFloat));
     }
 }
 
@@ -120,8 +122,8 @@ TEST_CASE("parallel capsules touch along their overlap, crossed ones in a point"
     const Manifold along = collide_cold(capsule, at(0, 0), capsule, at(0.5, 0.49));
     REQUIRE(along.point_count == 2);
     check_near(along.normal, 0, 1);
-    CHECK(along.points[0].separation == doctest::Approx(-0.01));
-    CHECK(std::abs(along.points[0].anchor_a.x - along.points[1].anchor_a.x) == doctest::Approx(1.5));
+    CHECK(near(along.points[0].separation, -0.01, kFloat));
+    CHECK(near(std::abs(along.points[0].anchor_a.x - along.points[1].anchor_a.x), 1.5, kFloat));
     const Manifold crossed = collide_cold(capsule, at(0, 0), capsule, at(0, 1.49, 90));
     REQUIRE(crossed.point_count == 1);
     check_near(crossed.normal, 0, 1);

@@ -7,9 +7,11 @@
 #include "narrow/gjk/johnson.hpp"
 #include "narrow/gjk/signed_volumes.hpp"
 #include "narrow/gjk/voronoi.hpp"
+#include "support/near.hpp"
 #include "support/random_pairs.hpp"
 
 using namespace tumble;
+using namespace tumble::test;
 using namespace tumble_test;
 
 namespace {
@@ -70,12 +72,12 @@ Outcomes check_reducer() {
         }
         // The direction leads from the nearest point to the origin, and the subset holds that point.
         const DVec2 nearest = (-closest.toward / length_sq(closest.direction)) * closest.direction;
-        CHECK(length_sq(nearest) == doctest::Approx(expected).epsilon(1e-9));
+        CHECK(near(length_sq(nearest), expected, absolute(1e-14)));
         REQUIRE(reduced.count >= 1);
         REQUIRE(reduced.count <= 2);
         const DVec2 first = reduced.vertices[0].w, last = reduced.vertices[reduced.count - 1].w;
-        CHECK((reduced.count == 1 ? length_sq(first) : segment_distance_sq(first, last)) ==
-              doctest::Approx(expected).epsilon(1e-9));
+        CHECK(near((reduced.count == 1 ? length_sq(first) : segment_distance_sq(first, last)), expected,
+                   absolute(1e-14)));
         ++(reduced.count == 1 ? outcomes.vertex : outcomes.edge);
     }
     return outcomes;

@@ -9,7 +9,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "support/near.hpp"
+
 using namespace tumble::reference;
+using namespace tumble::test;
 
 namespace {
 
@@ -105,7 +108,7 @@ void compare_with_brute_force(unsigned seed) {
         const double found = cloud_distance<Dim>(a, b);
         if (expected > 1e-4) {
             ++separated;
-            CHECK(found == doctest::Approx(expected).epsilon(1e-9));
+            CHECK(near(found, expected, relative(1e-12)));
         } else {
             CHECK(found < 1e-4);
         }
@@ -240,11 +243,9 @@ TEST_CASE("tetrahedra in space agree with brute force") { compare_with_brute_for
 TEST_CASE("axis-aligned boxes have the distance of their gaps") {
     using P2 = Point<2>;
     using P3 = Point<3>;
-    CHECK(cloud_distance<2>(box<2>(P2(0, 0), P2(1, 1)), box<2>(P2(4, 5), P2(6, 6))) ==
-          doctest::Approx(5.0).epsilon(1e-14));
+    CHECK(near(cloud_distance<2>(box<2>(P2(0, 0), P2(1, 1)), box<2>(P2(4, 5), P2(6, 6))), 5.0, kDouble));
     // Gaps of 2, 3 and 6 along the axes: sqrt(4 + 9 + 36) = 7.
-    CHECK(cloud_distance<3>(box<3>(P3(0, 0, 0), P3(1, 1, 1)), box<3>(P3(3, 4, 7), P3(5, 5, 8))) ==
-          doctest::Approx(7.0).epsilon(1e-14));
+    CHECK(near(cloud_distance<3>(box<3>(P3(0, 0, 0), P3(1, 1, 1)), box<3>(P3(3, 4, 7), P3(5, 5, 8))), 7.0, kDouble));
     CHECK(cloud_distance<3>(box<3>(P3(0, 0, 0), P3(2, 2, 2)), box<3>(P3(1, 1, 1), P3(3, 3, 3))) == 0.0);
     CHECK(cloud_distance<3>(box<3>(P3(0, 0, 0), P3(4, 4, 4)), box<3>(P3(1, 1, 1), P3(2, 2, 2))) == 0.0);
 }
@@ -256,8 +257,8 @@ TEST_CASE("spheres, given by their support mapping alone, have the distance of t
         return center_a + radius_a * d.normalized() - (center_b - radius_b * d.normalized());
     };
     const GjkResult<3> result = reference_gjk<3>(support, 1e-12);
-    CHECK(result.distance == doctest::Approx(3.5).epsilon(1e-9));
-    CHECK(result.nearest.normalized().dot((center_a - center_b).normalized()) == doctest::Approx(1.0).epsilon(1e-9));
+    CHECK(near(result.distance, 3.5, relative(1e-12)));
+    CHECK(near(result.nearest.normalized().dot((center_a - center_b).normalized()), 1.0, relative(1e-12)));
 }
 
 TEST_CASE("Johnson's cofactors find the vertex, the edge and the face regions of a triangle") {

@@ -66,7 +66,7 @@ TEST_CASE("names take the palette's colours in turn, and numbered names share on
     for (const char* name : {"crate", "crate_2", "ball", "", "", "crate[7]"})
         scene.bodies.push_back(body(name, BodyType::dynamic_body, {circle()}));
     scene.timeline.resize(2);  // something else, then two that are spawned: numbered on from the bodies
-    scene.timeline[1].spawn = body("ball", BodyType::dynamic_body, {circle()});
+    scene.timeline.at(1).spawn = body("ball", BodyType::dynamic_body, {circle()});
     scene.timeline.emplace_back().spawn = body("drop", BodyType::dynamic_body, {circle()});
     const Palette palette(scene);
     CHECK(fill_of(palette, 0) == style::kBodies[0]);

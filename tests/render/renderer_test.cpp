@@ -66,7 +66,7 @@ TEST_CASE("frames repeat byte for byte, in one renderer and in another") {
 
 TEST_CASE("islands cover bodies, and no other mark") {
     HandMadeScene s = playground();
-    const BodyId crate = s.built.bodies[1].id, ball = s.built.bodies[2].id;
+    const BodyId crate = s.built.bodies.at(1).id, ball = s.built.bodies.at(2).id;
     for (const BodyId body : {crate, ball}) s.built.world.set_velocity(body, {4.0f, 0.0f}, 0.0f);
     Renderer renderer(640, 360);
     const auto seen = [&](const Overlay& overlay, int x, int y) {

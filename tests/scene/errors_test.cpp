@@ -154,7 +154,7 @@ TEST_CASE("a long line is shown around the caret only") {
     CHECK(to_string(error).find("\"nam\"") != std::string::npos);
 }
 
-TEST_CASE("what a terminal would obey is not shown") {
+TEST_CASE("control characters of a file are not printed to the terminal") {
     const Diagnostic error = error_of("{\"format\": 1, \x1b[2J");
     CHECK(to_string(error).find('\x1b') == std::string::npos);
     CHECK(to_string(error).find("?[2J") != std::string::npos);

@@ -98,6 +98,10 @@ TEST_CASE("a position can be claimed always, sometime, within a time span, and o
     CHECK_FALSE(judge(make_disc_scene(kick + "{" + not_box + R"(, "when": "always"}])"), 120).passed);
     CHECK(judge(make_disc_scene(kick + "{" + not_box + R"(, "when": "always", "from": 1.02}])"), 120).passed);
     CHECK(judge(make_disc_scene(kick + "{" + not_box + "}]"), 120).passed);
+    // At the end the disc is at (2, 0): outside a box beyond it on any side, inside one about it.
+    for (const char* beyond : {"[[1, 1], [3, 2]]", "[[1, -2], [3, -1]]", "[[3, -1], [4, 1]]", "[[0, -1], [1, 1]]"})
+        CHECK(judge(make_disc_scene(kick + R"({"body": "disc", "outside": )" + beyond + "}]"), 120).passed);
+    CHECK_FALSE(judge(make_disc_scene(kick + R"({"body": "disc", "outside": [[1, -1], [3, 1]]}])"), 120).passed);
     // The worst moment is that of the end: 2 m.
     const ExpectationResult worst = judge(
         make_disc_scene(

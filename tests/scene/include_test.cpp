@@ -97,34 +97,34 @@ const SceneBody& body_of(const Scene& scene, const std::string& name) {
 TEST_CASE("a part rotated by 90 degrees has the poses of hand arithmetic, exactly") {
     const Scene scene = load(kQuarterTurn);
     REQUIRE(scene.bodies.size() == 4);
-    const SceneBody& hub = scene.bodies[0];
+    const SceneBody& hub = scene.bodies.at(0);
     CHECK(hub.name == "left/hub");
     CHECK(hub.position == DVec2(8, -3));
     CHECK(hub.angle == 110);
     CHECK(hub.velocity == DVec2(1, 3));
     CHECK(hub.angular_velocity == 7);
-    CHECK(hub.shapes[0].material == "left/rubber");
-    CHECK(std::get<BoxGeometry>(hub.shapes[0].geometry).center == DVec2(0.5, 0));  // body coordinates
-    CHECK(scene.joints[0].name == "left/hinge");
-    CHECK(scene.joints[0].body_b == "left/arm");
-    CHECK(*scene.joints[0].anchor == DVec2(8, -2));
-    CHECK(*scene.joints[1].axis == DVec2(0, 1));
-    CHECK(*scene.joints[2].axis == DVec2(1, 0));  // coordinates of its first body, as its anchors
-    CHECK(scene.joints[4].ground_anchors->first == DVec2(1, -3));
-    CHECK(scene.joints[4].ground_anchors->second == DVec2(2, -2));
-    CHECK(scene.joints[5].joint_a == "left/hinge");
-    CHECK(scene.joints[5].joint_b == "left/own_rail");
-    CHECK(*scene.timeline[0].impulse == DVec2(0, 2));
-    CHECK(*scene.timeline[1].target == DVec2(4, 1));
-    CHECK(scene.timeline[2].spawn->name == "left/drop");
-    CHECK(scene.timeline[2].spawn->position == DVec2(9, -4));
-    CHECK(scene.timeline[2].spawn->velocity == DVec2(2, 0));
-    CHECK(scene.timeline[3].release == "left/rail");
-    CHECK(scene.timeline[4].despawn == "left/drop");
-    CHECK(scene.materials[0].name == "left/rubber");
+    CHECK(hub.shapes.at(0).material == "left/rubber");
+    CHECK(std::get<BoxGeometry>(hub.shapes.at(0).geometry).center == DVec2(0.5, 0));  // body coordinates
+    CHECK(scene.joints.at(0).name == "left/hinge");
+    CHECK(scene.joints.at(0).body_b == "left/arm");
+    CHECK(*scene.joints.at(0).anchor == DVec2(8, -2));
+    CHECK(*scene.joints.at(1).axis == DVec2(0, 1));
+    CHECK(*scene.joints.at(2).axis == DVec2(1, 0));  // coordinates of its first body, as its anchors
+    CHECK(scene.joints.at(4).ground_anchors->first == DVec2(1, -3));
+    CHECK(scene.joints.at(4).ground_anchors->second == DVec2(2, -2));
+    CHECK(scene.joints.at(5).joint_a == "left/hinge");
+    CHECK(scene.joints.at(5).joint_b == "left/own_rail");
+    CHECK(*scene.timeline.at(0).impulse == DVec2(0, 2));
+    CHECK(*scene.timeline.at(1).target == DVec2(4, 1));
+    CHECK(scene.timeline.at(2).spawn->name == "left/drop");
+    CHECK(scene.timeline.at(2).spawn->position == DVec2(9, -4));
+    CHECK(scene.timeline.at(2).spawn->velocity == DVec2(2, 0));
+    CHECK(scene.timeline.at(3).release == "left/rail");
+    CHECK(scene.timeline.at(4).despawn == "left/drop");
+    CHECK(scene.materials.at(0).name == "left/rubber");
 }
 
-TEST_CASE("what belongs to the world of a part stays behind") {
+TEST_CASE("the world settings of an included part are ignored") {
     const Scene scene = load(kQuarterTurn);
     CHECK(scene.world.gravity == DVec2(0, -10));
     CHECK(scene.world.duration == 5);
@@ -222,7 +222,7 @@ TEST_CASE("one file can be included twice, and the scene's own joints reach both
             "bodies": [{"name": "hub"}],
             "joints": [{"type": "weld", "bodies": ["a/arm", "b/row[3]"], "anchor": [0, 0]}])")}});
     CHECK(scene.bodies.size() == 9);
-    CHECK(scene.bodies[0].name == "hub");  // its own come first
+    CHECK(scene.bodies.at(0).name == "hub");  // its own come first
     CHECK(scene.joints.size() == 13);
     CHECK(body_of(scene, "b/hub").position == DVec2(21, 2));
     CHECK(build_world(scene).joints.size() == 13);
@@ -237,9 +237,9 @@ TEST_CASE("includes nest: poses and prefixes combine") {
         {"parts/axle.json", scene_text(R"("bodies": [{"name": "wheel", "position": [1, 0], "angle": 10}])")}};
     const Scene scene = load(files);
     REQUIRE(scene.bodies.size() == 1);
-    CHECK(scene.bodies[0].name == "car/front/wheel");
-    CHECK(scene.bodies[0].position == DVec2(2, 6));
-    CHECK(scene.bodies[0].angle == 100);
+    CHECK(scene.bodies.at(0).name == "car/front/wheel");
+    CHECK(scene.bodies.at(0).position == DVec2(2, 6));
+    CHECK(scene.bodies.at(0).angle == 100);
 }
 
 TEST_CASE("a scene is written with its includes, or with what they hold, and is the same world") {
@@ -249,7 +249,7 @@ TEST_CASE("a scene is written with its includes, or with what they hold, and is 
     const Scene written = parse_scene(text, "main.json", as_written);
     CHECK(written.bodies.empty());
     REQUIRE(written.include.size() == 1);
-    CHECK(parse_scene(to_json(written), "main.json", as_written).include[0].position == DVec2(10, -4));
+    CHECK(parse_scene(to_json(written), "main.json", as_written).include.at(0).position == DVec2(10, -4));
     CHECK_THROWS_AS(build_world(written), SceneError);
     const Scene whole = load(kQuarterTurn);
     const Scene again = parse_scene(to_json(written), "main.json", with_files(kQuarterTurn));

@@ -23,7 +23,7 @@ SceneWorld build_joint(const std::string& keys) {
 template <class Def>
 Def built_def(const std::string& keys) {
     const SceneWorld built = build_joint(keys);
-    return std::get<Def>(built.world.joint(built.joints[0].id));
+    return std::get<Def>(built.world.joint(built.joints.at(0).id));
 }
 
 constexpr float kQuarterTurn = static_cast<float>(kPi / 2.0);
@@ -44,7 +44,7 @@ TEST_CASE("a hinge has its limits, motor and spring in radians, and its strength
     CHECK(def.break_torque == 70.0f);
 }
 
-TEST_CASE("what is left out is absent, and nothing breaks") {
+TEST_CASE("omitted keys of a joint are absent, and it does not break") {
     const auto def = built_def<RevoluteJointDef>(R"("type": "revolute", "anchor": [2, 0])");
     CHECK(def.reference_angle == -kQuarterTurn);
     CHECK_FALSE(def.limits.has_value());
@@ -93,7 +93,7 @@ TEST_CASE("welds, motors, mice and filters") {
     CHECK(mouse.spring == JointSpring{5.0f, 0.7f});
     CHECK(mouse.max_force == 100.0f);
     const SceneWorld filtered = build_joint(R"("type": "filter")");
-    CHECK(std::holds_alternative<FilterJointDef>(filtered.world.joint(filtered.joints[0].id)));
+    CHECK(std::holds_alternative<FilterJointDef>(filtered.world.joint(filtered.joints.at(0).id)));
 }
 
 TEST_CASE("a pulley has its wheels in the world, and the rope that it has at load") {
@@ -121,13 +121,13 @@ TEST_CASE("a gear may precede its joints, and acts on their second bodies") {
         {"type": "revolute", "name": "hinge", "bodies": ["wall", "a"], "anchor": [1, 0]}]})",
                                                      "gear.json"));
     REQUIRE(built.joints.size() == 3);
-    CHECK(built.joints[2].name == "teeth");
-    CHECK(built.joints[2].source == 0);
-    const auto& gear = std::get<GearJointDef>(built.world.joint(built.joints[2].id));
-    CHECK(gear.joint_a == built.joints[1].id);
-    CHECK(gear.joint_b == built.joints[0].id);
-    CHECK(gear.body_a == built.bodies[1].id);
-    CHECK(gear.body_b == built.bodies[2].id);
+    CHECK(built.joints.at(2).name == "teeth");
+    CHECK(built.joints.at(2).source == 0);
+    const auto& gear = std::get<GearJointDef>(built.world.joint(built.joints.at(2).id));
+    CHECK(gear.joint_a == built.joints.at(1).id);
+    CHECK(gear.joint_b == built.joints.at(0).id);
+    CHECK(gear.body_a == built.bodies.at(1).id);
+    CHECK(gear.body_b == built.bodies.at(2).id);
     CHECK(gear.ratio == -0.25f);
     CHECK(gear.break_torque == 7.0f);
 }
@@ -181,7 +181,7 @@ TEST_CASE("a repeated joint joins copy after copy, its anchor at the same point 
         CHECK(length(link.anchor_a - Vec2{0.0f, 1.0f}) < 1e-6f);
         CHECK(length(link.anchor_b - Vec2{-4.0f, -5.0f}) < 1e-6f);  // the second stands at (0, 5), turned by a quarter
         const auto& rail = std::get<PrismaticJointDef>(built.world.joint(built.joints[3 + i].id));
-        CHECK(rail.body_a == built.bodies[0].id);
+        CHECK(rail.body_a == built.bodies.at(0).id);
         CHECK(rail.body_b == built.bodies[2 + i].id);
         CHECK(length(rail.anchor_b) < 1e-6f);  // (0, 5) is the centre of the first one that it holds
         const double turned = kPi / 2.0 * static_cast<double>(i + 1);

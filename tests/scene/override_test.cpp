@@ -18,7 +18,7 @@ Diagnostic error_of(const std::string& override_text) {
         with({override_text});
     } catch (const SceneError& error) {
         REQUIRE(error.diagnostics.size() == 1);
-        return error.diagnostics[0];
+        return error.diagnostics.at(0);
     }
     FAIL("accepted ", override_text);
     return {};
@@ -28,16 +28,16 @@ Diagnostic error_of(const std::string& override_text) {
 
 TEST_CASE("an override replaces a value anywhere in the scene") {
     CHECK(with({"/world/gravity/1=-1.6"}).world.gravity == DVec2(0, -1.6));
-    CHECK(with({"/bodies/2/shapes/0/circle/radius=0.75"}).bodies[2].shapes.size() == 1);
-    CHECK(with({"/materials/ice/friction=0.5"}).materials[0].friction == 0.5);
-    CHECK(with({"/bodies/3/repeat={\"ring\": {\"count\": 3}}"}).bodies[3].repeat->index() == 2);
-    CHECK(with({"/bodies/0/name=floor", "/joints/0/bodies/0=floor"}).joints[0].body_a == "floor");
+    CHECK(with({"/bodies/2/shapes/0/circle/radius=0.75"}).bodies.at(2).shapes.size() == 1);
+    CHECK(with({"/materials/ice/friction=0.5"}).materials.at(0).friction == 0.5);
+    CHECK(with({"/bodies/3/repeat={\"ring\": {\"count\": 3}}"}).bodies.at(3).repeat->index() == 2);
+    CHECK(with({"/bodies/0/name=floor", "/joints/0/bodies/0=floor"}).joints.at(0).body_a == "floor");
     CHECK(with({"/bodies/-={\"name\": \"extra\"}"}).bodies.size() == 5);
 }
 
 TEST_CASE("overrides find bodies and joints by name, and errors below them keep their pointer") {
-    CHECK(with({"/bodies/ball/position/0=7"}).bodies[2].position.x == 7.0);
-    CHECK(with({"/joints/hinge/anchor=[0, 3]"}).joints[0].anchor == DVec2(0, 3));
+    CHECK(with({"/bodies/ball/position/0=7"}).bodies.at(2).position.x == 7.0);
+    CHECK(with({"/joints/hinge/anchor=[0, 3]"}).joints.at(0).anchor == DVec2(0, 3));
     CHECK(to_string(error_of("/bodies/ball/gravity_scale=true")) ==
           "--set /bodies/ball/gravity_scale=true: /bodies/2/gravity_scale: must be a number, got true");
 }
@@ -48,7 +48,7 @@ TEST_CASE("a key that the file leaves out starts from its default") {
     CHECK(scene.world.substeps == 4);
     CHECK(scene.camera.center == DVec2(1, 2));
     CHECK(scene.name == "moon");
-    CHECK(with({"/bodies/1/velocity=[1, 0]"}).bodies[1].velocity == DVec2(1, 0));
+    CHECK(with({"/bodies/1/velocity=[1, 0]"}).bodies.at(1).velocity == DVec2(1, 0));
 }
 
 TEST_CASE("the later of two overrides counts, and the seed comes last") {

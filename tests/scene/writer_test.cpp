@@ -60,9 +60,9 @@ TEST_CASE("every finite double survives writing and reading bit for bit") {
         const double exponent = -9.0 + 18.0 * static_cast<double>(random() >> 11) * 0x1p-53;
         Scene scene;
         scene.bodies.emplace_back();
-        scene.bodies[0].position.x = std::pow(10.0, exponent) * ((random() & 1) ? 1.0 : -1.0);
-        if (scene.bodies[0].position.x != std::floor(scene.bodies[0].position.x)) ++fractions;
-        CHECK(reread(scene).bodies[0].position.x == scene.bodies[0].position.x);
+        scene.bodies.at(0).position.x = std::pow(10.0, exponent) * ((random() & 1) ? 1.0 : -1.0);
+        if (scene.bodies.at(0).position.x != std::floor(scene.bodies.at(0).position.x)) ++fractions;
+        CHECK(reread(scene).bodies.at(0).position.x == scene.bodies.at(0).position.x);
     }
     CHECK(fractions > kSamples / 2);
 }
@@ -90,16 +90,17 @@ TEST_CASE("the scene hash covers the simulated part only") {
     const Scene scene = parse_scene(test::kExample, "");
     Scene same = scene;
     same.schema = same.name = same.description = "x";
-    same.custom = same.bodies[0].custom = same.bodies[0].shapes[0].custom = same.joints[0].custom = "{\"a\": 1}";
-    same.materials[0].color = "#000";
+    same.custom = same.bodies.at(0).custom = same.bodies.at(0).shapes.at(0).custom = same.joints.at(0).custom =
+        "{\"a\": 1}";
+    same.materials.at(0).color = "#000";
     same.camera = {};
     same.expect.clear();
     CHECK(scene_hash(same) == scene_hash(scene));
     Scene other = scene;
-    other.bodies[0].position.x = 1e-300;
+    other.bodies.at(0).position.x = 1e-300;
     CHECK(scene_hash(other) != scene_hash(scene));
     other = scene;
-    other.materials[0].friction = 0.03;
+    other.materials.at(0).friction = 0.03;
     CHECK(scene_hash(other) != scene_hash(scene));
     other = scene;
     other.world.seed = 2;

@@ -6,9 +6,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "support/near.hpp"
 #include "tumble/shape.hpp"
 
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
 
@@ -42,8 +44,8 @@ TEST_CASE("a box has the outer size given, its core is smaller by the radius") {
 TEST_CASE("a turned box turns counter-clockwise about its center") {
     const Shape box = make_box({4, 2}, 0.0f, {1, 0}, kPi / 2.0);
     // The corner at (-2, -1) from the center goes to (1, -2), so to (2, -2).
-    CHECK(box.vertex(0).x == doctest::Approx(2.0));
-    CHECK(box.vertex(0).y == doctest::Approx(-2.0));
+    CHECK(near(box.vertex(0).x, 2.0, kFloat));
+    CHECK(near(box.vertex(0).y, -2.0, kFloat));
 }
 
 TEST_CASE("a box whose radius takes a whole side is a capsule or a circle") {

@@ -138,7 +138,7 @@ TEST_CASE("a misspelt command or option is told with what it may have been meant
     CHECK(run_tumble({"run", "x.json", "more"}).err.find("unknown argument 'more' of run") != std::string::npos);
 }
 
-TEST_CASE("what has no effect is said, and what cannot be written is found before anything is made") {
+TEST_CASE("options without effect are reported, and an output that cannot be written fails before the run") {
     const Folder folder;
     const std::string scene = folder.write("scene.json", tumble::test::small_scene()), out = (folder / "out").string();
     const std::string there = folder.write("there.csv", "");
@@ -152,7 +152,7 @@ TEST_CASE("what has no effect is said, and what cannot be written is found befor
     CHECK(idle.err.find("--size") == std::string::npos);
 }
 
-TEST_CASE("who has fallen out of the world is said at the end of a run") {
+TEST_CASE("bodies that have fallen out of the world are listed at the end of a run") {
     const Folder folder;
     const std::string ground =
         R"({"format": 1, "world": {"duration": 4}, "bodies": [{"type": "static", "shapes": [{"box": {"size": [4, 1]}}]},

@@ -8,11 +8,14 @@
 #include <string>
 
 #include "process.hpp"
+#include "support/near.hpp"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 using tumble::test::Answer;
 using tumble::test::Folder;
+using tumble::test::kDouble;
+using tumble::test::near;
 using tumble::test::run_tumble;
 
 TEST_CASE("without arguments: six lines of usage and a command to copy") {
@@ -134,15 +137,14 @@ TEST_CASE("bench times both engines on the same scenes") {
     REQUIRE(result["distance"].size() > 16);
     for (const json& query : result["distance"]) {
         CHECK(query["case"].is_string());
-        CHECK(query["ratio"].get<double>() ==
-              doctest::Approx(query["box2d_ns"].get<double>() / query["tumble_ns"].get<double>()).epsilon(1e-12));
+        CHECK(near(query["ratio"].get<double>(), query["box2d_ns"].get<double>() / query["tumble_ns"].get<double>(),
+                   kDouble));
     }
     REQUIRE(result["step"].size() == 2);
     const json& row = result["step"][0];
     CHECK(row["scene"] == "pyramid");
     CHECK(row["bodies"] == 211);
     CHECK(row["contacts"].get<int>() > 0);
-    CHECK(row["ratio"].get<double>() ==
-          doctest::Approx(row["box2d_ms"].get<double>() / row["tumble_ms"].get<double>()).epsilon(1e-12));
+    CHECK(near(row["ratio"].get<double>(), row["box2d_ms"].get<double>() / row["tumble_ms"].get<double>(), kDouble));
     CHECK(run_tumble({"bench", "--pairs", "0", "--scenes", "no_such_scene"}).code == 4);
 }

@@ -8,9 +8,12 @@
 #include <string>
 
 #include "process.hpp"
+#include "support/near.hpp"
 
 using nlohmann::json;
 using tumble::test::Answer;
+using tumble::test::kDouble;
+using tumble::test::near;
 using tumble::test::Process;
 using tumble::test::run_tumble;
 using tumble::test::tumble_command;
@@ -22,13 +25,13 @@ TEST_CASE("the distance of two circles is that of their centres less their radii
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const json result = json::parse(answer.out);
     CHECK(result["status"] == "separated");
-    CHECK(result["distance"].get<double>() == doctest::Approx(3.5).epsilon(1e-14));
+    CHECK(near(result["distance"].get<double>(), 3.5, kDouble));
     CHECK(result["lower"].get<double>() <= 3.5);
     CHECK(result["upper"].get<double>() >= 3.5);
-    CHECK(result["point_a"][0].get<double>() == doctest::Approx(0.6).epsilon(1e-14));
-    CHECK(result["point_a"][1].get<double>() == doctest::Approx(0.8).epsilon(1e-14));
-    CHECK(result["point_b"][0].get<double>() == doctest::Approx(2.7).epsilon(1e-14));
-    CHECK(result["normal"][1].get<double>() == doctest::Approx(0.8).epsilon(1e-14));
+    CHECK(near(result["point_a"][0].get<double>(), 0.6, kDouble));
+    CHECK(near(result["point_a"][1].get<double>(), 0.8, kDouble));
+    CHECK(near(result["point_b"][0].get<double>(), 2.7, kDouble));
+    CHECK(near(result["normal"][1].get<double>(), 0.8, kDouble));
     CHECK(result["b_pose"]["position"] == json({3, 4}));
     CHECK(result["b_pose"]["rotation"] == json({1, 0}));
     CHECK(result["certificate"]["pairs"] == json({{0, 0}}));

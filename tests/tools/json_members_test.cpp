@@ -17,7 +17,7 @@ TEST_CASE("members are found whatever their values hold") {
     CHECK(split_members("{}")->empty());
 }
 
-TEST_CASE("what is no object is not split") {
+TEST_CASE("a value that is no object is not split") {
     for (const char* text : {"", "1", "[1]", "{", "{\"a\"}", "{\"a\":}", "{\"a\":1", "{\"a\":1,}", "{a:1}",
                              "{\"a\":1}x", "{\"a\":\"x}", "{\"a\":[1}", "{\"a\":1]"})
         CHECK_MESSAGE(!split_members(text), text);

@@ -205,7 +205,7 @@ TEST_CASE("the fast reader leaves wrong lines to the strict one, which refuses t
     CHECK(is_refused(ends_early));
 }
 
-TEST_CASE("what is unusual but right is read strictly") {
+TEST_CASE("unusual but valid queries are read as by the full parser") {
     for (const char* shape : {R"({"circle": {"radius": 1}, "custom": 3})", R"({"circle": {"radius": 1 /* metre */}})",
                               R"({"chain": {"points": [[0, 0], [1, 0]]}})"}) {
         CAPTURE(shape);

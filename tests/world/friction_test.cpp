@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "support/near.hpp"
 #include "support/worlds.hpp"
 
 using namespace tumble;
@@ -51,9 +52,12 @@ TEST_CASE("the friction of a pair is the root of the product") {
     add_floor(world, {.friction = 0.9f});
     const BodyId box = add_dynamic(world, {0.0, 0.25}, make_box({2.0f, 0.5f}), {.friction = 0.4f});
     world.set_velocity(box, {4.0f, 0.0f}, 0.0f);
-    run(world, 30);
-    // sqrt(0.36) = 0.6: after half a second 4 - 0.6 g / 2 = 1 m/s are left.
-    CHECK(world.state(box).velocity.x == doctest::Approx(1.0).epsilon(0.02));
+    // sqrt(0.36) = 0.6. The box sinks into the floor until its contacts carry its weight: the braking differs from mu g
+    // by 1.4 % at first, and by a quarter less after each step, 5e-5 of it after 20.
+    run(world, 20);
+    const float before = world.state(box).velocity.x;
+    run(world, 18);
+    CHECK(near(before - world.state(box).velocity.x, 0.6 * kGravity * 18.0 / 60.0, relative(5e-5)));
 }
 
 TEST_CASE("a sliding box stops after v^2 / (2 mu g)") {
@@ -75,9 +79,14 @@ TEST_CASE("a rolling ball stops after 3 v^2 / (4 c g) under the rolling resistan
     const BodyId ball = add_dynamic(world, {0.0, radius}, make_circle(radius), {.rolling_resistance = c});
     world.set_velocity(ball, {v, 0.0f}, -v / radius);
     // The torque c r m g slows a disc (I = m r^2 / 2) that rolls without slipping by a = (2/3) c g: v / a = 3 s.
-    run(world, 240);
+    run(world, 30);
+    const float before = world.state(ball).velocity.x;
+    run(world, 60);
+    CHECK(near(before - world.state(ball).velocity.x, 2.0 / 3.0 * double{c} * kGravity, relative(5e-5)));
+    run(world, 150);
+    // The scheme moves with the velocity at the end of each sub-step: v h / 2 less, and one sub-step more or less.
     const double expected = 3.0 * v * v / (4.0 * c * kGravity);
-    CHECK(world.state(ball).pose.position.x == doctest::Approx(expected).epsilon(0.01));
+    CHECK(near(world.state(ball).pose.position.x, expected, absolute(1.5 * double{v} * kH)));
     CHECK(std::abs(world.state(ball).angular_velocity) < 1e-3);
 }
 
@@ -87,7 +96,8 @@ TEST_CASE("a ball without rolling resistance does not slow down") {
     const BodyId ball = add_dynamic(world, {0.0, 0.5}, make_circle(0.5f));
     world.set_velocity(ball, {2.0f, 0.0f}, -4.0f);
     run(world, 600);
-    CHECK(world.state(ball).velocity.x == doctest::Approx(2.0).epsilon(0.001));
+    // While the ball settles into the floor its contact carries up to twice its weight, on an arm that is rounded.
+    CHECK(near(world.state(ball).velocity.x, 2.0, float_sum(4 * 600)));
 }
 
 TEST_CASE("a belt carries to the left at its tangent speed, whichever body was created first") {
@@ -98,9 +108,14 @@ TEST_CASE("a belt carries to the left at its tangent speed, whichever body was c
         const BodyId box = add_dynamic(world, {0.0, 0.125}, make_box({2.0f, 0.25f}));
         if (!belt_first) add_floor(world, belt);
         run(world, 12);
-        // Speeding up at mu g = 6 m/s^2 for 0.2 s.
-        CHECK(world.state(box).velocity.x == doctest::Approx(-1.2).epsilon(0.1));
-        run(world, 108);
-        CHECK(world.state(box).velocity.x == doctest::Approx(-2.0).epsilon(0.001));
+        // Speeding up at mu g = 6 m/s^2 for 0.2 s, less the sub-step before the first normal impulse is known.
+        const float after_12 = world.state(box).velocity.x;
+        CHECK(after_12 > -1.2f);
+        CHECK(after_12 < -1.2f + 6.0f / 240.0f);
+        // The contact has settled into the floor to 7e-4 of the box's weight, and to a quarter of that 5 steps later.
+        run(world, 6);
+        CHECK(near(world.state(box).velocity.x - after_12, -6.0 * 6.0 / 60.0, relative(7e-4)));
+        run(world, 102);
+        CHECK(near(world.state(box).velocity.x, -2.0, kFloat));
     }
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "support/near.hpp"
 #include "support/worlds.hpp"
 #include "tumble/cast.hpp"
 
@@ -174,9 +175,9 @@ TEST_CASE("the point, normal and fraction of a ray's hit are those of a hand-wor
     const auto hit = world.cast_ray({0.25, 3.0}, {0.0, -4.0});
     REQUIRE(hit);
     CHECK(hit->body == box);
-    CHECK(hit->fraction == doctest::Approx(0.625).epsilon(1e-15));
-    CHECK(hit->point.x == doctest::Approx(0.25).epsilon(1e-15));
-    CHECK(hit->point.y == doctest::Approx(0.5).epsilon(1e-15));
+    CHECK(near(hit->fraction, 0.625, kDouble));
+    CHECK(near(hit->point.x, 0.25, kDouble));
+    CHECK(near(hit->point.y, 0.5, kDouble));
     CHECK(hit->normal == DVec2{0.0, 1.0});
     CHECK_FALSE(world.cast_ray({0.25, 0.25}, {0.0, 4.0}));  // from inside
     CHECK_FALSE(world.cast_ray({0.25, 3.0}, {0.0, -4.0}, {.except = box}));
@@ -186,9 +187,15 @@ TEST_CASE("of two shapes hit at the same fraction the one with the lower id is f
     World world;
     const BodyId first = add_static(world, {0.0, 0.0}, kBox);
     add_static(world, {0.0, 0.0}, kBox);
-    CHECK(world.cast_ray({3.0, 0.0}, {-4.0, 0.0})->body == first);
-    CHECK(world.closest({3.0, 0.0}, 10.0)->body == first);
-    CHECK(world.cast_shape(make_circle(0.5f), {{3.0, 0.0}, {}}, {-4.0, 0.0})->body == first);
+    const auto ray = world.cast_ray({3.0, 0.0}, {-4.0, 0.0});
+    const auto nearest = world.closest({3.0, 0.0}, 10.0);
+    const auto cast = world.cast_shape(make_circle(0.5f), {{3.0, 0.0}, {}}, {-4.0, 0.0});
+    REQUIRE(ray);
+    REQUIRE(nearest);
+    REQUIRE(cast);
+    CHECK(ray->body == first);
+    CHECK(nearest->body == first);
+    CHECK(cast->body == first);
 }
 
 TEST_CASE("the distance of two bodies is that of their nearest solid shapes") {
@@ -199,7 +206,7 @@ TEST_CASE("the distance of two bodies is that of their nearest solid shapes") {
     const BodyDistance gap = world.distance(a, b);
     CHECK(gap.shape_a == arm);
     CHECK(gap.shape_b == world.shapes(b)[0]);
-    CHECK(gap.nearest.distance == doctest::Approx(2.0).epsilon(1e-15));
+    CHECK(near(gap.nearest.distance, 2.0, kDouble));
     CHECK(gap.nearest.normal == DVec2{1.0, 0.0});
     const BodyId bare = world.create_body({});
     CHECK(world.distance(a, bare).nearest.status == DistanceStatus::invalid);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "support/near.hpp"
 #include "support/worlds.hpp"
 
 using namespace tumble;
@@ -98,5 +99,5 @@ TEST_CASE("a 2 cm ball does not touch with a gap of 2 cm, and rests on the floor
     CHECK(world.events().contact_begins.empty());
     run(world, 120);
     CHECK(world.contacts().size() == 1);
-    CHECK(world.state(ball).pose.position.y == doctest::Approx(0.01).epsilon(0.02));
+    CHECK(near(world.state(ball).pose.position.y, 0.01, absolute(3.6e-5)));
 }
