@@ -57,7 +57,8 @@ std::string place(const Include& include) {
 
 const fs::path root = TUMBLE_SOURCE_DIR;
 
-// What each folder may include besides its own files, debug and public headers. A name stands for a folder and all below it.
+// What each folder may include besides its own files, debug and public headers. A name stands for a folder and all
+// below it.
 const std::map<std::string, std::set<std::string>> kMaySee = {
     {"debug", {}},
     {"file", {}},
@@ -101,6 +102,7 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"reference/query", {}},
     {"reference/exact", {"reference/query"}},
     {"reference/box2d", {"reference/query"}},
+    {"reference/bench", {"reference/query", "reference/box2d"}},
     {"reference/families", {"reference/query", "reference/exact", "reference/box2d"}},
     {"reference/parity", {"reference/query", "reference/exact", "reference/box2d", "reference/families"}},
     {"tools/output", {}},

@@ -1,5 +1,5 @@
-// Imports of R.U.B.E. exports beside Box2D, on a small file of our own and, where TUMBLE_RUBE_DATA names a folder, on
-// exports of others.
+// Imports of R.U.B.E. exports compared with Box2D: a small file of the project and, if TUMBLE_RUBE_DATA names a folder,
+// the exports in it.
 #include "reference/box2d/b2_rube.hpp"
 #include "tumble/scene_import.hpp"
 
@@ -29,13 +29,13 @@ const std::filesystem::path kSmall = std::filesystem::path(TUMBLE_SOURCE_DIR) / 
 
 }  // namespace
 
-TEST_CASE("an import weighs what Box2D says, and its joints hold where Box2D's do") {
+TEST_CASE("an import has the masses and the joint anchors of Box2D") {
     compare(kSmall);
     CHECK(compare_with_box2d(kSmall, import_rube(kSmall).scene).bodies == 3);
     CHECK(compare_with_box2d(kSmall, import_rube(kSmall).scene).joints >= 9);
 }
 
-TEST_CASE("a body that weighs otherwise and a joint elsewhere are seen") {
+TEST_CASE("the comparison detects another mass, another anchor and a missing joint") {
     Scene scene = import_rube(kSmall).scene;
     for (SceneBody& body : scene.bodies)
         if (body.name == "crate_2") body.mass = SceneMass{5.01, {}, 0.0};
@@ -47,7 +47,7 @@ TEST_CASE("a body that weighs otherwise and a joint elsewhere are seen") {
     CHECK_FALSE(compare_with_box2d(kSmall, scene).same_count);
 }
 
-TEST_CASE("exports of others weigh what Box2D says") {
+TEST_CASE("the exports in TUMBLE_RUBE_DATA have the masses and the joint anchors of Box2D") {
     const char* folder = std::getenv("TUMBLE_RUBE_DATA");
     if (folder == nullptr) {
         MESSAGE("skipped: TUMBLE_RUBE_DATA names no folder with R.U.B.E. exports");
