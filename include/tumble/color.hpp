@@ -1,4 +1,4 @@
-// A colour of 8 bits a channel, straight alpha.
+// A colour of 8 bits per channel with straight alpha.
 #pragma once
 
 #include <cstdint>

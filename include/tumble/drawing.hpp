@@ -1,7 +1,7 @@
 // Explanatory drawings: plots, diagrams of a distance query, worst cases of a parity run.
 //
-// A drawing is a list of lines, polygons, discs and texts in pixels, y down, from the upper left corner. One drawing
-// becomes an SVG text (for pages and papers) or an image (the same canvas that draws the frames).
+// A drawing is a list of lines, polygons, discs and texts. Coordinates are pixels from the upper left corner, y down. A
+// drawing can be written as SVG (for pages and papers) or drawn as an image (by the canvas that draws the frames).
 #pragma once
 
 #include <cstdint>
@@ -54,7 +54,7 @@ struct DrawnText {
 
 using DrawnElement = std::variant<DrawnLine, DrawnPolygon, DrawnDisc, DrawnText>;
 
-// Drawn in the order of the list, over the background.
+// The elements are drawn over the background in the order of the list.
 struct Drawing {
     int width = 0;
     int height = 0;
@@ -70,19 +70,19 @@ struct Drawing {
     void text(DVec2 at, std::string text, double size, Color color, TextAnchor anchor = TextAnchor::left);
 };
 
-// Text made safe inside XML and HTML: & < > and quotes become entities, control characters question marks.
+// The text with & < > and double quotes as entities, and control characters that XML lacks as question marks.
 std::string escape_markup(std::string_view text);
 
-// A standalone SVG document; its numbers are rounded to 1/100 px. The same drawing gives the same bytes.
+// A standalone SVG document with numbers rounded to 1/100 px. The same drawing gives the same bytes.
 std::string to_svg(const Drawing& drawing);
 
-// The two shapes at their poses with the witness points of the result, beside a view of the contact; the rings mark
-// other points of the world, such as another engine's witness points.
+// Two panels: the shapes at their poses with the witness points of the result, and the contact enlarged. The rings mark
+// further points of the world, such as the witness points of another engine.
 Drawing draw_pair(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                   const DistanceResult& result, std::span<const DVec2> rings = {});
 
-// How GJK came to its answer: the pair, its Minkowski difference with the origin, one panel an iteration with the
-// simplex, the nearest point, the search direction and the support vertex found, and the bounds closing in.
+// The iterations of GJK: panels of the pair and of its Minkowski difference, then one panel per iteration with the
+// simplex, its nearest point, the search direction and the support vertex, then a plot of both bounds.
 Drawing draw_trace(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                    const DistanceTrace& trace);
 

@@ -1,4 +1,4 @@
-// Frames without a display: a draw list made from a scene's world, drawn off-screen, written as PNG.
+// Frames without a display: cameras, an off-screen renderer, and PNG files.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace tumble {
 
-// No off-screen context, no font, a shader that does not compile: what was tried and why it failed.
+// There is no off-screen context or no font, or a shader does not compile. The message names what was tried.
 class RenderError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -31,41 +31,43 @@ struct Image {
 struct Camera {
     DVec2 center;         // world point in the middle of the frame
     double height = 1.0;  // m of the world from the lower to the upper edge
-    BodyId follows{};     // the body it moves with; default: none yet
-    DVec2 offset{};       // then: the center seen from that body's position
+    BodyId follows{};     // the body that the camera follows; default: none
+    DVec2 offset{};       // of the center from that body's position
 };
 
-// The scene's own camera. What it leaves open is chosen so that there is in view, with a margin: every body that moves
-// where it begins, also those that the timeline makes; their ways, but for bodies that go farther than a frame three
-// times as high; the ground below them; and of what never moves all, or as far as it is near. To know the ways the
-// scene is run ahead, for some 0.1 s at most, unless it has thousands of bodies. A camera that follows a body is five
-// times as high as the body's larger side. To be made from a world that was not stepped yet.
+// The camera of the scene; what the scene leaves open is fitted to the world with a margin. In view are: the first pose
+// of every dynamic and kinematic body, including those that the timeline spawns; their motions, except of bodies that
+// leave a frame three times as high; the ground below them; and all static shapes, or those nearby if all would need
+// too large a frame. The motions come from a run of the scene of about 0.1 s of wall time, which is left out if it has
+// thousands of bodies. The frame of a camera that follows a body is five times as high as the body's larger side. Call
+// it before the first step of the world.
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio);
 
-// The camera where the body it follows is now: it begins to follow a body that the timeline makes in the first state
-// that has it, and stays where it is once that is gone. To be called after each step, so that a run shows the same
-// however many of its steps are drawn.
+// The camera moved with the body that it follows. A body that the timeline spawns is followed from the first state that
+// contains it. When the body is destroyed, the camera stays. Call it after every step, drawn or not, so that frames do
+// not depend on how many are drawn.
 Camera move_camera(Camera camera, const Scene& scene, const SceneWorld& world);
 
-// What a frame points at, and says about it: the edges of regions and bodies are drawn strongly, and an arrow at the
-// edge of the frame points at what is out of view.
+// Highlights of a frame: strong outlines of regions and bodies, and arrows at the edge of the frame towards those out
+// of view.
 struct Marking {
     std::vector<std::array<DVec2, 4>> regions{};  // corners in order, world coordinates
     std::vector<BodyId> bodies{};
     std::vector<std::string> caption{};  // lines below the time
 };
 
-// The camera with what is marked in view too, as far as a frame three times as high can show it.
+// The camera with the frame grown to contain the marking. What needs a frame more than three times as high stays out of
+// view.
 Camera widen_camera(Camera camera, const World& world, const Marking& marking, double aspect_ratio);
 
-// What a frame shows beside the shapes, each with a line in the legend.
+// State of the simulation that a frame shows over the shapes, each with a line in the legend.
 struct Overlay {
-    bool contacts = false;  // points, by whether the surfaces overlap
-    bool normals = false;   // from A to B at each point
-    bool aabbs = false;     // the box around each shape
-    bool islands = false;   // a colour an island, pale if it sleeps
+    bool contacts = false;  // contact points, in one colour if the surfaces overlap and in another if not
+    bool normals = false;   // from A to B at each contact point
+    bool aabbs = false;     // the bounding box of each shape
+    bool islands = false;   // one colour per island, pale if the island sleeps
     bool velocity = false;  // of each centre of mass
-    bool joints = false;    // from each body to its anchor
+    bool joints = false;    // lines from the centres of mass to the anchors
 };
 
 struct OverlayPart {
@@ -79,18 +81,20 @@ inline constexpr std::array<OverlayPart, 6> kOverlayParts{{{"contacts", &Overlay
                                                            {"velocity", &Overlay::velocity},
                                                            {"joints", &Overlay::joints}}};
 
-inline constexpr int kSmallestFrame = 16, kLargestFrame = 8192;  // pixels a side
+inline constexpr int kSmallestFrame = 16, kLargestFrame = 8192;  // pixels per side
 
-// Draws frames of one size. Holds the off-screen context: use it from the thread that made it.
+// Draws frames of one size. Owns an off-screen context: use it on the thread that made it.
 class Renderer {
 public:
-    // kSmallestFrame to kLargestFrame each, else std::invalid_argument. Loads OSMesa and the font; throws RenderError.
+    // Loads OSMesa and the font. Throws RenderError, or std::invalid_argument for a side outside kSmallestFrame to
+    // kLargestFrame.
     Renderer(int width, int height);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    // Draws the world as it is now, with the scene's name and `time` (s) as text, into `image`, resized as needed.
+    // Draws the present state of the world, with the scene's name and `time` (s) as text, into `image`, which is
+    // resized. Throws std::invalid_argument for a camera that is not finite or without height.
     void draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image,
               const Overlay& overlay = {}, const Marking& marking = {});
 
@@ -99,27 +103,27 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// An explanatory drawing as an image; what lies beyond its edges is cut off. Throws RenderError.
+// The drawing as an image, clipped to its size. Throws RenderError.
 Image draw_image(const Drawing& drawing);
 
 // Writes to a temporary name beside `file`, then renames. Throws FileError. The same image gives the same bytes.
 void write_png(const Image& image, const std::filesystem::path& file);
 
-// Encodes and writes PNG files on threads of its own, a bounded number in flight.
+// Encodes and writes PNG files on threads of its own. The number of queued images is bounded.
 class FrameWriter {
 public:
     explicit FrameWriter(int threads);
-    ~FrameWriter();  // waits for what was submitted; errors are lost: call finish()
+    ~FrameWriter();  // waits for the queued frames and drops errors: call finish() to get them
     FrameWriter(const FrameWriter&) = delete;
     FrameWriter& operator=(const FrameWriter&) = delete;
 
-    // An image to draw into: one that was written already if there is one.
+    // An image to draw into: the buffer of a written frame if one is free, else a new one.
     Image take_image();
 
-    // Queues the image; waits while too many are queued. Throws the first FileError of earlier frames.
+    // Queues the image; waits while the queue is full. Throws the first FileError of earlier frames.
     void submit(Image image, std::filesystem::path file);
 
-    // Waits for all; throws the first FileError. Returns the number of files and bytes written.
+    // Waits for all frames. Throws the first FileError.
     struct Written {
         std::uint64_t files = 0;
         std::uint64_t bytes = 0;

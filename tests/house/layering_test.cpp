@@ -103,6 +103,7 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"reference/query", {}},
     {"reference/exact", {"reference/query"}},
     {"reference/box2d", {"reference/query"}},
+    {"reference/bench", {"reference/query", "reference/box2d"}},
     {"reference/families", {"reference/query", "reference/exact", "reference/box2d"}},
     {"reference/parity", {"reference/query", "reference/exact", "reference/box2d", "reference/families"}},
     {"tools/output", {}},

@@ -1,4 +1,3 @@
-// Imports of R.U.B.E. exports beside Box2D, on a small file and on a large export that the test writes.
 #include "reference/box2d/b2_rube.hpp"
 #include "tumble/scene_import.hpp"
 
@@ -32,13 +31,13 @@ const std::filesystem::path kSmall = std::filesystem::path(TUMBLE_SOURCE_DIR) / 
 
 }  // namespace
 
-TEST_CASE("an import weighs what Box2D says, and its joints hold where Box2D's do") {
+TEST_CASE("an import has the masses and the joint anchors of Box2D") {
     compare(kSmall);
     CHECK(compare_with_box2d(kSmall, import_rube(kSmall).scene).bodies == 3);
     CHECK(compare_with_box2d(kSmall, import_rube(kSmall).scene).joints >= 9);
 }
 
-TEST_CASE("a body that weighs otherwise and a joint elsewhere are seen") {
+TEST_CASE("the comparison detects another mass, another anchor and a missing joint") {
     Scene scene = import_rube(kSmall).scene;
     for (SceneBody& body : scene.bodies)
         if (body.name == "crate_2") body.mass = SceneMass{5.01, {}, 0.0};

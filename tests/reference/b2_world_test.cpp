@@ -1,4 +1,4 @@
-// A scene in Box2D: that it starts where ours starts, maps every shape, and behaves as physics says.
+// A scene as a Box2D world: it starts at the same poses, maps every shape, and behaves as physics predicts.
 #include "reference/box2d/b2_world.hpp"
 
 #include <doctest/doctest.h>
@@ -31,7 +31,7 @@ void run(B2World& world, int steps) {
 
 }  // namespace
 
-TEST_CASE("a free body falls as the integrator has it") {
+TEST_CASE("a free body falls as symplectic Euler predicts") {
     B2World world(scene_of(
         R"({"name": "ball", "position": [1, 5], "velocity": [2, 0], "shapes": [{"circle": {"radius": 0.5}}]})"));
     REQUIRE(world.body_count() == 1);
@@ -66,7 +66,7 @@ TEST_CASE("every kind of shape comes to rest on the ground") {
     B2World world(scene_of(bodies.c_str()));
     CHECK(world.notes().empty());
     run(world, 240);
-    // The skin of 1 cm on each side holds sharp polygons off the ground by up to 2 cm less the slop.
+    // The skin of 1 cm on each side keeps sharp polygons off the ground by up to 2 cm minus the slop.
     const double heights[] = {0.5, 0.25, 0.5, 0.5};
     for (int body = 1; body <= 4; ++body) CHECK(std::abs(world.pose(body).position.y - heights[body - 1]) < 0.025);
     // A side or a corner of the 12-gon on the ground: 0.966 or 1.
@@ -76,7 +76,7 @@ TEST_CASE("every kind of shape comes to rest on the ground") {
     CHECK(world.deepest_overlap() < 0.03f);
 }
 
-TEST_CASE("joints hold") {
+TEST_CASE("distance and revolute joints keep their constraints") {
     B2World world(scene_of(
         R"({"name": "post", "type": "static", "position": [0, 4], "shapes": [{"circle": {"radius": 0.1}}]},
                               {"name": "bob", "position": [2, 4], "shapes": [{"circle": {"radius": 0.2}}]},
@@ -89,7 +89,7 @@ TEST_CASE("joints hold") {
     CHECK(length(transform_point(world.pose(2), Vec2{-1.0f, 0.0f}) - DVec2{0.0, 9.0}) < 0.02);
 }
 
-TEST_CASE("features that Box2D lacks are noted") {
+TEST_CASE("features that Box2D lacks are in the notes") {
     B2World world(
         scene_of(R"({"name": "belt", "type": "static", "shapes": [{"box": {"size": [4, 1]}, "material": "belt"}]})",
                  R"(, "materials": {"belt": {"tangent_speed": 2, "rolling_resistance": 0.1}})"));

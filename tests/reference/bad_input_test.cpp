@@ -1,5 +1,5 @@
-// Outlines that Shape::from_raw() takes and no factory makes: clockwise, self-crossing, repeated, at random. The answer
-// may be wrong, but it is decided, finite, and there after a bounded number of iterations.
+// Outlines that Shape::from_raw() accepts and no factory makes: clockwise, self-crossing, repeated and random. The
+// answer may be wrong, but it has a status, is finite, and needs a bounded number of iterations.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace tumble::reference;
 
 namespace {
 
-// A loop of GJK for n vertices in all: its cap of 32 + 4 ceil(log2(n / 8)), and the first support.
+// The cap of the GJK loop for n vertices in all, 32 + 4 ceil(log2(n / 8)), and the first support.
 int iteration_limit(int vertices) {
     return 33 + 4 * std::max(0, static_cast<int>(std::ceil(std::log2(vertices / 8.0))));
 }
@@ -50,7 +50,7 @@ Shape scattered(Random& random) {
 
 }  // namespace
 
-TEST_CASE("clockwise outlines are as far apart as their counter-clockwise twins") {
+TEST_CASE("separated clockwise outlines have the distance of their counter-clockwise twins") {
     int separated = 0;
     for (std::uint64_t index = 0; index < 2000; ++index) {
         Random random(5, index);
@@ -64,7 +64,7 @@ TEST_CASE("clockwise outlines are as far apart as their counter-clockwise twins"
         check_decided(clockwise);
         const DistanceResult answer = distance(query.a, query.pose_a, query.b, query.pose_b);
         if (answer.status != DistanceStatus::separated) continue;
-        ++separated;  // supports do not know the order of the vertices
+        ++separated;  // support vertices do not depend on the order
         const DistanceResult same = distance(clockwise.a, clockwise.pose_a, clockwise.b, clockwise.pose_b);
         CHECK(same.status == DistanceStatus::separated);
         CHECK(std::abs(same.distance - answer.distance) <= 32.0 * error_unit(query));
@@ -72,7 +72,7 @@ TEST_CASE("clockwise outlines are as far apart as their counter-clockwise twins"
     CHECK(separated > 600);
 }
 
-TEST_CASE("a bow tie, a star and a needle end with a decided answer") {
+TEST_CASE("a bow tie, a star and a needle give a valid answer") {
     const std::array<Vec2, 4> bow_tie{{{-1, -1}, {1, 1}, {1, -1}, {-1, 1}}};
     const std::array<Vec2, 5> star{{{0, 1}, {0.6f, -0.8f}, {-1, 0.3f}, {1, 0.3f}, {-0.6f, -0.8f}}};
     const std::array<Vec2, 6> needle{{{0, 0}, {1, 0}, {2, 0}, {1, 0}, {0, 0}, {0, 0}}};
@@ -83,7 +83,7 @@ TEST_CASE("a bow tie, a star and a needle end with a decided answer") {
             for (const double x : {0.0, 0.5, 1.0, 2.0, 3.0}) check_decided({a, b, {}, {{x, 0.25 * x}, {}}});
 }
 
-TEST_CASE("points at random end with a decided answer") {
+TEST_CASE("random points as an outline give a valid answer") {
     for (std::uint64_t index = 0; index < 5000; ++index) {
         Random random(6, index);
         const PairQuery query{scattered(random),

@@ -1,5 +1,5 @@
-// Rays, casts and times of impact over their families, against closed forms and proved intervals in long double; and
-// that the judge does find a wrong answer. TUMBLE_PAIRS=1000000 asks for a million pairs a family.
+// Rays, casts and times of impact over their families, against closed forms and proved intervals in long double. The
+// judge itself is tested with wrong answers. TUMBLE_PAIRS=1000000 runs a million pairs per family.
 #include "reference/families/cast_families.hpp"
 #include "reference/box2d/b2_cast.hpp"
 
@@ -31,13 +31,13 @@ CastQuery boxes_approaching(CastKind kind) {
 
 }  // namespace
 
-TEST_CASE("no family of moving pairs has a miss, a false hit or a bracket that does not hold") {
+TEST_CASE("no family of moving pairs has a missed hit, a false hit or a wrong bracket") {
     for (const CastFamily& family : cast_families()) {
         std::map<std::string, std::uint64_t> tally;
         const std::uint64_t count = tumble_test::pair_count() >= 1000000 ? 1000000 : tumble_test::pair_count() / 4;
         for (std::uint64_t index = 0; index < count; ++index) {
             const CastQuery query = family.generate(kSeed, index);
-            const CastVerdict verdict = judge(TrueMotion(query), ask_tumble(query));
+            const CastVerdict verdict = judge(MotionOracle(query), query_tumble(query));
             ++tally[to_string(verdict)];
             INFO(family.name << ", pair " << index << ": " << to_string(verdict));
             CHECK(!is_wrong(verdict));
@@ -56,49 +56,49 @@ TEST_CASE("no family of moving pairs has a miss, a false hit or a bracket that d
     }
 }
 
-TEST_CASE("the judge of moving pairs sees a late hit, an early one, a miss and a bracket beside the truth") {
+TEST_CASE("the judge of moving pairs detects late, early, missed and false hits and wrong brackets") {
     for (const CastKind kind : {CastKind::shape, CastKind::impact}) {
         const CastQuery query = boxes_approaching(kind);
-        const TrueMotion truth(query);
-        const CastResult right = ask_tumble(query);
+        const MotionOracle oracle(query);
+        const CastResult right = query_tumble(query);
         REQUIRE(right.status == CastStatus::hit);
-        CHECK(judge(truth, right) == CastVerdict::hit);
+        CHECK(judge(oracle, right) == CastVerdict::hit);
         const auto moved = [&](double by) {
             CastResult result = right;
             result.lower += by;
             result.fraction += by;
             result.upper += by;
-            return judge(truth, result);
+            return judge(oracle, result);
         };
         CHECK(moved(1e-12) == CastVerdict::missed);
         CHECK(moved(-1e-12) == CastVerdict::false_hit);
         CastResult blind = right;
         blind.status = CastStatus::miss;
-        CHECK(judge(truth, blind) == CastVerdict::missed);
+        CHECK(judge(oracle, blind) == CastVerdict::missed);
         CastResult narrow = right;
         narrow.upper = narrow.fraction = narrow.lower = right.fraction - (right.upper - right.fraction);
-        CHECK(is_wrong(judge(truth, narrow)));
+        CHECK(is_wrong(judge(oracle, narrow)));
         CastResult inside = right;
         inside.status = CastStatus::overlapping;
-        CHECK(judge(truth, inside) == CastVerdict::false_hit);
+        CHECK(judge(oracle, inside) == CastVerdict::false_hit);
     }
     CastQuery beside = boxes_approaching(CastKind::shape);
     beside.pose_b.position.y = 1.0 + 1e-9;
-    CHECK(judge(TrueMotion(beside), ask_tumble(beside)) == CastVerdict::miss);
-    CastResult made_up = ask_tumble(boxes_approaching(CastKind::shape));
-    CHECK(judge(TrueMotion(beside), made_up) == CastVerdict::false_hit);
+    CHECK(judge(MotionOracle(beside), query_tumble(beside)) == CastVerdict::miss);
+    CastResult made_up = query_tumble(boxes_approaching(CastKind::shape));
+    CHECK(judge(MotionOracle(beside), made_up) == CastVerdict::false_hit);
 }
 
-TEST_CASE("Box2D agrees about boxes that meet, within its slop") {
+TEST_CASE("Box2D finds the same impact of two boxes, within its slop") {
     for (const CastKind kind : {CastKind::ray, CastKind::shape, CastKind::impact}) {
         CastQuery query = boxes_approaching(kind);
         query.target = b2_target(kind);
         if (kind == CastKind::ray) query.b = make_circle(0);
-        const std::optional<B2Cast> box2d = ask_box2d(query);
+        const std::optional<B2Cast> box2d = query_box2d(query);
         REQUIRE(box2d);
         CHECK(box2d->hits);
-        CHECK(judge(TrueMotion(query), *box2d, box2d->tolerance + 1e-6) == CastVerdict::hit);
-        query.target += 0.1;  // another question than the one that it answers
-        if (kind != CastKind::ray) CHECK(!ask_box2d(query));
+        CHECK(judge(MotionOracle(query), *box2d, box2d->tolerance + 1e-6) == CastVerdict::hit);
+        query.target += 0.1;  // not the target of Box2D
+        if (kind != CastKind::ray) CHECK(!query_box2d(query));
     }
 }

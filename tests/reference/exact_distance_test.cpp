@@ -1,5 +1,5 @@
-// The oracle against hand-worked cases, and against a second method in long double: the signed distance of the origin
-// from the hull of all vertex differences.
+// The exact oracle against hand-worked cases, and against a second method in long double: the signed distance of the
+// origin from the hull of all vertex differences.
 #include "reference/exact/exact_distance.hpp"
 
 #include <doctest/doctest.h>
@@ -69,7 +69,7 @@ std::vector<LongPoint> difference_hull(const PairQuery& query) {
     return hull;
 }
 
-// Also for a hull of one or two points, whose edges there are out and back.
+// Also for a hull of one or two points: the two edges of a segment run out and back.
 long double signed_distance_of_origin(const std::vector<LongPoint>& hull) {
     long double outside_sq = INFINITY, inside = -INFINITY;
     for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -112,7 +112,7 @@ TEST_CASE("separated shapes by hand") {
 TEST_CASE("overlapping shapes by hand") {
     check_equal({box(1.0, 1.0), box(1.0, 1.0), at(0.0, 0.0), at(1.75, 0.5)}, -0.25);
     check_equal({box(1.0, 1.0, 0.25), box(1.0, 1.0), at(0.0, 0.0), at(1.75, 0.5)}, -0.5);
-    // Concentric: out through the thinner way, 1 + 1/4.
+    // Concentric: the least depth is vertical, 1 + 1/4.
     check_equal({box(3.0, 1.0), box(0.25, 0.25), at(0.0, 0.0), at(0.0, 0.0)}, -1.25);
     // Crossing segments: the difference is the square [-1, 1]^2 about (-1/4, -1/2).
     check_equal(
@@ -144,13 +144,13 @@ TEST_CASE("an irrational distance is compared without rounding") {
     CHECK(diagonal.minus(-rounded) == 2.0 * rounded);
 }
 
-TEST_CASE("the range of float and double is covered") {
+TEST_CASE("the oracle is exact over the range of float and double") {
     check_equal({point_shape(), point_shape(), at(0.0, 0.0), at(0x1p-1074, 0.0)}, 0x1p-1074);
     check_equal({point_shape(), point_shape(), at(-0x1p1000, 0.0), at(0x1p1000, 0.0)}, 0x1p1001);
     const float tiny = 0x1p-149f;
     check_equal({point_shape(tiny), segment({4.0f * tiny, 1.0f}, {4.0f * tiny, -1.0f}), at(0.0, 0.0), at(0.0, 0.0)},
                 3.0 * tiny);
-    // 2^100 away less a radius of 2^-100: the radius is seen.
+    // 2^100 apart with a radius of 2^-100: the radius is not lost.
     const ExactDistance far({point_shape(0x1p-100f), point_shape(), at(0.0, 0.0), at(0x1p100, 0.0)});
     CHECK(far.compare(0x1p100) == -1);
     CHECK(far.minus(0x1p100) == -0x1p-100);

@@ -1,6 +1,6 @@
-// Every hard family against the oracle and the checker: bounds, status, certificates, and perturbed certificates.
-// The environment variable TUMBLE_PAIRS sets the pairs of each family (10 000); families of large polygons take a
-// fiftieth. TUMBLE_FAMILY names the only one to try.
+// Every hard family against the exact oracle and the certificate checker: bounds, status, certificates, and perturbed
+// certificates. The environment variable TUMBLE_PAIRS sets the pairs per family (10 000); families of large polygons
+// take a fiftieth. TUMBLE_FAMILY selects a single family.
 #include "reference/families/pair_families.hpp"
 
 #include <doctest/doctest.h>
@@ -30,7 +30,7 @@ constexpr std::uint64_t kSeed = 20261121;
 constexpr std::uint64_t kBlock = 250;
 constexpr std::uint64_t kUsualPairs = 10000;
 
-// What went wrong in a family, as counts with the first example; merged in the order of the pairs.
+// Counts of the failures in a family, with the first example. Merged in the order of the pairs.
 struct Tally {
     std::uint64_t bounds_wrong = 0, bounds_loose = 0, status_wrong = 0, rejected = 0, accepted_perturbed = 0,
                   warm_wrong = 0;
@@ -80,8 +80,8 @@ LongPoint minkowski_vertex(const PairQuery& query, VertexPair pair) {
     return {a.x - b.x - (static_cast<long double>(pb.x) - pa.x), a.y - b.y - (static_cast<long double>(pb.y) - pa.y)};
 }
 
-// What the claimed pairs say of the core distance: of separated cores the distance of their simplex from the origin, of
-// overlapping ones the separation of their face, negative.
+// The core distance that the claimed pairs attain: for separated cores the distance of their simplex from the origin,
+// for overlapping cores the separation of their face, negative.
 long double claimed_distance(const PairQuery& query, const Certificate& certificate) {
     const LongPoint p = minkowski_vertex(query, certificate.pairs[0]);
     const LongPoint q = minkowski_vertex(query, certificate.pairs[certificate.pair_count - 1u]);
@@ -111,9 +111,9 @@ long double claimed_lower(const PairQuery& query, DVec2 direction) {
     return -(highest_a - lowest_b - dot(d, offset)) / length(d);
 }
 
-// Replaces one index, and turns the direction; expects a rejection if what they prove moved by more than 2 E: each
-// claim is within E of what was computed from it, and each bound E from that. (And a thousandth, for the long double
-// here.)
+// Replaces an index, and rotates the direction. The checker must reject a forgery that proves a value more than 2 E
+// away: a claim is within E of the value computed from it, and the bound is E from that. A thousandth is added for the
+// long double arithmetic of the test.
 void check_perturbed(Tally& tally, const PairQuery& query, const DistanceResult& answer, Random& random,
                      std::uint64_t index) {
     const long double bound = 2.002L * core_error_bound(query);
@@ -159,7 +159,7 @@ SimplexCache random_cache(Random& random, const PairQuery& query) {
     return cache;
 }
 
-constexpr std::uint64_t kPairsPerLooseOne = 100000;  // of bounds that are looser than usual, once in 40 million pairs
+constexpr std::uint64_t kPairsPerLooseOne = 100000;  // with bounds looser than usual; seen once in 40 million pairs
 
 void check_exact(Tally& tally, const PairQuery& query, const DistanceResult& answer, const ExactDistance& exact,
                  std::uint64_t index) {
@@ -220,8 +220,8 @@ Tally check_family(const PairFamily& family) {
 }  // namespace
 
 TEST_CASE(
-    "every family: the exact distance is in the bounds and near them, the status is right, certificates hold and "
-    "forgeries do not") {
+    "every family: the exact distance is within tight bounds, the status is right, certificates are accepted and "
+    "forgeries rejected") {
     double largest_error = 0.0;
     std::uint64_t pairs = 0, forgeries = 0;
     for (const PairFamily& family : pair_families()) {
@@ -244,7 +244,7 @@ TEST_CASE(
                             << tally.reached_cap << " at the cap");
     }
     CHECK(largest_error < 16.0);
-    CHECK(largest_error > 0.5);  // the oracle sees rounding
+    CHECK(largest_error > 0.5);  // the oracle resolves rounding errors
     CHECK(forgeries > pairs / 2);
     MESSAGE("largest error of all families: " << largest_error << " u (RA + RB + |p|)");
 }
@@ -272,7 +272,7 @@ TEST_CASE("generated numbers are the same on every platform") {
     CHECK(random.direction() == DVec2{0x1.9dd819cdb79b7p-2, 0x1.d452e9c57dcd9p-1});
 }
 
-TEST_CASE("the regression list") {
+TEST_CASE("the answers to the regression cases are right and certified") {
     for (const RegressionCase& regression : regression_cases()) {
         INFO(regression.name << ": " << to_hex(regression.query));
         const PairQuery& q = regression.query;
@@ -302,7 +302,7 @@ TEST_CASE("a certificate proves the upper bound also where rounding leaves open 
     CHECK(check_certificate(query, answer) == CertificateVerdict::accepted);
 }
 
-TEST_CASE("families of touching pairs touch, and of gaps have gaps") {
+TEST_CASE("the pairs of families of touching, separated and overlapping shapes are so") {
     const auto count = [](std::string_view name, int sign) {
         const PairFamily* family = find_pair_family(name);
         REQUIRE(family != nullptr);
@@ -313,7 +313,7 @@ TEST_CASE("families of touching pairs touch, and of gaps have gaps") {
     };
     for (const char* name : {"touching_vertices", "touching_vertex_edge", "touching_edges"})
         CHECK(count(name, 0) == 500);
-    CHECK(count("near_gap", 1) > 450);  // an edge turned to another in float may cut a corner
+    CHECK(count("near_gap", 1) > 450);  // the rounded rotation of an edge may make a corner overlap
     CHECK(count("near_overlap", -1) > 490);
     CHECK(count("random", -1) > 150);
     CHECK(count("random", 1) > 150);

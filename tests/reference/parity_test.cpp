@@ -1,4 +1,4 @@
-// The parity run itself: that it passes, repeats whatever the threads, and does find a wrong answer.
+// The parity run: it passes, does not depend on the number of threads, and detects wrong answers.
 #include "reference/parity/parity.hpp"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ namespace {
 PairQuery boxes_apart(double gap) { return {box(0.5, 0.5), box(0.5, 0.5), {}, {{1.0 + gap, 0.125}, {}}}; }
 
 ParityRow judged(const PairQuery& query, const DistanceResult& ours, const std::optional<B2Distance>& box2d) {
-    const ExactSide exact = ExactSide::of_distance(ExactDistance(query));
+    const GroundTruth exact = GroundTruth::of_distance(ExactDistance(query));
     ParityRow row;
     add_comparison(row, {query, ours, box2d}, &exact, {});
     return row;
@@ -85,7 +85,7 @@ TEST_SUITE("parity") {
     }
 }
 
-TEST_CASE("the judge blames who is wrong") {
+TEST_CASE("the judge attributes an error to the engine that made it") {
     const PairQuery query = boxes_apart(0.25);
     const DistanceResult right = tumble_answer(query);
     const std::optional<B2Distance> box2d = b2_distance(query, true);
@@ -93,7 +93,7 @@ TEST_CASE("the judge blames who is wrong") {
     CHECK(judged(query, right, box2d).ours_wrong == 0);
     CHECK(judged(query, right, box2d).box2d_wrong == 0);
 
-    DistanceResult moved = right;  // every number shifted by 1e-9: the bounds miss the truth
+    DistanceResult moved = right;  // every number shifted by 1e-9: the bounds do not contain the exact distance
     moved.distance += 1e-9;
     moved.lower += 1e-9;
     moved.upper += 1e-9;
@@ -105,16 +105,16 @@ TEST_CASE("the judge blames who is wrong") {
     elsewhere.point_a.x -= 1e-3;
     CHECK(judged(query, elsewhere, box2d).ours_wrong == 0);
     CHECK(judged(query, elsewhere, box2d).ours_witness_wrong == 1);
-    DistanceResult vague = right;  // right, but proves next to nothing
-    vague.lower -= 1e-9;
-    vague.upper += 1e-9;
-    CHECK(judged(query, vague, box2d).ours_wrong == 0);
-    vague.distance += 1e-10;
-    CHECK(judged(query, vague, box2d).ours_wrong == 1);
-    vague = right;
-    vague.lower = -1.0;
-    vague.status = DistanceStatus::touching;
-    CHECK(judged(query, vague, box2d).ours_wrong == 1);
+    DistanceResult loose = right;  // right, but with wide bounds
+    loose.lower -= 1e-9;
+    loose.upper += 1e-9;
+    CHECK(judged(query, loose, box2d).ours_wrong == 0);
+    loose.distance += 1e-10;
+    CHECK(judged(query, loose, box2d).ours_wrong == 1);
+    loose = right;
+    loose.lower = -1.0;
+    loose.status = DistanceStatus::touching;
+    CHECK(judged(query, loose, box2d).ours_wrong == 1);
     DistanceResult unproved = right;
     unproved.certificate.pairs[0].a ^= 1;  // another corner
     CHECK(judged(query, unproved, box2d).ours_wrong == 1);
@@ -133,7 +133,7 @@ TEST_CASE("the judge blames who is wrong") {
     CHECK(judged(query, right, far).box2d_wrong == 0);
 }
 
-TEST_CASE("the worst of Box2D are wrong overlap flags, by how wrong they are, then errors of the distance") {
+TEST_CASE("the worst cases of Box2D are wrong overlap flags by severity, then errors of the distance") {
     const auto sample = [](bool wrong_flag, double severity, std::uint64_t index) {
         ParityCase kept;
         kept.box2d_wrong_flag = wrong_flag;
@@ -154,7 +154,7 @@ TEST_CASE("the worst of Box2D are wrong overlap flags, by how wrong they are, th
     for (std::size_t i = 0; i < 4; ++i) CHECK(first.worst_box2d[i].index == expected[i]);
 }
 
-TEST_CASE("b2Distance gets what it can take and answers as by hand") {
+TEST_CASE("b2Distance gives the hand-worked answers, and input that it cannot take is not passed to it") {
     const std::optional<B2Distance> apart = b2_distance(boxes_apart(0.25), true);
     REQUIRE(apart);
     CHECK(apart->distance == 0.25);
@@ -174,7 +174,7 @@ TEST_CASE("b2Distance gets what it can take and answers as by hand") {
     CHECK_FALSE(b2_distance(beyond, true));
 }
 
-TEST_CASE("the surface distance is that of the boundary, from both sides") {
+TEST_CASE("the surface distance is that from the boundary, inside and outside") {
     const Shape rounded = box(1.0, 0.5, 0.25);
     const Pose pose{{10.0, -3.0}, {0.0f, 1.0f}};  // a quarter turn: 0.75 wide to each side, 1.25 high
     CHECK(surface_distance(rounded, pose, {10.75, -3.0}) == 0.0);

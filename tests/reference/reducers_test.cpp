@@ -1,6 +1,6 @@
-// Every hard family by each of the distance subalgorithms, and by looking at all: as strictly as distance() itself.
-// The environment variable TUMBLE_PAIRS sets the pairs of each family (10 000); families of large polygons take a
-// fiftieth. TUMBLE_FAMILY names the only one to try.
+// Every hard family by each of the distance subalgorithms and by exhaustive search, with the checks of distance()
+// itself. The environment variable TUMBLE_PAIRS sets the pairs per family (10 000); families of large polygons take a
+// fiftieth. TUMBLE_FAMILY selects a single family.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -42,8 +42,8 @@ DistanceResult by_gjk(const PairQuery& q) {
     return gjk_distance(q.a, q.pose_a, q.b, q.pose_b, kBy);
 }
 
-// The distance over all vertices and edges, and the depth over all faces: no loop at all.
-DistanceResult by_all(const PairQuery& q) {
+// The distance by all vertices and edges, and the depth by all faces, without the GJK loop.
+DistanceResult by_exhaustive_search(const PairQuery& q) {
     const CorePair pair = make_core_pair(q.a, q.pose_a, q.b, q.pose_b);
     if (!is_valid(pair, q.a, q.b)) return invalid_result();
     const CoreDistance core = conclude(pair, exhaustive_search(pair, {}));
@@ -53,7 +53,7 @@ DistanceResult by_all(const PairQuery& q) {
 constexpr Method kMethods[] = {{"voronoi", by_gjk<SubAlgorithm::voronoi>},
                                {"johnson", by_gjk<SubAlgorithm::johnson>},
                                {"signed_volumes", by_gjk<SubAlgorithm::signed_volumes>},
-                               {"exhaustive", by_all}};
+                               {"exhaustive", by_exhaustive_search}};
 
 struct Counts {
     std::uint64_t wrong = 0, rejected = 0, disagreeing = 0, same = 0, pairs = 0, separated = 0;
@@ -113,8 +113,8 @@ Counts check_family(const PairFamily& family) {
     return counts;
 }
 
-// A polygon of four equal quarters: its edges are the first so many vectors of coprime whole numbers, by their sum and
-// then by their angle. Its coordinates are whole, below 2^24.
+// A polygon of four equal quarters. The edges of a quarter are vectors of coprime integers, those with the smallest
+// sums, sorted by angle. Its coordinates are integers below 2^24.
 std::vector<Vec2> lattice_polygon(std::size_t edges_in_quarter) {
     std::vector<std::array<int, 2>> edges;
     for (int sum = 2; edges.size() < edges_in_quarter; ++sum)
@@ -134,7 +134,7 @@ std::vector<Vec2> lattice_polygon(std::size_t edges_in_quarter) {
 
 }  // namespace
 
-TEST_CASE("every family by every subalgorithm: exact distance in the bounds, right status, certificates that hold") {
+TEST_CASE("every family by every subalgorithm: bounds, status and certificates are right") {
     Counts total;
     for (const PairFamily& family : pair_families()) {
         if (!is_family_asked_for(family.name)) continue;
@@ -145,7 +145,7 @@ TEST_CASE("every family by every subalgorithm: exact distance in the bounds, rig
         CHECK(counts.disagreeing == 0);
         total.merge(counts);
     }
-    CHECK(10 * total.same > 9 * total.pairs);  // mostly one closest feature: then the same bits
+    CHECK(10 * total.same > 9 * total.pairs);  // equal bits wherever a single feature is closest
     CHECK(10 * total.separated > 3 * total.pairs);
     CHECK(10 * total.separated < 7 * total.pairs);
     MESSAGE(total.pairs << " answers, " << total.same << " of them distance()'s bits");
@@ -171,7 +171,7 @@ TEST_CASE("every family in batches: distance() bit for bit") {
     CHECK(pairs > 1000);
 }
 
-TEST_CASE("the regression list by every subalgorithm") {
+TEST_CASE("the regression cases by every subalgorithm") {
     for (const RegressionCase& regression : regression_cases()) {
         const PairQuery& q = regression.query;
         const ExactDistance exact(q);
@@ -184,7 +184,7 @@ TEST_CASE("the regression list by every subalgorithm") {
     }
 }
 
-TEST_CASE("strictly convex outlines of 65 532 vertices by every subalgorithm and in a batch: certificates that hold") {
+TEST_CASE("outlines of 65 532 vertices by every subalgorithm and in a batch: certificates are accepted") {
     const Shape large = Shape::from_raw(lattice_polygon(16383), 0.0f), box = make_box({1.0f, 1.0f}, 0.1f);
     REQUIRE(large.vertex_count() == 65532);
     REQUIRE(large.is_convex());

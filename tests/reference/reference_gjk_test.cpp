@@ -58,8 +58,8 @@ Cloud<Dim> box(const Point<Dim>& lower, const Point<Dim>& upper) {
     return corners;
 }
 
-// Frank and Wolfe's away-step iteration on the same difference: slow, and shares no line with GJK. Its duality gap
-// max over w of v . (v - w) bounds the error: distance >= |v| - gap / |v|.
+// Frank and Wolfe's iteration with away steps on the same difference: slow, and shares no code with GJK. Its duality
+// gap, the maximum over w of v . (v - w), bounds the error: distance >= |v| - gap / |v|.
 template <int Dim>
 double brute_force_distance(const Cloud<Dim>& a, const Cloud<Dim>& b) {
     Cloud<Dim> w;
@@ -274,7 +274,7 @@ TEST_CASE("Johnson's cofactors find the vertex, the edge and the face regions of
     CHECK(nearest.simplex.count == 1);
     CHECK(nearest.point == Point<2>(1, 2));
 
-    // Shifted to the left by 2 (from the first place), the origin is inside.
+    // Shifted to the left by 2 from the first position, it contains the origin.
     triangle = {{Point<2>(-1, -1), Point<2>(-1, 1), Point<2>(1, 0)}, 3};
     nearest = johnson_nearest_point(triangle);
     CHECK(nearest.simplex.count == 3);

@@ -1,5 +1,5 @@
-// What must hold bit for bit on the hard families too: swap, powers of two, exact translations, quarter turns, warm
-// starts.
+// Symmetries that hold bit for bit, on the hard families too: swapping the shapes, scaling by powers of two, exact
+// translations, quarter turns, warm starts.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool same_numbers(const DistanceResult& one, const DistanceResult& other) {
            one.status == other.status;
 }
 
-// Calls check(query, answer, random) for pairs of every family that has answers.
+// Calls check(query, answer, random) for pairs of every family of valid input.
 template <class Check>
 void for_each_pair(Check check) {
     for (const PairFamily& family : pair_families()) {
@@ -50,8 +50,8 @@ PairQuery quarter_turned(PairQuery q) {
     return q;
 }
 
-// Whether 2^exponent times the number is exact, and stays where products of four such lengths neither overflow nor
-// vanish.
+// True if 2^exponent times the number is exact and in a range in which products of four such lengths neither overflow
+// nor underflow.
 bool scales_exactly(double number, int exponent) {
     const double scaled = std::ldexp(number, exponent);
     return number == 0.0 || (std::abs(scaled) > 0x1p-200 && std::abs(scaled) < 0x1p200 && std::abs(number) > 0x1p-200);
@@ -86,7 +86,7 @@ double snap_to_grid(PairQuery& q) {
     return step;
 }
 
-// Families of pairs whose features are never within rounding of each other, so that one of them is the closest.
+// Families of pairs whose closest feature is unique by more than rounding.
 constexpr std::array<std::string_view, 13> kClearFamilies{
     "random",    "random_scale", "random_apart", "random_many_vertices", "near_gap", "near_overlap",
     "far_1km",   "far_16km",     "far_100km",    "drifted_rotations",    "scales",   "touching_circles",
@@ -141,8 +141,7 @@ TEST_CASE("on every family, exact translations change no number") {
     });
 }
 
-TEST_CASE(
-    "warm answers have the bits of cold ones where one closest pair stands out: stale, random and foreign caches") {
+TEST_CASE("warm answers have the bits of cold ones if a single pair is closest: stale, random and foreign caches") {
     int unique = 0;
     for (const std::string_view name : kClearFamilies) {
         const PairFamily* family = find_pair_family(name);

@@ -1,4 +1,4 @@
-// Where the camera looks when the scene does not say: at what moves, large, with the ground below it.
+// The camera of a scene that does not state one: fitted to the moving bodies, with the ground below them.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kAspect = 16.0 / 9.0;
 
-// Whether the frame holds the box, and with how much of its height to spare at least.
+// The sides of a camera's frame in world coordinates.
 struct Framing {
     double left, right, bottom, top;
 
@@ -24,7 +24,7 @@ struct Framing {
           bottom(camera.center.y - 0.5 * camera.height),
           top(camera.center.y + 0.5 * camera.height) {}
 
-    bool holds(DVec2 lower, DVec2 upper) const {
+    bool contains(DVec2 lower, DVec2 upper) const {
         return left <= lower.x && upper.x <= right && bottom <= lower.y && upper.y <= top;
     }
 };
@@ -45,40 +45,40 @@ TEST_CASE("a long ground does not shrink the pyramid on it") {
         HandMadeScene s = pyramid(origin);
         const Camera camera = make_camera(s.scene, s.built, kAspect);
         const Framing frame(camera, kAspect);
-        CHECK(frame.holds(origin + DVec2{-5.0, -0.3}, origin + DVec2{5.0, 10.0}));
+        CHECK(frame.contains(origin + DVec2{-5.0, -0.3}, origin + DVec2{5.0, 10.0}));
         CHECK(camera.height < 13.0);  // the pyramid is 10 m high
     }
 }
 
-TEST_CASE("a level that fits is shown whole") {
+TEST_CASE("static shapes that fit are shown whole") {
     HandMadeScene s;
     s.add_static("floor", {0.0, -0.5}, make_box({14.0f, 1.0f}));
     s.add_static("left wall", {-6.5, 3.0}, make_box({1.0f, 6.0f}));
     s.add_static("right wall", {6.5, 3.0}, make_box({1.0f, 6.0f}));
     s.add_dynamic("ball", {0.0, 5.0}, make_circle(0.5f));
-    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({-7.0, -1.0}, {7.0, 6.0}));
+    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).contains({-7.0, -1.0}, {7.0, 6.0}));
 }
 
-TEST_CASE("the path of a fall to the ground is in view, but not what is below a ground that stops everything") {
+TEST_CASE("the ground far below a body is in view, but nothing below the first ground as wide as all bodies") {
     HandMadeScene s;
     s.add_dynamic("crate", {0.0, 20.0}, make_box({2.0f, 2.0f}));
     s.add_static("ground", {0.0, -500.0}, make_box({1000.0f, 1000.0f}));
     s.add_static("cellar", {0.0, -50.0}, make_box({1000.0f, 1.0f}));
     const Camera camera = make_camera(s.scene, s.built, kAspect);
     const Framing frame(camera, kAspect);
-    CHECK(frame.holds({-1.0, 0.0}, {1.0, 21.0}));
+    CHECK(frame.contains({-1.0, 0.0}, {1.0, 21.0}));
     CHECK(frame.bottom > -10.0);
 }
 
-TEST_CASE("a turning beam stays in view over its whole turn") {
+TEST_CASE("a turning beam is in view at every angle") {
     HandMadeScene s;
     const BodyId post = s.add_static("post", {0.0, 0.0}, make_circle(0.1f));
     const BodyId beam = s.add_dynamic("beam", {0.0, 0.0}, make_box({10.0f, 0.5f}));
     s.built.joints.push_back({s.built.world.create_joint(RevoluteJointDef{post, beam, {}, {}}), 0, ""});
-    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({-5.0, -5.0}, {5.0, 5.0}));
+    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).contains({-5.0, -5.0}, {5.0, 5.0}));
 }
 
-TEST_CASE("the camera that a scene states is used unchanged") {
+TEST_CASE("the center and the height that a scene states are used unchanged") {
     HandMadeScene s = pyramid({});
     s.scene.camera.center = DVec2{3.0, 4.0};
     s.scene.camera.height = 7.5;
@@ -86,7 +86,7 @@ TEST_CASE("the camera that a scene states is used unchanged") {
     CHECK(camera.center == DVec2{3.0, 4.0});
     CHECK(camera.height == 7.5);
     s.scene.camera.height.reset();
-    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({-5.0, -0.3}, {5.0, 10.0}));
+    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).contains({-5.0, -0.3}, {5.0, 10.0}));
 }
 
 TEST_CASE("a camera that follows a body keeps its offset from it") {
@@ -108,13 +108,13 @@ TEST_CASE("a camera that follows a body keeps its offset from it") {
     CHECK(move_camera(start, s.scene, s.built).center == start.center);
 }
 
-TEST_CASE("worlds without anything that moves, or without anything, have a camera") {
+TEST_CASE("a world without moving bodies, without shapes or of one point has a camera") {
     HandMadeScene s;
     const Camera nothing = make_camera(s.scene, s.built, kAspect);
     CHECK(nothing.height > 0.0);
     CHECK(nothing.center == DVec2{});
     s.add_static("wall", {7.0, 8.0}, make_box({4.0f, 2.0f}));
-    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({5.0, 7.0}, {9.0, 9.0}));
+    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).contains({5.0, 7.0}, {9.0, 9.0}));
     HandMadeScene point;
     point.add_dynamic("point", {1.0, 2.0}, make_circle(0.0f));
     const Camera camera = make_camera(point.scene, point.built, kAspect);
@@ -122,7 +122,7 @@ TEST_CASE("worlds without anything that moves, or without anything, have a camer
     CHECK(std::isfinite(camera.height));
 }
 
-TEST_CASE("bodies that the timeline spawns are in view where they begin, and fast ones along their path") {
+TEST_CASE("a body that the timeline spawns is in view from its first pose over its whole flight") {
     HandMadeScene s;
     s.scene.world.duration = 1.5;
     s.add_static("ground", {0.0, -0.5}, make_box({400.0f, 1.0f}));
@@ -136,23 +136,23 @@ TEST_CASE("bodies that the timeline spawns are in view where they begin, and fas
     event.spawn->shapes.push_back({CircleGeometry{0.25, {}}, "", ""});
     s.scene.timeline.push_back(event);
     const Framing frame(make_camera(s.scene, s.built, kAspect), kAspect);
-    // It rises by v^2 / 2 g = 1.25 m, and comes down 1.3 s later, 5 m farther to the left.
-    CHECK(frame.holds({-0.5, 0.0}, {6.25, 4.4}));
+    // It rises by v^2 / 2 g = 1.25 m and lands 1.3 s later, 5 m farther to the left.
+    CHECK(frame.contains({-0.5, 0.0}, {6.25, 4.4}));
     CHECK(frame.top < 8.0);
     CHECK(frame.right < 12.0);
 }
 
-TEST_CASE("a body that falls for ever does not widen the frame") {
+TEST_CASE("a body that falls off the level does not enlarge the frame") {
     HandMadeScene s;
     s.add_static("table", {0.0, -0.5}, make_box({6.0f, 1.0f}));
     s.add_dynamic("stays", {-1.0, 0.5}, make_box({1.0f, 1.0f}));
     s.add_dynamic("falls", {3.2, 0.5}, make_box({1.0f, 1.0f}));  // over the edge: 125 m down in 5 s
     const Camera camera = make_camera(s.scene, s.built, kAspect);
     CHECK(camera.height < 6.0);
-    CHECK(Framing(camera, kAspect).holds({-3.0, -0.3}, {3.7, 1.0}));
+    CHECK(Framing(camera, kAspect).contains({-3.0, -0.3}, {3.7, 1.0}));
 }
 
-TEST_CASE("a sensor is no ground, and small things that stand beside are shown whole") {
+TEST_CASE("a sensor does not count as ground, and a small static body nearby is shown whole") {
     HandMadeScene s;
     s.add_static("ground", {0.0, -0.5}, make_box({200.0f, 1.0f}));
     s.add_static("post", {3.6, 0.4}, make_box({0.4f, 0.8f}));
@@ -160,14 +160,14 @@ TEST_CASE("a sensor is no ground, and small things that stand beside are shown w
     s.built.world.remove_shape(s.built.world.shapes(gate)[0]);
     s.built.world.add_shape(gate, {.shape = make_box({4.0f, 0.5f}), .sensor = true});
     s.add_dynamic("crate", {0.0, 5.0}, make_box({3.0f, 3.0f}));
-    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).holds({-2.0, 0.0}, {3.8, 6.5}));
+    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).contains({-2.0, 0.0}, {3.8, 6.5}));
 }
 
-TEST_CASE("a camera that follows a body shows five times its size, from when it is there") {
+TEST_CASE("a frame that follows a body is five times as high as it, from the state that contains the body") {
     HandMadeScene s = pyramid({});
     s.scene.camera.follow = "late";
     const Camera before = make_camera(s.scene, s.built, kAspect);
-    CHECK(Framing(before, kAspect).holds({-5.0, 0.0}, {5.0, 10.0}));
+    CHECK(Framing(before, kAspect).contains({-5.0, 0.0}, {5.0, 10.0}));
     CHECK(move_camera(before, s.scene, s.built).center == before.center);
     s.add_dynamic("late", {30.0, 4.0}, make_box({2.0f, 1.0f}));
     const Camera after = move_camera(before, s.scene, s.built);
@@ -179,7 +179,7 @@ TEST_CASE("a camera that follows a body shows five times its size, from when it 
     CHECK(make_camera(s.scene, s.built, kAspect).height == 6.0);
 }
 
-TEST_CASE("a camera is widened to what is marked, unless that is too far away") {
+TEST_CASE("a frame grows to contain what is marked, unless that is too far away") {
     HandMadeScene s;
     const BodyId near = s.add_dynamic("near", {9.0, 0.0}, make_circle(0.5f));
     const BodyId far = s.add_dynamic("far", {0.0, -500.0}, make_circle(0.5f));
@@ -190,10 +190,10 @@ TEST_CASE("a camera is widened to what is marked, unless that is too far away") 
     CHECK(widened({.bodies = {ground}}).height == 8.0);
     CHECK(widened({.regions = {{DVec2{0.0, 0.0}, {2.0, 0.0}, {2.0, 3.0}, {0.0, 3.0}}}}).height == 8.0);
     const Framing frame(widened({.bodies = {far, near}}), kAspect);
-    CHECK(frame.holds({-7.0, -4.0}, {9.5, 4.0}));
+    CHECK(frame.contains({-7.0, -4.0}, {9.5, 4.0}));
     CHECK(frame.bottom > -20.0);
     CHECK(Framing(widened({.regions = {{DVec2{0.0, 6.0}, {2.0, 6.0}, {2.0, 9.0}, {0.0, 9.0}}}}), kAspect)
-              .holds({0.0, 0.0}, {2.0, 9.0}));
+              .contains({0.0, 0.0}, {2.0, 9.0}));
 }
 
 TEST_CASE("room to spare lies above what is shown, seven parts of ten") {

@@ -1,4 +1,4 @@
-// What is drawn is what was asked for: colours at known places, areas that match the exact ones, the frame upright.
+// The canvas: colours at known pixels, covered areas against the exact ones, orientation of the frame, repeatability.
 #include "render/canvas/canvas.hpp"
 
 #include <doctest/doctest.h>
@@ -30,9 +30,9 @@ std::vector<Vec2> regular_polygon(int count, float radius) {
     return points;
 }
 
-// Half a pixel on either side of the edge is blended linearly. Along a smooth edge that keeps the area up to pi / 12 of
-// a pixel, at a right corner up to 1 / 12, at sharper ones a little more; each blended pixel is rounded by 1/510 at
-// most, without bias. For the shapes below, of 4000 pixels and more, that is well within 0.05 %.
+// Half a pixel on either side of the edge is blended linearly. Along a smooth closed edge the covered area is off by at
+// most pi / 12 of a pixel, at a right corner by 1 / 12, at sharper ones by a little more. Each blended pixel is rounded
+// by at most 1/510, without bias. For the shapes below, of 4000 pixels and more, that is well within 0.05 %.
 constexpr double kAreaTolerance = 0.0005;
 
 void check_area(PixelCanvas& canvas, const Shape& shape, double scale) {
@@ -122,9 +122,9 @@ TEST_CASE("ten kilometres from the origin a frame is the same to the last bit") 
     CHECK(draw_at({}) == draw_at({16384.0, -16384.0}));
 }
 
-TEST_CASE("a shape far larger than the frame has a sharp edge where it belongs") {
+TEST_CASE("a shape far larger than the frame has a sharp edge at the right pixels") {
     PixelCanvas canvas(100, 80);
-    for (const float half : {1e4f, 3e6f}) {  // at 10 pixels a metre: as an instance, and cut to the frame
+    for (const float half : {1e4f, 3e6f}) {  // at 10 pixels per metre: an instance, and a clipped mesh
         const Shape ground = make_box({2.0f * half, 2.0f * half});
         const double top = 0.5;  // 5 pixels above the middle: rows 35 to 79 are covered
         const Image image = canvas.draw_shape(ground, {{0.0, top - half}, {}}, 10.0);
@@ -134,7 +134,7 @@ TEST_CASE("a shape far larger than the frame has a sharp edge where it belongs")
     }
 }
 
-TEST_CASE("the same layer gives the same bytes in the same and in another context") {
+TEST_CASE("the same layer gives the same bytes, in one context and in two") {
     Layer layer;
     for (int i = 0; i < 50; ++i) {
         const float x = static_cast<float>(i * 3 - 75), angle = 0.1f * static_cast<float>(i);
@@ -149,7 +149,7 @@ TEST_CASE("the same layer gives the same bytes in the same and in another contex
     CHECK(canvas.draw(layer).rgba == first);  // although another context was current in between
 }
 
-TEST_CASE("text is drawn in its colour, whole pixels apart from its atlas position") {
+TEST_CASE("text has its colour and position, and the same pixels wherever its glyphs lie in the atlas") {
     PixelCanvas canvas(160, 60);
     const auto draw_text = [&](std::string_view text) {
         Layer layer;
@@ -157,7 +157,7 @@ TEST_CASE("text is drawn in its colour, whole pixels apart from its atlas positi
         return canvas.draw(layer);
     };
     const Image first = draw_text("Ig");
-    // The stem of the I is 2.4 pixels wide at this size, near its left side; nothing is left of the start.
+    // The stem of the I is 2.4 pixels wide at this size, near its left side. The columns left of the start stay black.
     double stem = 0.0;
     for (int column = 10; column < 17; ++column) stem += pixel(first, column, 30).r / 255.0;
     CHECK(stem > 1.5);
@@ -174,7 +174,7 @@ TEST_CASE("text is drawn in its colour, whole pixels apart from its atlas positi
     CHECK(other.draw(layer).rgba == first.rgba);
 }
 
-TEST_CASE("a character that the font does not have takes no room") {
+TEST_CASE("a character without a glyph has no width") {
     PixelCanvas canvas(64, 32);
     const double plain = canvas.atlas().width("chain", 12.0);
     CHECK(plain > 20.0);

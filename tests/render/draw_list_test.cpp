@@ -1,4 +1,4 @@
-// The draw list of hand-made worlds, without any GL: what kind, where, how large, in which layer.
+// The draw list of hand-made worlds, without GL: the kind, position, size and layer of each primitive.
 #include "render/frame/draw_list.hpp"
 
 #include <doctest/doctest.h>
@@ -39,7 +39,7 @@ std::vector<Vec2> regular_polygon(int count) {
 
 }  // namespace
 
-TEST_CASE("each shape becomes one instance of its kind at its place in pixels") {
+TEST_CASE("each shape becomes one instance of its kind, at its position in pixels") {
     HandMadeScene s;
     s.add_dynamic("circle", {101.0, 52.0}, make_circle(0.5f));
     s.add_dynamic("box", {98.0, 50.0}, make_box({2.0f, 1.0f}, 0.1f), 90.0);
@@ -79,7 +79,7 @@ TEST_CASE("each shape becomes one instance of its kind at its place in pixels") 
     CHECK(list.ground.boxes.empty());
 }
 
-TEST_CASE("a polygon's vertices are where the body puts them") {
+TEST_CASE("the vertices of a polygon are drawn at those of the body") {
     HandMadeScene s;
     const std::vector<Vec2> corners{{-1.0f, -0.5f}, {1.5f, -0.5f}, {0.25f, 2.0f}};
     const BodyId id = s.add_dynamic("triangle", {103.0, 47.0}, make_polygon(corners), 33.0);
@@ -100,7 +100,7 @@ TEST_CASE("a polygon's vertices are where the body puts them") {
     }
 }
 
-TEST_CASE("static bodies are grey and lie below, with more than eight vertices shapes become a mesh") {
+TEST_CASE("static bodies are grey in a lower layer, and shapes of more than eight vertices become a mesh") {
     HandMadeScene s;
     s.add_static("ground", {100.0, 40.0}, make_box({50.0f, 2.0f}));
     s.add_static("wheel", {100.0, 50.0}, make_polygon(regular_polygon(9)));
@@ -113,7 +113,7 @@ TEST_CASE("static bodies are grey and lie below, with more than eight vertices s
     CHECK(list.bodies.mesh.size() == 3 * (2 * 30 + 28));
 }
 
-TEST_CASE("bodies out of view and destroyed bodies are not drawn") {
+TEST_CASE("shapes out of view and destroyed bodies are not in the list") {
     HandMadeScene s;
     s.add_dynamic("seen", {131.0, 50.0}, make_circle(0.5f));
     s.add_dynamic("just outside", {133.0, 50.0}, make_circle(0.5f));
@@ -130,7 +130,7 @@ TEST_CASE("bodies out of view and destroyed bodies are not drawn") {
     CHECK(list.bodies.mesh.empty());
 }
 
-TEST_CASE("a radius shows how a circle is turned, and is left out on tiny ones") {
+TEST_CASE("a radius shows the angle of a circle, and tiny circles have none") {
     HandMadeScene s;
     s.add_dynamic("ball", {100.0, 50.0}, make_circle(2.0f), 90.0);
     const DrawList list = build(s);
@@ -145,7 +145,7 @@ TEST_CASE("a radius shows how a circle is turned, and is left out on tiny ones")
     CHECK(build(s, far).details.boxes.empty());
 }
 
-TEST_CASE("a joint has a dot where it holds, and a line between anchors that are apart") {
+TEST_CASE("a joint has a dot at each anchor, and a line between anchors that are apart") {
     HandMadeScene s;
     const BodyId a = s.add_dynamic("a", {98.0, 50.0}, make_circle(0.2f));
     const BodyId b = s.add_dynamic("b", {102.0, 50.0}, make_circle(0.2f));
@@ -162,7 +162,7 @@ TEST_CASE("a joint has a dot where it holds, and a line between anchors that are
     CHECK(near(rod.details.boxes.at(0).half_x, 20.0, kFloat));
 }
 
-TEST_CASE("a rope is drawn over its wheels, a gear from its axle to its point on the rail") {
+TEST_CASE("a pulley is drawn over its wheels, a gear from its axle to the nearest point of the rail") {
     HandMadeScene s;
     World& world = s.built.world;
     const BodyId a = s.add_dynamic("a", {98.0, 50.0}, make_circle(0.2f));
@@ -188,7 +188,7 @@ TEST_CASE("a rope is drawn over its wheels, a gear from its axle to its point on
     CHECK(gear.details.circles.at(1).y == 0.0f);  // not at the anchor, 3 m up the rail
 }
 
-TEST_CASE("a chain's solid side, on the left of its direction, has a band that fades away") {
+TEST_CASE("the solid side of a chain, on the left of its direction, has a band that fades") {
     const std::vector<Vec2> points{{10.0f, 0.0f}, {0.0f, 0.0f}, {-10.0f, 0.0f}};  // leftwards: solid below
     for (const bool two_sided : {false, true}) {
         HandMadeScene s;
@@ -222,7 +222,7 @@ TEST_CASE("grid lines lie on whole pixels at round coordinates, also far from th
     }
 }
 
-TEST_CASE("round lengths are 1, 2 or 5 times a power of ten, the least that is long enough") {
+TEST_CASE("a round length is the least of 1, 2 or 5 times a power of ten that is long enough") {
     CHECK(round_length_from(1.0).metres() == 1.0);
     CHECK(round_length_from(1.01).metres() == 2.0);
     CHECK(round_length_from(2.3).metres() == 5.0);
@@ -236,7 +236,7 @@ TEST_CASE("round lengths are 1, 2 or 5 times a power of ten, the least that is l
     CHECK(to_string(round_length_from(0.004)) == "5 mm");
 }
 
-TEST_CASE("text is read as UTF-8, with a replacement for what is not") {
+TEST_CASE("text is read as UTF-8, with U+FFFD for each malformed byte") {
     const auto read = [](std::string_view text) {
         std::u32string points;
         while (!text.empty()) points += take_code_point(text);
@@ -248,7 +248,7 @@ TEST_CASE("text is read as UTF-8, with a replacement for what is not") {
     CHECK(read("\x80 \xff") == U"\ufffd \ufffd");
 }
 
-TEST_CASE("a sensor is a faint area with a dashed edge, below what moves, without a mark") {
+TEST_CASE("a sensor is a faint area with a dashed edge, in a layer below the bodies, without an orientation mark") {
     HandMadeScene s;
     for (const BodyType type : {BodyType::static_body, BodyType::dynamic_body}) {
         const BodyId body = s.add("gate", type, {100.0, 50.0}, {});
@@ -269,7 +269,7 @@ TEST_CASE("a sensor is a faint area with a dashed edge, below what moves, withou
     CHECK(near(dashes, 2.0 * 280.0 * 6.0 / 11.0, absolute(2.0 * 6.0)));
 }
 
-TEST_CASE("a marking outlines what is in view and points at what is not") {
+TEST_CASE("a marking outlines bodies and regions in view and points at those that are not") {
     HandMadeScene s;
     const BodyId seen = s.add_dynamic("seen", {100.0, 50.0}, make_box({2.0f, 2.0f}));
     const BodyId below = s.add_dynamic("below", {100.0, -900.0}, make_box({2.0f, 2.0f}));

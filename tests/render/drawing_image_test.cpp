@@ -1,4 +1,4 @@
-// Drawings as images: each element where its coordinates say, in the order of the list.
+// Drawings as images: each element at its coordinates, in the order of the list.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Drawing on_black(int width, int height) { return {.width = width, .height = heig
 
 }  // namespace
 
-TEST_CASE("a drawing's y runs downwards from the upper left corner") {
+TEST_CASE("the y axis of a drawing points down from the upper left corner") {
     Drawing drawing = on_black(60, 40);
     drawing.polygon({{10.0, 5.0}, {20.0, 5.0}, {20.0, 8.0}, {10.0, 8.0}}, kRed, 0.0, {});
     const Image image = draw_image(drawing);
@@ -74,7 +74,7 @@ TEST_CASE("polygons cover their area, convex or not, in either order of their po
     CHECK(near(coverage(draw_image(drawing)), 3200.0, absolute(260.0 / 510.0)));
 }
 
-TEST_CASE("a point given again does not fade what its polygon covers") {
+TEST_CASE("a repeated point does not fade the fill of its polygon") {
     for (const DVec2 again : {DVec2{10.0, 10.0}, DVec2{10.0, 10.001}}) {
         Drawing drawing = on_black(100, 100);
         drawing.polygon({{10.0, 10.0}, {90.0, 10.0}, {90.0, 90.0}, {90.0, 90.0}, {10.0, 90.0}, again},
@@ -85,7 +85,7 @@ TEST_CASE("a point given again does not fade what its polygon covers") {
     }
 }
 
-TEST_CASE("text starts, is centred or ends where it is anchored") {
+TEST_CASE("text starts, is centred or ends at its anchor") {
     const auto mean_column = [](TextAnchor anchor) {
         Drawing drawing = on_black(200, 40);
         drawing.text({100.0, 25.0}, "HHHH", 14.0, kWhite, anchor);

@@ -1,4 +1,4 @@
-// Drawings: their building blocks and the SVG text they become.
+// Drawings: dashes, arrows, and the SVG text.
 #include "tumble/drawing.hpp"
 
 #include <doctest/doctest.h>

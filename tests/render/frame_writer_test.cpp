@@ -1,4 +1,4 @@
-// The encoder threads: all frames arrive, buffers go round, the first error stops the run.
+// The encoder threads: every frame is written, buffers are reused, the first error stops the rest.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -21,7 +21,7 @@ void fill(Image& image, int size, int value) {
 
 }  // namespace
 
-TEST_CASE("every frame submitted is written, whatever the number of threads") {
+TEST_CASE("every submitted frame is written, for any number of threads") {
     for (const int threads : {1, 3}) {
         const TemporaryFolder folder;
         FrameWriter writer(threads);
@@ -46,7 +46,7 @@ TEST_CASE("every frame submitted is written, whatever the number of threads") {
     }
 }
 
-TEST_CASE("image buffers are used again") {
+TEST_CASE("image buffers are reused") {
     const TemporaryFolder folder;
     FrameWriter writer(2);
     std::set<const std::uint8_t*> buffers;
@@ -57,11 +57,11 @@ TEST_CASE("image buffers are used again") {
         writer.submit(std::move(image), folder.path / "x.png");
     }
     writer.finish();
-    // Two being encoded, three queued, one in hand; a spare one may lie between being queued and being taken.
+    // Two are being encoded, three queued, one is drawn into; up to two more may be free.
     CHECK(buffers.size() <= 8);
 }
 
-TEST_CASE("the first failure is reported, by submit or finish, and again") {
+TEST_CASE("submit and finish report the first failure, every time") {
     const TemporaryFolder folder;
     FrameWriter writer(1);
     Image image;
@@ -84,7 +84,7 @@ TEST_CASE("a writer without threads is refused") {
     CHECK_THROWS_AS(FrameWriter(-3), std::invalid_argument);
 }
 
-TEST_CASE("a writer that is not finished writes what was submitted before it goes") {
+TEST_CASE("the destructor writes the frames that were submitted") {
     const TemporaryFolder folder;
     {
         FrameWriter writer(2);

@@ -1,4 +1,4 @@
-// Scenes with their worlds, built by hand: what the draw list and the camera see, without files.
+// Scenes with their worlds, built by hand instead of from files.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace tumble {
 
-// The geometry that would make the shape.
+// The scene geometry of a shape.
 inline ShapeGeometry geometry_of(const Shape& shape) {
     const double radius = double{shape.radius()};
     std::vector<DVec2> vertices;

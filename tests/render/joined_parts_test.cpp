@@ -1,4 +1,4 @@
-// Parts of one body that share edges are drawn as one shape.
+// Parts of a body that share edges are drawn as one shape.
 #include "render/shapes/joined_parts.hpp"
 
 #include <doctest/doctest.h>
@@ -43,8 +43,8 @@ TEST_CASE("parts that share a whole edge in one paint are joined, others are not
     CHECK(joined_count({{&left, kRed}, {&right, kBlue}}) == 0);
     CHECK(joined_count({{&left, kRed}, {&lower_half, kRed}}) == 0);
     CHECK(joined_count({{&left, kRed}, {&rounded, kRed}}) == 0);
-    CHECK(joined_count({{&left, kRed}, {&left, kRed}}) ==
-          0);  // one on the other: no edge has another's on its far side
+    // One on top of the other: both edges run in the same direction, so that the parts are on the same side.
+    CHECK(joined_count({{&left, kRed}, {&left, kRed}}) == 0);
 }
 
 TEST_CASE("an L of three boxes is filled by its parts and has a line along each outer edge") {
@@ -64,7 +64,7 @@ TEST_CASE("an L of three boxes is filled by its parts and has a line along each 
     }
     CHECK(near(twice_area, 2.0 * 600.0, kFloat));
 
-    // Of 12 edges 4 meet in pairs. Around the L: 3 + 1 + 2 + 3 + 1 + 4 m.
+    // 4 of the 12 edges are shared. The outline of the L: 3 + 1 + 2 + 3 + 1 + 4 m.
     CHECK(layer.boxes.size() == 8);
     double outline = 0.0;
     for (const BoxInstance& line : layer.boxes) {
@@ -75,7 +75,7 @@ TEST_CASE("an L of three boxes is filled by its parts and has a line along each 
     CHECK(near(outline, 140.0, kFloat));
 }
 
-TEST_CASE("joined parts are cut to the frame, those out of view left out") {
+TEST_CASE("joined parts are clipped to the frame, and those out of view are not drawn") {
     const Shape left = box({-1e6f, -1}, {0, 1}), right = box({0, -1}, {1e6f, 1}), far = box({1e6f, -1}, {2e6f, 1});
     std::vector<Part> parts{{&left, kRed}, {&right, kRed}, {&far, kRed}};
     find_joined(parts);

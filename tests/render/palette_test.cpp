@@ -1,4 +1,4 @@
-// Colours: parsing, mixing, and who gets which.
+// Colours: parsing, mixing, and the colours of bodies.
 #include "render/style/palette.hpp"
 
 #include <doctest/doctest.h>
@@ -32,21 +32,21 @@ Color fill_of(const Palette& palette, std::size_t source, std::size_t ordinal = 
 
 }  // namespace
 
-TEST_CASE("colours are read with three or six digits, and nothing else is one") {
+TEST_CASE("a colour has three or six hexadecimal digits, and other text is refused") {
     CHECK(parse_color("#9bd") == Color{0x99, 0xbb, 0xdd});
     CHECK(parse_color("#12aBcD") == Color{0x12, 0xab, 0xcd});
     for (const char* wrong : {"", "#", "9bd", "#9b", "#9bdd", "#12345", "#12345g", "#-12", "#1234567"})
         CHECK_FALSE(parse_color(wrong).has_value());
 }
 
-TEST_CASE("mixing goes from one colour to the other") {
+TEST_CASE("mixing interpolates between two colours") {
     const Color a{0, 100, 255, 255}, b{255, 200, 0, 55};
     CHECK(mix(a, b, 0.0) == a);
     CHECK(mix(a, b, 1.0) == b);
     CHECK(mix(a, b, 0.5) == Color{128, 150, 128, 155});
 }
 
-TEST_CASE("a material's colour goes before the palette's, and static bodies are grey") {
+TEST_CASE("the colour of a material overrides the palette, and static bodies are grey") {
     Scene scene;
     scene.materials.push_back({.name = "ice", .color = "#123456"});
     scene.materials.push_back({.name = "plain", .color = ""});
@@ -58,7 +58,7 @@ TEST_CASE("a material's colour goes before the palette's, and static bodies are 
     CHECK(fill_of(palette, 0) == style::kStatic);
     CHECK(fill_of(palette, 1) == Color{0x12, 0x34, 0x56});
     CHECK(fill_of(palette, 2, 5) == Color{0x12, 0x34, 0x56});  // also for the sixth copy: not shaded
-    CHECK(fill_of(palette, 3) == style::kBodies[1]);           // the second name among those that move
+    CHECK(fill_of(palette, 3) == style::kBodies[1]);           // the second name among dynamic bodies
 }
 
 TEST_CASE("names take the palette's colours in turn, and numbered names share one") {
@@ -92,7 +92,7 @@ TEST_CASE("copies of a body differ a little in lightness, the same in every run"
     CHECK(greens.size() >= 6);
 }
 
-TEST_CASE("each built shape finds the material of the scene's shape it came from") {
+TEST_CASE("each built shape has the colour of the scene shape that it was built from") {
     Scene scene;
     scene.materials.push_back({.name = "a", .color = "#aa0000"});
     scene.materials.push_back({.name = "b", .color = "#00bb00"});
@@ -112,7 +112,7 @@ TEST_CASE("each built shape finds the material of the scene's shape it came from
     }
 }
 
-TEST_CASE("the same body of several copies of a part looks the same") {
+TEST_CASE("the same body in several copies of a part has the same colour") {
     Scene scene;
     scene.bodies = {body("left/arm", BodyType::dynamic_body, {circle()}),
                     body("left/hand", BodyType::dynamic_body, {circle()}),

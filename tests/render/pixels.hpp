@@ -1,4 +1,4 @@
-// Draws single primitives, white on black, and measures what came out.
+// Draws single primitives, white on black, and measures the pixels.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ public:
           atlas_(find_font(font_candidates())),
           canvas_(make_osmesa_context(), width, height) {}
 
-    // A view of the frame with that many pixels a metre, the origin in the middle.
+    // A view with `scale` pixels per metre and the origin in the middle.
     View view(double scale) const { return {{}, scale, width_, height_}; }
 
     // On black, with outlines of 2 pixels.
@@ -52,7 +52,7 @@ inline Color pixel(const Image& image, int column, int row) {
     return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2], image.rgba[at + 3]};
 }
 
-// The area covered, in pixels: white counts 1, black 0.
+// The covered area in pixels: white counts 1, black 0.
 inline double coverage(const Image& image) {
     double sum = 0.0;
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) sum += image.rgba[i] / 255.0;

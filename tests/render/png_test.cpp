@@ -1,4 +1,4 @@
-// PNG files: what was drawn comes back, byte for byte the same each time, and a failure leaves nothing behind.
+// PNG files: they decode to the image, repeat byte for byte, and a failure leaves no file.
 #include "render/output/png.hpp"
 
 #include <doctest/doctest.h>
@@ -91,7 +91,7 @@ TEST_CASE("an image whose buffer does not fit its size is refused") {
     CHECK(file_count(folder.path) == 0);
 }
 
-TEST_CASE("a folder that does not exist is named") {
+TEST_CASE("a folder that does not exist is named in the error") {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path / "missing" / "x.png";
     const std::string message = message_of_failed_write(test_image(8, 8), file);
@@ -99,7 +99,7 @@ TEST_CASE("a folder that does not exist is named") {
     CHECK(message.find("No such file or directory") != std::string::npos);
 }
 
-TEST_CASE("a file that may not grow gives an error, keeps the old file and leaves no temporary one") {
+TEST_CASE("a write over the size limit is an error, keeps the old file and leaves no temporary one") {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path / "x.png";
     write_png(test_image(8, 8), file);
@@ -108,7 +108,7 @@ TEST_CASE("a file that may not grow gives an error, keeps the old file and leave
     rlimit old_limit{};
     REQUIRE(getrlimit(RLIMIT_FSIZE, &old_limit) == 0);
     rlimit limit = old_limit;
-    limit.rlim_cur = 1000;  // less than the image below takes
+    limit.rlim_cur = 1000;  // less than the image below needs
     auto* const old_handler = std::signal(SIGXFSZ, SIG_IGN);
     REQUIRE(setrlimit(RLIMIT_FSIZE, &limit) == 0);
     const std::string message = message_of_failed_write(test_image(300, 300), file);
@@ -121,7 +121,7 @@ TEST_CASE("a file that may not grow gives an error, keeps the old file and leave
     CHECK(file_count(folder.path) == 1);
 }
 
-TEST_CASE("a full disk gives an error that says so") {
+TEST_CASE("a full disk is an error with that reason") {
     const TemporaryFolder folder;
     const std::filesystem::path disk = folder.path / "disk";
     std::filesystem::create_directory(disk);

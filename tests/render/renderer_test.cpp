@@ -14,8 +14,7 @@
 
 using namespace tumble;
 
-// OSMesa 22.3 does not free a context's buffer description (160 bytes) with the context: the leak checker is to look at
-// our own allocations only.
+// OSMesa 22.3 does not free the buffer description (160 bytes) of a context. The leak checker ignores its allocations.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa\n"; }
 
@@ -38,7 +37,7 @@ Image frame(Renderer& renderer, const HandMadeScene& s, double time = 0.5) {
 
 }  // namespace
 
-TEST_CASE("a frame shows bodies where they are, on the background, with opaque pixels") {
+TEST_CASE("a frame shows bodies at their poses, on the background, with opaque pixels") {
     const HandMadeScene s = playground();
     Renderer renderer(640, 360);  // 40 pixels a metre, the world point (0, 1) in the middle
     const Image image = frame(renderer, s);
@@ -64,7 +63,7 @@ TEST_CASE("frames repeat byte for byte, in one renderer and in another") {
     CHECK(frame(moved, s).rgba == image.rgba);
 }
 
-TEST_CASE("islands cover bodies, and no other mark") {
+TEST_CASE("the island overlay covers bodies and no other mark") {
     HandMadeScene s = playground();
     const BodyId crate = s.built.bodies.at(1).id, ball = s.built.bodies.at(2).id;
     for (const BodyId body : {crate, ball}) s.built.world.set_velocity(body, {4.0f, 0.0f}, 0.0f);
@@ -75,17 +74,17 @@ TEST_CASE("islands cover bodies, and no other mark") {
         return render::pixel(image, x, y);
     };
     const Overlay velocity{.velocity = true}, islands{.islands = true}, both{.islands = true, .velocity = true};
-    // The way of 0.1 s is 16 pixels long. 8 of them from the middles of crate and ball:
+    // The displacement in 0.1 s is 16 pixels long. 8 pixels from the middles of crate and ball:
     for (const auto& [x, y] : {std::pair{320 - 80 + 8, 180 + 20}, std::pair{320 + 80 + 8, 180}}) {
         CHECK(seen(both, x, y) == seen(velocity, x, y));
         CHECK(seen(both, x, y) != seen(islands, x, y));
     }
-    // Away from it, where the bodies are of one colour:
+    // Beside the arrow, where the bodies have one colour:
     for (const auto& [x, y] : {std::pair{320 - 80 - 8, 180 + 20 + 8}, std::pair{320 + 80 - 20, 180 + 10}})
         CHECK(seen(both, x, y) == seen(islands, x, y));
 }
 
-TEST_CASE("frames of the least and of odd sizes can be drawn, with names of any length") {
+TEST_CASE("frames of the least and of odd sizes can be drawn, with long and malformed names") {
     HandMadeScene s = playground();
     s.scene.name = std::string(300, 'W') + "\u00e9\xff";
     for (const auto& [width, height] : {std::pair{16, 16}, std::pair{333, 201}, std::pair{240, 135}}) {
@@ -94,7 +93,7 @@ TEST_CASE("frames of the least and of odd sizes can be drawn, with names of any 
     }
 }
 
-TEST_CASE("sizes and cameras out of range are refused with the value") {
+TEST_CASE("sizes and cameras out of range are errors that state the value") {
     CHECK_THROWS_WITH_AS(Renderer(15, 100), "the width of a frame must be 16 to 8192 pixels, got 15",
                          std::invalid_argument);
     CHECK_THROWS_WITH_AS(Renderer(100, 8193), "the height of a frame must be 16 to 8192 pixels, got 8193",
@@ -106,7 +105,7 @@ TEST_CASE("sizes and cameras out of range are refused with the value") {
     CHECK_THROWS_AS(renderer.draw(s.scene, s.built, {{0.0, std::nan("")}, 1.0}, 0.0, image), std::invalid_argument);
 }
 
-TEST_CASE("a missing font is an error that names the package and the places searched") {
+TEST_CASE("a missing font is an error that names the package and the files searched") {
     const std::filesystem::path nowhere[] = {"/nowhere/A.ttf", "/nowhere/B.ttf"};
     try {
         render::find_font(nowhere);

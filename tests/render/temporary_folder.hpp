@@ -1,4 +1,4 @@
-// A folder that is there for one test.
+// A folder that is removed at the end of a test.
 #pragma once
 
 #include <cstdlib>

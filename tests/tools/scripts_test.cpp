@@ -16,7 +16,7 @@ const std::string kRoot = TUMBLE_SOURCE_DIR;
 
 TEST_CASE("the shell scripts pass shellcheck") {
     const Answer answer = run({"shellcheck", kRoot + "/tools/setup.sh", kRoot + "/tools/run.sh",
-                               kRoot + "/tools/test.sh", kRoot + "/.ci/run"});
+                               kRoot + "/tools/test.sh", kRoot + "/tools/overview.sh", kRoot + "/.ci/run"});
     CHECK_MESSAGE(answer.code == 0, answer.out << answer.err);
 }
 
@@ -26,4 +26,11 @@ TEST_CASE("setup says nothing where all is installed, and shows its usage for wh
     CHECK(nothing_to_do.out.empty());
     CHECK(nothing_to_do.err.empty());
     CHECK(run({kRoot + "/tools/setup.sh", "everything"}).code == 2);
+}
+
+TEST_CASE("the script of the pictures names the binary that it lacks, and shows its usage for two of them") {
+    const Answer answer = run({kRoot + "/tools/overview.sh", "/no/such/tumble"}, "/");
+    CHECK(answer.code == 1);
+    CHECK(answer.err.find("/no/such/tumble") != std::string::npos);
+    CHECK(run({kRoot + "/tools/overview.sh", "one", "two"}).code == 2);
 }

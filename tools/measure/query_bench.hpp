@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "reference/parity/query_cases.hpp"
+#include "reference/bench/query_cases.hpp"
 
 namespace tumble::tools {
 

@@ -7,7 +7,7 @@
 
 namespace tumble::tools {
 
-// For a case in which Box2D is the culprit.
+// For a case in which Box2D is wrong.
 std::string why_box2d_failed(const reference::ParityCase& sample);
 
 }  // namespace tumble::tools

@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include "debug/check.hpp"
 #include "reference/box2d/b2_types.hpp"
 
 namespace tumble::reference {
@@ -18,6 +19,7 @@ struct Vertices {
     int count;
 
     explicit Vertices(const Shape& shape) : count(shape.vertex_count()) {
+        TUMBLE_CHECK(count <= Shape::kInlineVertices);
         for (int i = 0; i < count; ++i) at[static_cast<std::size_t>(i)] = to_b2(DVec2(shape.vertex(i)));
     }
     b2DistanceProxy proxy() const {
@@ -27,7 +29,8 @@ struct Vertices {
     }
 };
 
-// What b2PolygonShape takes as it is: it welds vertices nearer than half its slop, and aborts where too few are left.
+// True for polygons that b2PolygonShape keeps unchanged. It welds vertices nearer than half its slop, and aborts the
+// process if too few are left.
 bool is_fit_for_b2(const Shape& polygon) {
     if (extent(polygon).smaller < 8.0f * b2_linearSlop) return false;
     for (int i = 0; i < polygon.vertex_count(); ++i)
@@ -82,7 +85,7 @@ double b2_target(CastKind kind) {
     return kind == CastKind::ray ? 0.0 : kind == CastKind::shape ? b2_polygonRadius : b2_linearSlop;
 }
 
-std::optional<B2Cast> ask_box2d(const CastQuery& query) {
+std::optional<B2Cast> query_box2d(const CastQuery& query) {
     if (query.kind == CastKind::ray) return cast_b2_ray(query);
     const bool is_bare = query.a.radius() == 0.0f && query.b.radius() == 0.0f;
     const bool is_small =

@@ -12,7 +12,7 @@ namespace tumble::reference {
 
 namespace {
 
-// Vertices as b2DistanceProxy wants them: it keeps the pointer.
+// Vertices in an array for b2DistanceProxy, which keeps a pointer to them.
 class VertexBuffer {
 public:
     explicit VertexBuffer(const Shape& shape) {

@@ -1,4 +1,4 @@
-// b2Distance as the second engine: the same vertices and poses, in world coordinates and float.
+// Distances by b2Distance: the same vertices and poses, in float and in world coordinates.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,15 @@
 namespace tumble::reference {
 
 struct B2Distance {
-    double distance = 0.0;  // m, at least 0; 0 is how b2Distance says overlap
+    double distance = 0.0;  // m, at least 0; 0 means overlap
     DVec2 point_a;          // witness points, world coordinates; both the middle if radii overlap
     DVec2 point_b;
     int iterations = 0;
 };
 
-// Feeds the core vertices as they are (no skin, no welding), any number of them, starting cold. Nothing for what the
-// library would stop the process at, or cannot hold: no vertices, or a number that is not finite as a float.
-// Box2D counts its calls in plain globals: never call this in two threads at once.
+// Passes any number of core vertices unchanged (no skin, no welding), with an empty cache. Nothing for input that would
+// abort the process or does not fit float: no vertices, or a number that is not finite as a float. Box2D counts its
+// calls in plain globals: one thread at a time.
 std::optional<B2Distance> b2_distance(const PairQuery& query, bool use_radii);
 
 }  // namespace tumble::reference

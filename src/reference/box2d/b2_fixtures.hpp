@@ -8,8 +8,8 @@ class b2Body;
 
 namespace tumble::reference {
 
-// Adds the fixture or fixtures that stand for the shape; their density is 0, as the body's mass is set for all of it.
-// False if Box2D would stop the process at it: an outline without area or a segment without length.
+// Adds one or more fixtures for the shape, with density 0: the mass is set for the whole body. Returns false, and adds
+// nothing, for a shape that would abort the process: an outline without area or a segment without length.
 bool add_fixtures(b2Body& body, const Shape& shape, const SurfaceMaterial& material);
 
 }  // namespace tumble::reference

@@ -1,5 +1,5 @@
-// An import of a R.U.B.E. export beside Box2D 2.4.1 built from the same file: what its bodies weigh, and where its
-// joints hold them.
+// Compares an imported R.U.B.E. export with a Box2D 2.4.1 world built from the same file: masses of bodies and anchors
+// of joints.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,8 @@ struct ImportDifferences {
     bool same_count = true;  // of bodies and of joints
 };
 
-// `imported` is what import_rube() makes of the file. Throws FileError; std::runtime_error for what is no export.
+// `imported` is the result of import_rube() for the file. Throws FileError, or std::runtime_error if the file is no
+// export.
 ImportDifferences compare_with_box2d(const std::filesystem::path& rube_file, const Scene& imported);
 
 }  // namespace tumble::reference

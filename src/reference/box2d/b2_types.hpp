@@ -1,4 +1,4 @@
-// Our types as Box2D's, and its one lock.
+// Conversions to Box2D's types, and the lock around its queries.
 #pragma once
 
 #include <box2d/b2_math.h>
@@ -32,7 +32,7 @@ inline b2Sweep to_b2(const Sweep& sweep) {
     return result;
 }
 
-// To be held around its distance and time of impact queries: they count their calls in plain globals, the same ones.
+// Lock it around distance and time of impact queries: both count their calls in the same plain globals.
 inline std::mutex b2_query_lock;
 
 }  // namespace tumble::reference

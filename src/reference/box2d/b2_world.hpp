@@ -1,10 +1,10 @@
-// The same scene in Box2D 2.4.1, to run beside ours: equal masses, materials and joints, and shapes as near as it has
-// them.
+// A scene as a world of Box2D 2.4.1, for comparison: equal masses, materials and joints, and the nearest shapes that
+// Box2D has.
 //
 // A capsule becomes a box and two circles, a rounded polygon a polygon with m_radius, a polygon of more than 8 vertices
 // a fan of such polygons, a segment a two-sided edge. Polygons keep their vertices: they do not pass through Set(),
-// which welds them; those without a radius keep the 1 cm skin that every Box2D user has. What Box2D does not have
-// (rolling resistance, tangent speed) is left out and said.
+// which welds them; those without a radius keep Box2D's usual skin of 1 cm. Features that Box2D lacks (rolling
+// resistance, tangent speed) are left out, and notes() lists them.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ namespace tumble::reference {
 
 class B2World {
 public:
-    // Builds tumble's world on the way, for shapes, masses and joints; throws what build_world() throws.
+    // Takes shapes, masses and joints from tumble's world of the scene. Throws the exceptions of build_world().
     explicit B2World(const Scene& scene);
     ~B2World();
     B2World(B2World&&) noexcept;

@@ -1,11 +1,12 @@
-// An oracle for signed distances by looking at every vertex and edge, in long double (64-bit mantissa on x86-64):
-// 2^11 times finer than what it judges, and it shares no line with it.
+// An oracle for signed distances: exhaustive over all vertices and edges, in long double (64-bit mantissa on x86-64),
+// hence 2^11 times finer than the narrow phase. It shares no code with the narrow phase.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "tumble/shape.hpp"
 
 namespace tumble::reference::brute {
@@ -47,6 +48,8 @@ inline Real distance_to_segment(Point p, Point from, Point to) {
 }
 
 inline Real distance_of_boundaries(const std::vector<Point>& a, const std::vector<Point>& b) {
+    TUMBLE_CHECK(!a.empty());
+    TUMBLE_CHECK(!b.empty());
     Real nearest = INFINITY;
     for (std::size_t i = 0; i < a.size(); ++i)
         for (std::size_t j = 0; j < b.size(); ++j) {
@@ -70,8 +73,8 @@ inline Real face_separation(const std::vector<Point>& a, const std::vector<Point
     return largest;
 }
 
-// Signed core distance: for convex cores the sign of the largest face separation decides. Two points have no faces, and
-// cores on one line have faces that all see 0: their boundaries decide.
+// Signed core distance. The largest face separation is the answer if it is negative. Otherwise, and for two points,
+// which have no faces, the distance of the boundaries is the answer.
 inline Real core_distance(const std::vector<Point>& a, const std::vector<Point>& b) {
     const Real separation = std::max(face_separation(a, b), face_separation(b, a));
     return separation < 0 && std::isfinite(separation) ? separation : distance_of_boundaries(a, b);

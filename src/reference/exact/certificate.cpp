@@ -9,7 +9,7 @@ namespace tumble::reference {
 
 namespace {
 
-// The bounds with the radii added back: what is claimed of the signed core distance.
+// The claimed bounds of the signed core distance: those of the answer plus the radii.
 struct CoreBounds {
     ExactDyadic lower, upper;
 };
@@ -40,8 +40,8 @@ ExactPoint exact_direction(DVec2 direction) {
     return {scaled(direction.x, exponent), scaled(direction.y, exponent)};
 }
 
-// The separation along the normal of the claimed face that points the way of the direction; of a face that is a point,
-// its distance, negative.
+// The separation along the normal of the claimed face that points in the claimed direction. For a face of one point:
+// its distance from the origin, negative.
 SignedRoot face_separation(const ExactPair& pair, const ExactPoint& w1, const ExactPoint& w2,
                            const ExactPoint& direction) {
     const ExactPoint edge = w2 - w1;
@@ -62,8 +62,8 @@ CertificateVerdict check_overlapping_upper(const ExactPair& pair, const ExactPoi
     if (compare(face, bounds.lower) < 0 || compare(face, bounds.upper) > 0) return CertificateVerdict::face_not_proved;
     SignedRoot deepest;
     const bool has_faces = find_deepest_face(pair, deepest, false);
-    // Without a face that holds the origin off, the deepest one is the answer. Else the cores are separated after all,
-    // by less than the rounding that the bounds allow for, and the claimed face must be that near.
+    // If the largest separation is negative, it is the signed distance. Otherwise the cores are separated, by less than
+    // the rounding that the bounds allow for, and the distance of the claimed segment must be within the bound.
     const bool overlap = has_faces && deepest.sign < 0;
     const SignedRoot& attained = overlap ? deepest : segment_distance(pair, w1, w2);
     return compare(attained, bounds.upper) <= 0 ? CertificateVerdict::accepted : CertificateVerdict::upper_not_proved;

@@ -1,10 +1,13 @@
-// The checker: does the certificate of an answer prove its bounds? In rationals, trusting nothing of the narrow phase.
+// The certificate checker: verifies in exact arithmetic that the certificate of an answer proves its bounds. It uses no
+// code of the narrow phase.
 //
-// lower: with h the maximum of direction . w over the Minkowski difference, the signed core distance is at least
-// -h / |direction|, for any direction; O(n + m). upper, separated: the core distance is at most that of the one or two
-// claimed pairs from the origin; O(1). upper, overlapping: the depth is attained at some face, so all are looked at
-// (find_deepest_face() says the cost); and the claimed pairs must span a face that lies within the bounds themselves.
-// Bounds are compared with the radii moved to the exact side, by squares.
+// Lower bound: with h the maximum of direction . w over the Minkowski difference, the signed core distance is at least
+// -h / |direction|, for any direction. O(n + m).
+// Upper bound, separated cores: the core distance is at most that of the claimed segment (or point) of the Minkowski
+// difference from the origin. O(1).
+// Upper bound, overlapping cores: some face attains the depth, so that all faces are evaluated (find_deepest_face()
+// states the cost). The claimed pairs must also span a face whose separation is within the bounds. The radii are added
+// to the bounds exactly, and squares are compared.
 #pragma once
 
 #include "reference/query/pair_query.hpp"
@@ -18,7 +21,7 @@ enum class CertificateVerdict {
     lower_not_proved,
     upper_not_proved,
     face_not_proved,    // overlapping: the claimed pairs span no face, or one whose separation is outside the bounds
-    status_not_proved,  // the bounds do not say what the status says
+    status_not_proved,  // the status does not follow from the bounds
 };
 
 const char* to_string(CertificateVerdict verdict);

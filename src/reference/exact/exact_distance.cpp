@@ -13,8 +13,8 @@ struct ClosestSegment {
     ExactPoint from, to;  // the segment of A - B that attains it
 };
 
-// The nearest of all segments of A - B that join a vertex of one core to an edge of the other. Cores that touch share a
-// vertex of one of them, so it is 0 for them; only cores that cross do not see each other here.
+// The nearest of all segments of A - B that are the difference of a vertex of one core and an edge of the other. It is
+// 0 for cores that touch, since a vertex of one lies on the other. Cores that overlap need the faces instead.
 ClosestSegment closest_segment(const ExactPair& pair) {
     ClosestSegment closest;
     SegmentMeter meter(pair);

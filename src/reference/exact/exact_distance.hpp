@@ -1,9 +1,9 @@
-// The oracle: the exact signed distance of two shapes, by looking at everything.
+// The exact oracle: the signed distance of two shapes by exhaustive search, without rounding.
 //
-// Overlap and depth come from the separations along all face normals (separating axes), the distance of separated cores
-// from all pairs of a vertex and an edge; nothing is shared with the narrow phase, and nothing is rounded. Cores that
-// are points or segments, repeated and collinear vertices need no special case. 10 to 16 us for two boxes, O(n m)
-// rational comparisons: for more than 64 vertices check the certificate of an answer instead (certificate.hpp).
+// Overlap and depth are found by the separations along all face normals (separating axes), the distance of separated
+// cores by all pairs of a vertex and an edge. No code is shared with the narrow phase. Points, segments, repeated and
+// collinear vertices need no special case. O(n m) exact comparisons, 10 to 16 us for two boxes. For more than 64
+// vertices check the certificate of an answer instead (certificate.hpp).
 #pragma once
 
 #include "reference/exact/exact_number.hpp"
@@ -20,15 +20,15 @@ public:
     int compare(double x) const;
     int sign() const { return compare(0.0); }
 
-    // The exact signed distance minus x, and the distance itself, correctly rounded (as rounded_difference() says).
+    // The exact signed distance minus x, and the distance itself, rounded as rounded_difference() states.
     double minus(double x) const;
     double value() const { return minus(0.0); }
 
     // The same cores with other radii (m).
     ExactDistance with_radii(double radius_a, double radius_b) const;
 
-    // True if a single pair of points is closest: separated cores, except edges that are exactly parallel and face
-    // each other.
+    // True if exactly one pair of points is closest: the cores are separated, and no two parallel edges face each
+    // other.
     bool has_unique_pair() const { return unique_pair_; }
 
 private:

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <span>
 
+#include "debug/check.hpp"
 namespace tumble::reference {
 
 namespace {
 
-constexpr std::size_t kSearchAll = 64;  // vertices; above it support vertices are followed, not searched
+constexpr std::size_t kSearchAll =
+    64;  // most vertices of an outline that is searched; in a larger one the support is followed
 
-// The C interface with a target that keeps its memory: twice as fast as expressions that allocate.
+// By the C interface of GMP, whose target keeps its memory: twice as fast as expressions that allocate.
 void set_dot(mpz_class& target, const ExactPoint& p, const ExactPoint& q) {
     mpz_mul(target.get_mpz_t(), p.x.get_mpz_t(), q.x.get_mpz_t());
     mpz_addmul(target.get_mpz_t(), p.y.get_mpz_t(), q.y.get_mpz_t());
@@ -45,6 +47,7 @@ std::vector<ExactPoint> rotated_vertices(const Shape& shape, Rotation q, const S
     std::vector<ExactPoint> points(static_cast<std::size_t>(shape.vertex_count()), offset);
     if (units.vanishes()) return points;
     const mpz_class c = scaled(q.c, units.rotation), s = scaled(q.s, units.rotation);
+    TUMBLE_CHECK(exponent <= units.product());
     const auto shift = static_cast<mp_bitcnt_t>(units.product() - exponent);
     mpz_class x, y, rotated;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -161,7 +164,11 @@ ExactPair exact_pair(const PairQuery& query) {
             rotated_vertices(query.b, query.pose_b.rotation, units_b, exponent, offset), exponent};
 }
 
-ExactPoint minkowski_vertex(const ExactPair& pair, VertexPair indices) { return pair.a[indices.a] - pair.b[indices.b]; }
+ExactPoint minkowski_vertex(const ExactPair& pair, VertexPair indices) {
+    TUMBLE_CHECK(indices.a < pair.a.size());
+    TUMBLE_CHECK(indices.b < pair.b.size());
+    return pair.a[indices.a] - pair.b[indices.b];
+}
 
 mpz_class support_value(const ExactPair& pair, const ExactPoint& direction) {
     return MinkowskiFollower(pair).support_value(direction);
@@ -170,6 +177,7 @@ mpz_class support_value(const ExactPair& pair, const ExactPoint& direction) {
 SignedRoot separation(const ExactPair& pair, const ExactPoint& direction) {
     mpz_class length_sq;
     set_dot(length_sq, direction, direction);
+    TUMBLE_CHECK(sgn(length_sq) > 0);
     return root_of(-support_value(pair, direction), length_sq, pair.exponent);
 }
 

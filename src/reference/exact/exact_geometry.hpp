@@ -1,7 +1,8 @@
-// Two cores at their poses in exact integers, and the few geometric facts that the oracle and the checker share.
+// Two cores at their poses in exact integers, and the geometry that the oracle and the checker share.
 //
-// Coordinates are world axes relative to A's position, in units of 2^exponent; c, s and positions are taken literally.
-// Vertices are those of a convex outline in counter-clockwise order; repeated and collinear ones are allowed.
+// Coordinates are in world axes relative to A's position, in units of 2^exponent. c, s and positions are used as they
+// are: a rotation need not have unit length. The vertices form a convex outline in counter-clockwise order; repeated
+// and collinear ones are allowed.
 #pragma once
 
 #include <cstddef>
@@ -33,14 +34,14 @@ ExactPair exact_pair(const PairQuery& query);
 // The vertex of the Minkowski difference with these indices, which must be in range.
 ExactPoint minkowski_vertex(const ExactPair& pair, VertexPair indices);
 
-// h(direction): the maximum of direction . (a - b) over all vertices, by looking at each: O(n + m).
+// h(direction): the maximum of direction . (a - b) over all vertices. O(n + m).
 mpz_class support_value(const ExactPair& pair, const ExactPoint& direction);
 
 // -h / |direction|: no signed core distance is below it. The direction must not be zero, and is in the pair's units.
 SignedRoot separation(const ExactPair& pair, const ExactPoint& direction);
 
-// The distance of the origin from segments of two points of the Minkowski difference (equal ones allowed). One meter
-// measures many segments without allocating for each.
+// Computes the distance of the origin from segments between two points of the Minkowski difference, which may be equal.
+// One meter measures many segments without an allocation for each.
 class SegmentMeter {
 public:
     explicit SegmentMeter(const ExactPair& pair) { root_.exponent = pair.exponent; }
@@ -59,8 +60,8 @@ SignedRoot segment_distance(const ExactPair& pair, const ExactPoint& from, const
 void set_difference(ExactPoint& target, const ExactPoint& p, const ExactPoint& q);
 
 // The largest separation over the faces of the Minkowski difference, which is the signed core distance if it is not
-// positive. False if there is no face, both cores being points. O((n + m)^2) up to 64 vertices; beyond, the support
-// vertices are followed around the outlines, O(n + m), which trusts their convexity.
+// positive. False if both cores are points, which have no face. O((n + m)^2) for outlines of up to 64 vertices. For
+// larger ones the support vertex is followed around the outline, O(n + m), which requires convexity.
 bool find_deepest_face(const ExactPair& pair, SignedRoot& deepest, bool stop_if_separated);
 
 }  // namespace tumble::reference

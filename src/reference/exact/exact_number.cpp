@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "debug/check.hpp"
 namespace tumble::reference {
 
 namespace {
@@ -35,7 +36,7 @@ mpz_class shifted(const mpz_class& x, int shift) {
 
 int bit_length(const mpz_class& x) { return x == 0 ? 0 : static_cast<int>(mpz_sizeinbase(x.get_mpz_t(), 2)); }
 
-// mantissa * 2^exponent to the nearest double: 55 bits with the rest folded into the last one round as all would.
+// mantissa * 2^exponent to the nearest double. 55 bits, the last one set if any dropped bit is, round like all bits.
 double round_to_double(const mpz_class& mantissa, int exponent) {
     mpz_class magnitude = abs(mantissa);
     const int excess = bit_length(magnitude) - 55;
@@ -56,6 +57,7 @@ int lowest_bit_exponent(double value) { return split(value).exponent; }
 mpz_class scaled(double value, int exponent) {
     const Parts parts = split(value);
     if (parts.mantissa == 0) return 0;
+    TUMBLE_CHECK(exponent <= parts.exponent);
     return shifted(mpz_class(parts.mantissa), parts.exponent - exponent);
 }
 
@@ -69,6 +71,7 @@ ExactDyadic exact_sum(std::initializer_list<double> values) {
 }
 
 int compare(const SignedRoot& x, const ExactDyadic& y) {
+    TUMBLE_CHECK(sgn(x.denominator) > 0);
     const int y_sign = sgn(y.mantissa);
     if (x.sign != y_sign) return x.sign > y_sign ? 1 : -1;
     // |x| ? |y|: numerator * 2^(2 ex) ? mantissa^2 * denominator * 2^(2 ey)
@@ -80,12 +83,14 @@ int compare(const SignedRoot& x, const ExactDyadic& y) {
 }
 
 int compare(const SignedRoot& x, const SignedRoot& y) {
+    TUMBLE_CHECK(x.exponent == y.exponent);
     if (x.sign != y.sign) return x.sign > y.sign ? 1 : -1;
     const int order = cmp(x.numerator * y.denominator, y.numerator * x.denominator);
     return x.sign * ((order > 0) - (order < 0));
 }
 
 double rounded_difference(const SignedRoot& x, const ExactDyadic& y) {
+    TUMBLE_CHECK(sgn(x.denominator) > 0);
     if (x.sign == 0) return round_to_double(-y.mantissa, y.exponent);
     const int x_top = x.exponent + (bit_length(x.numerator) - bit_length(x.denominator)) / 2;
     const int y_top = sgn(y.mantissa) == 0 ? x_top : y.exponent + bit_length(y.mantissa);

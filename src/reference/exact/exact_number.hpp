@@ -1,7 +1,7 @@
 // Exact numbers of the oracle: dyadic sums and signed square roots of rationals, compared without rounding.
 //
-// Every input is a float or a double, hence an integer times a power of two; sums and products stay so. Distances are
-// roots of their quotients, and are compared by comparing squares. Integers are GMP's.
+// Every input is a float or a double, hence an integer times a power of two, and so are sums and products. Distances
+// are square roots of quotients of these, and their squares are compared. Integers are GMP's.
 #pragma once
 
 #include <gmpxx.h>

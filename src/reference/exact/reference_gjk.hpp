@@ -1,8 +1,9 @@
-// GJK as its authors wrote it, in any dimension: the textbook beside the engine's two-dimensional loop.
+// GJK as its authors wrote it, in any dimension: the textbook form of the engine's two-dimensional loop.
 //
 // Support mappings describe the sets [GJK88, GF90]; Johnson's distance subalgorithm finds the nearest point of the
 // simplex by recursive cofactors over all of its subsets, with the backup procedure for when rounding leaves no subset
-// that satisfies every sign condition [GJK88, section 5; vdB04, 4.3]. Clear before fast: use distance() for work.
+// that satisfies every sign condition [GJK88, section 5; vdB04, 4.3]. Written for clarity, not for speed: distance() is
+// the fast one.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +22,7 @@ struct GjkSimplex {
     int count = 0;
 };
 
-// The point of a simplex nearest to the origin, and the smallest sub-simplex that holds it.
+// The point of a simplex nearest to the origin, and the smallest sub-simplex that contains it.
 template <int Dim>
 struct NearestPoint {
     Point<Dim> point = Point<Dim>::Zero();
@@ -32,7 +33,7 @@ struct NearestPoint {
 // Johnson's subalgorithm. For a subset X of the points and i in X, delta_i(X) is the cofactor that makes
 // sum_i delta_i y_i / sum_i delta_i the point of the affine hull of X nearest to the origin:
 //   delta_i({i}) = 1,  delta_j(X + j) = sum over i in X of delta_i(X) (y_i . y_k - y_i . y_j),  k any one of X.
-// X holds the answer if all delta_i(X) > 0 and no j outside X has delta_j(X + j) > 0.
+// X contains the answer if all delta_i(X) > 0 and no j outside X has delta_j(X + j) > 0.
 template <int Dim>
 NearestPoint<Dim> johnson_nearest_point(const GjkSimplex<Dim>& simplex) {
     constexpr unsigned kSubsets = 1u << (Dim + 1);
@@ -109,7 +110,7 @@ struct GjkResult {
 
 // The distance of A - B from the origin. `support(d)` returns a point of A - B farthest in direction d: s_A(d) -
 // s_B(-d). Stops when no support point lies nearer than `tolerance` times the distance (relative; for smooth sets the
-// convergence is gradual), when the simplex fills the space around the origin, or after `max_iterations`.
+// convergence is gradual), when the simplex contains the origin in its interior, or after `max_iterations`.
 template <int Dim, class Support>
 GjkResult<Dim> reference_gjk(const Support& support, double tolerance = 1e-12, int max_iterations = 1000) {
     GjkResult<Dim> result;

@@ -10,7 +10,7 @@ namespace tumble::reference {
 
 namespace {
 
-// Positions and angles are floats, so that Box2D is given the same bodies: its error is its own.
+// Positions and angles are floats: Box2D gets exactly the same bodies, and no error comes from the conversion.
 DVec2 as_float(DVec2 v) { return DVec2(to_float(v)); }
 double as_float(double angle) { return static_cast<float>(angle); }
 
@@ -20,12 +20,12 @@ DVec2 somewhere(Random& random) { return random.point(random.chance(0.2) ? 1e4 :
 Shape about_a_metre(Random& random) { return random_shape(random, random.integer(-1, 1)); }
 Shape bare(const Shape& shape) { return PairQuery{shape, shape, {}, {}}.without_radii().a; }
 
-// From a few metres away to somewhere near the other one, or not as far, or beyond.
-struct Way {
+// From a few metres away towards a point near `target`; the translation ends before, at or beyond that point.
+struct Motion {
     DVec2 from, translation;
 };
-Way random_way(Random& random, DVec2 place) {
-    const DVec2 from = as_float(place + random.point(5.0)), aim = place + random.point(1.2);
+Motion random_motion(Random& random, DVec2 target) {
+    const DVec2 from = as_float(target + random.point(5.0)), aim = target + random.point(1.2);
     return {from, as_float(random.uniform(0.2, 3.0) * (aim - from))};
 }
 
@@ -36,9 +36,9 @@ CastQuery ray(std::uint64_t seed, std::uint64_t index) {
     query.b = make_circle(0);
     query.pose_a.position = as_float(somewhere(random));
     query.pose_a.rotation = random.rotation();
-    const Way way = random_way(random, query.pose_a.position);
-    query.pose_b.position = way.from;
-    query.translation = way.translation;
+    const Motion motion = random_motion(random, query.pose_a.position);
+    query.pose_b.position = motion.from;
+    query.translation = motion.translation;
     return query;
 }
 
@@ -48,7 +48,7 @@ CastQuery shape_cast(std::uint64_t seed, std::uint64_t index) {
     query.kind = CastKind::shape;
     query.b = about_a_metre(random);
     query.pose_b.rotation = random.rotation();
-    // Half of them as Box2D sees them: bare cores, at the distance where it stops.
+    // Half of them as Box2D casts shapes: bare cores, to the distance at which it stops.
     if (random.chance(0.5)) {
         query.a = bare(query.a);
         query.b = bare(query.b);
@@ -59,11 +59,11 @@ CastQuery shape_cast(std::uint64_t seed, std::uint64_t index) {
     return query;
 }
 
-Sweep sweep_of(Random& random, DVec2 from, DVec2 way, double turn) {
+Sweep sweep_of(Random& random, DVec2 from, DVec2 displacement, double turn) {
     const Vec2 center = to_float(random.point(0.3));
     const double start_angle = as_float(random.uniform(-4.0, 4.0)), turned = as_float(random.uniform(-turn, turn));
     // The end angle of Box2D is a float too.
-    return {center, from, as_float(from + way), start_angle,
+    return {center, from, as_float(from + displacement), start_angle,
             random.chance(0.2) ? 0.0 : as_float(start_angle + turned) - start_angle};
 }
 
@@ -86,7 +86,7 @@ CastQuery straight_impact(std::uint64_t seed, std::uint64_t index) {
 CastQuery turning_impact(std::uint64_t seed, std::uint64_t index) { return impact(seed, index, 1.5); }
 CastQuery spinning_impact(std::uint64_t seed, std::uint64_t index) { return impact(seed, index, 12.0); }
 
-// The truth about a moving pair takes some 50 us: small shares.
+// The oracle takes about 50 us for a moving pair, hence the small shares.
 constexpr std::array kFamilies = {
     CastFamily{"rays", "rays at shapes of every kind from a few metres away, near the origin and 10 km from it", ray,
                0.25},

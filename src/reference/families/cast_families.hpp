@@ -1,4 +1,4 @@
-// Seeded generators of moving pairs, in one table: what tests and the parity run ask casts and times of impact.
+// Seeded generators of moving pairs, in one table: the casts and times of impact of the tests and of the parity run.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The ends of the number range, and what is no number at all.
+// Lengths at both ends of the number range, and input that is not finite.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,8 +10,8 @@ namespace tumble::reference {
 
 namespace {
 
-// A shape of small integers times 2^exponent, exact down to the smallest denormal float. No vertex is the origin: with
-// a lone vertex there the offset alone would set the scale, and may be too small to square.
+// A shape of small integers times 2^exponent, exact down to the smallest denormal float. No vertex is the origin: the
+// scale of a shape with a single vertex there would be the offset alone, whose square may underflow.
 Shape grid_shape(Random& random, int exponent) {
     std::vector<GridPoint> points;
     const int count = random.integer(1, 8);
@@ -50,7 +50,7 @@ PairQuery make_huge_offset(Random& random) {
     return grid_pair(random, exponent, random.integer(100, 490));
 }
 
-// Beyond 2^500 m squares and their products leave the range of double, and queries refuse.
+// Beyond 2^500 m, products of squares leave the range of double, and the answer must be `invalid`.
 PairQuery make_out_of_range(Random& random) {
     PairQuery query = grid_pair(random, random.integer(-20, 100), 0);
     query.pose_b.position += random.vector(502, 1020);

@@ -1,4 +1,4 @@
-// The rows of the table of hard families, one list a subject; pair_families() joins them.
+// The rows of the table of hard families, one list per subject; pair_families() concatenates them.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ std::span<const PairFamily> symmetric_families();
 std::span<const PairFamily> radius_families();
 std::span<const PairFamily> search_families();
 
-// A generator that draws all it needs from one stream.
+// Makes a generator of a function that draws from one random stream.
 template <PairQuery (*Make)(Random&)>
 PairQuery seeded(std::uint64_t seed, std::uint64_t index) {
     Random random(seed, index);

@@ -1,4 +1,4 @@
-// Pairs placed at a chosen tiny gap or depth, by each kind of feature, and edges that are or are almost parallel.
+// Pairs at a given tiny gap or depth, by each kind of feature, and edges that are parallel or almost so.
 #include <array>
 
 #include "reference/families/family_lists.hpp"
@@ -37,7 +37,7 @@ PairQuery make_near_overlap(Random& random) {
     return query;
 }
 
-// B is A turned by half a turn about its origin, exactly, so that each edge of A has a parallel one that faces it.
+// B is A rotated by exactly half a turn about its origin, so that each edge of A faces a parallel edge of B.
 PairQuery make_parallel_edges(Random& random) {
     PairQuery query;
     query.a = query.b = random.chance(0.5) ? random_box(random, 0) : random_polygon(random, 8, 0);
@@ -49,7 +49,7 @@ PairQuery make_parallel_edges(Random& random) {
     const DVec2 edge = rotate(query.pose_a.rotation, DVec2(query.a.vertex(i + 1 == count ? 0 : i + 1))) - from;
     const double side = length(edge);
     const double gap = random.chance(0.2) ? 0.0 : random.signed_magnitude(-40, 0);
-    // The edge of B runs from -from to -(from + edge): laid on A's edge, then slid along it and off it.
+    // The edge of B runs from -from to -(from + edge). It is moved onto A's edge, then along it and off it.
     query.pose_b.position = query.pose_a.position + 2.0 * from + random.uniform(0.05, 1.95) * edge -
                             (gap / (side > 0.0 ? side : 1.0)) * perp(edge);
     return query;
@@ -62,7 +62,7 @@ PairQuery make_almost_parallel(Random& random) {
                     {}};
     const double gap = random.magnitude(-30, -1), angle = random.signed_magnitude(-27, -7);
     if (random.chance(0.5)) {
-        // An angle far below the rounding of a cosine and sine taken from it: (1, s) literally.
+        // (1, s) as it is: make_rotation() would round so small an angle.
         query.b = query.a;
         query.pose_b.rotation = {1.0f, static_cast<float>(angle)};
         const double height = 2.0 * query.a.vertex(2).y;

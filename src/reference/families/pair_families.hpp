@@ -1,7 +1,7 @@
-// The hard families: seeded generators of the pairs on which distance algorithms fail, in one table.
+// The hard families: seeded generators of pairs on which distance algorithms fail, in one table.
 //
-// Tests, the parity run and the bench draw from the same table, so that a failure found by one is a row of the others.
-// Every family makes its pair number `index` from (seed, index) alone, the same bits on every platform.
+// Tests and the parity run share the table. A family generates pair number `index` from (seed, index) alone, with the
+// same bits on every platform.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@ namespace tumble::reference {
 // What an answer to a pair of the family is checked against.
 enum class FamilyKind : std::uint8_t {
     exact,    // the exact distance
-    large,    // more than 64 vertices: the answer's certificate, checked exactly
-    invalid,  // not finite, or beyond what double can square: the answer must say so
+    large,    // the certificate of the answer, checked exactly: more than 64 vertices
+    invalid,  // the status `invalid`: input that is not finite, or too large to square in double
 };
 
 struct PairFamily {
     std::string_view name;
     std::string_view description;
     PairQuery (*generate)(std::uint64_t seed, std::uint64_t index);
-    double share = 1.0;  // of the pairs in a mixed run, relative to the others; small where a pair is expensive
+    double share = 1.0;  // of the pairs in a mixed run, relative to the other families; small if a pair is expensive
     FamilyKind kind = FamilyKind::exact;
 };
 
@@ -32,11 +32,11 @@ std::span<const PairFamily> pair_families();
 // Null if there is none of that name.
 const PairFamily* find_pair_family(std::string_view name);
 
-// Steps of one trajectory in the family "trajectory": pairs k * kTrajectorySteps to (k + 1) * kTrajectorySteps - 1 are
-// the same two shapes moving smoothly.
+// Steps per trajectory in the family "trajectory": pairs k * kTrajectorySteps to (k + 1) * kTrajectorySteps - 1 are the
+// same two shapes in smooth motion.
 inline constexpr std::uint64_t kTrajectorySteps = 64;
 
-// Known failures of other libraries and engines, each a single case.
+// Known failures of other libraries and engines, one case each.
 struct RegressionCase {
     std::string_view name;
     std::string_view description;

@@ -1,4 +1,4 @@
-// Radii: none, much larger than the core, and cores exactly or almost exactly as far apart as their radii reach.
+// Radii: zero, much larger than the core, and surfaces that touch exactly or almost.
 #include <array>
 #include <cmath>
 
@@ -47,7 +47,7 @@ PairQuery make_touching_circles(Random& random) {
     return query;
 }
 
-// Rounded boxes that stand on each other exactly: sums of small dyadic numbers.
+// Rounded boxes that rest on each other exactly: all lengths are sums of small dyadic numbers.
 PairQuery make_touching_rounded(Random& random) {
     const auto length_of = [&] { return random.integer(1, 255) / 128.0; };
     const double height_a = length_of(), height_b = length_of(), radius_a = length_of(), radius_b = length_of();

@@ -1,4 +1,4 @@
-// Known failures of others, each as one pair that shows the mechanism; found in their issue trackers.
+// Known failures of other engines, from their issue trackers, each reduced to one pair that shows the mechanism.
 #include <array>
 #include <cmath>
 #include <vector>

@@ -9,7 +9,7 @@ namespace tumble::reference {
 
 namespace {
 
-// Half of them near each other, half of them anyhow.
+// Half of the pairs almost touch; the others have a random offset.
 void place(PairQuery& query, Random& random, double size) {
     if (random.chance(0.5)) {
         place_vertex_to_edge(query, random, size * random.signed_magnitude(-30, -5));

@@ -1,4 +1,4 @@
-// Pairs that come one after another: smooth motion, and a local search for the worst.
+// Pairs that follow from earlier ones: smooth motion, and local searches for the hardest pair.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,7 +37,7 @@ PairQuery mutated(const PairQuery& query, Random& random) {
     return next;
 }
 
-// Of the loop, which serves small shapes too where their faces are undecided.
+// Of the GJK loop; distance() itself answers many small pairs without it.
 double iterations(const PairQuery& query) {
     return trace_distance(query.a, query.pose_a, query.b, query.pose_b).result.iterations;
 }

@@ -34,7 +34,7 @@ PairQuery make_nested(Random& random) {
     return query;
 }
 
-// A box, and something symmetric whose centre is equally far from two or more of its faces, or corners.
+// A box, and a symmetric shape whose centre is equally far from two or more of the box's faces or corners.
 PairQuery make_medial_axis(Random& random) {
     const double half_height = random.integer(1, 8) / 8.0;
     const double half_width = half_height + random.integer(0, 8) / 8.0;
@@ -50,7 +50,8 @@ PairQuery make_medial_axis(Random& random) {
     return query;
 }
 
-// Points of an ellipse with half axes 2^x_exponent and 2^y_exponent, convex exactly; a few of `count` may be lost.
+// An exactly convex polygon of up to `count` points of an ellipse with half axes 2^x_exponent and 2^y_exponent;
+// rounding to the grid may drop a few.
 Shape ellipse(int count, double phase, int x_exponent, int y_exponent) {
     std::vector<GridPoint> points;
     points.reserve(static_cast<std::size_t>(count));

@@ -1,4 +1,4 @@
-// Cores that are thinner than their rounding, or not what their vertex count says.
+// Cores thinner than the rounding of their coordinates, and cores of lower dimension than their vertex count suggests.
 #include <array>
 #include <cmath>
 
@@ -31,7 +31,7 @@ PairQuery make_slivers(Random& random) {
 
 PairQuery make_crossed_slivers(Random& random) {
     PairQuery query = pair_of(random, {sliver(), sliver()}, 2.0);
-    if (random.chance(0.3)) {  // almost along each other
+    if (random.chance(0.3)) {  // almost parallel
         query.pose_a.rotation = {1.0f, 0.0f};
         query.pose_b.rotation = {1.0f, static_cast<float>(random.signed_magnitude(-30, -10))};
         query.pose_b.position = query.pose_a.position + DVec2{random.uniform(-1.0, 1.0), random.uniform(-1e-7, 1e-7)};
@@ -39,7 +39,7 @@ PairQuery make_crossed_slivers(Random& random) {
     return query;
 }
 
-// A square whose upper right corner is cut by an edge of one ulp, exactly convex.
+// An exactly convex square whose upper right corner is cut by an edge of one ulp.
 Shape ulp_cornered_square(Random& random) {
     const auto h = static_cast<float>(random.magnitude(-2, 0));
     const float below = std::nextafterf(h, 0.0f);
@@ -58,7 +58,7 @@ PairQuery make_ulp_edges(Random& random) {
     return query;
 }
 
-// Up to eight vertices, each given once or more.
+// The shape with vertices repeated at random, up to eight in all.
 Shape with_duplicates(Random& random, const Shape& shape) {
     std::vector<Vec2> vertices;
     int spare = Shape::kInlineVertices - shape.vertex_count();
@@ -98,7 +98,7 @@ PairQuery make_collinear_vertices(Random& random) {
     return query;
 }
 
-// All vertices in one point, or out along a line and back, by exact steps.
+// All vertices in one point, or along a line in exact steps.
 Shape collapsed_polygon(Random& random) {
     const int count = random.integer(2, 8);
     const GridPoint from{random.integer(-1000, 1000), random.integer(-1000, 1000)};
@@ -113,7 +113,7 @@ PairQuery make_collapsed(Random& random) {
     PairQuery query = pair_of(
         random, {collapsed_polygon(random), random.chance(0.5) ? collapsed_polygon(random) : random_shape(random, 0)},
         2.0);
-    if (random.chance(0.3)) {  // on one line or in one point, exactly
+    if (random.chance(0.3)) {  // exactly on one line or in one point
         query.b = query.a;
         query.pose_b = query.pose_a;
         query.pose_b.position += DVec2{random.integer(-2, 2) / 8.0, 0.0};

@@ -1,4 +1,4 @@
-// Pairs that touch exactly: dyadic coordinates, quarter turns, and positions that are sums without rounding.
+// Pairs that touch exactly: dyadic coordinates, quarter turns, and positions that are exact sums.
 #include <array>
 
 #include "reference/families/family_lists.hpp"
@@ -40,7 +40,7 @@ GridEdge grid_edge(const Shape& shape, Rotation q, int i) {
 
 PairQuery make_touching_vertices(Random& random) {
     PairQuery query = grid_pair(random, random.integer(-20, 4));
-    // Steep odd components: no edge of the grid is normal to it, so that one vertex of each is extreme.
+    // A steep direction with odd components is normal to no edge of the grid: one vertex of each shape is extreme.
     const double across = random.sign(), up = random.sign();
     const DVec2 normal{across * (37.0 + 2.0 * random.integer(0, 99)), up * 331.0};
     query.pose_b.position = query.pose_a.position + (support_point(query.a, query.pose_a.rotation, normal) -

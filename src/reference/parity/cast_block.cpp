@@ -24,19 +24,19 @@ double largest_coordinate_of(const CastQuery& query) {
     return std::max(largest_coordinate(start), largest_coordinate(end));
 }
 
-std::vector<std::optional<B2Cast>> ask_all_box2d(const std::vector<CastQuery>& queries) {
+std::vector<std::optional<B2Cast>> query_box2d_all(const std::vector<CastQuery>& queries) {
     const std::scoped_lock lock(b2_query_lock);
     std::vector<std::optional<B2Cast>> answers;
-    for (const CastQuery& query : queries) answers.push_back(ask_box2d(query));
+    for (const CastQuery& query : queries) answers.push_back(query_box2d(query));
     return answers;
 }
 
-void add_ours(ParityRow& row, const CastQuery& query, const TrueMotion& truth, const CastResult& ours,
+void add_ours(ParityRow& row, const CastQuery& query, const MotionOracle& oracle, const CastResult& ours,
               CastVerdict verdict, ParityCase failure) {
     row.iterations_ours += static_cast<std::uint64_t>(ours.iterations);
     row.max_iterations_ours = std::max(row.max_iterations_ours, static_cast<int>(ours.iterations));
     if (ours.status == CastStatus::hit) {
-        const double error = std::abs(static_cast<double>(truth.gap(ours.fraction)));
+        const double error = std::abs(static_cast<double>(oracle.gap(ours.fraction)));
         row.max_error_ours_m = std::max(row.max_error_ours_m, error);
         row.max_error_ours_units = std::max(row.max_error_ours_units, error / error_unit(start_of(query)));
         row.histogram_ours.add(error / largest_coordinate_of(query));
@@ -44,14 +44,14 @@ void add_ours(ParityRow& row, const CastQuery& query, const TrueMotion& truth, c
     if (!is_wrong(verdict)) return;
     ++row.ours_wrong;
     failure.query = start_of(query);
-    failure.culprit = Culprit::ours;
+    failure.verdict = ParityVerdict::ours_wrong;
     failure.reason = to_string(verdict);
     row.keep(failure);
 }
 
-void add_box2d(ParityRow& row, const TrueMotion& truth, const B2Cast& box2d, CastVerdict verdict, double size) {
+void add_box2d(ParityRow& row, const MotionOracle& oracle, const B2Cast& box2d, CastVerdict verdict, double size) {
     if (box2d.hits) {
-        const double error = std::abs(static_cast<double>(truth.gap(box2d.fraction)));
+        const double error = std::abs(static_cast<double>(oracle.gap(box2d.fraction)));
         row.max_error_box2d_m = std::max(row.max_error_box2d_m, error);
         row.max_error_box2d_eps = std::max(row.max_error_box2d_eps, error / (kFloatEpsilon * size));
         row.histogram_box2d.add(error / size);
@@ -69,12 +69,12 @@ ParityRow compare_cast_block(const CastFamily& family, std::uint64_t begin, std:
     row.name = family.name;
     std::vector<CastQuery> queries;
     for (std::uint64_t index = begin; index < end; ++index) queries.push_back(family.generate(options.seed, index));
-    const std::vector<std::optional<B2Cast>> box2d = ask_all_box2d(queries);
+    const std::vector<std::optional<B2Cast>> box2d = query_box2d_all(queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const CastQuery& query = queries[i];
-        const TrueMotion truth(query);
-        const CastResult ours = ask_tumble(query);
-        const CastVerdict verdict = judge(truth, ours);
+        const MotionOracle oracle(query);
+        const CastResult ours = query_tumble(query);
+        const CastVerdict verdict = judge(oracle, ours);
         ++row.pairs;
         ++row.comparisons;
         ++row.checked_exactly;
@@ -82,7 +82,7 @@ ParityRow compare_cast_block(const CastFamily& family, std::uint64_t begin, std:
         failure.family = family.name;
         failure.seed = options.seed;
         failure.index = begin + i;
-        add_ours(row, query, truth, ours, verdict, failure);
+        add_ours(row, query, oracle, ours, verdict, failure);
         if (!box2d[i]) {
             ++row.box2d_refused;
             if (verdict == CastVerdict::graze) ++row.ill_conditioned;
@@ -90,8 +90,8 @@ ParityRow compare_cast_block(const CastFamily& family, std::uint64_t begin, std:
         }
         const double size = largest_coordinate_of(query);
         const CastVerdict theirs =
-            judge(truth, *box2d[i], box2d[i]->tolerance + kParityTolerance * kFloatEpsilon * size);
-        add_box2d(row, truth, *box2d[i], theirs, size);
+            judge(oracle, *box2d[i], box2d[i]->tolerance + kParityTolerance * kFloatEpsilon * size);
+        add_box2d(row, oracle, *box2d[i], theirs, size);
         const bool differs = (ours.status == CastStatus::hit) != box2d[i]->hits;
         if ((verdict == CastVerdict::graze || differs) && !is_wrong(verdict) && !is_wrong(theirs))
             ++row.ill_conditioned;

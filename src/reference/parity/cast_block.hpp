@@ -1,4 +1,4 @@
-// A block of moving pairs, asked of both engines and judged.
+// Queries both engines with a block of moving pairs and judges the answers.
 #pragma once
 
 #include "reference/families/cast_families.hpp"
@@ -6,8 +6,8 @@
 
 namespace tumble::reference {
 
-// Moving pairs [begin, end) of a family, each judged; where the engines answer differently and neither is wrong, the
-// input is ill-conditioned. Errors are gaps at the fractions of hits (m).
+// Moving pairs [begin, end) of a family. A pair is ill-conditioned if the engines answer differently and neither is
+// wrong. Errors are gaps at the fractions of hits (m).
 ParityRow compare_cast_block(const CastFamily& family, std::uint64_t begin, std::uint64_t end,
                              const ParityOptions& options);
 

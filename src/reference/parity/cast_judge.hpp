@@ -1,21 +1,22 @@
-// The judge of one answer about moving shapes.
+// Judges an answer about moving shapes by the oracle.
 #pragma once
 
 #include "reference/box2d/b2_cast.hpp"
-#include "reference/exact/true_motion.hpp"
+#include "reference/exact/motion_oracle.hpp"
 
 namespace tumble::reference {
 
-// `missed`: the gap falls below -4 E before the answer says so, or though it says never. `false_hit`: at the fraction
-// the gap is above 4 E, or below -4 E. `bracket`: the gap does not pass 0 between lower and upper. `graze`: right
-// within 4 E, where the exact motion would have been answered the other way.
+// `missed`: the gap falls below -4 E before the reported fraction, or although a miss is reported. `false_hit`: the
+// absolute gap at the fraction is above 4 E. `bracket`: the gap does not reach 0 between lower and upper. `graze`:
+// right within 4 E, although the exact answer is the opposite. `refused`: the status is `invalid`. From `missed` on,
+// the answer is wrong.
 enum class CastVerdict : std::uint8_t { hit, miss, overlap, graze, missed, false_hit, bracket, refused };
 const char* to_string(CastVerdict verdict);
 inline bool is_wrong(CastVerdict verdict) { return verdict >= CastVerdict::missed; }
 
-CastVerdict judge(const TrueMotion& truth, const CastResult& ours);
+CastVerdict judge(const MotionOracle& oracle, const CastResult& ours);
 
-// The same for Box2D, whose E is 4 eps S and its own tolerance; no bracket.
-CastVerdict judge(const TrueMotion& truth, const B2Cast& box2d, double tolerance);
+// The same for Box2D with `tolerance` (m) in place of 4 E, and without a bracket.
+CastVerdict judge(const MotionOracle& oracle, const B2Cast& box2d, double tolerance);
 
 }  // namespace tumble::reference

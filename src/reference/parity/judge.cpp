@@ -10,15 +10,15 @@ namespace tumble::reference {
 
 namespace {
 
-// What is promised of our own numbers: the core distance within E = 16 u (RA + RB + |p|), and 4 u of all lengths that
-// subtracting the radii rounds. The bounds are E on either side of it, and the loop may stop with its own two bounds 2
-// E apart: as much may lie between 0 and the distance where "touching" is said.
-struct Promise {
+// The error limits of tumble's answers. The core distance is within E = 16 u (RA + RB + |p|); subtracting the radii
+// adds 4 u of all lengths. The bounds are E on either side, and the loop may stop with its bounds 2 E apart: for
+// "touching", the distance may be that far from 0.
+struct ErrorLimits {
     double distance = 0.0;
     double bounds = 0.0;
 };
 
-Promise promise_of(const PairQuery& query) {
+ErrorLimits error_limits_of(const PairQuery& query) {
     constexpr double kUnitRoundoff = 0x1p-53;
     const double radii = double{query.a.radius()} + query.b.radius(), scale = bound_scale(query);
     const double subtraction = 4.0 * (radii + scale);
@@ -30,10 +30,10 @@ double tolerance(const PairQuery& query) { return kParityTolerance * kFloatEpsil
 
 bool exceeds(double error, double bound) { return !(error <= bound); }  // NaN exceeds every bound
 
-bool says_overlap(const B2Distance& answer) { return answer.distance == 0.0; }
+bool reports_overlap(const B2Distance& answer) { return answer.distance == 0.0; }
 
 bool contradicts(const B2Distance& answer, int exact_sign) {
-    return (exact_sign > 0 && says_overlap(answer)) || (exact_sign < 0 && !says_overlap(answer));
+    return (exact_sign > 0 && reports_overlap(answer)) || (exact_sign < 0 && !reports_overlap(answer));
 }
 
 bool contradicts(DistanceStatus status, int exact_sign) {
@@ -50,76 +50,81 @@ int sign_of(DistanceStatus status) {
     return status == DistanceStatus::separated ? 1 : status == DistanceStatus::overlapping ? -1 : 0;
 }
 
-// Without an exact answer ours stands for it: it is nearer than Box2D's by eight digits.
+// The error of Box2D relative to tumble's answer, which has eight more digits.
 double clamped_difference(const Comparison& comparison) {
     return std::abs(comparison.box2d->distance - std::max(0.0, comparison.ours.distance));
 }
 
-// Overlapping, Box2D's points are the middle of the overlap by design.
-bool has_comparable_witness(const B2Distance& answer) { return !says_overlap(answer); }
+// For overlapping radii both witness points of Box2D are the middle of the overlap, by design.
+bool has_comparable_witness(const B2Distance& answer) { return !reports_overlap(answer); }
 
-struct Verdict {
+struct Findings {
     bool ours = false;
     bool box2d = false;
     bool box2d_flag = false;
     bool ill_conditioned = false;
     std::string reason;
 
-    Culprit culprit() const {
-        if (ours) return box2d ? Culprit::both : Culprit::ours;
-        return box2d ? Culprit::box2d : ill_conditioned ? Culprit::ill_conditioned : Culprit::none;
+    ParityVerdict verdict() const {
+        if (ours) return box2d ? ParityVerdict::both_wrong : ParityVerdict::ours_wrong;
+        return box2d             ? ParityVerdict::box2d_wrong
+               : ill_conditioned ? ParityVerdict::ill_conditioned
+                                 : ParityVerdict::right;
     }
-    void say(const char* text) { reason += reason.empty() ? text : std::string(", ") + text; }
+    void add_reason(const char* text) { reason += reason.empty() ? text : std::string(", ") + text; }
 };
 
-bool ours_is_vague(const Comparison& comparison, const ExactSide& exact) {
+bool is_inaccurate(const Comparison& comparison, const GroundTruth& exact) {
     const DistanceResult& ours = comparison.ours;
-    const Promise promise = promise_of(comparison.query);
+    const ErrorLimits limits = error_limits_of(comparison.query);
     if (exceeds(ours.lower, ours.distance) || exceeds(ours.distance, ours.upper)) return true;
-    if (!exact.is_exact()) return exceeds(ours.upper - ours.lower, promise.bounds);
-    return exceeds(exact.error_of(ours.distance), promise.distance) ||
-           (ours.status == DistanceStatus::touching && exceeds(std::abs(exact.value()), promise.bounds));
+    if (!exact.is_exact()) return exceeds(ours.upper - ours.lower, limits.bounds);
+    return exceeds(exact.error_of(ours.distance), limits.distance) ||
+           (ours.status == DistanceStatus::touching && exceeds(std::abs(exact.value()), limits.bounds));
 }
 
 bool is_certified(const Comparison& comparison) {
     return check_certificate(comparison.query, comparison.ours) == CertificateVerdict::accepted;
 }
 
-void judge_ours(ParityRow& row, const Comparison& comparison, const ExactSide* exact, double bound, Verdict& verdict) {
+void judge_ours(ParityRow& row, const Comparison& comparison, const GroundTruth* exact, double bound,
+                Findings& findings) {
     const bool is_wrong = exact && exact->ours_is_wrong(comparison.ours);
-    const bool is_vague = exact && ours_is_vague(comparison, *exact);
+    const bool is_imprecise = exact && is_inaccurate(comparison, *exact);
     const bool is_unproved = exact && !is_wrong && !is_certified(comparison);
-    if (is_wrong || is_vague || is_unproved) {
+    if (is_wrong || is_imprecise || is_unproved) {
         ++row.ours_wrong;
-        verdict.ours = true;
-        verdict.say(is_wrong ? "tumble's bounds or status" : is_vague ? "tumble's accuracy" : "tumble's certificate");
+        findings.ours = true;
+        findings.add_reason(is_wrong       ? "tumble's bounds or status"
+                            : is_imprecise ? "tumble's accuracy"
+                                           : "tumble's certificate");
     }
     if (exceeds(witness_error(comparison.query, comparison.ours), bound)) {
         ++row.ours_witness_wrong;
-        verdict.ours = true;
-        verdict.say("tumble's witness points");
+        findings.ours = true;
+        findings.add_reason("tumble's witness points");
     }
 }
 
-void judge_box2d(ParityRow& row, const Comparison& comparison, const ExactSide* exact, double error, double bound,
-                 Verdict& verdict) {
+void judge_box2d(ParityRow& row, const Comparison& comparison, const GroundTruth* exact, double error, double bound,
+                 Findings& findings) {
     const bool by_flag = exact && contradicts(*comparison.box2d, exact->sign());
     const bool by_distance = exact && exceeds(error, bound);
     row.box2d_wrong_flag += by_flag;
     row.box2d_wrong_distance += by_distance;
     row.box2d_wrong += by_flag || by_distance;
-    verdict.box2d = by_flag || by_distance;
-    verdict.box2d_flag = by_flag;
-    if (by_flag) verdict.say("Box2D's overlap flag");
-    if (by_distance) verdict.say("Box2D's distance");
+    findings.box2d = by_flag || by_distance;
+    findings.box2d_flag = by_flag;
+    if (by_flag) findings.add_reason("Box2D's overlap flag");
+    if (by_distance) findings.add_reason("Box2D's distance");
     if (has_comparable_witness(*comparison.box2d) &&
         exceeds(witness_error(comparison.query, *comparison.box2d), bound)) {
         ++row.box2d_witness_wrong;
-        verdict.say("Box2D's witness points");
+        findings.add_reason("Box2D's witness points");
     }
 }
 
-bool differ(const Comparison& comparison, const ExactSide& exact, double bound) {
+bool differ(const Comparison& comparison, const GroundTruth& exact, double bound) {
     const B2Distance& box2d = *comparison.box2d;
     if (exceeds(clamped_difference(comparison), bound) || contradicts(box2d, sign_of(comparison.ours.status)))
         return true;
@@ -136,14 +141,14 @@ void add_ours_error(ParityRow& row, const Comparison& comparison, double error) 
 
 }  // namespace
 
-ExactSide ExactSide::of_distance(ExactDistance exact) {
-    ExactSide side;
+GroundTruth GroundTruth::of_distance(ExactDistance exact) {
+    GroundTruth side;
     side.exact_ = std::move(exact);
     return side;
 }
 
-ExactSide ExactSide::of_certificate(const PairQuery& query, const DistanceResult& ours) {
-    ExactSide side;
+GroundTruth GroundTruth::of_certificate(const PairQuery& query, const DistanceResult& ours) {
+    GroundTruth side;
     side.proved_ =
         ours.status != DistanceStatus::invalid && check_certificate(query, ours) == CertificateVerdict::accepted;
     side.lower_ = ours.lower;
@@ -151,26 +156,26 @@ ExactSide ExactSide::of_certificate(const PairQuery& query, const DistanceResult
     return side;
 }
 
-bool ExactSide::ours_is_wrong(const DistanceResult& ours) const {
+bool GroundTruth::ours_is_wrong(const DistanceResult& ours) const {
     if (!exact_) return !proved_;
     return ours.status == DistanceStatus::invalid || !(std::isfinite(ours.lower) && std::isfinite(ours.upper)) ||
            exact_->compare(ours.lower) < 0 || exact_->compare(ours.upper) > 0 || contradicts(ours.status, sign());
 }
 
-int ExactSide::sign() const {
+int GroundTruth::sign() const {
     if (exact_) return exact_->sign();
     return lower_ > 0.0 ? 1 : upper_ < 0.0 ? -1 : 0;
 }
 
-double ExactSide::value() const { return exact_ ? exact_->value() : 0.5 * (lower_ + upper_); }
+double GroundTruth::value() const { return exact_ ? exact_->value() : 0.5 * (lower_ + upper_); }
 
-double ExactSide::error_of(double signed_distance) const {
+double GroundTruth::error_of(double signed_distance) const {
     if (!std::isfinite(signed_distance)) return INFINITY;
     if (exact_) return std::abs(exact_->minus(signed_distance));
     return std::max({0.0, lower_ - signed_distance, signed_distance - upper_});
 }
 
-double ExactSide::error_of_clamped(double distance) const {
+double GroundTruth::error_of_clamped(double distance) const {
     if (!std::isfinite(distance)) return INFINITY;
     return sign() > 0 ? error_of(distance) : std::abs(distance);
 }
@@ -183,16 +188,16 @@ bool needs_exact_check(const Comparison& comparison) {
                                 contradicts(*comparison.box2d, sign_of(comparison.ours.status)));
 }
 
-void add_comparison(ParityRow& row, const Comparison& comparison, const ExactSide* exact, CaseId id) {
+void add_comparison(ParityRow& row, const Comparison& comparison, const GroundTruth* exact, CaseId id) {
     const double largest = largest_coordinate(comparison.query);
-    const double unit = kFloatEpsilon * (largest > 0.0 ? largest : 1.0);  // all 0: every error is too
+    const double unit = kFloatEpsilon * (largest > 0.0 ? largest : 1.0);  // if all coordinates are 0, so is every error
     const double bound = kParityTolerance * unit;
-    Verdict verdict;
+    Findings findings;
     ++row.comparisons;
     row.checked_exactly += exact != nullptr;
     row.iterations_ours += comparison.ours.iterations;
     row.max_iterations_ours = std::max(row.max_iterations_ours, int{comparison.ours.iterations});
-    judge_ours(row, comparison, exact, bound, verdict);
+    judge_ours(row, comparison, exact, bound, findings);
     const double error_ours = exact ? exact->error_of(comparison.ours.distance) : 0.0;
     if (exact) {
         add_ours_error(row, comparison, error_ours);
@@ -206,17 +211,17 @@ void add_comparison(ParityRow& row, const Comparison& comparison, const ExactSid
         row.max_error_box2d_m = std::max(row.max_error_box2d_m, error_box2d);
         row.max_error_box2d_eps = std::max(row.max_error_box2d_eps, error_box2d / unit);
         if (exact) row.histogram_box2d.add(kFloatEpsilon * (error_box2d / unit));
-        judge_box2d(row, comparison, exact, error_box2d, bound, verdict);
-        verdict.ill_conditioned = exact && !verdict.ours && !verdict.box2d && differ(comparison, *exact, bound);
-        row.ill_conditioned += verdict.ill_conditioned;
+        judge_box2d(row, comparison, exact, error_box2d, bound, findings);
+        findings.ill_conditioned = exact && !findings.ours && !findings.box2d && differ(comparison, *exact, bound);
+        row.ill_conditioned += findings.ill_conditioned;
     } else {
         ++row.box2d_refused;
     }
-    const double severity = std::max(error_box2d, verdict.box2d_flag ? std::abs(exact->value()) : 0.0) / unit;
-    if (verdict.ours || (exact && comparison.box2d && row.is_among_worst(verdict.box2d_flag, severity)))
+    const double severity = std::max(error_box2d, findings.box2d_flag ? std::abs(exact->value()) : 0.0) / unit;
+    if (findings.ours || (exact && comparison.box2d && row.is_among_worst(findings.box2d_flag, severity)))
         row.keep({row.name, id.seed, id.index, comparison.query, comparison.ours, comparison.box2d,
                   exact ? exact->value() : comparison.ours.distance, error_ours, error_box2d, error_box2d / unit,
-                  verdict.box2d_flag, severity, verdict.culprit(), verdict.reason});
+                  findings.box2d_flag, severity, findings.verdict(), findings.reason});
 }
 
 void add_invalid_comparison(ParityRow& row, const PairQuery& query, const DistanceResult& ours, CaseId id) {
@@ -227,8 +232,8 @@ void add_invalid_comparison(ParityRow& row, const PairQuery& query, const Distan
     if (ours.status == DistanceStatus::invalid && is_nan(ours.distance) && is_nan(ours.lower) && is_nan(ours.upper))
         return;
     ++row.ours_wrong;
-    row.keep({row.name, id.seed, id.index, query, ours, std::nullopt, NAN, 0.0, 0.0, 0.0, false, 0.0, Culprit::ours,
-              "tumble's answer to invalid input"});
+    row.keep({row.name, id.seed, id.index, query, ours, std::nullopt, NAN, 0.0, 0.0, 0.0, false, 0.0,
+              ParityVerdict::ours_wrong, "tumble's answer to invalid input"});
 }
 
 }  // namespace tumble::reference

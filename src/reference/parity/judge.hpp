@@ -1,4 +1,4 @@
-// The judge of one comparison: both engines' answers to one query, blamed by exact arithmetic where it is asked for.
+// Judges both engines' answers to a query by exact arithmetic.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 
 namespace tumble::reference {
 
-// The exact side of a query: its distance, or, for large cores, the bounds that a certificate has proved.
-class ExactSide {
+// The ground truth of a query: the exact distance or, for large cores, the bounds that the certificate proves.
+class GroundTruth {
 public:
-    static ExactSide of_distance(ExactDistance exact);
-    static ExactSide of_certificate(const PairQuery& query, const DistanceResult& ours);
+    static GroundTruth of_distance(ExactDistance exact);
+    static GroundTruth of_certificate(const PairQuery& query, const DistanceResult& ours);
 
     bool is_exact() const { return exact_.has_value(); }
     bool ours_is_wrong(const DistanceResult& ours) const;
-    int sign() const;      // of the exact signed distance; 0 also if the proved bounds straddle 0
+    int sign() const;      // of the exact signed distance; 0 also if 0 is between the proved bounds
     double value() const;  // the exact signed distance, or the middle of the bounds
-    double error_of(double signed_distance) const;   // the absolute difference from it, or from the nearer bound
-    double error_of_clamped(double distance) const;  // the same for a distance that is 0 inside
+    double error_of(double signed_distance) const;   // absolute, from the exact distance or the nearer bound
+    double error_of_clamped(double distance) const;  // the same for a distance that is 0 for overlap
     bool has_unique_pair() const { return exact_ && exact_->has_unique_pair(); }
 
 private:
@@ -35,17 +35,19 @@ struct Comparison {
     const std::optional<B2Distance>& box2d;
 };
 
-// True if the engines differ by more than the tolerance, or an answer contradicts itself: the exact side must decide.
+// True if the engines differ by more than the tolerance or tumble's answer is inconsistent: the ground truth must
+// decide.
 bool needs_exact_check(const Comparison& comparison);
 
-// Adds the comparison to the row; `exact` may be null if no check is needed. `id` names the pair in cases kept.
+// Adds the comparison to the row. `exact` may be null if no exact check is needed. `id` identifies the pair in kept
+// cases.
 struct CaseId {
     std::uint64_t seed = 0;
     std::uint64_t index = 0;
 };
-void add_comparison(ParityRow& row, const Comparison& comparison, const ExactSide* exact, CaseId id);
+void add_comparison(ParityRow& row, const Comparison& comparison, const GroundTruth* exact, CaseId id);
 
-// For input that must be refused: ours is wrong if it answers.
+// For invalid input: tumble's answer is wrong unless its status is `invalid`.
 void add_invalid_comparison(ParityRow& row, const PairQuery& query, const DistanceResult& ours, CaseId id);
 
 }  // namespace tumble::reference

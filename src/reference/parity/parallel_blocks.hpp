@@ -1,4 +1,4 @@
-// Independent blocks of work on several threads, their results taken in the order of the blocks.
+// Runs independent blocks of work on several threads and takes their results in the order of the blocks.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 
 namespace tumble::reference {
 
-// work(i) runs for every i < count, on `threads` threads (0: one a core); take(i, result) runs in ascending i, in one
-// thread at a time. The first exception ends the run and is thrown to the caller.
+// work(i) runs for every i < count on `threads` threads (0: one per core). take(i, result) is called in ascending i, by
+// one thread at a time. The first exception ends the run and is rethrown to the caller.
 template <class Result, class Work, class Take>
 void run_blocks(std::size_t count, int threads, Work work, Take take) {
     std::mutex mutex;
-    std::map<std::size_t, Result> waiting;  // finished before one of a lower number
+    std::map<std::size_t, Result> waiting;  // results of blocks after one that is not finished
     std::size_t next_block = 0, next_taken = 0;
     std::exception_ptr failure;
     const auto run = [&] {

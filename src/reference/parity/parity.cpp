@@ -1,4 +1,4 @@
-// The run over the table of families: shares, blocks, threads.
+// The parity run over all families: shares, blocks, threads.
 #include "reference/parity/parity.hpp"
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "debug/check.hpp"
 #include "reference/families/cast_families.hpp"
 #include "reference/families/pair_families.hpp"
 #include "reference/parity/cast_block.hpp"
@@ -16,13 +17,13 @@ namespace tumble::reference {
 
 namespace {
 
-// A row of the run: pairs that stand still or that move.
+// A row of the run: a family of pairs at rest, or of moving pairs.
 struct Family {
-    const PairFamily* still = nullptr;
+    const PairFamily* resting = nullptr;
     const CastFamily* moving = nullptr;
 
-    std::string name() const { return std::string(still ? still->name : moving->name); }
-    double share() const { return still ? still->share : moving->share; }
+    std::string name() const { return std::string(resting ? resting->name : moving->name); }
+    double share() const { return resting ? resting->share : moving->share; }
     std::uint64_t block_pairs() const;
 };
 
@@ -33,8 +34,8 @@ struct Block {
     std::uint64_t end = 0;
 
     ParityRow compare(const ParityOptions& options) const {
-        return family.still ? compare_family_block(*family.still, begin, end, options)
-                            : compare_cast_block(*family.moving, begin, end, options);
+        return family.resting ? compare_family_block(*family.resting, begin, end, options)
+                              : compare_cast_block(*family.moving, begin, end, options);
     }
 };
 
@@ -42,7 +43,7 @@ constexpr std::uint64_t kBlockPairs = 256;  // its queries and answers stay in t
 constexpr std::uint64_t kLargeBlockPairs = 8;
 
 std::uint64_t Family::block_pairs() const {
-    return still && still->kind == FamilyKind::large ? kLargeBlockPairs : kBlockPairs;
+    return resting && resting->kind == FamilyKind::large ? kLargeBlockPairs : kBlockPairs;
 }
 
 std::vector<Family> chosen_families(const std::vector<std::string>& names) {
@@ -53,13 +54,13 @@ std::vector<Family> chosen_families(const std::vector<std::string>& names) {
     }
     for (const std::string& name : names) {
         chosen.push_back({find_pair_family(name), find_cast_family(name)});
-        if (!chosen.back().still && !chosen.back().moving)
+        if (!chosen.back().resting && !chosen.back().moving)
             throw std::invalid_argument("no family of pairs is called '" + name + "'");
     }
     return chosen;
 }
 
-// Splits the pairs among the families by their shares; the rounded running sum keeps the total exact.
+// Divides the pairs among the families by their shares. Rounding the running sum keeps the total exact.
 std::vector<Block> make_blocks(const std::vector<Family>& families, std::uint64_t pairs) {
     double all_shares = 0.0, share = 0.0;
     for (const Family& family : families) all_shares += family.share();
@@ -74,6 +75,7 @@ std::vector<Block> make_blocks(const std::vector<Family>& families, std::uint64_
         const std::uint64_t count = until - given, step = families[row].block_pairs();
         for (std::uint64_t begin = 0; begin < count; begin += step)
             blocks.push_back({row, families[row], begin, std::min(begin + step, count)});
+        TUMBLE_CHECK(given <= until);
         given = until;
     }
     return blocks;

@@ -1,12 +1,13 @@
-// Parity: every distance by tumble and by b2Distance, and exact arithmetic to say who is wrong where they differ.
+// Parity: every distance by tumble and by b2Distance, with exact arithmetic as the judge where they differ.
 //
-// *Wrong* is ours if the exact signed distance is outside [lower, upper], if the status contradicts its sign, if the
-// distance or a "touching" is farther from the truth than rounding explains (bounds that are wide would prove nothing),
-// or if its certificate does not prove the bounds; Box2D's if its distance is more than 4 eps S from the exact one
-// (clamped at 0), or its overlap flag contradicts the exact sign; S is the largest world coordinate, eps that of float.
-// *Ill-conditioned*: the engines differ over that tolerance and neither is wrong. Checked exactly: every pair over
-// tolerance, the first pairs of each family, and a seeded share of the rest. Shapes with radii are compared twice, the
-// bare cores first. Results do not depend on the number of threads.
+// An answer of tumble is *wrong* if the exact signed distance is outside [lower, upper], if the status contradicts its
+// sign, if the distance, or 0 for "touching", is farther from the exact one than the stated error bound (wide bounds
+// would prove nothing), or if the certificate does not prove the bounds. An answer of Box2D is wrong if its distance is
+// more than 4 eps S from the exact one (clamped at 0), or if its overlap flag contradicts the exact sign; S is the
+// largest world coordinate, eps that of float. A pair is *ill-conditioned* if the answers differ by more than that
+// tolerance and neither is wrong. Checked exactly are all pairs over the tolerance, the first pairs of each family, and
+// a seeded share of the rest. Shapes with radii are compared twice, the bare cores first. Results do not depend on the
+// number of threads.
 #pragma once
 
 #include <array>
@@ -27,10 +28,11 @@ namespace tumble::reference {
 inline constexpr double kFloatEpsilon = 0x1p-23;
 inline constexpr double kParityTolerance = 4.0;  // in units of eps S; the worst error of an ordinary pair is 2.3
 
-enum class Culprit : std::uint8_t { none, ours, box2d, both, ill_conditioned };
-const char* to_string(Culprit culprit);
+// The result of comparing both answers with the exact one.
+enum class ParityVerdict : std::uint8_t { right, ours_wrong, box2d_wrong, both_wrong, ill_conditioned };
+const char* to_string(ParityVerdict verdict);
 
-// One comparison that is worth showing: what failed, and the worst that did not.
+// A comparison that reports show: wrong answers, and the largest errors of Box2D.
 struct ParityCase {
     std::string family;
     std::uint64_t seed = 0;
@@ -42,14 +44,14 @@ struct ParityCase {
     double error_ours_m = 0.0;
     double error_box2d_m = 0.0;
     double error_box2d_eps = 0.0;   // in units of eps S
-    bool box2d_wrong_flag = false;  // it says overlap of separated shapes, or the other way round
+    bool box2d_wrong_flag = false;  // overlap reported for separated shapes, or the reverse
     double severity = 0.0;          // of Box2D's error: with a wrong flag at least |exact|, in units of eps S
-    Culprit culprit = Culprit::none;
-    std::string reason;  // "flag", "distance", "witness points", ... of each culprit
+    ParityVerdict verdict = ParityVerdict::right;
+    std::string reason;  // what is wrong, such as "Box2D's distance, Box2D's witness points"
 };
 
-// Counts of |error| / S by half decades: bin i holds [10^(i/2 - 20), 10^((i + 1)/2 - 20)), the first one also all below
-// (0 too), the last one all above and what is not a number.
+// Counts of |error| / S by half decades: bin i counts [10^(i/2 - 20), 10^((i + 1)/2 - 20)). The first bin also counts
+// all smaller errors including 0, the last one all larger errors and NaN.
 struct ErrorHistogram {
     static constexpr int kBins = 44;
     std::array<std::uint64_t, kBins> counts{};
@@ -61,15 +63,15 @@ struct ErrorHistogram {
 struct ParityRow {
     std::string name;
     std::uint64_t pairs = 0;
-    std::uint64_t comparisons = 0;         // pairs, and once more those with radii
+    std::uint64_t comparisons = 0;         // pairs; those with radii count twice
     std::uint64_t checked_exactly = 0;     // comparisons
     std::uint64_t ours_wrong = 0;          // comparisons, as above
-    std::uint64_t ours_witness_wrong = 0;  // witness points off their surfaces, or not the distance apart, by 4 eps S
+    std::uint64_t ours_witness_wrong = 0;  // witness points off by 4 eps S, see witness_error()
     std::uint64_t box2d_wrong = 0;
     std::uint64_t box2d_wrong_flag = 0;      // of box2d_wrong: by the overlap flag
     std::uint64_t box2d_wrong_distance = 0;  // of box2d_wrong: by the distance
     std::uint64_t box2d_witness_wrong = 0;
-    std::uint64_t box2d_refused = 0;  // not given to Box2D: its float cannot hold the input
+    std::uint64_t box2d_refused = 0;  // not passed to Box2D: the input does not fit float
     std::uint64_t ill_conditioned = 0;
     double max_error_ours_m = 0.0;      // over what was checked exactly
     double max_error_ours_units = 0.0;  // of u (RA + RB + |p| + radii)
@@ -88,7 +90,7 @@ struct ParityRow {
     static constexpr std::size_t kKeptWorst = 4;
 
     bool is_among_worst(bool wrong_flag, double severity) const;
-    void keep(ParityCase comparison);    // in the list or lists that it belongs to
+    void keep(ParityCase comparison);    // adds it to `ours_failures` and `worst_box2d` as they apply
     void merge(const ParityRow& later);  // a row of later pairs of the same family, or of another for a total
 };
 
@@ -109,14 +111,15 @@ struct ParityResult {
     double seconds = 0.0;             // wall clock
 
     ParityRow total() const;
-    bool passed() const;  // nothing of ours is wrong, witness points included
+    bool passed() const;  // no answer of tumble is wrong, witness points included
 };
 
 // Throws std::invalid_argument for a family that does not exist.
 ParityResult run_parity(const ParityOptions& options);
 
-// Runs the scene and compares every pair of shapes that its broad phase finds, in every step; one row, named as the
-// scene. `steps` 0: its whole duration. Of the options, families and pairs are ignored; the world runs in one thread.
+// Runs the scene and compares every pair of shapes that the broad phase finds in every step. One row with the name of
+// the scene. `steps` 0: the whole duration. The options `families` and `pairs` are ignored; the world runs in one
+// thread.
 ParityResult run_scene_parity(const Scene& scene, const ParityOptions& options, std::uint64_t steps = 0);
 
 }  // namespace tumble::reference

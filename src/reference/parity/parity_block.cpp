@@ -3,6 +3,7 @@
 #include <mutex>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "reference/box2d/b2_types.hpp"
 #include "reference/query/random.hpp"
 
@@ -10,12 +11,12 @@ namespace tumble::reference {
 
 namespace {
 
-constexpr int kLargestExact = 64;  // vertices of a core; beyond, the certificate is checked
+constexpr int kLargestExact = 64;  // vertices of a core; for larger ones the certificate is checked
 
 bool has_radii(const PairQuery& query) { return query.a.radius() > 0.0f || query.b.radius() > 0.0f; }
 
-// The queries of a block, those with radii twice: bare cores first, as they are second.
-struct Inquiries {
+// The queries of a block. A pair with radii gives two: the bare cores, then the pair itself.
+struct QueryList {
     std::vector<PairQuery> queries;
     std::vector<std::uint64_t> indices;  // [queries.size()], of the pair
 
@@ -31,10 +32,10 @@ private:
     }
 };
 
-DistanceResult ask_tumble(const PairQuery& query) { return distance(query.a, query.pose_a, query.b, query.pose_b); }
+DistanceResult query_tumble(const PairQuery& query) { return distance(query.a, query.pose_a, query.b, query.pose_b); }
 
-// The same bits, a pair a lane.
-std::vector<DistanceResult> ask_tumble(const std::vector<PairQuery>& queries) {
+// The same answers, bit for bit, by the batch with one pair per lane.
+std::vector<DistanceResult> query_tumble(const std::vector<PairQuery>& queries) {
     std::vector<PosedPair> pairs;
     pairs.reserve(queries.size());
     for (const PairQuery& query : queries) pairs.push_back({&query.a, query.pose_a, &query.b, query.pose_b});
@@ -43,9 +44,8 @@ std::vector<DistanceResult> ask_tumble(const std::vector<PairQuery>& queries) {
     return answers;
 }
 
-// One block at a time. Bare cores are asked without `useRadii`, which would call
-// everything within 1.2e-7 m an overlap.
-std::vector<std::optional<B2Distance>> ask_box2d(const std::vector<PairQuery>& queries) {
+// Bare cores are queried without `useRadii`, with which Box2D reports everything within 1.2e-7 m as an overlap.
+std::vector<std::optional<B2Distance>> query_box2d(const std::vector<PairQuery>& queries) {
     const std::scoped_lock lock(b2_query_lock);
     std::vector<std::optional<B2Distance>> answers;
     answers.reserve(queries.size());
@@ -57,14 +57,14 @@ bool is_large(const PairQuery& query) {
     return query.a.vertex_count() > kLargestExact || query.b.vertex_count() > kLargestExact;
 }
 
-// Exact sides of a block's queries in their order: the cores of a pair with radii are measured once.
-class ExactSource {
+// The ground truth of a block's queries, in their order. The exact distance of the cores is computed once per pair.
+class GroundTruthCache {
 public:
-    ExactSide side(const PairQuery& query, const DistanceResult& ours, std::uint64_t index) {
-        if (is_large(query)) return ExactSide::of_certificate(query, ours);
+    GroundTruth truth_of(const PairQuery& query, const DistanceResult& ours, std::uint64_t index) {
+        if (is_large(query)) return GroundTruth::of_certificate(query, ours);
         if (!cores_ || index != index_) cores_.emplace(query);
         index_ = index;
-        return ExactSide::of_distance(cores_->with_radii(query.a.radius(), query.b.radius()));
+        return GroundTruth::of_distance(cores_->with_radii(query.a.radius(), query.b.radius()));
     }
 
 private:
@@ -76,16 +76,19 @@ bool is_sampled(std::uint64_t index, const ParityOptions& options) {
     return index < options.checked_first || Random(~options.seed, index).chance(options.checked_share);
 }
 
-void judge(ParityRow& row, const Inquiries& inquiries, const ParityOptions& options) {
-    const std::vector<DistanceResult> ours = ask_tumble(inquiries.queries);
-    const std::vector<std::optional<B2Distance>> box2d = ask_box2d(inquiries.queries);
-    ExactSource source;
-    for (std::size_t i = 0; i < inquiries.queries.size(); ++i) {
-        const std::uint64_t index = inquiries.indices[i];
-        const Comparison comparison{inquiries.queries[i], ours[i], box2d[i]};
-        std::optional<ExactSide> exact;
+void judge(ParityRow& row, const QueryList& list, const ParityOptions& options) {
+    const std::vector<DistanceResult> ours = query_tumble(list.queries);
+    const std::vector<std::optional<B2Distance>> box2d = query_box2d(list.queries);
+    TUMBLE_CHECK(list.indices.size() == list.queries.size());
+    TUMBLE_CHECK(ours.size() == list.queries.size());
+    TUMBLE_CHECK(box2d.size() == list.queries.size());
+    GroundTruthCache cache;
+    for (std::size_t i = 0; i < list.queries.size(); ++i) {
+        const std::uint64_t index = list.indices[i];
+        const Comparison comparison{list.queries[i], ours[i], box2d[i]};
+        std::optional<GroundTruth> exact;
         if (is_sampled(index, options) || needs_exact_check(comparison))
-            exact = source.side(comparison.query, comparison.ours, index);
+            exact = cache.truth_of(comparison.query, comparison.ours, index);
         add_comparison(row, comparison, exact ? &*exact : nullptr, {options.seed, index});
     }
 }
@@ -94,28 +97,29 @@ void judge(ParityRow& row, const Inquiries& inquiries, const ParityOptions& opti
 
 ParityRow compare_family_block(const PairFamily& family, std::uint64_t begin, std::uint64_t end,
                                const ParityOptions& options) {
+    TUMBLE_CHECK(begin <= end);
     ParityRow row;
     row.name = family.name;
     row.pairs = end - begin;
-    Inquiries inquiries;
+    QueryList list;
     for (std::uint64_t index = begin; index < end; ++index) {
         const PairQuery query = family.generate(options.seed, index);
         if (family.kind == FamilyKind::invalid) {
-            add_invalid_comparison(row, query, ask_tumble(query), {options.seed, index});
+            add_invalid_comparison(row, query, query_tumble(query), {options.seed, index});
         } else {
-            inquiries.add(query, index);
+            list.add(query, index);
         }
     }
-    judge(row, inquiries, options);
+    judge(row, list, options);
     return row;
 }
 
 ParityRow compare_queries(std::span<const PairQuery> queries, std::uint64_t first_index, const ParityOptions& options) {
     ParityRow row;
     row.pairs = queries.size();
-    Inquiries inquiries;
-    for (std::size_t i = 0; i < queries.size(); ++i) inquiries.add(queries[i], first_index + i);
-    judge(row, inquiries, options);
+    QueryList list;
+    for (std::size_t i = 0; i < queries.size(); ++i) list.add(queries[i], first_index + i);
+    judge(row, list, options);
     return row;
 }
 

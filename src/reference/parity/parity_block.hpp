@@ -1,4 +1,4 @@
-// A block of pairs, asked of both engines and judged.
+// Queries both engines with a block of pairs and judges the answers.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ namespace tumble::reference {
 ParityRow compare_family_block(const PairFamily& family, std::uint64_t begin, std::uint64_t end,
                                const ParityOptions& options);
 
-// Queries that come from elsewhere, the first of them with the given index.
+// Queries of the caller; the first one has the index `first_index`.
 ParityRow compare_queries(std::span<const PairQuery> queries, std::uint64_t first_index, const ParityOptions& options);
 
 }  // namespace tumble::reference

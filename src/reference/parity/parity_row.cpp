@@ -1,4 +1,4 @@
-// Counting and merging of parity results: the order of merging is the order of the pairs, whoever compared them.
+// Counts and merges parity results. Rows are merged in the order of the pairs, whichever thread compared them.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@ namespace tumble::reference {
 
 namespace {
 
-// A wrong flag is a contact missed or made up; an error of the distance below that is a matter of degree.
+// A wrong overlap flag, which misses or invents a contact, is worse than any error of the distance.
 bool is_worse(const ParityCase& a, const ParityCase& b) {
     if (a.box2d_wrong_flag != b.box2d_wrong_flag) return a.box2d_wrong_flag;
     return a.severity > b.severity;
@@ -21,13 +21,13 @@ void raise(T& largest, T value) {
 
 }  // namespace
 
-const char* to_string(Culprit culprit) {
-    switch (culprit) {
-        case Culprit::none: return "none";
-        case Culprit::ours: return "ours";
-        case Culprit::box2d: return "Box2D";
-        case Culprit::both: return "both";
-        case Culprit::ill_conditioned: return "ill-conditioned";
+const char* to_string(ParityVerdict verdict) {
+    switch (verdict) {
+        case ParityVerdict::right: return "none";
+        case ParityVerdict::ours_wrong: return "ours";
+        case ParityVerdict::box2d_wrong: return "Box2D";
+        case ParityVerdict::both_wrong: return "both";
+        case ParityVerdict::ill_conditioned: return "ill-conditioned";
     }
     return "unknown";
 }
@@ -55,11 +55,12 @@ bool ParityRow::is_among_worst(bool wrong_flag, double severity) const {
 
 void ParityRow::keep(ParityCase comparison) {
     if (is_among_worst(comparison.box2d_wrong_flag, comparison.severity)) {
-        const auto place = std::ranges::upper_bound(worst_box2d, comparison, is_worse);
-        worst_box2d.insert(place, comparison);
+        const auto position = std::ranges::upper_bound(worst_box2d, comparison, is_worse);
+        worst_box2d.insert(position, comparison);
         if (worst_box2d.size() > kKeptWorst) worst_box2d.pop_back();
     }
-    const bool is_failure = comparison.culprit == Culprit::ours || comparison.culprit == Culprit::both;
+    const bool is_failure =
+        comparison.verdict == ParityVerdict::ours_wrong || comparison.verdict == ParityVerdict::both_wrong;
     if (is_failure && ours_failures.size() < kKeptFailures) ours_failures.push_back(std::move(comparison));
 }
 

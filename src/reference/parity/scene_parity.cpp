@@ -1,4 +1,4 @@
-// Parity over a running scene: the pairs that its stepper really asks about.
+// Parity over a running scene: the pairs that the broad phase passes to the narrow phase.
 #include <algorithm>
 #include <chrono>
 

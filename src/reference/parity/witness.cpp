@@ -14,7 +14,7 @@ double segment_distance_sq(DVec2 from, DVec2 to) {
     return length_sq(from + t * edge);
 }
 
-// Like std::max, but a NaN stays.
+// Like std::max, but NaN if either is NaN.
 double larger(double a, double b) { return a > b || std::isnan(a) ? a : b; }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How far the witness points of an answer are from what they claim to be.
+// The error of the witness points of an answer.
 #pragma once
 
 #include "reference/box2d/b2_distance.hpp"
@@ -7,11 +7,11 @@
 
 namespace tumble::reference {
 
-// The distance of a world point from the surface of the shape, from either side, in double (m). O(n).
+// The absolute distance of a world point from the surface of the shape, in double (m). O(n).
 double surface_distance(const Shape& shape, const Pose& world_from_shape, DVec2 point);
 
-// The larger of the two surface distances, and how far the points are from being `distance` apart: along the normal
-// where the engine gives one. NaN if a point is not finite.
+// The largest of the two surface distances and of the deviation of the points' offset from `distance` (along the
+// normal, if the engine returns one). NaN if a point is not finite.
 double witness_error(const PairQuery& query, const DistanceResult& result);
 double witness_error(const PairQuery& query, const B2Distance& result);
 

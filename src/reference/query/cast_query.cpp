@@ -2,7 +2,7 @@
 
 namespace tumble::reference {
 
-CastResult ask_tumble(const CastQuery& query) {
+CastResult query_tumble(const CastQuery& query) {
     switch (query.kind) {
         case CastKind::ray: return cast_ray(query.a, query.pose_a, query.pose_b.position, query.translation);
         case CastKind::shape:

@@ -1,4 +1,4 @@
-// One query about moving shapes as plain data, and tumble's answer to it.
+// A query about moving shapes as plain data, and tumble's answer to it.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ enum class CastKind : std::uint8_t { ray, shape, impact };
 struct CastQuery {
     CastKind kind = CastKind::ray;
     Shape a, b;              // b of a ray is a point
-    Pose pose_a, pose_b;     // of a ray or a shape cast...
-    DVec2 translation;       // ...in which B moves relative to A
+    Pose pose_a, pose_b;     // of a ray or a shape cast
+    DVec2 translation;       // of B relative to A, in a ray or a shape cast
     Sweep sweep_a, sweep_b;  // of a time of impact
     double target = 0.0;     // signed distance
 };
 
-CastResult ask_tumble(const CastQuery& query);
+CastResult query_tumble(const CastQuery& query);
 
-// The shapes where they start.
+// The shapes at their poses at the start.
 PairQuery start_of(const CastQuery& query);
 
 }  // namespace tumble::reference

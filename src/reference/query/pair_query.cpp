@@ -32,7 +32,7 @@ double largest_coordinate(const Shape& shape, const Pose& pose) {
     return largest + shape.radius();
 }
 
-// Taken after the rotation, which may be drifted from unit length.
+// The radius of the rotated core: the rotation may have drifted from unit length.
 double core_radius(const Shape& shape, const Pose& pose) {
     double radius_sq = 0.0;
     for (int i = 0; i < shape.vertex_count(); ++i)

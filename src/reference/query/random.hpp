@@ -1,14 +1,15 @@
-// Random numbers for generators: counter-based, so that any pair of a run can be made again from (seed, index) alone.
+// Counter-based random numbers for generators: any pair of a run can be made again from (seed, index) alone.
 //
-// SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014) and our own mapping to
-// doubles, because those of <random> differ between standard libraries. Where a caller draws twice, it does so in two
-// statements or in one braced list: the order of arguments and operands is the compiler's choice, and a pair must not
-// be.
+// SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014) with a mapping to doubles of
+// its own: the distributions of <random> differ between standard libraries. A caller that draws twice does so in two
+// statements or in one braced list, because the order in which arguments and operands are evaluated is the compiler's
+// choice.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 
+#include "debug/check.hpp"
 #include "tumble/math.hpp"
 
 namespace tumble::reference {
@@ -21,13 +22,14 @@ public:
     double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }  // [0, 1)
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
     int integer(int low, int high) {  // both included
+        TUMBLE_CHECK(low <= high);
         const auto count = static_cast<std::uint64_t>(std::int64_t{high} - low + 1);
         return low + static_cast<int>(bits() % count);
     }
     bool chance(double probability) { return uniform() < probability; }
     double sign() { return chance(0.5) ? 1.0 : -1.0; }
 
-    // Of the order of magnitude of a power of two with an exponent in [low, high].
+    // In [2^e, 2^(e + 1)) for a random exponent e in [low, high].
     double magnitude(int low, int high) {
         const int exponent = integer(low, high);
         return std::ldexp(uniform(1.0, 2.0), exponent);
@@ -41,7 +43,7 @@ public:
         const SinCos v = sin_cos(uniform(-kPi, kPi));
         return {v.cos, v.sin};
     }
-    DVec2 vector(int low, int high) {  // of such a magnitude, in any direction
+    DVec2 vector(int low, int high) {  // of a random magnitude() in a random direction
         const double along = magnitude(low, high);
         return along * direction();
     }

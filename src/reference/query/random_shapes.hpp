@@ -1,5 +1,6 @@
-// Random convex shapes whose outlines are convex exactly, not up to rounding: hulls of integer points, scaled by powers
-// of two. And placing a shape at a wanted gap from another, by support vertices and by nothing of the narrow phase.
+// Random shapes whose outlines are convex exactly, not only up to rounding: hulls of integer points, scaled by powers
+// of two. Also functions that place a shape at a given gap from another, by support vertices and without the narrow
+// phase.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +19,10 @@ struct GridPoint {
     friend constexpr auto operator<=>(GridPoint, GridPoint) = default;
 };
 
-// Grid coordinates stay below this, so that they are exact floats and their cross products exact integers.
+// Grid coordinates are below this limit: they are exact floats, and their cross products are exact integers.
 inline constexpr std::int64_t kGridLimit = std::int64_t{1} << 24;
 
-// The convex hull, counter-clockwise from the lowest of the leftmost points, without repeated and collinear ones
+// The convex hull, counter-clockwise from the lowest of the leftmost points, without repeated and collinear points
 // (Andrew 1979).
 std::vector<GridPoint> convex_hull(std::vector<GridPoint> points);
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "debug/check.hpp"
 namespace tumble::render {
 namespace {
 
@@ -108,6 +109,7 @@ Canvas::Pipeline Canvas::make_pipeline(const ShaderSource& source, std::span<con
     gl_.BindBuffer(GL_ARRAY_BUFFER, pipeline.buffer);
     for (GLuint i = 0; i < attributes.size(); ++i) {
         const Attribute& attribute = attributes[i];
+        TUMBLE_CHECK(attribute.offset < stride);
         const GLboolean normalized = attribute.type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE;
         gl_.VertexAttribPointer(i, attribute.components, attribute.type, normalized, static_cast<GLsizei>(stride),
                                 reinterpret_cast<const void*>(attribute.offset));
@@ -119,6 +121,7 @@ Canvas::Pipeline Canvas::make_pipeline(const ShaderSource& source, std::span<con
 
 void Canvas::draw(Color background, std::span<const Layer* const> layers, const GlyphAtlas& atlas, Image& image) {
     resize(image, width_, height_);
+    TUMBLE_CHECK(image.rgba.size() == byte_count(width_, height_));
     context_->bind(image.rgba.data(), width_, height_);
     gl_.ClearColor(static_cast<float>(background.r) / 255.0f, static_cast<float>(background.g) / 255.0f,
                    static_cast<float>(background.b) / 255.0f, 1.0f);
@@ -158,6 +161,7 @@ void Canvas::draw_instances(const Pipeline& pipeline, const std::vector<Instance
 
 void Canvas::draw_mesh(const std::vector<MeshVertex>& vertices, double outline_width) {
     if (vertices.empty()) return;
+    TUMBLE_CHECK(vertices.size() % 3 == 0);
     use(mesh_, outline_width);
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(MeshVertex)), vertices.data(),
                    GL_STREAM_DRAW);
@@ -166,6 +170,7 @@ void Canvas::draw_mesh(const std::vector<MeshVertex>& vertices, double outline_w
 
 void Canvas::update_atlas(const GlyphAtlas& atlas) {
     if (atlas.revision() == atlas_revision_) return;
+    TUMBLE_CHECK(atlas.texels().size() == std::size_t{GlyphAtlas::kSize} * GlyphAtlas::kSize);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, GlyphAtlas::kSize, GlyphAtlas::kSize, 0, GL_RED, GL_UNSIGNED_BYTE,
                    atlas.texels().data());
     atlas_revision_ = atlas.revision();

@@ -1,7 +1,7 @@
 // Draws layers of primitives with OpenGL 3.3 into an image.
 //
-// The GL objects belong to the context and end with it. One buffer and one vertex array for each kind of primitive;
-// each layer is uploaded and drawn in turn.
+// Each kind of primitive has a program, a vertex array and a buffer. The layers are uploaded and drawn one after the
+// other. The GL objects belong to the context and are destroyed with it.
 #pragma once
 
 #include <cstddef>
@@ -22,11 +22,11 @@ public:
     // Throws RenderError if there is no context or a program does not compile.
     Canvas(std::unique_ptr<OffscreenContext> context, int width, int height);
 
-    // Draws the layers in turn into `image`, resized to the canvas.
+    // Draws the layers in order, each over those before, into `image`, which is resized to the canvas.
     void draw(Color background, std::span<const Layer* const> layers, const GlyphAtlas& atlas, Image& image);
 
 private:
-    // How one member of an instance or a vertex reaches its program.
+    // Where a vertex attribute lies in an instance or a mesh vertex.
     struct Attribute {
         GLint components;
         GLenum type;  // GL_FLOAT, or GL_UNSIGNED_BYTE for a colour
@@ -54,7 +54,7 @@ private:
     std::unique_ptr<OffscreenContext> context_;
     int width_ = 0;
     int height_ = 0;
-    Image first_;  // what the context is bound to while it is set up
+    Image first_;  // the target of the context until the first call of draw()
     GlApi gl_;
     Pipeline circles_, boxes_, polygons_, rounded_polygons_, mesh_, glyphs_;
     GLuint atlas_texture_ = 0;

@@ -1,4 +1,4 @@
-// The GL functions we call, found at run time: nothing links a GL library.
+// The GL functions that the canvas calls, looked up at run time: no target links a GL library.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -7,7 +7,7 @@
 
 namespace tumble::render {
 
-// Each entry is a function's name without "gl", and the type of a pointer to it.
+// One entry per function: its name without "gl", and the type of a pointer to it.
 #define TUMBLE_GL_FUNCTIONS(X)                                   \
     X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                     \
     X(AttachShader, PFNGLATTACHSHADERPROC)                       \
@@ -55,7 +55,7 @@ struct GlApi {
 #undef TUMBLE_GL_MEMBER
 };
 
-// Throws RenderError that names a function the context lacks.
+// Throws RenderError that names the first function that the context lacks.
 GlApi load_gl_api(const OffscreenContext& context);
 
 }  // namespace tumble::render

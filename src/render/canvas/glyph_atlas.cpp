@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 
+#include "debug/check.hpp"
 #include "render/canvas/utf8.hpp"
 #include "tumble/render.hpp"
 
@@ -56,7 +57,7 @@ GlyphAtlas::~GlyphAtlas() = default;
 namespace {
 
 // Calls visit(glyph index, pen in pixels from the line's start) for each character that the font has, and returns the
-// line's width: emoji and what else it lacks would be boxes.
+// line's width. Characters without a glyph, such as emoji, are skipped: the font would show boxes.
 template <class Visit>
 double walk_line(const stbtt_fontinfo& font, double scale, std::string_view utf8, Visit visit) {
     double pen = 0.0;
@@ -100,6 +101,8 @@ void GlyphAtlas::layout(std::string_view utf8, double size, double left, int bas
 }
 
 const GlyphAtlas::Glyph& GlyphAtlas::find_or_draw(int index, double size, int quarter) {
+    TUMBLE_CHECK(0 <= quarter);
+    TUMBLE_CHECK(quarter < 4);
     const Key key{index, static_cast<int>(std::floor(16.0 * size + 0.5)), quarter};
     const auto [entry, is_new] = glyphs_.try_emplace(key);
     Glyph& glyph = entry->second;
@@ -114,7 +117,7 @@ const GlyphAtlas::Glyph& GlyphAtlas::find_or_draw(int index, double size, int qu
     glyph.height = bottom - glyph.offset_y;
     if (glyph.width <= 0 || glyph.height <= 0) return glyph;  // a space
 
-    // Rows of glyphs, each as high as its highest: texts use few sizes, so that little is wasted.
+    // Glyphs are packed in rows, each as high as its highest glyph. Texts use few sizes, so that little is wasted.
     if (shelf_x_ + glyph.width > kSize) {
         shelf_x_ = 0;
         shelf_y_ += shelf_height_;
@@ -124,6 +127,8 @@ const GlyphAtlas::Glyph& GlyphAtlas::find_or_draw(int index, double size, int qu
     glyph.x = shelf_x_;
     glyph.y = shelf_y_;
     glyph.stored = true;
+    TUMBLE_CHECK(glyph.x + glyph.width <= kSize);
+    TUMBLE_CHECK(glyph.y + glyph.height <= kSize);
     shelf_x_ += glyph.width;
     shelf_height_ = std::max(shelf_height_, glyph.height);
     stbtt_MakeGlyphBitmapSubpixel(&font_->info, texels_.data() + glyph.y * kSize + glyph.x, glyph.width, glyph.height,

@@ -1,7 +1,7 @@
 // Text as rectangles of an atlas of glyphs, rasterised by stb_truetype when first used.
 //
-// Glyphs lie on whole pixels of the frame, at one of four quarter-pixel shifts, so that they stay crisp and evenly
-// spaced. What a text looks like does not depend on where its glyphs lie in the atlas.
+// A glyph covers whole pixels of the frame and is rasterised at one of four quarter-pixel shifts, so that text is crisp
+// and evenly spaced. Its pixels do not depend on its position in the atlas.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace tumble::render {
 // The first of the files that exists. Throws RenderError that lists them.
 std::filesystem::path find_font(std::span<const std::filesystem::path> candidates);
 
-// Where distributions put DejaVu Sans.
+// The paths of DejaVu Sans in common distributions.
 std::span<const std::filesystem::path> font_candidates();
 
 class GlyphAtlas {
@@ -37,7 +37,7 @@ public:
     double width(std::string_view utf8, double size) const;
 
     // Appends the glyphs of a line that starts at column `left` (pixels from the frame's left edge) with its baseline
-    // below row `baseline` (from the top). Glyphs that no longer fit into the atlas are left out.
+    // below row `baseline` (from the top). Glyphs that do not fit into a full atlas are left out.
     void layout(std::string_view utf8, double size, double left, int baseline, int frame_width, int frame_height,
                 Color color, std::vector<GlyphInstance>& out);
 

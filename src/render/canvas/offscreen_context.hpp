@@ -1,4 +1,5 @@
-// A GL context without a window. One back end is one file; nothing else knows which it is.
+// A GL context without a window. Each back end is one source file with a factory declared below; the canvas depends on
+// the interface alone.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +13,16 @@ public:
 
     virtual ~OffscreenContext() = default;
 
-    // Makes the context current on this thread, drawing into `rgba`, [height][width][4], top row first.
+    // Makes the context current on this thread with the target `rgba`, [height][width][4], top row first. The buffer
+    // must outlive the drawing.
     virtual void bind(std::uint8_t* rgba, int width, int height) = 0;
 
     // The GL entry point of that name, or null.
     virtual Procedure find_procedure(const char* name) const = 0;
 };
 
-// A context of OpenGL 3.3, core profile, drawn by Mesa on the processor. The library is loaded on the first call and
-// stays loaded. Throws RenderError.
+// OpenGL 3.3, core profile, by Mesa's software rasteriser. The library is loaded on the first call and stays loaded.
+// Throws RenderError.
 std::unique_ptr<OffscreenContext> make_osmesa_context();
 
 }  // namespace tumble::render

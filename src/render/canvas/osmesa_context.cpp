@@ -1,7 +1,7 @@
-// OSMesa: Mesa's software rasteriser drawing into our own memory.
+// OSMesa: Mesa's software rasteriser, which draws into a buffer of the caller.
 //
 // The library is opened at run time. Linked, it would cost every process 50 MB and 9 ms, and export names that clash
-// with a real GL. It draws into the caller's buffer once the commands are finished, so that nothing is read back.
+// with a real GL. The buffer holds the frame after glFinish: no pixels are read back.
 #include <GL/osmesa.h>
 #include <dlfcn.h>
 
@@ -23,8 +23,8 @@ struct Library {
 };
 
 void* open_library() {
-    // One thread draws, others encode: a pool of rasteriser threads would only get in their way. The variable is read
-    // while the library loads; a value set by the user stands.
+    // One thread draws while others encode: rasteriser threads would compete with them. The library reads the variable
+    // while it loads. A value set by the user is kept.
     setenv("LP_NUM_THREADS", "0", 0);
     std::string reasons;
     for (const char* name : {"libOSMesa.so.8", "libOSMesa.so"}) {

@@ -1,6 +1,6 @@
-// What a frame is made of: instances of a few kinds, grouped in layers, in pixels from the middle of the frame, y up.
+// The primitives of a frame, grouped in layers. Coordinates are pixels from the middle of the frame, y up.
 //
-// Plain data in the layout in which the canvas uploads it; built without GL.
+// Plain data in the layout in which the canvas uploads it. Building it needs no GL.
 #pragma once
 
 #include <array>
@@ -52,7 +52,7 @@ struct GlyphInstance {
     Color color;
 };
 
-// Drawn in the order of the members: what comes later covers what came before.
+// Drawn in the order of the members: later kinds cover earlier ones.
 struct Layer {
     std::vector<MeshVertex> mesh;  // three to a triangle
     std::vector<PolygonInstance> polygons;
@@ -60,8 +60,8 @@ struct Layer {
     std::vector<BoxInstance> boxes;
     std::vector<CircleInstance> circles;
     std::vector<GlyphInstance> glyphs;
-    double outline_width =
-        0.0;  // pixels, of all outlines in the layer; they lie inside the shapes, half inside of joined parts
+    // Of all outlines in the layer (pixels). An outline lies inside its shape; those of joined parts straddle the edge.
+    double outline_width = 0.0;
 
     void clear() {
         mesh.clear();
@@ -79,10 +79,10 @@ struct DrawList {
     Layer grid;
     Layer ground;   // static bodies
     Layer sensors;  // of any body
-    Layer bodies;   // all others
-    Layer islands;  // their fills, over the bodies' own
+    Layer bodies;   // kinematic and dynamic bodies
+    Layer islands;  // bodies again, in the colours of their islands
     Layer details;  // orientation marks and joints
-    Layer overlay;  // what the stepper knows, and what a marking points at
+    Layer overlay;  // contacts, normals, boxes, velocities; markings
     Layer labels;
 
     std::array<Layer*, 8> layers() {

@@ -13,8 +13,8 @@ vec4 premultiplied(vec4 color) { return vec4(color.rgb * color.a, color.a); }
 vec2 corner() { return vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0; }
 )";
 
-// An instance is drawn as the rectangle around it, half a pixel larger on each side: beyond that nothing is covered.
-// Small shapes have thinner outlines, so that their fill stays visible.
+// An instance is drawn as the rectangle around it, grown by the half pixel over which its edge is blended. Small shapes
+// have thinner outlines, so that their fill stays visible.
 const std::string kInstanceHead = kVertexHead + R"(
 layout(location = 0) in vec4 fill;
 layout(location = 1) in vec4 outline;
@@ -103,7 +103,7 @@ void main() {
 )"};
 }
 
-// The distance to a convex polygon without a radius: the largest of those to its edges' lines.
+// The depth in a convex polygon without a radius is the largest signed distance to the lines through its edges.
 ShaderSource polygon_shader() {
     return {"polygon", kPolygonHead + R"(
 flat out vec3 edge[8];  // unit normal, offset
@@ -135,7 +135,7 @@ void main() {
 )"};
 }
 
-// With a radius the distance to the corners counts as well: the least of those to the edges as segments.
+// A rounded polygon needs the true distance near its corners too: the least distance to its edges as segments.
 ShaderSource rounded_polygon_shader() {
     return {"rounded polygon", kPolygonHead + R"(
 flat out vec4 segment[8];  // a vertex, the edge from it

@@ -1,8 +1,8 @@
 // The GLSL of the canvas: one program for each kind of primitive.
 //
-// A fragment's colour follows from its signed distance to the shape's edge, in pixels (negative inside): half a pixel
-// on either side of the edge is blended, and likewise where outline and fill meet. One program that branches over all
-// kinds takes twice the time on a software rasteriser.
+// The colour of a fragment is a function of its signed distance to the shape's edge in pixels (negative inside). Half a
+// pixel on either side of the edge is blended, and likewise between outline and fill. A single program that branches
+// over all kinds takes twice the time on a software rasteriser.
 #pragma once
 
 #include <string>

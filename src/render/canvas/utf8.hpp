@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <string_view>
 
+#include "debug/check.hpp"
 namespace tumble::render {
 
 // Removes the first character from a text that is not empty, and returns its code point; U+FFFD for a byte that
 // begins no well-formed sequence.
 inline char32_t take_code_point(std::string_view& text) {
+    TUMBLE_CHECK(!text.empty());
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t lead = byte(0);
     const std::size_t size = lead < 0x80                   ? 1

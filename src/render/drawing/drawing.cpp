@@ -1,9 +1,10 @@
-// The drawing's building blocks that are more than one element: dashes and arrow heads.
+// The methods of Drawing: each appends one element, or the several of a dashed line, an arrow or a polyline.
 #include "tumble/drawing.hpp"
 
 #include <algorithm>
 #include <utility>
 
+#include "debug/check.hpp"
 namespace tumble {
 
 void Drawing::line(DVec2 from, DVec2 to, double width_px, Color color) {
@@ -12,6 +13,7 @@ void Drawing::line(DVec2 from, DVec2 to, double width_px, Color color) {
 
 void Drawing::dashed_line(DVec2 from, DVec2 to, double width_px, Color color) {
     constexpr double kDash = 6.0, kPeriod = 10.0;  // px
+    static_assert(kDash < kPeriod);
     const double total = length(to - from);
     for (double start = 0.0; start < total; start += kPeriod) {
         const double end = std::min(start + kDash, total);
@@ -23,6 +25,7 @@ void Drawing::arrow(DVec2 from, DVec2 to, double width_px, Color color) {
     const double total = length(to - from);
     if (total == 0.0) return;
     const double head = std::min(4.0 + 3.0 * width_px, total);
+    TUMBLE_CHECK(head > 0.0);
     const DVec2 along = (1.0 / total) * (to - from);
     const DVec2 neck = to - head * along;
     const DVec2 side = (0.4 * head) * perp(along);

@@ -1,7 +1,7 @@
-// Explanatory drawings as images, by the canvas that draws the frames.
+// Drawings as images, by the canvas that draws the frames.
 //
-// A layer draws its kinds in a fixed order, a drawing in the order of its list: an element whose kind comes before that
-// of the element below it opens a new layer.
+// The canvas draws the kinds of a layer in a fixed order, but a drawing is drawn in the order of its list. An element
+// whose kind precedes that of the element before it therefore opens a new layer.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "render/canvas/canvas.hpp"
 #include "render/shapes/outline_mesh.hpp"
 #include "render/shapes/shape_primitives.hpp"
@@ -60,7 +61,7 @@ public:
     void add(const DrawnDisc& disc) {
         const DVec2 center = to_canvas(disc.center);
         const bool has_outline = disc.outline_width > 0.0;
-        // Outlines of a drawing straddle the edge, those of the canvas lie inside it.
+        // Outlines of a drawing straddle the edge; the canvas draws them inside it.
         const double radius = disc.radius + (has_outline ? 0.5 * disc.outline_width : 0.0);
         layer(Kind::circle, disc.outline_width)
             .circles.push_back({static_cast<float>(center.x),
@@ -83,7 +84,7 @@ public:
     }
 
 private:
-    enum class Kind { mesh, box, circle, glyph };  // in the order in which a layer draws them
+    enum class Kind { mesh, box, circle, glyph };  // in the order in which the canvas draws a layer
 
     DVec2 to_canvas(DVec2 p) const { return {p.x - 0.5 * width_, 0.5 * height_ - p.y}; }
 
@@ -93,10 +94,12 @@ private:
             layers_.back().outline_width = outline_width;
         }
         last_kind_ = kind;
+        TUMBLE_CHECK(layers_.back().outline_width == outline_width);
         return layers_.back();
     }
 
     void stroke(const std::vector<DVec2>& points, double width, Color color) {
+        TUMBLE_CHECK(width > 0.0);
         for (std::size_t i = 0; i < points.size(); ++i)
             layer(Kind::box, 0.0).boxes.push_back(make_line(points[i], points[(i + 1) % points.size()], width, color));
     }
@@ -104,7 +107,8 @@ private:
     void fill(const std::vector<DVec2>& points, Color color) {
         if (points.size() < 3) return;
         if (is_convex(points)) return add_convex_mesh(layer(Kind::mesh, 0.0).mesh, points, 0.0, flat(color));
-        // The pieces meet without a seam only if their edges are not blended; a hairline smooths those outside.
+        // Blended edges would leave seams between the pieces. They are drawn unblended, and a hairline smooths the
+        // outline.
         constexpr float kInside = -1e3f;
         constexpr double kHairline = 1.0;
         for (const Shape& piece : make_shapes(OutlineGeometry{points})) {

@@ -70,8 +70,8 @@ std::string element(const DrawnText& text) {
            "</text>\n";
 }
 
-// XML 1.0 has no way to write the other control characters.
-bool is_no_character(char c) { return static_cast<unsigned char>(c) < 0x20u && c != '\t' && c != '\n' && c != '\r'; }
+// Control characters that XML 1.0 cannot express.
+bool is_forbidden(char c) { return static_cast<unsigned char>(c) < 0x20u && c != '\t' && c != '\n' && c != '\r'; }
 
 }  // namespace
 
@@ -83,7 +83,7 @@ std::string escape_markup(std::string_view text) {
             case '<': escaped += "&lt;"; break;
             case '>': escaped += "&gt;"; break;
             case '"': escaped += "&quot;"; break;
-            default: escaped += is_no_character(c) ? '?' : c;
+            default: escaped += is_forbidden(c) ? '?' : c;
         }
     }
     return escaped;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
 #include "render/view/clip.hpp"
 
 namespace tumble::render {
@@ -19,6 +20,9 @@ PixelRect draw_frame(Drawing& drawing, PixelRect rect, const std::string& title,
 Panel::Panel(Drawing& drawing, PixelRect rect, std::span<const DVec2> points)
     : drawing_(drawing), rect_(rect), middle_{rect.left + 0.5 * rect.width, rect.top + 0.5 * rect.height} {
     constexpr double kMargin = 0.1;  // of the panel, on each side
+    TUMBLE_CHECK(!points.empty());
+    TUMBLE_CHECK(rect.width > 0.0);
+    TUMBLE_CHECK(rect.height > 0.0);
     DVec2 lower = points.front(), upper = points.front();
     for (const DVec2 p : points) {
         lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
@@ -42,22 +46,22 @@ void Panel::fill(std::span<const DVec2> outline, Color fill, double outline_widt
     if (outline.size() < 3) return;
     std::vector<DVec2> pixels;
     for (const DVec2 p : outline) pixels.push_back(view_.to_pixels(p));
-    const bool is_whole = std::ranges::all_of(pixels, [this](DVec2 p) { return view_.sees(p, 0.0); });
+    const bool is_whole = std::ranges::all_of(pixels, [this](DVec2 p) { return view_.is_in_view(p, 0.0); });
     pixels = clip_polygon(view_, 0.0, std::move(pixels));
     for (DVec2& p : pixels) p = middle_ + DVec2{p.x, -p.y};
     if (pixels.size() >= 3) drawing_.polygon(std::move(pixels), fill, is_whole ? outline_width : 0.0, color);
     if (is_whole) return;
-    // Its own edges alone: where the rectangle cuts it, there is none.
+    // Only the edges of the shape are lines; the cuts along the rectangle are not.
     for (std::size_t i = 0; i < outline.size(); ++i)
         line(outline[i], outline[i + 1 < outline.size() ? i + 1 : 0], outline_width, color);
 }
 
 void Panel::dot(DVec2 at, double radius_px, Color color) {
-    if (view_.sees(view_.to_pixels(at), 0.0)) drawing_.disc(to_pixels(at), radius_px, color);
+    if (view_.is_in_view(view_.to_pixels(at), 0.0)) drawing_.disc(to_pixels(at), radius_px, color);
 }
 
 void Panel::ring(DVec2 at, double radius_px, Color color) {
-    if (view_.sees(view_.to_pixels(at), 0.0)) drawing_.disc(to_pixels(at), radius_px, kTransparent, 1.5, color);
+    if (view_.is_in_view(view_.to_pixels(at), 0.0)) drawing_.disc(to_pixels(at), radius_px, kTransparent, 1.5, color);
 }
 
 void Panel::line(DVec2 from, DVec2 to, double width_px, Color color) {
@@ -78,7 +82,7 @@ void Panel::arrow(DVec2 from, DVec2 direction, double length_px, Color color) {
 }
 
 void Panel::label(DVec2 at, DVec2 offset_px, const std::string& text, double size, Color color) {
-    if (!view_.sees(view_.to_pixels(at), 0.0)) return;
+    if (!view_.is_in_view(view_.to_pixels(at), 0.0)) return;
     drawing_.text(to_pixels(at) + offset_px, text, size, color, TextAnchor::middle);
 }
 

@@ -1,5 +1,5 @@
-// A rectangle of a drawing that shows part of a plane: maps its coordinates (y up) to pixels (y down), and cuts what is
-// outside of it.
+// A rectangle of a drawing that shows part of a plane: maps coordinates (y up) to pixels (y down) and clips to the
+// rectangle.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ struct PixelRect {
     double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
 };
 
-// A frame with its title above and a caption below; gives what is left between them.
+// Draws a frame with a title and a caption, and returns the rectangle between them.
 PixelRect draw_frame(Drawing& drawing, PixelRect rect, const std::string& title, const std::string& caption = {});
 
 class Panel {
@@ -25,7 +25,7 @@ public:
 
     DVec2 to_pixels(DVec2 point) const;
 
-    // The outline is convex; what lies outside of the rectangle is cut off, of lines too.
+    // Fills and lines are clipped to the rectangle. The outline must be convex.
     void fill(std::span<const DVec2> outline, Color fill, double outline_width, Color color);
     void dot(DVec2 at, double radius_px, Color color);
     void ring(DVec2 at, double radius_px, Color color);
@@ -41,8 +41,8 @@ private:
     DVec2 middle_;  // of the rectangle, where the view's pixels count from
 };
 
-// The outline of a convex set as its support points over a full turn of directions, each pushed out by `radius` along
-// its direction: corners come out sharp for radius 0 and round otherwise.
+// The outline of a convex set grown by `radius`: its support points in directions over a full turn, each moved by
+// `radius` in its direction. Corners are sharp for radius 0 and round otherwise.
 template <class Support>
 std::vector<DVec2> sampled_outline(const Support& support, double radius) {
     constexpr int kDirections = 720;

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "debug/check.hpp"
 #include "render/frame/grid.hpp"
 #include "render/frame/joint_marks.hpp"
 #include "render/shapes/chain_band.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double kMarkOpacity = 0.6;
 
-// A body of several shapes shows which way it is turned by itself, unless they are circles.
+// A body of several shapes shows its angle without a mark, unless they are circles.
 bool has_mark(const Shape& shape, std::size_t shape_count) { return shape_count == 1 || shape.vertex_count() == 1; }
 
 void add_chain_bands(std::vector<MeshVertex>& mesh, const View& view, const SceneBody& body, const Pose& pose,
@@ -44,6 +45,7 @@ void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world
     std::size_t ordinal = 0;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
         const SceneInstance& body = world.bodies[i];
+        TUMBLE_CHECK(body.source < scene.bodies.size() + scene.timeline.size());
         ordinal = i > 0 && world.bodies[i - 1].source == body.source ? ordinal + 1 : 0;
         if (!world.world.is_valid(body.id)) continue;
         const std::span<const ShapeId> shapes = world.world.shapes(body.id);

@@ -1,4 +1,4 @@
-// From a scene's world to a draw list: what is drawn, where and in which colours. No GL, no text.
+// Builds the draw list of a world: every primitive with its pixels and colours. No GL, no text.
 #pragma once
 
 #include "render/canvas/primitives.hpp"
@@ -8,8 +8,8 @@
 
 namespace tumble::render {
 
-// Replaces the list by the world as it is now: grid, static bodies, sensors, all other bodies, orientation marks and
-// joints, each in the order of their ids. Bodies that were destroyed are left out.
+// Replaces the list by the present state of the world: grid, static bodies, sensors, all other bodies, orientation
+// marks and joints, each in the order of SceneWorld. Destroyed bodies are skipped.
 void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world, const View& view);
 
 }  // namespace tumble::render

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "debug/check.hpp"
 #include "render/style/style.hpp"
 
 namespace tumble::render {
@@ -51,8 +52,9 @@ double RoundLength::metres() const {
 }
 
 RoundLength round_length_from(double metres) {
+    TUMBLE_CHECK(metres > 0.0);
     RoundLength length{1, static_cast<int>(std::floor(std::log10(metres)))};
-    // log10 may round to either side of a power of ten: the loop decides.
+    // log10 may round to either side of a power of ten: start one below and let the comparison decide.
     for (--length.exponent;; ++length.exponent)
         for (const int mantissa : {1, 2, 5})
             if (length.mantissa = mantissa; length.metres() >= metres * (1.0 - 1e-12)) return length;

@@ -1,4 +1,4 @@
-// The metric grid behind the scene and the round lengths it and the scale bar use.
+// The metric grid behind the scene, and the round lengths of the grid and of the scale bar.
 #pragma once
 
 #include <string>
@@ -16,13 +16,13 @@ struct RoundLength {
     double metres() const;
 };
 
-// The least round length that is not below `metres` > 0.
+// The smallest round length of at least `metres`, which must be positive.
 RoundLength round_length_from(double metres);
 
 // "50 cm", "2 m", "10 km".
 std::string to_string(RoundLength length);
 
-// Appends lines one pixel wide, on whole pixels: fine ones, and every few of them a stronger one.
+// Appends lines one pixel wide, on whole pixels; every fourth or fifth one is stronger.
 void add_grid(Layer& layer, const View& view);
 
 }  // namespace tumble::render

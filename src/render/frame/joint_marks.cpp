@@ -11,19 +11,20 @@
 namespace tumble::render {
 namespace {
 
-constexpr double kAnchorMetres = 0.12;   // dots shrink with the scene once they would be larger than this
-constexpr double kSmallestAnchor = 0.8;  // pixels; smaller ones are left out
+constexpr double kAnchorMetres = 0.12;   // largest radius of a dot in the world
+constexpr double kSmallestAnchor = 0.8;  // least radius of a dot that is drawn (pixels)
 
 void add_anchor(Layer& layer, const View& view, DVec2 at) {
     const double radius = std::min(style::kAnchor * view.detail(), kAnchorMetres * view.scale);
-    if (radius < kSmallestAnchor || !view.sees(at, radius)) return;
+    if (radius < kSmallestAnchor || !view.is_in_view(at, radius)) return;
     layer.circles.push_back({static_cast<float>(at.x),
                              static_cast<float>(at.y),
                              static_cast<float>(radius),
                              {style::kAnchorFill, style::kJoint}});
 }
 
-// Where a wheel meets the rail of a rack: nearest to the wheel on the line along which the rack slides. A hinge stays.
+// The end of a gear's line at one of its joints. A prismatic joint is a rail: the point on its axis nearest to the
+// wheel. A hinge is an axle: its own anchor.
 DVec2 meshing_point(const World& world, JointId joint, DVec2 own, DVec2 wheel) {
     const auto* rail = std::get_if<PrismaticJointDef>(&world.joint(joint));
     if (!rail) return own;
@@ -31,8 +32,8 @@ DVec2 meshing_point(const World& world, JointId joint, DVec2 own, DVec2 wheel) {
     return own + (dot(axis, wheel - own) / length_sq(axis)) * axis;
 }
 
-// What a joint is drawn along: the points that it acts on, and between them the wheels that a rope runs over. A gear is
-// drawn from axle to axle, or to the rail.
+// The points that a joint is drawn through: its anchors, with the wheels of a pulley between them. A gear runs from
+// axle to axle or rail.
 std::vector<DVec2> path_of(const World& world, JointId id) {
     const std::optional<JointAnchors> ends = world.joint_anchors(id);
     if (!ends) return {};

@@ -1,4 +1,4 @@
-// Joints, drawn discreetly on top of the bodies.
+// Thin lines and small dots for the joints, over the bodies.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace tumble::render {
 
-// Appends the joints that still exist: a dot at each anchor, a line between the two where they are apart, by way of the
-// wheels that a rope runs over.
+// Appends the joints that are not destroyed: a dot at each anchor, and a line between the anchors if they are apart.
+// The line of a pulley runs over its wheels.
 void add_joints(Layer& layer, const View& view, const World& world, std::span<const SceneJointInstance> joints);
 
 }  // namespace tumble::render

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "debug/check.hpp"
 #include "render/frame/grid.hpp"
 #include "render/style/style.hpp"
 
@@ -16,9 +17,8 @@ constexpr int kSmallestHeight = 135;
 constexpr double kPlateOpacity = 0.82;
 constexpr double kPlatePadding = 8.0;  // pixels at 720 rows, as are all lengths below
 constexpr double kLineGap = 3.0;
-constexpr double kAscent =
-    0.93;  // of a line above its baseline, of the font's size, and of the whole line: DejaVu Sans
-constexpr double kLine = 1.17;
+constexpr double kAscent = 0.93;      // of DejaVu Sans over the font's size
+constexpr double kLine = 1.17;        // height of a line over the font's size
 constexpr double kScaleBar = 70.0;    // the least length of the scale bar
 constexpr double kLegendMark = 18.0;  // width of the marks in a legend
 constexpr double kBarEnd = 6.0;       // height of its ends
@@ -41,7 +41,7 @@ public:
 
     double pixels(double at_720_rows) const { return at_720_rows * view_.detail(); }
 
-    // Text whose line, as high as its font, has that top left corner.
+    // Text with the top left corner of its line at (left, top).
     void text(std::string_view text, double size, double left, double top, Color color) {
         const int baseline = static_cast<int>(std::floor(top + kAscent * size + 0.5));
         atlas_.layout(text, size, left, baseline, view_.width, view_.height, color, list_.labels.glyphs);
@@ -54,6 +54,8 @@ public:
     }
 
     void box(const Rectangle& r, double radius, Color color) {
+        TUMBLE_CHECK(2.0 * radius <= r.width);
+        TUMBLE_CHECK(2.0 * radius <= r.height);
         BoxInstance box;
         box.x = static_cast<float>(r.left + 0.5 * r.width - 0.5 * view_.width);
         box.y = static_cast<float>(0.5 * view_.height - r.top - 0.5 * r.height);
@@ -72,7 +74,7 @@ private:
     const View& view_;
 };
 
-// The title, shortened with an ellipsis until it fits.
+// The title, if need be cut and ended by an ellipsis so that it is at most `room` wide.
 std::string fitted(const Labels& labels, std::string_view title, double size, double room) {
     std::string text(title);
     while (!text.empty() && labels.width(text, size) > room) {
@@ -84,7 +86,7 @@ std::string fitted(const Labels& labels, std::string_view title, double size, do
     return text;
 }
 
-// Lines under each other in the upper left corner: the title larger than the rest.
+// In the upper left corner: title, time and caption, one line each.
 void add_heading(Labels& labels, const View& view, const LabelText& text) {
     struct Line {
         std::string text;
@@ -129,7 +131,7 @@ void add_scale_bar(Labels& labels, const View& view) {
     labels.text(text, size, area.left + length + tick, area.top, style::kFaintText);
 }
 
-// In the lower right corner, a line for each kind of mark.
+// In the lower right corner: one line for each kind of mark.
 void add_legend(Labels& labels, const View& view, std::span<const LegendLine> lines) {
     if (lines.empty()) return;
     const double margin = labels.pixels(style::kMargin), size = labels.pixels(style::kTextSize);

@@ -20,7 +20,7 @@ struct LabelText {
     std::vector<LegendLine> legend;
 };
 
-// Appends text, and the pale plates under it that keep it readable over bodies. Frames too small for it get none.
+// Appends the text and pale plates behind it, which keep it readable over bodies. Frames below 240 x 135 get none.
 void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, const LabelText& text);
 
 }  // namespace tumble::render

@@ -15,21 +15,21 @@ namespace {
 constexpr Color kMarked{205, 45, 40};
 
 // Pixels at 720 rows.
-constexpr double kEdge = 3.0;      // width of what is drawn around
+constexpr double kEdge = 3.0;      // width of an outline
 constexpr double kPointer = 26.0;  // length of an arrow at the frame's edge
-constexpr double kInset = 10.0;    // of its tip
+constexpr double kInset = 10.0;    // distance of its tip from the edge
 
 void add_edges(Marks& marks, const std::vector<DVec2>& outline) {
     for (std::size_t i = 0; i < outline.size(); ++i)
         marks.line(outline[i], outline[(i + 1) % outline.size()], kEdge, kMarked);
 }
 
-// The part of the frame that is well inside it.
+// Half the size of the frame, less an inset on each side.
 DVec2 half_frame(const View& view, double inset) {
     return {std::max(0.5 * view.width - inset, 0.0), std::max(0.5 * view.height - inset, 0.0)};
 }
 
-// An arrow at the frame's edge towards something that is out of view.
+// An arrow at the frame's edge towards a target out of view.
 void add_pointer(Marks& marks, const View& view, DVec2 target) {
     const DVec2 half = half_frame(view, marks.pixels(kInset));
     const double beyond = std::max(std::abs(target.x) / half.x, std::abs(target.y) / half.y);
@@ -37,16 +37,16 @@ void add_pointer(Marks& marks, const View& view, DVec2 target) {
     marks.arrow((1.0 - marks.pixels(kPointer) / length(tip)) * tip, tip, kMarked);
 }
 
-// Whether some of a box is in the frame; if not, an arrow points at it.
-bool is_seen(Marks& marks, const View& view, const Box& box) {
+// True if the box overlaps the frame; if not, adds an arrow towards it.
+bool show_or_point(Marks& marks, const View& view, const Box& box) {
     const DVec2 half = half_frame(view, 0.0);
-    if (Box{view.to_world(-half), view.to_world(half)}.meets(box)) return true;
+    if (Box{view.to_world(-half), view.to_world(half)}.overlaps(box)) return true;
     add_pointer(marks, view, view.to_pixels(box.center()));
     return false;
 }
 
 void add_region(Marks& marks, const View& view, std::span<const DVec2> corners) {
-    if (!is_seen(marks, view, box_around(corners))) return;
+    if (!show_or_point(marks, view, box_around(corners))) return;
     std::vector<DVec2> outline;
     for (const DVec2 corner : corners) outline.push_back(view.to_pixels(corner));
     add_edges(marks, outline);
@@ -54,7 +54,7 @@ void add_region(Marks& marks, const View& view, std::span<const DVec2> corners) 
 
 void add_body(Marks& marks, const View& view, const World& world, BodyId body) {
     const Box box = box_of(world, body);
-    if (box.is_empty() || !is_seen(marks, view, box)) return;
+    if (box.is_empty() || !show_or_point(marks, view, box)) return;
     const Pose pose = world.state(body).pose;
     for (const ShapeId shape : world.shapes(body)) add_edges(marks, pixel_outline(view, world.shape(shape), pose));
 }

@@ -1,4 +1,4 @@
-// What a frame points at: regions, and bodies, in view or out of it.
+// Highlights in a frame: outlined regions and bodies, and arrows towards those that are out of view.
 #pragma once
 
 #include "render/canvas/primitives.hpp"
@@ -7,7 +7,7 @@
 
 namespace tumble::render {
 
-// Bodies that are gone are left out.
+// Destroyed bodies are skipped.
 void add_marking(Layer& layer, const View& view, const World& world, const Marking& marking);
 
 }  // namespace tumble::render

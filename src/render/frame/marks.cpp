@@ -16,7 +16,7 @@ constexpr double kHead = 6.0;
 
 void Marks::dot(DVec2 at, Color color) {
     const double radius = pixels(kDot);
-    if (!view_.sees(at, radius)) return;
+    if (!view_.is_in_view(at, radius)) return;
     layer_.circles.push_back(
         {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(radius), {color, style::kBackground}});
 }
@@ -26,11 +26,11 @@ void Marks::line(DVec2 from, DVec2 to, double width, Color color) {
 }
 
 void Marks::arrow(DVec2 from, DVec2 to, Color color) {
-    const DVec2 way = to - from;
-    const double size = length(way);
+    const DVec2 along = to - from;
+    const double size = length(along);
     if (size < pixels(kMarkWidth)) return;
     line(from, to, kMarkWidth, color);
-    const DVec2 back = (std::min(pixels(kHead), 0.5 * size) / size) * way;
+    const DVec2 back = (std::min(pixels(kHead), 0.5 * size) / size) * along;
     for (const double side : {-0.6, 0.6}) line(to, to - back + side * perp(back), kMarkWidth, color);
 }
 

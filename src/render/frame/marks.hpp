@@ -1,4 +1,4 @@
-// Dots, lines and arrows over the shapes, of the same size in every view.
+// Dots, lines and arrows over the shapes, with a size in pixels whatever the scale of the view.
 #pragma once
 
 #include "render/canvas/primitives.hpp"
@@ -18,7 +18,7 @@ public:
     void dot(DVec2 at, Color color);
     void line(DVec2 from, DVec2 to, double width, Color color);
 
-    // The head is no longer than half the arrow; what is shorter than a line is wide is left out.
+    // The head is at most half as long as the arrow. An arrow shorter than its line is wide is not drawn.
     void arrow(DVec2 from, DVec2 to, Color color);
 
 private:

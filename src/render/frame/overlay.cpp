@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "debug/check.hpp"
 #include "render/frame/marks.hpp"
 #include "render/shapes/shape_primitives.hpp"
 #include "render/style/style.hpp"
@@ -11,21 +12,21 @@
 namespace tumble::render {
 namespace {
 
-// Strong colours, apart from those of bodies and from each other.
-constexpr Color kDeep{205, 45, 40};
-constexpr Color kApart{35, 105, 205};
+// Strong colours that differ from those of bodies and from each other.
+constexpr Color kOverlapping{205, 45, 40};
+constexpr Color kSeparated{35, 105, 205};
 constexpr Color kNormal{10, 115, 75};
 constexpr Color kBoxEdge{135, 85, 190};
 constexpr Color kVelocity{190, 85, 0};
-constexpr Color kTie{165, 30, 115};
+constexpr Color kJointLine{165, 30, 115};
 
 // Lengths in pixels at 720 rows.
 constexpr double kNormalLength = 20.0;
 constexpr double kThin = 1.0;
 
-constexpr double kVelocityTime = 0.1;  // s: an arrow is as long as the way made in this time
+constexpr double kVelocityTime = 0.1;  // s: an arrow shows the displacement in this time
 constexpr const char* kVelocityLegend = "velocity: the way of 0.1 s";
-constexpr double kAsleep = 0.65;  // share of the background in the colour of an island that sleeps
+constexpr double kAsleep = 0.65;  // share of the background in the colour of a sleeping island
 
 void add_boxes(Marks& marks, const View& view, const World& world) {
     for (const BodyId body : world.bodies())
@@ -39,6 +40,7 @@ void add_boxes(Marks& marks, const View& view, const World& world) {
 
 void add_islands(Layer& layer, const View& view, const World& world) {
     const std::vector<int> islands = world.islands();
+    TUMBLE_CHECK(islands.size() == world.bodies().size());
     for (std::size_t i = 0; i < islands.size(); ++i) {
         if (islands[i] < 0) continue;
         const BodyId body = world.bodies()[i];
@@ -56,7 +58,7 @@ void add_contacts(Marks& marks, const View& view, const World& world, const Over
     for (const ContactPoint& point : world.contacts()) {
         const DVec2 at = view.to_pixels(point.point);
         if (overlay.normals) marks.arrow(at, at + marks.pixels(kNormalLength) * DVec2(point.normal), kNormal);
-        if (overlay.contacts) marks.dot(at, point.separation < 0.0f ? kDeep : kApart);
+        if (overlay.contacts) marks.dot(at, point.separation < 0.0f ? kOverlapping : kSeparated);
     }
 }
 
@@ -68,23 +70,23 @@ void add_velocities(Marks& marks, const View& view, const World& world) {
     }
 }
 
-// From a body's centre of mass to its anchor. A static body's centre says nothing: only the anchor is marked.
-void add_tie(Marks& marks, const View& view, const World& world, BodyId body, DVec2 anchor) {
+// From a body's centre of mass to its anchor. A static body gets only the mark of the anchor.
+void add_joint_line(Marks& marks, const View& view, const World& world, BodyId body, DVec2 anchor) {
     const DVec2 at = view.to_pixels(anchor);
     if (world.type(body) != BodyType::static_body)
         marks.line(view.to_pixels(transform_point(world.state(body).pose, world.mass(body).center)), at, kMarkWidth,
-                   kTie);
-    marks.dot(at, kTie);
+                   kJointLine);
+    marks.dot(at, kJointLine);
 }
 
-void add_ties(Marks& marks, const View& view, const World& world) {
+void add_joint_lines(Marks& marks, const View& view, const World& world) {
     for (const JointId id : world.joints()) {
         const std::optional<JointAnchors> anchors = world.joint_anchors(id);
         if (!anchors) continue;
         const auto [a, b] =
             std::visit([](const auto& joint) { return std::pair(joint.body_a, joint.body_b); }, world.joint(id));
-        add_tie(marks, view, world, a, anchors->a);
-        add_tie(marks, view, world, b, anchors->b);
+        add_joint_line(marks, view, world, a, anchors->a);
+        add_joint_line(marks, view, world, b, anchors->b);
     }
 }
 
@@ -94,7 +96,7 @@ void add_overlay(DrawList& list, const View& view, const World& world, const Ove
     Marks marks(list.overlay, view);
     if (overlay.islands) add_islands(list.islands, view, world);
     if (overlay.aabbs) add_boxes(marks, view, world);
-    if (overlay.joints) add_ties(marks, view, world);
+    if (overlay.joints) add_joint_lines(marks, view, world);
     if (overlay.velocity) add_velocities(marks, view, world);
     if (overlay.contacts || overlay.normals) add_contacts(marks, view, world, overlay);
 }
@@ -114,14 +116,14 @@ std::vector<LegendLine> legend_of(const Overlay& overlay, const World& world) {
     using Mark = LegendLine::Mark;
     std::vector<LegendLine> lines;
     if (overlay.contacts) {
-        lines.push_back({Mark::dot, kDeep, "contact, overlapping"});
-        lines.push_back({Mark::dot, kApart, "contact, a gap left"});
+        lines.push_back({Mark::dot, kOverlapping, "contact, overlapping"});
+        lines.push_back({Mark::dot, kSeparated, "contact, a gap left"});
     }
     if (overlay.normals) lines.push_back({Mark::line, kNormal, "normal, from A to B"});
     if (overlay.aabbs) lines.push_back({Mark::line, kBoxEdge, "bounding box"});
     if (overlay.islands) lines.push_back({Mark::area, style::kBodies[0], "island: a colour each, pale asleep"});
     if (overlay.velocity) lines.push_back({Mark::line, kVelocity, kVelocityLegend});
-    if (overlay.joints) lines.push_back({Mark::line, kTie, "joint, to its bodies"});
+    if (overlay.joints) lines.push_back({Mark::line, kJointLine, "joint, to its bodies"});
     if (!lines.empty() && has_sensors(world))
         lines.push_back({Mark::area, faded(style::kStatic, style::kSensorOpacity), "sensor"});
     return lines;

@@ -1,4 +1,4 @@
-// What the stepper knows, drawn over the shapes: contact points, normals, boxes, islands, velocities, joints.
+// The state of the solver, drawn over the shapes: contact points, normals, bounding boxes, islands, velocities, joints.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace tumble::render {
 
 void add_overlay(DrawList& list, const View& view, const World& world, const Overlay& overlay);
 
-// A line of the legend: what a mark of this colour means.
+// A line of the legend: the meaning of a mark of this colour.
 struct LegendLine {
     enum class Mark { dot, line, area };
     Mark mark;
@@ -20,7 +20,7 @@ struct LegendLine {
     std::string text;
 };
 
-// Of what the overlay shows, and of the sensors if the world has any. Empty for an empty overlay.
+// A line for each part of the overlay, and one for sensors if the world has any. Empty for an empty overlay.
 std::vector<LegendLine> legend_of(const Overlay& overlay, const World& world);
 
 }  // namespace tumble::render

@@ -1,4 +1,4 @@
-// The renderer: a view of the world becomes a draw list, the draw list an image.
+// The renderer: world to draw list, draw list to image.
 #include <stdexcept>
 #include <string>
 #include <utility>

@@ -1,4 +1,4 @@
-// Encoder threads behind a bounded queue; image buffers go round, so that a run allocates only a few.
+// Encoder threads behind a bounded queue. Image buffers are reused, so that a run allocates only a few.
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "debug/check.hpp"
 #include "render/output/png.hpp"
 
 namespace tumble {
@@ -43,6 +44,7 @@ struct FrameWriter::Impl {
             lock.unlock();
             encode(job);
             lock.lock();
+            TUMBLE_CHECK(busy > 0);
             --busy;
             spare.push_back(std::move(job.image));
             work_done.notify_all();
@@ -113,6 +115,7 @@ void FrameWriter::submit(Image image, std::filesystem::path file) {
     impl_->work_done.wait(lock, [&] { return impl_->error || impl_->queue.size() < impl_->queue_limit; });
     impl_->rethrow_error();
     impl_->queue.push_back({std::move(image), std::move(file)});
+    TUMBLE_CHECK(impl_->queue.size() <= impl_->queue_limit);
     impl_->work_arrived.notify_one();
 }
 

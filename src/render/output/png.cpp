@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "tumble/file.hpp"
 
 namespace {
@@ -16,7 +17,7 @@ struct FreeCompressor {
     void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
 };
 
-// The hook through which stb compresses. Null, which stb passes on, if memory is short.
+// The compressor that stb calls. Returns null if memory is short, which stb then returns to encode_png().
 unsigned char* compress_fast(unsigned char* data, int size, int* compressed_size, int /*quality*/) {
     constexpr int kLevel = 1;
     thread_local const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
@@ -27,6 +28,7 @@ unsigned char* compress_fast(unsigned char* data, int size, int* compressed_size
     if (!out) return nullptr;
     *compressed_size =
         static_cast<int>(libdeflate_zlib_compress(compressor.get(), data, static_cast<std::size_t>(size), out, bound));
+    TUMBLE_CHECK(*compressed_size > 0);
     return out;
 }
 
@@ -41,7 +43,7 @@ namespace tumble {
 namespace render {
 namespace {
 
-// stb's settings are globals: set once, before the first image and so before any other thread reads them.
+// stb's settings are globals. A static initialiser sets them once, before any thread encodes.
 void configure_stb_once() {
     static const bool configured = [] {
         stbi_write_force_png_filter = 0;
@@ -50,7 +52,7 @@ void configure_stb_once() {
     static_cast<void>(configured);
 }
 
-// Our frames are opaque: alpha is left out.
+// Frames are opaque: alpha is dropped.
 void copy_rgb(const Image& image, std::vector<std::uint8_t>& rgb) {
     const std::size_t pixels = image.rgba.size() / 4;
     rgb.resize(3 * pixels);

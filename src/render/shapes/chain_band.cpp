@@ -17,14 +17,14 @@ void add_chain_band(std::vector<MeshVertex>& mesh, const View& view, std::span<c
     const Color solid = faded(color, style::kBandOpacity), clear = faded(color, 0.0);
 
     const auto vertex = [&](std::size_t i, bool is_far) {
-        constexpr float kInside = -1e3f;  // no edge of its own: the colours alone fade
+        constexpr float kInside = -1e3f;  // so deep that the shader blends no edge: only the colours fade
         const DVec2 at = is_far ? line[i] - width * mitre[i] : line[i];
         return MeshVertex{static_cast<float>(at.x), static_cast<float>(at.y), kInside, flat(is_far ? clear : solid)};
     };
     for (std::size_t i = 0; i + (is_loop ? 0 : 1) < line.size(); ++i) {
         const std::size_t next = (i + 1) % line.size();
         const double reach = 0.5 * length(line[next] - line[i]) + 4.0 * width;
-        if (!view.sees(0.5 * (line[i] + line[next]), reach)) continue;
+        if (!view.is_in_view(0.5 * (line[i] + line[next]), reach)) continue;
         const MeshVertex corners[4] = {vertex(i, false), vertex(next, false), vertex(i, true), vertex(next, true)};
         for (const int corner : {0, 1, 2, 2, 1, 3}) mesh.push_back(corners[corner]);
     }

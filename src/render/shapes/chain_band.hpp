@@ -1,4 +1,4 @@
-// The solid side of a chain, shown as a band that fades away from the line.
+// A band along the solid side of a chain, which fades with the distance from it.
 #pragma once
 
 #include <span>

@@ -10,7 +10,7 @@
 namespace tumble::render {
 namespace {
 
-// Deep inside, for every width of an outline; pixels.
+// Deeper than any outline is wide (pixels).
 constexpr float kInside = -1e6f;
 
 struct Edge {
@@ -39,7 +39,7 @@ std::vector<Edge> sorted_edges(std::span<const Part> parts, Take&& take) {
     return edges;
 }
 
-bool meet(const Edge& a, const Edge& b, std::span<const Part> parts) {
+bool are_shared(const Edge& a, const Edge& b, std::span<const Part> parts) {
     return a.from == b.to && a.to == b.from && parts[a.part].paint == parts[b.part].paint;
 }
 
@@ -61,7 +61,7 @@ void find_joined(std::span<Part> parts) {
     if (parts.size() < 2) return;
     const std::vector<Edge> edges = sorted_edges(parts, [](const Part& part) { return is_plain(*part.shape); });
     for (std::size_t i = 1; i < edges.size(); ++i)
-        if (meet(edges[i - 1], edges[i], parts))
+        if (are_shared(edges[i - 1], edges[i], parts))
             parts[edges[i - 1].part].is_joined = parts[edges[i].part].is_joined = true;
 }
 
@@ -70,7 +70,7 @@ void add_joined_parts(Layer& layer, const View& view, std::span<const Part> part
         if (part.is_joined) add_fan(layer.mesh, view, part, pose);
     const std::vector<Edge> edges = sorted_edges(parts, [](const Part& part) { return part.is_joined; });
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (i + 1 < edges.size() && meet(edges[i], edges[i + 1], parts)) {
+        if (i + 1 < edges.size() && are_shared(edges[i], edges[i + 1], parts)) {
             ++i;
             continue;
         }

@@ -1,5 +1,5 @@
-// Convex parts of a body that share whole edges, drawn as the one shape that they make: filled without a line between
-// them, and outlined along the edges that no two of them share.
+// Convex parts of a body that share whole edges, drawn as one shape: no line between the parts, and an outline along
+// the edges that are not shared.
 #pragma once
 
 #include <span>
@@ -18,7 +18,8 @@ struct Part {
     bool is_joined = false;  // shares an edge with another part in the same paint
 };
 
-// Finds the parts that are joined: polygons without rounding, with edges that lie on another's to the bit.
+// Sets `is_joined` of each part that is joined: a polygon without a radius that has an edge with the same ends, bit for
+// bit, as another part in the same paint.
 void find_joined(std::span<Part> parts);
 
 // Appends the parts that are joined.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
 namespace tumble::render {
 
 DVec2 right_normal(DVec2 a, DVec2 b) {
@@ -13,6 +14,7 @@ DVec2 right_normal(DVec2 a, DVec2 b) {
 std::vector<DVec2> mitres(std::span<const DVec2> points, bool is_closed) {
     constexpr double kLongest = 4.0;
     const std::size_t count = points.size();
+    TUMBLE_CHECK(count >= 1);
     std::vector<DVec2> result(count);
     for (std::size_t i = 0; i < count; ++i) {
         DVec2 before = right_normal(points[(i + count - 1) % count], points[i]);

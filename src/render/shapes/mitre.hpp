@@ -1,4 +1,4 @@
-// Moving a line of points sideways so that each edge keeps its direction.
+// Mitre vectors: they offset a line of points sideways so that each edge keeps its direction.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace tumble::render {
 
-// The unit normal to the right of the way from a to b: outwards, if that is an edge of a counter-clockwise outline.
-// Zero if the points coincide.
+// The unit normal on the right of the direction from a to b: the outward one for an edge of a counter-clockwise
+// outline. Zero if the points coincide.
 DVec2 right_normal(DVec2 a, DVec2 b);
 
 // For each point the vector that moves it by 1 to the right of the edges before and after; [points.size()]. The last

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "debug/check.hpp"
 #include "render/shapes/shape_primitives.hpp"
 #include "render/style/style.hpp"
 
@@ -17,9 +18,10 @@ Vec2 middle(const Shape& shape) {
     return (1.0f / static_cast<float>(shape.vertex_count())) * sum;
 }
 
-// How far the edge of a shape of two or more vertices lies from a point inside in direction +x (m).
+// The distance (m) from a point inside a shape of two or more vertices to its edge in direction +x.
 float distance_to_edge(const Shape& shape, Vec2 from) {
     const int count = shape.vertex_count();
+    TUMBLE_CHECK(count >= 2);
     if (count == 2) return std::max(shape.vertex(0).x, shape.vertex(1).x) - from.x + shape.radius();
     float least = std::numeric_limits<float>::infinity();
     for (int i = 0; i < count; ++i) {
@@ -40,7 +42,7 @@ void add_orientation_mark(Layer& layer, const View& view, const Shape& shape, co
     if (view.scale * smaller_half < style::kSmallestMark) return;
     const Vec2 center = middle(shape);
     const DVec2 center_pixels = view.to_pixels(transform_point(pose, center));
-    if (!view.sees(center_pixels, view.scale * extent(shape).larger)) return;
+    if (!view.is_in_view(center_pixels, view.scale * extent(shape).larger)) return;
 
     const double edge = count == 1 ? shape.radius() : distance_to_edge(shape, center);
     const double tick = count == 1 ? edge : std::min(kTick * smaller_half, edge);

@@ -1,4 +1,4 @@
-// A small line on a body that shows which way it is turned.
+// A small line on a body that shows its angle.
 #pragma once
 
 #include "render/canvas/primitives.hpp"
@@ -7,8 +7,8 @@
 
 namespace tumble::render {
 
-// Appends a radius on a circle, else a tick where the shape's edge meets the local x direction from its middle; nothing
-// if the shape is too small in the frame.
+// Appends a radius to a circle, and to other shapes a tick at the edge in the local x direction from the middle.
+// Nothing if the shape is too small in the frame.
 void add_orientation_mark(Layer& layer, const View& view, const Shape& shape, const Pose& world_from_shape,
                           Color color);
 

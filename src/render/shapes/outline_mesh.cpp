@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "debug/check.hpp"
 #include "render/shapes/mitre.hpp"
 #include "render/style/style.hpp"
 #include "render/view/clip.hpp"
@@ -13,12 +14,13 @@ namespace {
 
 constexpr double kChordError = 0.05;   // pixels
 constexpr double kLeastSpacing = 0.5;  // pixels
-constexpr double kOuterDepth = 1.0;    // pixels outside, where nothing is covered any more
+constexpr double kOuterDepth = 1.0;    // pixels outside the edge, where coverage is 0
 
 // Appends the arc about `center` from one direction (radians) through `turn` more.
 void append_arc(std::vector<DVec2>& outline, DVec2 center, double radius, double from, double turn) {
     // A chord of angle a lies radius (1 - cos(a/2)) ~ radius a^2 / 8 off its arc.
     const double largest = std::sqrt(8.0 * kChordError / std::max(radius, kChordError));
+    TUMBLE_CHECK(radius >= 0.0);
     const int chords = std::max(1, static_cast<int>(std::ceil(turn / largest)));
     for (int i = 0; i <= chords; ++i) {
         const SinCos direction = sin_cos(from + turn * i / chords);
@@ -30,6 +32,7 @@ void append_arc(std::vector<DVec2>& outline, DVec2 center, double radius, double
 std::vector<DVec2> rounded(const std::vector<DVec2>& core, double radius) {
     std::vector<DVec2> outline;
     const std::size_t count = core.size();
+    TUMBLE_CHECK(count >= 1);
     if (count == 1) {
         append_arc(outline, core[0], radius, 0.0, 2.0 * kPi);
         outline.pop_back();
@@ -45,8 +48,7 @@ std::vector<DVec2> rounded(const std::vector<DVec2>& core, double radius) {
     return outline;
 }
 
-// How far the outline can be moved inwards before it turns inside out: the least distance of the mean of its points
-// from an edge.
+// The least distance of the mean of the points from an edge: an offset inwards by less keeps the outline convex.
 double depth_of_middle(std::span<const DVec2> outline) {
     DVec2 middle;
     for (const DVec2 point : outline) middle += point;
@@ -87,7 +89,7 @@ void add_convex_mesh(std::vector<MeshVertex>& mesh, std::span<const DVec2> polyg
     if (polygon.size() < 3) return;
     const std::vector<DVec2> mitre = mitres(polygon, true);
     const double inner = std::min(outline_width + kOuterDepth, depth_of_middle(polygon));
-    if (inner < kOuterDepth) paint = flat(paint.fill);  // too small for an outline of its own
+    if (inner < kOuterDepth) paint = flat(paint.fill);  // too small to show an outline
 
     const auto vertex = [&](std::size_t i, double depth) {
         const DVec2 at = polygon[i] + depth * mitre[i];
@@ -101,6 +103,7 @@ void add_convex_mesh(std::vector<MeshVertex>& mesh, std::span<const DVec2> polyg
     }
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
         for (const std::size_t corner : {std::size_t{0}, i, i + 1}) mesh.push_back(vertex(corner, -inner));
+    TUMBLE_CHECK(mesh.size() % 3 == 0);
 }
 
 }  // namespace tumble::render

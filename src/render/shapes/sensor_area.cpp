@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "render/shapes/outline_mesh.hpp"
 #include "render/shapes/shape_primitives.hpp"
 #include "render/style/style.hpp"
@@ -12,8 +13,8 @@
 namespace tumble::render {
 namespace {
 
-// Appends the dashes of a line between two points; `done` is how much of the outline lies before it. Only what is in
-// view is cut into dashes.
+// Appends the dashes of one edge. `done` is the length of the outline before it, which gives the phase of the dashes.
+// Only the part of the edge in view is divided.
 void add_dashes(Layer& layer, const View& view, DVec2 from, DVec2 to, double done, Color color) {
     const double width = style::kSensorEdge * view.detail();
     const double dash = style::kDash * view.detail(), period = dash + style::kDashGap * view.detail();
@@ -23,6 +24,7 @@ void add_dashes(Layer& layer, const View& view, DVec2 from, DVec2 to, double don
     const DVec2 along = (1.0 / size) * (to - from);
     if (!clip_segment(view, width, from, to)) return;
     const double first = length(from - start), last = length(to - start);
+    TUMBLE_CHECK(period > dash);
     for (double at = std::floor((done + first) / period) * period - done; at < last; at += period) {
         const double begin = std::max(at, first), end = std::min(at + dash, last);
         if (begin < end) layer.boxes.push_back(make_line(start + begin * along, start + end * along, width, color));

@@ -1,4 +1,4 @@
-// Sensors: areas that notice and do not touch, so that they must not look solid.
+// Sensors, drawn as areas that do not look solid.
 #pragma once
 
 #include "render/canvas/primitives.hpp"

@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <limits>
 
+#include "debug/check.hpp"
 #include "render/shapes/outline_mesh.hpp"
 #include "render/view/clip.hpp"
 
 namespace tumble::render {
 namespace {
 
-// Beyond this many pixels float loses a hundredth of a pixel: such shapes are clipped in double first.
+// Larger shapes (pixels) are clipped in double first: float coordinates would be off by a hundredth of a pixel.
 constexpr double kLargestInstance = 1e5;
 
 float to_float(double value) { return static_cast<float>(value); }
 
-// Where an instance is in the frame: its center in pixels and the direction of its first side.
+// The center of an instance in pixels and the direction of its first side.
 struct Placement {
     DVec2 center;
     Vec2 axis;
@@ -27,13 +28,13 @@ Placement place(const View& view, const Pose& pose, Vec2 local_center, Vec2 loca
 void add_circle(Layer& layer, const View& view, const Shape& shape, const Pose& pose, Paint paint) {
     const DVec2 center = view.to_pixels(transform_point(pose, shape.vertex(0)));
     const double radius = view.scale * shape.radius();
-    if (!view.sees(center, radius)) return;
+    if (!view.is_in_view(center, radius)) return;
     layer.circles.push_back({to_float(center.x), to_float(center.y), to_float(radius), paint});
 }
 
 // half and radius in metres.
 void add_box(Layer& layer, const View& view, const Placement& at, Vec2 half, float radius, Paint paint) {
-    if (!view.sees(at.center, view.scale * (length(half) + radius))) return;
+    if (!view.is_in_view(at.center, view.scale * (length(half) + radius))) return;
     layer.boxes.push_back({to_float(at.center.x), to_float(at.center.y), at.axis.x, at.axis.y,
                            to_float(view.scale * half.x), to_float(view.scale * half.y), to_float(view.scale * radius),
                            paint});
@@ -51,7 +52,8 @@ void add_polygon(Layer& layer, const View& view, const Shape& shape, const Pose&
     const TightBox box = tight_box(shape);
     const Placement at = place(view, pose, box.center, box.axis);
     if (box.is_exact) return add_box(layer, view, at, box.half, shape.radius(), paint);
-    if (!view.sees(at.center, view.scale * (length(box.half) + shape.radius()))) return;
+    if (!view.is_in_view(at.center, view.scale * (length(box.half) + shape.radius()))) return;
+    TUMBLE_CHECK(shape.vertex_count() <= static_cast<int>(PolygonInstance::kVertices));
 
     PolygonInstance polygon{to_float(at.center.x),
                             to_float(at.center.y),
@@ -101,6 +103,8 @@ TightBox tight_box(const Shape& shape) {
     TightBox best;
     float least_area = std::numeric_limits<float>::infinity();
     const int count = shape.vertex_count();
+    TUMBLE_CHECK(3 <= count);
+    TUMBLE_CHECK(count <= Shape::kInlineVertices);
     for (int i = 0; i < count; ++i) {
         const Vec2 edge = shape.vertex(i + 1 < count ? i + 1 : 0) - shape.vertex(i);
         const float size = length(edge);
@@ -128,6 +132,7 @@ TightBox tight_box(const Shape& shape) {
 BoxInstance make_line(DVec2 from, DVec2 to, double width, Color color) {
     const DVec2 along = to - from;
     const double size = length(along);
+    TUMBLE_CHECK(width >= 0.0);
     const DVec2 axis = size > 0.0 ? (1.0 / size) * along : DVec2{1.0, 0.0};
     const DVec2 center = 0.5 * (from + to);
     return {to_float(center.x),    to_float(center.y), to_float(axis.x), to_float(axis.y), to_float(0.5 * size), 0.0f,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "debug/check.hpp"
 namespace tumble::render {
 namespace {
 
@@ -12,7 +13,11 @@ std::optional<int> hex_digit(char c) {
     return std::nullopt;
 }
 
-std::uint8_t to_channel(double value) { return static_cast<std::uint8_t>(std::floor(value + 0.5)); }
+std::uint8_t to_channel(double value) {
+    TUMBLE_CHECK(0.0 <= value);
+    TUMBLE_CHECK(value <= 255.0);
+    return static_cast<std::uint8_t>(std::floor(value + 0.5));
+}
 
 std::uint8_t mix_channel(std::uint8_t a, std::uint8_t b, double amount) { return to_channel(a + amount * (b - a)); }
 

@@ -1,4 +1,4 @@
-// Arithmetic on colours, and the pair every drawn thing is painted with.
+// Arithmetic on colours, and the pair of colours that a shape is painted with.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ constexpr Paint flat(Color color) { return {color, color}; }
 // "#rgb" or "#rrggbb"; nothing if the text is neither.
 std::optional<Color> parse_color(std::string_view text);
 
-// From a (amount 0) to b (amount 1), each channel rounded.
+// From a (amount 0) to b (amount 1), each channel rounded. The amount is in [0, 1].
 Color mix(Color a, Color b, double amount);
 
 // The same colour, `opacity` (0 to 1) times as opaque.

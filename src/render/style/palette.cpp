@@ -5,19 +5,21 @@
 #include <optional>
 #include <string_view>
 
+#include "debug/check.hpp"
 #include "render/style/style.hpp"
 
 namespace tumble::render {
 namespace {
 
-// "crate_12" and "crate[3]" are crates, and so is "left/crate", a part of what was included as "left/".
+// The name without digits and separators at its end, and without the prefix of an included part: "crate_12", "crate[3]"
+// and "left/crate" give "crate".
 std::string_view stem(std::string_view name) {
     name.remove_prefix(name.rfind('/') + 1);  // npos + 1 is 0
     const std::size_t end = name.find_last_not_of("0123456789[]_-. ");
     return name.substr(0, end == std::string_view::npos ? name.size() : end + 1);
 }
 
-// Hands out the palette's colours to names in the order in which they come; a body without a name is one of a kind.
+// Assigns the palette's colours to names in the order of the calls. Each body without a name gets a colour of its own.
 class HueOrder {
 public:
     Color next(std::string_view name) {
@@ -58,7 +60,7 @@ Color shaded(Color fill, std::size_t ordinal) {
 }  // namespace
 
 Color outline_of(Color fill) {
-    // Rec. 601 luma. A line darker than a dark fill would not be seen.
+    // Rec. 601 luma. On a dark fill a darker outline would not be visible.
     const double luma = (0.299 * fill.r + 0.587 * fill.g + 0.114 * fill.b) / 255.0;
     return mix(fill, luma < style::kDarkLuma ? style::kBackground : style::kInk, style::kOutlineShare);
 }
@@ -104,6 +106,7 @@ void Palette::paint_body(std::size_t source_index, std::size_t ordinal, std::spa
     for (const SceneShapeFill& entry : entries)
         paint_next(entry.built == kOther ? others : entry.built, entry.is_own ? entry.fill : shade(entry.fill));
     paint_next(shapes.size() - next, shade(source.fill));
+    TUMBLE_CHECK(next == shapes.size());
 }
 
 }  // namespace tumble::render

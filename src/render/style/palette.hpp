@@ -1,8 +1,8 @@
-// Which colours a scene's bodies have: that of the shape's material if it has one, else by type and name.
+// The colours of a scene's bodies: of the shape's material if that has one, else by type and name of the body.
 //
-// Moving bodies take the palette's colours in the order in which their names first occur; copies of one body,
-// bodies whose names differ only in digits, and the same body of several copies of a part ("a/arm", "b/arm") share a
-// hue; copies of one body differ a little in lightness.
+// Dynamic bodies take the palette's colours in the order in which their names first occur. Copies of one body, bodies
+// whose names differ only in digits, and the same body of several copies of a part ("a/arm", "b/arm") share a hue.
+// Copies of one body differ a little in lightness.
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,13 @@ public:
     void paint_body(std::size_t source, std::size_t ordinal, std::span<Paint> shapes) const;
 
 private:
-    // How many shapes of the world one entry of SceneBody::shapes became; kOther: those that the others leave.
+    // The number of shapes of the world built from one entry of SceneBody::shapes; kOther: the rest of the body's
+    // shapes.
     static constexpr std::uint32_t kOther = 0xffffffffu;
     struct SceneShapeFill {
         Color fill;
         std::uint32_t built = 1;
-        bool is_own = false;  // the material's: not shaded
+        bool is_own = false;  // from the material, and not shaded
     };
     struct Source {
         std::size_t first_shape = 0;
@@ -41,7 +42,7 @@ private:
     std::vector<SceneShapeFill> shapes_;
 };
 
-// The line along the edge of that fill.
+// The colour of the outline of a shape with that fill.
 Color outline_of(Color fill);
 
 }  // namespace tumble::render

@@ -13,12 +13,14 @@ inline constexpr Color kMajorGrid{227, 231, 237};
 
 inline constexpr Color kStatic{203, 209, 218};
 inline constexpr Color kKinematic{136, 149, 171};
-inline constexpr Color kInk{36, 46, 62};        // what fills are mixed with to give their outlines,
-inline constexpr double kOutlineShare = 0.42;   // how much of it,
-inline constexpr double kDarkLuma = 0.4;        // unless they are darker than this: then with the background
-inline constexpr double kInstanceShade = 0.10;  // how much lighter or darker repeated bodies are than each other
 
-// Fills of moving bodies, in the order in which names occur: neighbours differ in hue, all are of like lightness.
+// An outline is its fill mixed with kInk, or with the background if the fill is darker than kDarkLuma.
+inline constexpr Color kInk{36, 46, 62};
+inline constexpr double kOutlineShare = 0.42;   // of what is mixed in
+inline constexpr double kDarkLuma = 0.4;        // 0 to 1
+inline constexpr double kInstanceShade = 0.10;  // largest change in lightness among copies of a body
+
+// Fills of dynamic bodies, in the order in which names occur. Neighbours differ in hue; all have a similar lightness.
 inline constexpr std::array<Color, 8> kBodies{{
     {104, 154, 211},  // blue
     {240, 178, 92},   // amber
@@ -32,15 +34,15 @@ inline constexpr std::array<Color, 8> kBodies{{
 
 inline constexpr double kOutline = 1.5;        // width
 inline constexpr double kSegment = 2.5;        // width of a shape without area
-inline constexpr double kBand = 22.0;          // of the solid side of a chain,
-inline constexpr double kBandMetres = 0.6;     // but no wider than this in the world
-inline constexpr double kBandOpacity = 0.4;    // at the line
+inline constexpr double kBand = 22.0;          // width of the band on the solid side of a chain
+inline constexpr double kBandMetres = 0.6;     // largest width of that band (m)
+inline constexpr double kBandOpacity = 0.4;    // of the band at the chain
 inline constexpr double kSensorOpacity = 0.3;  // of the area of a sensor
-inline constexpr double kSensorEdge = 1.6;     // width of its edge,
-inline constexpr double kDash = 6.0;           // the length of its dashes
-inline constexpr double kDashGap = 5.0;        // and of what lies between them
+inline constexpr double kSensorEdge = 1.6;     // width of the dashed edge of a sensor
+inline constexpr double kDash = 6.0;           // length of its dashes
+inline constexpr double kDashGap = 5.0;        // length of its gaps
 inline constexpr double kMark = 1.5;           // width of an orientation mark
-inline constexpr double kSmallestMark = 8.0;   // half the smaller extent of a shape below which it has none
+inline constexpr double kSmallestMark = 8.0;   // a shape has none if half its smaller extent is below this
 inline constexpr double kAnchor = 3.2;         // radius of a joint's anchor
 
 inline constexpr Color kJoint{74, 85, 104};

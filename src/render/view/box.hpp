@@ -1,4 +1,4 @@
-// Axis-aligned boxes of the world, in double, as a camera sees them.
+// Axis-aligned boxes in world coordinates, in double: what a camera is fitted to.
 #pragma once
 
 #include <algorithm>
@@ -22,22 +22,23 @@ struct Box {
         lower = {std::min(lower.x, other.lower.x), std::min(lower.y, other.lower.y)};
         upper = {std::max(upper.x, other.upper.x), std::max(upper.y, other.upper.y)};
     }
-    bool meets(const Box& other) const {
+    bool overlaps(const Box& other) const {
         return lower.x <= other.upper.x && lower.y <= other.upper.y && other.lower.x <= upper.x &&
                other.lower.y <= upper.y;
     }
-    bool holds(const Box& other) const {
+    bool contains(const Box& other) const {
         return lower.x <= other.lower.x && lower.y <= other.lower.y && other.upper.x <= upper.x &&
                other.upper.y <= upper.y;
     }
 };
 
-// Empty for a shape that reaches to infinity.
+// The bounds of a shape; empty if they are not finite.
 Box box_of(const Shape& shape, const Pose& pose);
 
-// Of all shapes of a body, as it is now.
+// The bounds of all shapes of a body at its present pose.
 Box box_of(const World& world, BodyId body);
 
+// The bounds of points; empty for none.
 Box box_around(std::span<const DVec2> points);
 
 }  // namespace tumble::render

@@ -1,4 +1,4 @@
-// The camera of a scene: what the scene says, and what it leaves open fitted to the world.
+// The camera of a scene: what the scene states is taken, the rest is fitted to the world.
 #include <algorithm>
 #include <string>
 
@@ -8,11 +8,11 @@
 namespace tumble {
 namespace {
 
-constexpr double kMargin = 1.14;       // of the fitted height
-constexpr double kBelow = 0.3;         // share of the room to spare that is left below, where things fall down
-constexpr double kEmptyHeight = 10.0;  // m, of a world in which nothing has a size
-constexpr double kWidest = 3.0;        // how much higher a frame may become to show what is marked
-constexpr double kSurroundings = 5.0;  // height of a frame that follows a body, of the body's larger side
+constexpr double kMargin = 1.14;            // factor on the fitted height
+constexpr double kShareBelow = 0.3;         // of the spare height, the share below the box where gravity points down
+constexpr double kEmptyHeight = 10.0;       // m, of a frame of a world without extent
+constexpr double kMostGrowth = 3.0;         // factor by which a frame may grow to show a marking
+constexpr double kHeightPerFollowed = 5.0;  // height of a frame that follows a body, over the body's larger side
 
 const SceneInstance* find_body(const SceneWorld& world, const std::string& name) {
     if (name.empty()) return nullptr;
@@ -21,7 +21,7 @@ const SceneInstance* find_body(const SceneWorld& world, const std::string& name)
     return nullptr;
 }
 
-// The height of a frame about `center` that holds the box.
+// The height of a frame about `center` that contains the box.
 double height_about(DVec2 center, const render::Box& box, double aspect_ratio) {
     const DVec2 reach{std::max(box.upper.x - center.x, center.x - box.lower.x),
                       std::max(box.upper.y - center.y, center.y - box.lower.y)};
@@ -37,24 +37,23 @@ Camera camera_following(const Scene& scene, const World& world, BodyId body) {
     Camera camera;
     camera.follows = body;
     camera.offset = scene.camera.center.value_or(position) - position;
-    camera.center = position + camera.offset;  // as move_camera() has it, to the bit
+    camera.center = position + camera.offset;  // the expression of move_camera(), for equal bits
     const render::Box box = render::box_of(world, body);
-    camera.height = height_or(scene, box.is_empty() ? 0.0 : kSurroundings * box.larger_side());
+    camera.height = height_or(scene, box.is_empty() ? 0.0 : kHeightPerFollowed * box.larger_side());
     return camera;
 }
 
-// What is left open is fitted to the world, and to where its bodies go.
-Camera camera_at_rest(const Scene& scene, const SceneWorld& world, double aspect_ratio) {
+Camera fixed_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio) {
     render::Box box;
     if (!scene.camera.center || !scene.camera.height)
-        box = render::interesting_box(world.world, render::run_ahead(scene), aspect_ratio);
+        box = render::fitted_box(world.world, render::preview_motion(scene), aspect_ratio);
     Camera camera;
     camera.center = scene.camera.center.value_or(box.is_empty() ? DVec2{} : box.center());
     camera.height = height_or(scene, box.is_empty() ? 0.0 : kMargin * height_about(camera.center, box, aspect_ratio));
     const bool is_centered = !scene.camera.center && !box.is_empty();
     if (is_centered && world.world.def().gravity.y < 0.0f) {
         const double spare = std::max(0.0, camera.height - kMargin * box.size().y);
-        camera.center.y += (0.5 - kBelow) * spare;
+        camera.center.y += (0.5 - kShareBelow) * spare;
     }
     return camera;
 }
@@ -64,7 +63,7 @@ Camera camera_at_rest(const Scene& scene, const SceneWorld& world, double aspect
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio) {
     if (const SceneInstance* const body = find_body(world, scene.camera.follow))
         return camera_following(scene, world.world, body->id);
-    return camera_at_rest(scene, world, aspect_ratio);
+    return fixed_camera(scene, world, aspect_ratio);
 }
 
 Camera move_camera(Camera camera, const Scene& scene, const SceneWorld& world) {
@@ -77,14 +76,14 @@ Camera move_camera(Camera camera, const Scene& scene, const SceneWorld& world) {
 }
 
 Camera widen_camera(Camera camera, const World& world, const Marking& marking, double aspect_ratio) {
-    const double highest = kWidest * camera.height;
+    const double highest = kMostGrowth * camera.height;
     const auto view = [&] {
         const DVec2 half = 0.5 * camera.height * DVec2{aspect_ratio, 1.0};
         return render::Box{camera.center - half, camera.center + half};
     };
     const auto show = [&](const render::Box& marked) {
         render::Box both = view();
-        if (marked.is_empty() || both.holds(marked)) return;
+        if (marked.is_empty() || both.contains(marked)) return;
         both.add(marked);
         const double height = kMargin * render::height_for(both.size(), aspect_ratio);
         if (height > highest) return;
@@ -93,7 +92,7 @@ Camera widen_camera(Camera camera, const World& world, const Marking& marking, d
     };
     for (const std::array<DVec2, 4>& region : marking.regions) show(render::box_around(region));
     for (const BodyId body : marking.bodies)
-        if (world.is_valid(body) && !view().meets(render::box_of(world, body))) show(render::box_of(world, body));
+        if (world.is_valid(body) && !view().overlaps(render::box_of(world, body))) show(render::box_of(world, body));
     return camera;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
+
 namespace tumble::render {
 namespace {
 
@@ -22,7 +24,7 @@ Frame grown_frame(const View& view, double margin) {
     return {{{{1.0, 0.0}, x}, {{-1.0, 0.0}, x}, {{0.0, 1.0}, y}, {{0.0, -1.0}, y}}};
 }
 
-std::vector<DVec2> cut(const std::vector<DVec2>& polygon, const HalfPlane& side) {
+std::vector<DVec2> clip_to(const std::vector<DVec2>& polygon, const HalfPlane& side) {
     std::vector<DVec2> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const DVec2 here = polygon[i], next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
@@ -45,6 +47,8 @@ bool clip_segment(const View& view, double margin, DVec2& from, DVec2& to) {
         if (out_to > 0.0) leave = std::min(leave, out_from / (out_from - out_to));
     }
     if (enter > leave) return false;
+    TUMBLE_CHECK(0.0 <= enter);
+    TUMBLE_CHECK(leave <= 1.0);
     const DVec2 start = from, along = to - from;
     from = start + enter * along;
     if (leave < 1.0) to = start + leave * along;
@@ -52,7 +56,7 @@ bool clip_segment(const View& view, double margin, DVec2& from, DVec2& to) {
 }
 
 std::vector<DVec2> clip_polygon(const View& view, double margin, std::vector<DVec2> polygon) {
-    for (const HalfPlane& side : grown_frame(view, margin).sides) polygon = cut(polygon, side);
+    for (const HalfPlane& side : grown_frame(view, margin).sides) polygon = clip_to(polygon, side);
     return polygon;
 }
 

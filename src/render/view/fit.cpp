@@ -5,20 +5,24 @@
 #include <variant>
 #include <vector>
 
+#include "debug/check.hpp"
+
 namespace tumble::render {
 namespace {
 
-// Lengths here are shares of the larger side of what moves.
-constexpr double kNear = 1.0;           // things that end this near beside or above it are shown to their ends
-constexpr double kSmall = 1.0;          // and bodies no larger than this that begin there
-constexpr double kCut = 0.1;            // things that go on are shown this far
-constexpr double kGroundShown = 0.06;   // and a thick ground this far below its top
-constexpr double kSunk = 0.02;          // a ground that reaches this far into what lies on it is still below it
-constexpr double kFarthestFall = 40.0;  // how far below a ground is looked for
-constexpr double kRoomForAll = 1.75;    // how much higher a frame may become to show all that never moves
-constexpr double kRoomForWays = 3.0;    // and how much higher than that of the beginning to show where bodies go
+// Lengths in units of the larger side of the box around all moving bodies, the moving box.
+constexpr double kNear = 1.0;           // a static shape that ends within this beside or above the box is shown whole
+constexpr double kSmall = 1.0;          // so is a static body of at most this size that begins within kNear
+constexpr double kCut = 0.1;            // longer static shapes are shown this far beyond the box
+constexpr double kGroundShown = 0.06;   // thick ground is shown this far below its top
+constexpr double kSunk = 0.02;          // ground may overlap the box by this and still counts as below it
+constexpr double kFarthestFall = 40.0;  // ground is searched this far below
 
-// All places that a body can turn to about a point of its own.
+// Factors on the height of the frame.
+constexpr double kGrowthForStatics = 1.75;  // at most, to show all static shapes
+constexpr double kGrowthForMotion = 3.0;    // at most, to show the motions, from the frame fitted to the start
+
+// The bounds of a body over all angles about a point of its own.
 Box swept_box(const World& world, BodyId body, Vec2 pivot) {
     double radius = 0.0;
     for (const ShapeId shape : world.shapes(body))
@@ -35,7 +39,7 @@ Box moving_box(const World& world) {
         box.add(box_of(world, body));
         if (world.state(body).angular_velocity != 0.0f) box.add(swept_box(world, body, world.mass(body).center));
     }
-    // Rotors, swings and planks turn about their hinges; ropes go up to their wheels.
+    // Hinged bodies turn about their hinges, and the ropes of pulleys run up to their wheels.
     for (const JointId id : world.joints()) {
         if (const auto* pulley = std::get_if<PulleyJointDef>(&world.joint(id))) {
             box.add({pulley->ground_anchor_a, pulley->ground_anchor_a});
@@ -51,7 +55,7 @@ Box moving_box(const World& world) {
     return box;
 }
 
-// A shape that never moves, with the whole of its body, and whether it can be stood on.
+// The bounds of a static shape and of its whole body.
 struct Fixture {
     Box box;
     Box body;
@@ -71,12 +75,12 @@ std::vector<Fixture> fixtures_of(const World& world) {
     return fixtures;
 }
 
-// What moves, grown downwards by what it may fall on and sidewards by what is near.
+// The moving box, grown downwards to the ground that it may fall on and sideways by the static shapes near it.
 Box with_ground(const Box& moving, std::vector<Fixture> grounds, bool falls) {
     const double size = moving.larger_side();
     const DVec2 reach{kNear * size, kNear * size};
     const Box near{moving.lower - DVec2{reach.x, falls ? kFarthestFall * size : reach.y}, moving.upper + reach};
-    // Where a thing's edge is shown: at its end if that is near, else a little beyond what moves.
+    // A side of a static shape as shown: at its true end if that is near, else a little beyond the moving box.
     const auto lower_end = [&](double end, double nearest, double edge) {
         return end >= nearest ? end : std::max(end, edge - kCut * size);
     };
@@ -103,30 +107,32 @@ Box with_ground(const Box& moving, std::vector<Fixture> grounds, bool falls) {
     return box;
 }
 
-// The box to be shown of a world in which this moves.
+// The moving box with its ground, or with all static shapes if they fit.
 Box shown_box(const Box& moving, const std::vector<Fixture>& fixtures, bool falls, double aspect_ratio) {
     Box all = moving;
     for (const Fixture& fixture : fixtures) all.add(fixture.box);
     if (moving.is_empty()) return all;
     const Box near = with_ground(moving, fixtures, falls);
-    const bool has_room = height_for(all.size(), aspect_ratio) <= kRoomForAll * height_for(near.size(), aspect_ratio);
+    const bool has_room =
+        height_for(all.size(), aspect_ratio) <= kGrowthForStatics * height_for(near.size(), aspect_ratio);
     return has_room ? all : near;
 }
 
 }  // namespace
 
-Box interesting_box(const World& world, const std::vector<BodyWay>& ways, double aspect_ratio) {
+Box fitted_box(const World& world, const std::vector<MotionBounds>& motions, double aspect_ratio) {
+    TUMBLE_CHECK(aspect_ratio > 0.0);
     const std::vector<Fixture> fixtures = fixtures_of(world);
     const bool falls = world.def().gravity.y < 0.0f;
     Box moving = moving_box(world);
-    for (const BodyWay& way : ways) moving.add(way.first);
+    for (const MotionBounds& motion : motions) moving.add(motion.start);
     const Box start = shown_box(moving, fixtures, falls, aspect_ratio);
-    if (start.is_empty() || ways.empty()) return start;
-    const double reach = 0.5 * kRoomForWays * height_for(start.size(), aspect_ratio);
+    if (start.is_empty() || motions.empty()) return start;
+    const double reach = 0.5 * kGrowthForMotion * height_for(start.size(), aspect_ratio);
     const DVec2 half{aspect_ratio * reach, reach};
     const Box farthest{start.center() - half, start.center() + half};
-    for (const BodyWay& way : ways)
-        if (farthest.holds(way.all)) moving.add(way.all);
+    for (const MotionBounds& motion : motions)
+        if (farthest.contains(motion.whole)) moving.add(motion.whole);
     return shown_box(moving, fixtures, falls, aspect_ratio);
 }
 

@@ -1,20 +1,20 @@
-// What a camera should have in view when the scene does not say.
+// The part of the world that a camera shows when the scene does not state it.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
-#include "render/view/run_ahead.hpp"
+#include "render/view/motion_preview.hpp"
 
 namespace tumble::render {
 
-// The box of all that moves or begins on the way, grown by the way down to the ground. What never moves is included
-// whole if that takes little more room, else as far as it is near. So are the ways of bodies, but for those that leave
-// a frame three times as high as one of the beginning: what is lost or thrown out shrinks nothing. Empty if the world
-// is.
-Box interesting_box(const World& world, const std::vector<BodyWay>& ways, double aspect_ratio);
+// A box around all bodies that are not static and the ground below them. Static shapes are included whole if the frame
+// grows little by that, else only near the moving bodies. The motions are included too, except of bodies that leave a
+// frame three times as high as one fitted to the start: a body that falls off the level does not shrink the rest. Empty
+// for a world without shapes.
+Box fitted_box(const World& world, const std::vector<MotionBounds>& motions, double aspect_ratio);
 
-// The height of a frame that holds a box of that size.
+// The height of a frame that contains a box of that size.
 inline double height_for(DVec2 size, double aspect_ratio) { return std::max(size.y, size.x / aspect_ratio); }
 
 }  // namespace tumble::render

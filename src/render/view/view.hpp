@@ -1,7 +1,7 @@
 // How a camera maps the world to the pixels of a frame.
 //
-// Pixels count from the middle of the frame, y up. The difference to the camera is taken in double and only the result
-// becomes float, so that a scene 10 km from the origin is as sharp as one at it.
+// Pixel coordinates start in the middle of the frame, y up. The offset from the camera is computed in double and only
+// the result becomes float, so that a scene 10 km from the origin is as sharp as one at it.
 #pragma once
 
 #include <algorithm>
@@ -21,12 +21,12 @@ struct View {
     DVec2 to_pixels(DVec2 world) const { return scale * (world - center); }
     DVec2 to_world(DVec2 pixels) const { return center + (1.0 / scale) * pixels; }
 
-    // Whether a disc, in pixels, may touch the frame.
-    bool sees(DVec2 pixel, double radius) const {
+    // True if a disc may overlap the frame; centre and radius in pixels.
+    bool is_in_view(DVec2 pixel, double radius) const {
         return std::abs(pixel.x) <= 0.5 * width + radius && std::abs(pixel.y) <= 0.5 * height + radius;
     }
 
-    // How much larger than at 720 rows lines and text are drawn, so that they look alike in frames of any size.
+    // The factor on line widths and text sizes, 1 at 720 rows: frames of any size look alike.
     double detail() const { return std::clamp(height / 720.0, 0.5, 6.0); }
 };
 

@@ -1,8 +1,9 @@
-#include "reference/exact/true_motion.hpp"
+#include "reference/exact/motion_oracle.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
 namespace tumble::reference {
 
 namespace {
@@ -17,29 +18,31 @@ constexpr Real kUnit = 0x1p-53L;
 
 Point between(DVec2 from, DVec2 to) { return {static_cast<Real>(to.x) - from.x, static_cast<Real>(to.y) - from.y}; }
 
-// When a point that moves from the origin by `way` is first at the distance `reach` from `center`, from outside.
-std::optional<Real> enter_circle(Point center, Point way, Real reach) {
-    const Real length_sq = dot(way, way), ahead = dot(way, center), aside = cross(way, center);
+// The fraction at which a point that moves from the origin by `displacement` enters the circle of radius `reach` about
+// `center`, if it does.
+std::optional<Real> enter_circle(Point center, Point displacement, Real reach) {
+    const Real length_sq = dot(displacement, displacement), ahead = dot(displacement, center),
+               aside = cross(displacement, center);
     const Real rest = reach * reach * length_sq - aside * aside;
     if (rest < 0 || ahead <= 0) return std::nullopt;
     return (ahead - std::sqrt(rest)) / length_sq;
 }
 
-// ... and when it first crosses the segment.
-std::optional<Real> cross_segment(Point from, Point to, Point way) {
+// The fraction at which such a point crosses the segment.
+std::optional<Real> cross_segment(Point from, Point to, Point displacement) {
     const Point edge = to - from;
-    const Real det = cross(way, edge);
+    const Real det = cross(displacement, edge);
     if (det == 0) return std::nullopt;
-    const Real along = cross(from, way) / det;
+    const Real along = cross(from, displacement) / det;
     if (along < 0 || along > 1) return std::nullopt;
     return cross(from, edge) / det;
 }
 
 }  // namespace
 
-std::vector<Point> TrueMotion::Body::at(Real fraction) const {
+std::vector<Point> MotionOracle::Body::at(Real fraction) const {
     const Real c = std::cos(angle + fraction * turn), s = std::sin(angle + fraction * turn);
-    const Point center = start + fraction * way;
+    const Point center = start + fraction * displacement;
     std::vector<Point> moved;
     moved.reserve(vertices.size());
     for (const Point v : vertices)
@@ -47,7 +50,7 @@ std::vector<Point> TrueMotion::Body::at(Real fraction) const {
     return moved;
 }
 
-TrueMotion::Body TrueMotion::body_of(const Shape& shape, const Pose& pose, DVec2 origin) {
+MotionOracle::Body MotionOracle::body_of(const Shape& shape, const Pose& pose, DVec2 origin) {
     Body body;
     body.vertices = brute::world_vertices(shape, pose, pose.position);
     body.start = between(origin, pose.position);
@@ -55,13 +58,13 @@ TrueMotion::Body TrueMotion::body_of(const Shape& shape, const Pose& pose, DVec2
     return body;
 }
 
-// Without a turn the vertices are turned here, once.
-TrueMotion::Body TrueMotion::body_of(const Shape& shape, const Sweep& sweep, DVec2 origin) {
+// The vertices of a body that does not turn are rotated here, once.
+MotionOracle::Body MotionOracle::body_of(const Shape& shape, const Sweep& sweep, DVec2 origin) {
     Body body;
     body.angle = sweep.start_angle;
     body.turn = sweep.turn;
     body.start = between(origin, sweep.start);
-    body.way = between(sweep.start, sweep.end);
+    body.displacement = between(sweep.start, sweep.end);
     const Real c = std::cos(body.angle), s = std::sin(body.angle);
     for (int i = 0; i < shape.vertex_count(); ++i) {
         const Point v{static_cast<Real>(shape.vertex(i).x) - sweep.local_center.x,
@@ -72,10 +75,10 @@ TrueMotion::Body TrueMotion::body_of(const Shape& shape, const Sweep& sweep, DVe
     return body;
 }
 
-// E: 16 u of the sizes, the offset and the reach for a translation, as the narrow phase derives it; for a time of
-// impact 24 u of the sizes, the offset and the ways, which is less than its worst cases add up to, and 4 u of the
-// angles times the levers.
-TrueMotion::TrueMotion(const CastQuery& query) {
+// E: for a translation 16 u times the sum of sizes, offset and reach, as the narrow phase derives it. For a time of
+// impact 24 u times the sum of sizes, offset and displacements, plus 4 u times the angles times their levers, plus 16 u
+// times the reach; the worst cases of the narrow phase add up to more.
+MotionOracle::MotionOracle(const CastQuery& query) {
     const Real radii = static_cast<Real>(query.a.radius()) + query.b.radius();
     reach_ = radii + query.target;
     if (query.kind == CastKind::impact) {
@@ -84,23 +87,25 @@ TrueMotion::TrueMotion(const CastQuery& query) {
     } else {
         a_ = body_of(query.a, query.pose_a, query.pose_a.position);
         b_ = body_of(query.b, query.pose_b, query.pose_a.position);
-        b_.way = {query.translation.x, query.translation.y};
+        b_.displacement = {query.translation.x, query.translation.y};
     }
     const Real sizes = a_.extent + b_.extent + norm(b_.start);
     const Real levers =
         (std::abs(a_.angle) + std::abs(a_.turn)) * a_.extent + (std::abs(b_.angle) + std::abs(b_.turn)) * b_.extent;
-    error_ = static_cast<double>(query.kind == CastKind::impact
-                                     ? kUnit * (24 * (sizes + norm(a_.way) + norm(b_.way)) + 4 * levers + 16 * reach_)
-                                     : kUnit * 16 * (sizes + reach_));
-    speed_ = norm(b_.way - a_.way) + std::abs(a_.turn) * a_.extent + std::abs(b_.turn) * b_.extent;
+    error_ = static_cast<double>(
+        query.kind == CastKind::impact
+            ? kUnit * (24 * (sizes + norm(a_.displacement) + norm(b_.displacement)) + 4 * levers + 16 * reach_)
+            : kUnit * 16 * (sizes + reach_));
+    speed_ = norm(b_.displacement - a_.displacement) + std::abs(a_.turn) * a_.extent + std::abs(b_.turn) * b_.extent;
 }
 
-Real TrueMotion::gap(Real fraction) const { return brute::core_distance(a_.at(fraction), b_.at(fraction)) - reach_; }
+Real MotionOracle::gap(Real fraction) const { return brute::core_distance(a_.at(fraction), b_.at(fraction)) - reach_; }
 
-// The first fraction after `from` at which the cores are within the reach, outside of which they start: the boundary of
-// all places within it is made of the vertices' circles and the edges moved by it, and none of these lies outside.
-std::optional<Real> TrueMotion::first_within(Real reach, Real from) const {
-    const Point way = b_.way - a_.way;
+// The first fraction after `from` at which the cores are within the reach; they must be apart by more at `from`.
+// Positions within the reach are bounded by the circles about the vertices and by the edges offset by the reach, so
+// that the first crossing of one of these is the answer.
+std::optional<Real> MotionOracle::first_within(Real reach, Real from) const {
+    const Point displacement = b_.displacement - a_.displacement;
     const std::vector<Point> a = a_.at(from), b = b_.at(from);
     std::optional<Real> first;
     const auto offer = [&first](std::optional<Real> fraction) {
@@ -117,25 +122,26 @@ std::optional<Real> TrueMotion::first_within(Real reach, Real from) const {
                 offer(cross_segment(p - aside, q - aside, motion));
             }
     };
-    offer_edges(b, a, way);
-    offer_edges(a, b, Real{-1} * way);
+    offer_edges(b, a, displacement);
+    offer_edges(a, b, Real{-1} * displacement);
     if (reach > 0)
         for (const Point p : a)
-            for (const Point q : b) offer(enter_circle(p - q, way, reach));
+            for (const Point q : b) offer(enter_circle(p - q, displacement, reach));
     return first ? std::optional<Real>(from + *first) : std::nullopt;
 }
 
-bool TrueMotion::stays_above(Real floor, Real from, Real to) const {
+bool MotionOracle::stays_above(Real floor, Real from, Real to) const {
     if (!is_straight()) return stays_above_by_speed(floor, from, to);
     if (gap(from) < floor || gap(to) < floor) return false;
     const Real reach = reach_ + floor;
     const std::optional<Real> first = first_within(std::max(reach, Real{0}), from);
     if (!first || *first >= to) return true;
-    return reach < 0 && smallest_gap(*first, to) >= floor;  // sharp cores may overlap by less than that
+    return reach < 0 && smallest_gap(*first, to) >= floor;  // cores without radii may overlap by up to -floor
 }
 
-// Along a translation the signed distance is convex: by thirds, to 2^-60 of the way.
-Real TrueMotion::smallest_gap(Real from, Real to) const {
+// Along a translation the signed distance is convex: ternary search, to 2^-60 of the motion.
+Real MotionOracle::smallest_gap(Real from, Real to) const {
+    TUMBLE_CHECK(from <= to);
     for (int i = 0; i < 104; ++i) {
         const Real left = (2 * from + to) / 3, right = (from + 2 * to) / 3;
         const bool is_left_lower = gap(left) < gap(right);
@@ -144,7 +150,8 @@ Real TrueMotion::smallest_gap(Real from, Real to) const {
     return std::min(gap(from), gap(to));
 }
 
-bool TrueMotion::stays_above_by_speed(Real floor, Real from, Real to) const {
+bool MotionOracle::stays_above_by_speed(Real floor, Real from, Real to) const {
+    TUMBLE_CHECK(from <= to);
     const Real middle = (from + to) / 2, there = gap(middle);
     if (there < floor) return false;
     if (there - speed_ * (to - from) / 2 >= floor) return true;

@@ -1,7 +1,5 @@
-// Two shapes of a distance query as a drawing shows them.
-//
-// Everything is in world axes relative to A's position: the picture of a pair 10 km out looks like the picture at the
-// origin.
+// The two shapes of a distance query, in the coordinates of a drawing: world axes, relative to A's position. A pair 10
+// km from the origin gives the same picture as one at the origin.
 #pragma once
 
 #include <string>
@@ -11,9 +9,9 @@
 
 namespace tumble::render {
 
-class DrawnPair {
+class PairDrawing {
 public:
-    DrawnPair(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b)
+    PairDrawing(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b)
         : a_(a),
           b_(b),
           pose_a_{{}, world_from_a.rotation},
@@ -24,7 +22,7 @@ public:
     double smaller_extent() const;
     DVec2 from_world(DVec2 point) const { return point - origin_; }
 
-    // Counter-clockwise; the cores grown by `radius`.
+    // The outlines of the cores grown by `radius`, counter-clockwise.
     std::vector<DVec2> outline_a(double radius) const;
     std::vector<DVec2> outline_b(double radius) const;
     std::vector<DVec2> outline_difference(double radius) const;  // of A - B
@@ -42,8 +40,8 @@ private:
     DVec2 origin_;          // A's position in the world
 };
 
-// A frame with both shapes in view.
-void draw_pair_panel(Drawing& drawing, PixelRect rect, const DrawnPair& pair, const DistanceResult& result);
+// Draws a panel with both shapes whole.
+void draw_pair_panel(Drawing& drawing, PixelRect rect, const PairDrawing& pair, const DistanceResult& result);
 
 // Five digits at most.
 std::string short_number(double value);

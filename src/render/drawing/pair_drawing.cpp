@@ -1,4 +1,4 @@
-#include "render/drawing/drawn_pair.hpp"
+#include "render/drawing/pair_drawing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "debug/check.hpp"
 namespace tumble {
 
 namespace render {
@@ -18,7 +19,7 @@ void draw_shape(Panel& panel, const std::vector<DVec2>& outline, const std::vect
     if (radius > 0.0) panel.fill(core, kTransparent, 1.0, line);
 }
 
-// In the middle of the shape, moved a little away from the contact.
+// In the middle of the shape, offset a little away from the contact.
 void draw_letter(Panel& panel, const std::vector<DVec2>& outline, DVec2 contact, const char* letter, Color color) {
     const auto farther = [contact](DVec2 p, DVec2 q) { return length_sq(p - contact) < length_sq(q - contact); };
     const DVec2 middle = mean(outline), farthest = *std::ranges::max_element(outline, farther);
@@ -27,21 +28,21 @@ void draw_letter(Panel& panel, const std::vector<DVec2>& outline, DVec2 contact,
 
 }  // namespace
 
-double DrawnPair::smaller_extent() const { return std::min(extent(a_).larger, extent(b_).larger); }
+double PairDrawing::smaller_extent() const { return std::min(extent(a_).larger, extent(b_).larger); }
 
-std::vector<DVec2> DrawnPair::outline_a(double radius) const {
+std::vector<DVec2> PairDrawing::outline_a(double radius) const {
     return sampled_outline([this](DVec2 d) { return support_a(d); }, radius);
 }
 
-std::vector<DVec2> DrawnPair::outline_b(double radius) const {
+std::vector<DVec2> PairDrawing::outline_b(double radius) const {
     return sampled_outline([this](DVec2 d) { return support_b(d); }, radius);
 }
 
-std::vector<DVec2> DrawnPair::outline_difference(double radius) const {
+std::vector<DVec2> PairDrawing::outline_difference(double radius) const {
     return sampled_outline([this](DVec2 d) { return support_a(d) - support_b(-d); }, radius);
 }
 
-void DrawnPair::draw(Panel& panel, const DistanceResult& result) const {
+void PairDrawing::draw(Panel& panel, const DistanceResult& result) const {
     const std::vector<DVec2> a = outline_a(a_.radius()), b = outline_b(b_.radius());
     draw_shape(panel, a, outline_a(0.0), a_.radius(), ink::kShapeAFill, ink::kShapeA);
     draw_shape(panel, b, outline_b(0.0), b_.radius(), ink::kShapeBFill, ink::kShapeB);
@@ -57,7 +58,7 @@ void DrawnPair::draw(Panel& panel, const DistanceResult& result) const {
     panel.dot(point_b, 4.5, ink::kShapeB);
 }
 
-void draw_pair_panel(Drawing& drawing, PixelRect rect, const DrawnPair& pair, const DistanceResult& result) {
+void draw_pair_panel(Drawing& drawing, PixelRect rect, const PairDrawing& pair, const DistanceResult& result) {
     std::vector<DVec2> all = pair.outline_a(0.0);
     for (const std::vector<DVec2>& outline :
          {pair.outline_b(0.0), pair.outline_b(pair.radii()), pair.outline_a(pair.radii())})
@@ -76,6 +77,7 @@ std::string short_number(double value) {
 }
 
 DVec2 mean(const std::vector<DVec2>& points) {
+    TUMBLE_CHECK(!points.empty());
     DVec2 sum;
     for (const DVec2 p : points) sum += p;
     return (1.0 / static_cast<double>(points.size())) * sum;
@@ -83,8 +85,8 @@ DVec2 mean(const std::vector<DVec2>& points) {
 
 namespace {
 
-// The surroundings of the contact: a few times the distance, but no less than a thousandth of the smaller shape.
-void draw_contact_panel(Drawing& drawing, PixelRect rect, const DrawnPair& pair, const DistanceResult& result,
+// The contact enlarged: a few times the distance wide, at least a thousandth of the smaller shape.
+void draw_contact_panel(Drawing& drawing, PixelRect rect, const PairDrawing& pair, const DistanceResult& result,
                         std::span<const DVec2> rings) {
     const double reach = std::max(4.0 * std::abs(result.distance), 1e-3 * pair.smaller_extent());
     const DVec2 middle = 0.5 * (pair.from_world(result.point_a) + pair.from_world(result.point_b));
@@ -106,7 +108,7 @@ Drawing draw_pair(const Shape& a, const Pose& world_from_a, const Shape& b, cons
     Drawing drawing;
     drawing.width = 1280;
     drawing.height = static_cast<int>(kHeight + 2.0 * kGap);
-    const DrawnPair pair(a, world_from_a, b, world_from_b);
+    const PairDrawing pair(a, world_from_a, b, world_from_b);
     const double half = 0.5 * (drawing.width - 3.0 * kGap);
     draw_pair_panel(drawing, {kGap, kGap, half, kHeight}, pair, result);
     if (result.status != DistanceStatus::invalid)

@@ -1,6 +1,9 @@
-// The truth about two moving shapes, in long double (64-bit mantissa on x86-64, 2^11 times finer than what it judges):
-// the distance at a fraction by looking at every vertex and edge; along a translation, when it falls to a floor in
-// closed form; with rotation, by halving intervals until the speed of the shapes forbids it in each.
+// The oracle for two moving shapes, in long double (64-bit mantissa on x86-64), hence 2^11 times finer than the narrow
+// phase.
+//
+// The distance at a fraction of the motion comes from all vertices and edges. Along a translation, the fraction at
+// which the distance reaches a floor has a closed form. With rotation, intervals are halved until the speed of the
+// shapes proves that the distance stays above the floor in each.
 #pragma once
 
 #include <optional>
@@ -11,30 +14,32 @@
 
 namespace tumble::reference {
 
-class TrueMotion {
+class MotionOracle {
 public:
     using Real = brute::Real;
 
-    explicit TrueMotion(const CastQuery& query);
+    explicit MotionOracle(const CastQuery& query);
 
-    // Signed distance less the target.
+    // The signed distance minus the target.
     Real gap(Real fraction) const;
 
-    // E: the bound that tumble states for its own errors.
+    // E: the error bound that tumble states.
     double error() const { return error_; }
 
-    // Of bodies that do not turn and start apart: the first fraction at which the gap is 0, none if it stays above.
     bool is_straight() const { return a_.turn == 0 && b_.turn == 0; }
+
+    // The first fraction at which the gap is 0; none if it stays positive. For a straight motion with a positive gap at
+    // 0.
     std::optional<Real> first_contact() const { return first_within(reach_, 0); }
 
-    // True if the gap is at least `floor` all over [from, to].
+    // True if the gap is at least `floor` everywhere in [from, to].
     bool stays_above(Real floor, Real from, Real to) const;
 
 private:
-    // A body in axes that do not turn, relative to A's centre at the start.
+    // A body in world axes, relative to A's centre at the start.
     struct Body {
-        std::vector<brute::Point> vertices;  // from the centre, unturned
-        brute::Point start{}, way{};
+        std::vector<brute::Point> vertices;  // from the centre, at angle 0 if the body turns
+        brute::Point start{}, displacement{};
         Real angle = 0, turn = 0;
         Real extent = 0;
 
@@ -49,7 +54,7 @@ private:
 
     Body a_, b_;
     Real reach_;
-    Real speed_;  // no point moves faster relative to one of the other shape, m a whole motion
+    Real speed_;  // upper bound on the relative speed of any two points, m per whole motion
     double error_;
 };
 

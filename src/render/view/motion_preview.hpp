@@ -1,0 +1,23 @@
+// A preview of where the bodies of a scene move, by a short run of it: a camera is fitted to that.
+#pragma once
+
+#include <vector>
+
+#include "render/view/box.hpp"
+#include "tumble/scene.hpp"
+
+namespace tumble::render {
+
+// The bounds of a body at its first pose, and those of all its poses during the preview.
+struct MotionBounds {
+    Box start;
+    Box whole;
+};
+
+// The bounds of every body that is not static, including those that the timeline spawns. The preview runs to the end of
+// the scene, or until a fixed budget of steps times bodies is spent: a count and no clock, so that every frame and
+// machine gets the same result. It ends early at a state that is not finite. A scene of more than 2500 bodies is not
+// run, and the result is empty.
+std::vector<MotionBounds> preview_motion(const Scene& scene);
+
+}  // namespace tumble::render
