@@ -61,14 +61,16 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"tools/output", {}},
     {"tools/cli", {"tools/output"}},
     {"tools/query", {"tools/output", "tools/cli"}},
-    {"tools/measure", {"tools/output", "reference"}},
+    {"tools/machine", {"tools/output"}},
+    {"tools/measure", {"reference"}},
     {"tools/parity", {"tools/output", "reference"}},
-    {"tools/run", {"tools/output", "tools/cli", "tools/measure"}},
+    {"tools/diff", {"tools/output"}},
+    {"tools/run", {"tools/output", "tools/cli", "tools/machine", "tools/measure"}},
     {"tools/scene", {"tools/output", "tools/cli", "tools/measure", "tools/run"}},
     {"tools/commands",
-     {"tools/output", "tools/cli", "tools/query", "tools/measure", "tools/parity", "tools/run", "tools/scene",
-      "reference"}},
-    {"tools", {"tools/cli"}},
+     {"tools/output", "tools/cli", "tools/query", "tools/machine", "tools/measure", "tools/parity", "tools/diff",
+      "tools/run", "tools/scene", "reference"}},
+    {"tools", {"tools/cli", "tools/commands"}},
 };
 
 // The rooms next below each room: whose functions it may call by a public header. Rooms below those are included.

@@ -1,4 +1,4 @@
-#include "tools/measure/processor.hpp"
+#include "tools/machine/processor.hpp"
 
 #include <doctest/doctest.h>
 

@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 void refuse_to_overwrite(const fs::path& file, bool force) {
     std::error_code ignored;
     if (!force && fs::exists(fs::symlink_status(file, ignored)))
-        throw FileError(file, "exists already; give another name, or --force to replace it");
+        throw FileError(file, "already exists; choose another name, or replace it with --force");
 }
 
 void create_folder_of(const fs::path& file) {
