@@ -1,20 +1,20 @@
-// The command line of tumble: reads the arguments, runs one subcommand, and turns what it threw into an exit code.
+// The command line of tumble: parses the arguments, runs one subcommand, and converts an exception into an exit code.
 #include <algorithm>
 #include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
 #include "tools/cli/error_report.hpp"
+#include "tools/commands/commands.hpp"
 #include "tumble/suggest.hpp"
 
 namespace {
 
 using namespace tumble::tools;
 
-// "help run" is "run --help", and "help" alone "--help".
+// Replaces "help run" by "run --help", and "help" alone by "--help".
 std::vector<std::string> without_help_command(std::vector<std::string> arguments) {
     if (arguments.empty() || arguments.front() != "help") return arguments;
     arguments.erase(arguments.begin());
@@ -24,7 +24,7 @@ std::vector<std::string> without_help_command(std::vector<std::string> arguments
 
 ExitCode run_command(CLI::App& app, Command& command, int argument_count, const char* const* argument_texts) {
     bool version = false;
-    app.add_flag("--version", version, "Version, compiler, instruction sets; with --json as JSON");
+    app.add_flag("--version", version, "Print version, compiler and instruction sets; with --json as JSON");
     app.add_flag("--json", command.json)->group("");
     add_run(app, command);
     add_demo(app, command);
@@ -40,16 +40,16 @@ ExitCode run_command(CLI::App& app, Command& command, int argument_count, const 
     add_bench(app, command);
     app.require_subcommand(0, 1);
     std::vector<std::string> arguments = without_help_command({argument_texts + 1, argument_texts + argument_count});
-    std::ranges::reverse(arguments);  // as the library takes them
+    std::ranges::reverse(arguments);  // CLI11 takes them in reverse order
     app.parse(std::move(arguments));
     if (version) return print_version(command.json);
     return command.action ? command.action() : print_usage();
 }
 
-// What was not understood, with what it may have been meant to be.
-std::string unknown_text(const CLI::App& app) {
+// An error for the first argument that is not known, with the nearest known word as a hint.
+std::string unknown_argument_text(const CLI::App& app) {
     const std::vector<std::string> unknown = app.remaining(true);
-    if (unknown.empty()) return "an argument is too much";
+    if (unknown.empty()) return "too many arguments";
     const std::string word = unknown.front().substr(0, unknown.front().find('='));
     const std::vector<CLI::App*> chosen = app.get_subcommands();
     std::vector<std::string> known;
@@ -67,22 +67,33 @@ std::string unknown_text(const CLI::App& app) {
            (nearest.empty() ? "" : "\n  hint: did you mean '" + std::string(nearest) + "'?");
 }
 
-// Help is an answer, not an error; CLI11 throws for both.
+std::string parse_error_text(const CLI::App& app, const CLI::ParseError& error) {
+    const std::string text = error.what();
+    switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
+        case CLI::ExitCodes::ExtrasError: return unknown_argument_text(app);
+        case CLI::ExitCodes::ArgumentMismatch: return text.substr(0, text.find(':')) + ": the value is missing";
+        default: return text;
+    }
+}
+
+// CLI11 throws for --help too, with the exit code 0.
 ExitCode answer_parse_error(CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {
         write_output(app.help("", CLI::AppFormatMode::Normal));
         return ExitCode::ok;
     }
-    const bool is_unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    report_error((is_unknown ? unknown_text(app) : std::string(error.what())) +
-                 "\n  hint: tumble COMMAND --help lists the options of a command");
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    report_error(parse_error_text(app, error) +
+                 (chosen.empty() ? "\n  hint: 'tumble --help' lists the commands"
+                                 : "\n  hint: 'tumble " + chosen.front()->get_name() + " --help' lists the options"));
     return ExitCode::usage;
 }
 
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-    CLI::App app("Simulates 2D physics scenes, renders their frames off-screen, proves contact distances", "tumble");
+    CLI::App app("Simulates 2D physics scenes, renders their frames off-screen, computes distances with proof",
+                 "tumble");
     Command command;
     ExitCode code = ExitCode::internal_error;
     try {

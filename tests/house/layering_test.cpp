@@ -1,5 +1,5 @@
 // Reads the #include lines of the whole project and fails on an upward include, or on a third-party header outside
-// its room. The tables below are the design's, and the README's page on the rooms shows the same.
+// its room. The tables here and in walls.hpp are the design's, and the README's page on the rooms shows the same.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -10,9 +10,18 @@
 #include <string>
 #include <vector>
 
+#include "house/walls.hpp"
+
 namespace fs = std::filesystem;
 
 namespace {
+
+using tumble::test::first_folder;
+using tumble::test::folder_of_source;
+using tumble::test::kMaySee;
+using tumble::test::may_include;
+
+const fs::path root = tumble::test::kProject;
 
 struct Include {
     fs::path file;
@@ -49,77 +58,12 @@ std::vector<Include> includes_below(const fs::path& folder) {
     return all;
 }
 
-std::string first_folder(const std::string& path) { return path.substr(0, path.find('/')); }
-
-std::string place(const Include& include) {
-    return fs::relative(include.file, TUMBLE_SOURCE_DIR).string() + ":" + std::to_string(include.line) + " includes " +
+std::string text_of(const Include& include) {
+    return fs::relative(include.file, root).string() + ":" + std::to_string(include.line) + " includes " +
            include.target;
 }
 
-const fs::path root = TUMBLE_SOURCE_DIR;
-
-// What each folder may include besides its own files, debug and public headers. A name stands for a folder and all
-// below it.
-const std::map<std::string, std::set<std::string>> kMaySee = {
-    {"debug", {}},
-    {"file", {}},
-    {"math", {}},
-    {"simd", {"math"}},
-    {"shape", {"math"}},
-    {"broad", {"math"}},
-    {"narrow/cores", {"math", "simd", "shape"}},
-    {"narrow/gjk", {"narrow/cores"}},
-    {"narrow/faces", {"simd", "narrow/cores", "narrow/gjk"}},
-    {"narrow/distance", {"simd", "narrow/cores", "narrow/gjk", "narrow/faces"}},
-    {"narrow/manifold", {"shape", "narrow/cores", "narrow/distance"}},
-    {"narrow/cast", {"simd", "narrow/cores"}},
-    {"narrow/impact", {"math", "narrow/cores", "narrow/distance", "narrow/cast"}},
-    {"narrow/compound", {"narrow/cores", "narrow/distance", "narrow/cast"}},
-    {"dynamics/bodies", {"math", "broad"}},
-    {"dynamics/contacts", {"simd", "broad", "narrow/manifold", "dynamics/bodies"}},
-    {"dynamics/rows", {"dynamics/bodies"}},
-    {"dynamics/joints", {"dynamics/bodies", "dynamics/rows"}},
-    {"dynamics/state", {"broad", "dynamics/bodies", "dynamics/contacts", "dynamics/rows", "dynamics/joints"}},
-    {"dynamics/stages", {"dynamics/bodies", "dynamics/contacts", "dynamics/state"}},
-    {"dynamics", {"dynamics/bodies", "dynamics/contacts", "dynamics/state", "dynamics/stages"}},
-    {"world", {"dynamics"}},
-    {"scene/json", {}},
-    {"scene/format", {"scene/json"}},
-    {"scene/model", {"scene/json", "scene/format"}},
-    {"scene/claims", {"scene/json", "scene/format", "scene/model"}},
-    {"scene/build", {"scene/json", "scene/format", "scene/model", "scene/claims"}},
-    {"scene/lint", {"scene/json", "scene/model", "scene/build"}},
-    {"scene/load", {"scene/json", "scene/format", "scene/model", "scene/claims", "scene/build", "scene/lint"}},
-    {"scene/run", {"scene/json", "scene/model"}},
-    {"import/rube", {"scene/json", "scene/format", "scene/model"}},
-    {"import/svg", {"scene/json", "scene/format", "scene/model"}},
-    {"render/style", {}},
-    {"render/view", {}},
-    {"render/canvas", {"render/style"}},
-    {"render/shapes", {"render/style", "render/view", "render/canvas"}},
-    {"render/frame", {"render/style", "render/view", "render/canvas", "render/shapes"}},
-    {"render/drawing", {"render/view", "render/canvas", "render/shapes"}},
-    {"render/output", {}},
-    {"reference/query", {}},
-    {"reference/exact", {"reference/query"}},
-    {"reference/box2d", {"reference/query"}},
-    {"reference/bench", {"reference/query", "reference/box2d"}},
-    {"reference/families", {"reference/query", "reference/exact", "reference/box2d"}},
-    {"reference/parity", {"reference/query", "reference/exact", "reference/box2d", "reference/families"}},
-    {"tools/output", {}},
-    {"tools/cli", {"tools/output"}},
-    {"tools/query", {"tools/output", "tools/cli"}},
-    {"tools/measure", {"tools/output", "reference"}},
-    {"tools/parity", {"tools/output", "reference"}},
-    {"tools/run", {"tools/output", "tools/cli", "tools/measure"}},
-    {"tools/scene", {"tools/output", "tools/cli", "tools/measure", "tools/run"}},
-    {"tools/commands",
-     {"tools/output", "tools/cli", "tools/query", "tools/measure", "tools/parity", "tools/run", "tools/scene",
-      "reference"}},
-    {"tools", {"tools/cli"}},
-};
-
-// Public headers that a lower room may include; rooms not named here may include all of them.
+// Public headers that a lower room may include; a room that is not listed may include all of them.
 const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"file", {"file.hpp"}},
     {"math", {"math.hpp"}},
@@ -156,35 +100,18 @@ void check_third_party(const Include& include, const std::string& room) {
     const auto found = kThirdParty.find(first_folder(include.target));
     if (found == kThirdParty.end()) return;
     if (room == "include" && include.file.filename() != "eigen.hpp") {
-        FAIL_CHECK(place(include));
+        FAIL_CHECK(text_of(include));
         return;
     }
-    if (!found->second.contains(room)) FAIL_CHECK(place(include));
-}
-
-// The folder of a source as the table names it: below src without that name, tools with it.
-std::string folder_of(const fs::path& file) {
-    const std::string folder = fs::relative(file.parent_path(), root).generic_string();
-    return folder.starts_with("src/") ? folder.substr(4) : folder;
+    if (!found->second.contains(room)) FAIL_CHECK(text_of(include));
 }
 
 std::string folder_of(const std::string& target) { return fs::path(target).parent_path().generic_string(); }
 
-bool is_in(const std::string& folder, const std::string& above) {
-    return folder == above || folder.starts_with(above + "/");
-}
-
-bool may_include(const std::string& folder, const std::string& target) {
-    if (folder == target || target == "debug") return true;
-    for (const std::string& seen : kMaySee.at(folder))
-        if (is_in(target, seen)) return true;
-    return false;
-}
-
 void check_public(const Include& include, const std::string& room) {
     const auto allowed = kPublicHeaders.find(room);
     if (allowed != kPublicHeaders.end() && !allowed->second.contains(include.target.substr(7)))
-        FAIL_CHECK(place(include));
+        FAIL_CHECK(text_of(include));
 }
 
 // Folders with the number of sources directly in them.
@@ -216,14 +143,14 @@ TEST_CASE("folders include only what the table allows") {
     for (const char* top : {"src", "tools"})
         for (const Include& include : includes_below(root / top)) {
             ++checked;
-            const std::string folder = folder_of(include.file), room = first_folder(folder);
+            const std::string folder = folder_of_source(include.file), room = first_folder(folder);
             REQUIRE_MESSAGE(kMaySee.contains(folder), "the folder " << folder << " is not in the table");
             check_third_party(include, room);
             const std::string target = folder_of(include.target);
             if (target == "tumble")
                 check_public(include, room);
             else if (include.quoted && !may_include(folder, target))
-                FAIL_CHECK(place(include));
+                FAIL_CHECK(text_of(include));
         }
     CHECK(checked > 1000);
 }
@@ -238,7 +165,7 @@ TEST_CASE("the table has no circle") {
 TEST_CASE("public headers include the standard library and each other only") {
     for (const Include& include : includes_below(root / "include")) {
         check_third_party(include, "include");
-        if (include.quoted && first_folder(include.target) != "tumble") FAIL_CHECK(place(include));
+        if (include.quoted && first_folder(include.target) != "tumble") FAIL_CHECK(text_of(include));
     }
 }
 

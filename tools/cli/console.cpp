@@ -67,7 +67,7 @@ void Progress::show(std::uint64_t done) {
     const double rate = seconds > 0.0 ? static_cast<double>(done) / seconds : 0.0;
     const double left = rate > 0.0 ? static_cast<double>(total_ - done) / rate : 0.0;
     char line[160];
-    std::snprintf(line, sizeof line, "\r\033[K%.*s %llu of %llu, %.0f a second, %.0f s left",
+    std::snprintf(line, sizeof line, "\r\033[K%.*s %llu of %llu, %.0f per second, %.0f s left",
                   static_cast<int>(unit_.size()), unit_.data(), static_cast<unsigned long long>(done),
                   static_cast<unsigned long long>(total_), rate, left);
     narrate(line);

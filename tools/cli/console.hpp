@@ -1,4 +1,4 @@
-// What a person or a script sees: data on standard output, everything else on standard error.
+// Output of the process: data on standard output, everything else on standard error.
 #pragma once
 
 #include <chrono>
@@ -7,20 +7,21 @@
 
 namespace tumble::tools {
 
-// Data. A failure (a full disk behind a redirection) is found by finish_output().
+// Writes data to standard output. finish_output() reports a failure, such as a full disk behind a redirection.
 void write_output(std::string_view text);
 
-// Throws FileError if any of the data could not be written.
+// Flushes standard output. Throws FileError if any data could not be written.
 void finish_output();
 
-// Narration, one line or more, as it is.
+// Writes narration to standard error, unchanged.
 void narrate(std::string_view text);
 
-// "tumble: error: ..." and "tumble: warning: ...", coloured on a terminal unless NO_COLOR is set.
+// Writes "tumble: error: ..." or "tumble: warning: ..." to standard error, coloured on a terminal unless NO_COLOR is
+// set.
 void report_error(std::string_view message);
 void report_warning(std::string_view message);
 
-// One line on a terminal that says how far a run is; silent elsewhere. Redrawn at most ten times a second.
+// The progress of a run as one line on a terminal, redrawn at most ten times a second. Writes nothing elsewhere.
 class Progress {
 public:
     Progress(std::string_view unit, std::uint64_t total);

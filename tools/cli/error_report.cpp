@@ -30,9 +30,9 @@ Problem explain(const std::exception_ptr& exception) {
     } catch (const std::bad_alloc&) {
         return {ExitCode::internal_error, "out of memory", {}};
     } catch (const std::exception& error) {
-        return {ExitCode::internal_error, std::string("this is a bug in tumble: ") + error.what(), {}};
+        return {ExitCode::internal_error, std::string("internal error, a bug in tumble: ") + error.what(), {}};
     } catch (...) {
-        return {ExitCode::internal_error, "this is a bug in tumble: an exception of unknown type", {}};
+        return {ExitCode::internal_error, "internal error, a bug in tumble: an exception of unknown type", {}};
     }
 }
 
@@ -48,7 +48,7 @@ void write_diagnostics(JsonWriter& json, const std::vector<Diagnostic>& diagnost
             .member("message", diagnostic.message)
             .member("hint", diagnostic.hint);
         json.key("included_by").open_array();
-        for (const std::string& place : diagnostic.included_by) json.value(place);
+        for (const std::string& location : diagnostic.included_by) json.value(location);
         json.close_array().close_object();
     }
     json.close_array();

@@ -1,4 +1,4 @@
-// The one place that knows which exception means which exit code.
+// Converts exceptions into messages and exit codes.
 #pragma once
 
 #include <exception>
@@ -11,7 +11,7 @@
 
 namespace tumble::tools {
 
-// What went wrong, as the process tells it.
+// An error as the process reports it.
 struct Problem {
     ExitCode code = ExitCode::internal_error;
     std::string message;
@@ -20,10 +20,10 @@ struct Problem {
 
 Problem explain(const std::exception_ptr& exception);
 
-// Says on standard error what went wrong, with --json also as {"error": {...}} on standard output.
+// Writes the error to standard error and, with --json, as {"error": {...}} to standard output.
 ExitCode report_exception(const std::exception_ptr& exception, bool json);
 
-// An array with an object for each diagnostic.
+// Writes an array with one object per diagnostic.
 void write_diagnostics(JsonWriter& json, const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace tumble::tools

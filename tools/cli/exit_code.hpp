@@ -1,18 +1,18 @@
-// What the process tells the script that started it.
+// The exit codes of the process, which scripts rely on.
 #pragma once
 
 namespace tumble::tools {
 
 enum class ExitCode : int {
-    ok = 0,              // everything that was promised is done
-    internal_error = 1,  // a bug, or a processor that the build does not fit
-    usage = 2,
-    invalid_input = 3,  // a scene, or the text of a query
-    file_system = 4,    // unreadable, exists already, disk full
-    rendering = 5,
-    diverged = 6,       // the simulation is no longer finite
-    failed = 7,         // an expectation or a comparison
-    interrupted = 130,  // SIGINT or SIGTERM: 128 + 2, as shells have it
+    ok = 0,              // the command succeeded and all files are complete
+    internal_error = 1,  // a bug, out of memory, or a processor without the instructions of the build
+    usage = 2,           // wrong arguments
+    invalid_input = 3,   // a scene, a query, a CSV file
+    file_system = 4,     // a file is missing, unreadable, exists already, or the disk is full
+    rendering = 5,       // OpenGL or its library failed
+    diverged = 6,        // a body's state is not finite
+    failed = 7,          // a claim does not hold, or a comparison found a difference
+    interrupted = 130,   // SIGINT or SIGTERM; 128 + 2, as shells report SIGINT
 };
 
 }  // namespace tumble::tools

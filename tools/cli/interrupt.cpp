@@ -8,13 +8,13 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void remember(int) { interrupted = 1; }
+void set_interrupted(int) { interrupted = 1; }
 
 }  // namespace
 
 void catch_interrupts() {
     struct sigaction action {};
-    action.sa_handler = remember;
+    action.sa_handler = set_interrupted;
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);

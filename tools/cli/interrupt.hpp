@@ -1,9 +1,9 @@
-// Ctrl-C and SIGTERM as a question that a loop asks between steps.
+// Ctrl-C (SIGINT) and SIGTERM as a flag that a loop reads between steps.
 #pragma once
 
 namespace tumble::tools {
 
-// From now on the first SIGINT or SIGTERM only sets a flag; a second one ends the process at once.
+// After this call the first SIGINT or SIGTERM sets the flag, and a second one ends the process.
 void catch_interrupts();
 
 bool is_interrupted() noexcept;

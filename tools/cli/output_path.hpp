@@ -1,4 +1,4 @@
-// Promised files: what is done before they are begun.
+// Creates output files: refuses to overwrite, and creates missing folders.
 #pragma once
 
 #include <filesystem>
@@ -8,16 +8,16 @@
 
 namespace tumble::tools {
 
-// Throws FileError if something is there already and `force` is not given.
+// Throws FileError if the file exists and `force` is false, and always for a folder, a device or a pipe.
 void refuse_to_overwrite(const std::filesystem::path& file, bool force);
 
 // Creates the folders above the file. Throws FileError.
 void create_folder_of(const std::filesystem::path& file);
 
-// Both of the above, then the file itself.
+// Calls both of the above and opens the file.
 OutputFile open_output(const std::filesystem::path& file, bool force);
 
-// The same, and all that it shall hold.
+// Writes the whole file.
 void write_file(const std::filesystem::path& file, std::string_view text, bool force);
 
 }  // namespace tumble::tools

@@ -1,4 +1,4 @@
-// The numbers that options take: unlike by the library's own checks not NaN, and no -1 that wraps around.
+// Validators of numeric options. Unlike those of CLI11 they refuse NaN, and -1 for an unsigned number.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,11 +7,11 @@
 
 namespace tumble::tools {
 
-// Both ends included.
+// Both bounds are included.
 CLI::Validator number_from_to(double lowest, double highest);
 CLI::Validator whole_number_from_to(std::uint64_t lowest, std::uint64_t highest);
 
-// Whole numbers from 0 on.
+// Any unsigned 64-bit number.
 CLI::Validator any_seed();
 
 }  // namespace tumble::tools

@@ -1,17 +1,17 @@
-// `tumble bench`: queries of the narrow phase and the world step beside Box2D's, in one run.
+// `tumble bench`: times narrow-phase queries and the world step of tumble and of Box2D in one run.
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
 #include "tools/cli/validators.hpp"
-#include "tools/measure/machine.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/machine/machine.hpp"
 #include "tools/measure/query_bench.hpp"
 #include "tools/measure/step_bench.hpp"
 #include "tools/output/json_writer.hpp"
-#include "tools/scene/places.hpp"
+#include "tools/scene/data_paths.hpp"
 #include "tools/scene/scene_options.hpp"
 
 namespace tumble::tools {
@@ -61,7 +61,7 @@ void write_row(JsonWriter& json, const StepBenchResult& row) {
 void bench_all_queries(const Command& command, const QueryBenchOptions& options, JsonWriter& json) {
     if (options.pairs == 0) return;
     if (!command.json)
-        write_output("query                         tumble ns     box2d ns   ratio   (CPU time a query)\n");
+        write_output("query                         tumble ns     box2d ns   ratio   (CPU time per query)\n");
     for (const reference::QueryCase& query_case : reference::query_cases()) {
         const QueryBenchResult row = bench_queries(query_case, options);
         write_row(json, row);
@@ -70,15 +70,16 @@ void bench_all_queries(const Command& command, const QueryBenchOptions& options,
 }
 
 ExitCode bench(const Command& command, const BenchArguments& options) {
+    std::vector<Scene> scenes;  // read first: an error in one should not come after minutes of measurements
+    for (const std::string& name : options.scenes) scenes.push_back(load_named_scene(find_scene(name).string()));
     JsonWriter json;
     json.open_object().key("distance").open_array();
     bench_all_queries(command, options.queries, json);
     json.close_array().key("step").open_array();
     if (!command.json)
-        write_output("scene                 bodies  contacts  tumble ms   box2d ms   ratio   (CPU time a step)\n");
-    for (const std::string& name : options.scenes) {
-        const Scene scene = load_named_scene(find_scene(name).string());
-        narrate("measuring " + name + "\n");
+        write_output("scene                 bodies  contacts  tumble ms   box2d ms   ratio   (CPU time per step)\n");
+    for (const Scene& scene : scenes) {
+        narrate("measuring " + scene.name + "\n");
         const StepBenchResult row = bench_steps(scene, options.steps);
         write_row(json, row);
         if (!command.json) write_row(row);
@@ -94,17 +95,18 @@ ExitCode bench(const Command& command, const BenchArguments& options) {
 
 void add_bench(CLI::App& app, Command& command) {
     const auto options = std::make_shared<BenchArguments>();
-    CLI::App& app_bench = add_subcommand(app, command, "bench", "Measure queries and the world step beside Box2D");
-    app_bench.add_option("--scenes", options->scenes, "Shipped scenes, or files")
+    CLI::App& app_bench =
+        add_subcommand(app, command, "bench", "Time queries and the world step of tumble and of Box2D");
+    app_bench.add_option("--scenes", options->scenes, "Names of shipped scenes, or scene files, separated by commas")
         ->delimiter(',')
         ->capture_default_str();
-    app_bench.add_option("--pairs", options->queries.pairs, "Pairs of shapes a query case; 0: no queries")
+    app_bench.add_option("--pairs", options->queries.pairs, "Pairs of shapes per query case; 0 skips the queries")
         ->capture_default_str()
         ->check(whole_number_from_to(0, 10000000));
-    app_bench.add_option("--steps", options->steps.steps, "Steps a run")
+    app_bench.add_option("--steps", options->steps.steps, "Steps per run")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 100000));
-    app_bench.add_option("--runs", options->steps.runs, "Runs, of which the median counts")
+    app_bench.add_option("--runs", options->steps.runs, "Runs of each engine; the median is reported")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 1000));
     app_bench.callback(

@@ -1,4 +1,4 @@
-// `tumble check`: simulate scenes without drawing them, and test what they claim about themselves.
+// `tumble check`: simulates scenes without drawing them, and evaluates their claims ("expect").
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -8,14 +8,15 @@
 #include <thread>
 #include <vector>
 
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
 #include "tools/cli/error_report.hpp"
 #include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/scene/claim_marks.hpp"
+#include "tools/scene/junit.hpp"
 #include "tools/scene/scene_check.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/scene/scene_shot.hpp"
@@ -36,14 +37,15 @@ struct CheckArguments {
 
 std::string verdict_line(const SceneCheck& check) {
     const auto passed = std::ranges::count(check.expectations, true, &ExpectationResult::passed);
-    if (!check.error.empty()) return check.file + ": not run to its end\n";
-    if (check.expectations.empty()) return check.file + ": runs, claims nothing\n";
+    if (!check.error.empty()) return check.file + ": could not be checked\n";
+    if (check.expectations.empty()) return check.file + ": simulated, has no claims\n";
     return check.file + ": " + std::to_string(passed) + " of " + std::to_string(check.expectations.size()) +
            " claims hold\n";
 }
 
-// All on one stream, so that a log keeps the order, and each finding with its file, so that it can be searched for.
-void say(const SceneCheck& check) {
+// Writes everything to one stream, so that a log keeps the order. Each failure names its file, so that it can be
+// searched.
+void print(const SceneCheck& check) {
     std::string text = verdict_line(check);
     if (!check.error.empty()) text += "  " + check.error + (check.error.ends_with('\n') ? "" : "\n");
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
@@ -51,7 +53,7 @@ void say(const SceneCheck& check) {
         if (result.passed) continue;
         text += "  " + check.file + ": " + pointer_of_claim(i) + " failed: expected that " + result.claim + "\n    " +
                 moment_text(result) + ": " + result.finding + "\n";
-        if (!check.shots.empty() && !check.shots[i].empty()) text += "    drawn: " + check.shots[i].string() + "\n";
+        if (!check.shots.empty() && !check.shots[i].empty()) text += "    picture: " + check.shots[i].string() + "\n";
     }
     write_output(text);
 }
@@ -72,8 +74,8 @@ void write(JsonWriter& json, const SceneCheck& check) {
     json.close_array().close_object();
 }
 
-// Scenes of one name are told apart by a number: x, x-2, x-3.
-void make_names_differ(std::vector<SceneCheck>& checks) {
+// Scenes of equal names get a number: x, x-2, x-3.
+void make_names_unique(std::vector<SceneCheck>& checks) {
     std::set<std::string> taken;
     for (SceneCheck& check : checks) {
         const std::string name = check.name;
@@ -81,8 +83,8 @@ void make_names_differ(std::vector<SceneCheck>& checks) {
     }
 }
 
-// A picture of the moment that decided each claim that does not hold: DIR/<scene>-expect-<index>.png. A picture that
-// cannot be had is said, and the claims still decide the exit code.
+// Draws the step that decided each failed claim to DIR/<scene>-expect-<index>.png. A picture that cannot be drawn is a
+// warning and does not change the exit code.
 void draw_failures(SceneCheck& check, const CheckArguments& options) {
     check.shots.resize(check.expectations.size());
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
@@ -96,7 +98,7 @@ void draw_failures(SceneCheck& check, const CheckArguments& options) {
                           [&](const SceneWorld& built) { return marks_of(scene.expect.at(i), result, built); });
             check.shots[i] = file;
         } catch (...) {
-            report_warning("not drawn: " + explain(std::current_exception()).message);
+            report_warning("no picture of a failed claim: " + explain(std::current_exception()).message);
         }
     }
 }
@@ -105,16 +107,17 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
     if (!options.junit.empty()) refuse_to_overwrite(options.junit, options.force);
     catch_interrupts();
     std::vector<SceneCheck> checks = check_scene_files(without_schemas(options.files), options.changes, options.jobs);
-    // An interruption weighs most, then a scene that could not be read or run, then a claim that does not hold.
+    // The exit code reports an interruption first, then a scene that could not be checked, then a claim that does not
+    // hold.
     const auto weight = [](ExitCode code) { return code == ExitCode::failed ? 1 : static_cast<int>(code) * 10; };
     ExitCode code = ExitCode::ok;
     JsonWriter json;
     json.open_object().key("scenes").open_array();
-    if (!options.shots.empty()) make_names_differ(checks);
+    if (!options.shots.empty()) make_names_unique(checks);
     for (SceneCheck& check : checks) {
         if (weight(check.code) > weight(code)) code = check.code;
         if (!options.shots.empty()) draw_failures(check, options);
-        command.json ? write(json, check) : say(check);
+        command.json ? write(json, check) : print(check);
     }
     json.close_array().member("passed", code == ExitCode::ok).close_object();
     if (command.json) write_output(json.text() + "\n");
@@ -126,15 +129,17 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
 
 void add_check(CLI::App& app, Command& command) {
     const auto options = std::make_shared<CheckArguments>();
-    CLI::App& check = add_subcommand(app, command, "check", "Simulate scenes, and test what they claim (\"expect\")");
+    CLI::App& check = add_subcommand(
+        app, command, "check", "Simulate scenes and evaluate their claims (\"expect\"); exit code 7 if one fails");
     check.add_option("SCENE", options->files, "Scene files")->required();
     add_change_options(check, options->changes);
     check.add_option("--junit", options->junit, "Write the results as JUnit XML")->type_name("F.xml");
-    check.add_option("--shots", options->shots, "Draw the moment of each failure into this folder")->type_name("DIR");
-    check.add_option("-j,--jobs", options->jobs, "Scenes at a time")
+    check.add_option("--shots", options->shots, "Draw the deciding step of each failed claim into this folder")
+        ->type_name("DIR");
+    check.add_option("-j,--jobs", options->jobs, "Scenes to simulate in parallel")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 256));
-    check.add_flag("--force", options->force, "Replace files that exist");
+    check.add_flag("--force", options->force, "Replace existing files");
     check.callback(
         [&command, options] { command.action = [&command, options] { return check_all(command, *options); }; });
 }

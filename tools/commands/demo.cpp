@@ -1,17 +1,20 @@
-// `tumble demo`: a shipped scene, run into a folder of the build, which the demo owns and replaces, or into the user's
-// own; or its file, to start from.
+// `tumble demo`: runs a shipped scene into a folder that the demo replaces, or into a folder of the user; lists the
+// shipped scenes; prints the file of one.
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/run/run_report.hpp"
 #include "tools/run/simulation.hpp"
-#include "tools/scene/places.hpp"
+#include "tools/scene/data_paths.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tumble/file.hpp"
+#include "tumble/suggest.hpp"
 
 namespace tumble::tools {
 
@@ -46,18 +49,25 @@ ExitCode list_demos(const Command& command) {
 }
 
 fs::path find_demo(const std::string& name) {
-    for (const fs::path& file : find_scenes())
+    std::vector<std::string> names;
+    for (const fs::path& file : find_scenes()) {
         if (file.stem() == name) return file;
-    throw CLI::ValidationError("NAME", "there is no shipped scene '" + name + "'; demo --list shows which there are");
+        names.push_back(file.stem().string());
+    }
+    const std::string_view nearest = nearest_word(name, std::vector<std::string_view>(names.begin(), names.end()));
+    throw CLI::ValidationError("NAME", "there is no shipped scene '" + name + "'; " +
+                                           (nearest.empty() ? "" : "did you mean '" + std::string(nearest) + "'? ") +
+                                           "'tumble demo --list' lists all");
 }
 
-// As it is written, comments and all; in one piece if it includes others, which are not where it will be put.
+// Prints the file as it is, with comments. A scene with includes is printed as one scene, because the included files
+// are not beside the copy.
 ExitCode print_demo(const Command& command, const DemoArguments& options) {
     const fs::path file = find_demo(options.name);
     LoadOptions as_written;
     as_written.keep_includes = true;
-    const bool is_whole = load_scene(file, as_written).include.empty();
-    const std::string text = is_whole ? read_file(file) : to_json(load_scene(file));
+    const bool is_one_file = load_scene(file, as_written).include.empty();
+    const std::string text = is_one_file ? read_file(file) : to_json(load_scene(file));
     if (!command.json) {
         write_output(text);
         return ExitCode::ok;
@@ -73,17 +83,17 @@ ExitCode run_demo(const Command& command, const DemoArguments& options) {
     source.file = find_demo(options.name).string();
     const Scene scene = read_scene(source);
     RunOptions settings;
-    const bool is_ours = options.folder.empty();
-    settings.folder = is_ours ? demo_folder() / file_name_of(scene.name) : options.folder;
-    settings.force = is_ours || options.force;
-    narrate("Simulating and rendering " + options.name + ": " + scene.description + "\n");
+    const bool is_demo_folder = options.folder.empty();
+    settings.folder = is_demo_folder ? demo_folder() / file_name_of(scene.name) : options.folder;
+    settings.force = is_demo_folder || options.force;
+    narrate("simulating and rendering " + options.name + ": " + scene.description + "\n");
     const RunReport report = simulate(scene, settings);
     if (command.json) {
         write_output(to_json(report));
     } else {
         const std::string tumble = command_to_type();
         write_output(to_text(report));
-        write_output("  next        " + tumble + " demo --list, or one frame of another scene:\n              " +
+        write_output("  next        " + tumble + " demo --list, or draw one frame of another scene:\n              " +
                      tumble + " shot " + find_scene("bridge").string() + " --at 2 -o bridge.png\n");
     }
     return report.complete ? ExitCode::ok : ExitCode::interrupted;
@@ -93,13 +103,13 @@ ExitCode run_demo(const Command& command, const DemoArguments& options) {
 
 void add_demo(CLI::App& app, Command& command) {
     const auto options = std::make_shared<DemoArguments>();
-    CLI::App& demo = add_subcommand(app, command, "demo", "Run a shipped scene into the build folder");
-    demo.add_option("NAME", options->name, "The scene")->capture_default_str();
+    CLI::App& demo = add_subcommand(app, command, "demo", "Run a shipped scene");
+    demo.add_option("NAME", options->name, "Name of the scene")->capture_default_str();
     demo.add_flag("--list", options->list, "List the shipped scenes");
-    demo.add_flag("--print", options->print, "Print the scene's file in place of running it: one to start from");
-    demo.add_option("-o,--output", options->folder, "Folder for the frames; left out: one that the demo replaces")
+    demo.add_flag("--print", options->print, "Print the scene file instead of running it, as a start for your own");
+    demo.add_option("-o,--output", options->folder, "Folder for the results; default: a folder that each demo replaces")
         ->type_name("DIR");
-    demo.add_flag("--force", options->force, "Replace what is in that folder");
+    demo.add_flag("--force", options->force, "Replace the results of an earlier run in DIR");
     demo.callback([&command, options] {
         command.action = [&command, options] {
             if (options->list) return list_demos(command);

@@ -1,4 +1,4 @@
-// `tumble distance`: the signed distance of two shapes, once or for each line of standard input.
+// `tumble distance`: the signed distance of two shapes, for two arguments or for each line of standard input.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/output/input_error.hpp"
 #include "tools/query/distance_query.hpp"
 #include "tools/query/trace_output.hpp"
@@ -24,7 +24,7 @@ namespace {
 struct DistanceArguments {
     std::string a, b;
     bool from_input = false;
-    std::string sub_algorithm;    // empty: distance() as it is
+    std::string sub_algorithm;    // empty: distance() with its fast paths
     std::filesystem::path trace;  // empty: not drawn
     bool force = false;
 };
@@ -41,8 +41,7 @@ DistanceResult answer(const DistanceQuery& query, const DistanceArguments& optio
 ExitCode answer_arguments(const Command& command, const DistanceArguments& options) {
     const DistanceQuery query = parse_query_arguments(options.a, options.b);
     const DistanceResult result = answer(query, options);
-    if (result.status == DistanceStatus::invalid)
-        throw InputError("A and B have no distance: double numbers cannot hold it");
+    if (result.status == DistanceStatus::invalid) throw InputError("the distance of A and B is not a finite double");
     if (!options.trace.empty()) {
         const std::string& by = options.sub_algorithm.empty() ? "voronoi" : options.sub_algorithm;
         write_trace(options.trace, query, kSubAlgorithms.at(by), options.force);
@@ -57,7 +56,7 @@ ExitCode answer_arguments(const Command& command, const DistanceArguments& optio
     return ExitCode::ok;
 }
 
-// A line of the input: a query, or the message of its error.
+// A line of the input: a query, or its error.
 struct Line {
     std::uint64_t number = 0;
     DistanceQuery query;
@@ -101,8 +100,8 @@ void write_answers(const std::vector<Line>& lines, const DistanceArguments& opti
     }
 }
 
-// A line that is no query is answered by its error, and reading goes on. Lines are answered in batches, but before
-// reading blocks all lines so far are answered, so that a process that writes one line and waits gets its answer.
+// A line that is not valid is answered by its error, and reading continues. Lines are answered in batches; before the
+// loop waits for more input it answers all lines so far, so that a program can write one line and wait for the answer.
 ExitCode answer_lines(const DistanceArguments& options) {
     constexpr std::size_t kAtOnce = 256;
     std::ios::sync_with_stdio(false);
@@ -129,12 +128,13 @@ ExitCode answer_lines(const DistanceArguments& options) {
 
 ExitCode run(const Command& command, const DistanceArguments& options) {
     if (!options.trace.empty() && (options.from_input || !is_trace_file(options.trace)))
-        throw CLI::ValidationError("--trace",
-                                   "expected a file .png, .svg or .json, for one query, got " + options.trace.string());
+        throw CLI::ValidationError(
+            "--trace",
+            "needs a single query and a file name that ends in .png, .svg or .json, got " + options.trace.string());
     if (options.from_input && !options.a.empty())
-        throw CLI::ValidationError("--stdin", "reads all queries from standard input, and takes no A and B");
+        throw CLI::ValidationError("--stdin", "reads the queries from standard input; leave out A and B");
     if (options.from_input) return answer_lines(options);
-    if (options.a.empty() || options.b.empty()) throw CLI::RequiredError("A and B, two shapes as JSON, or --stdin,");
+    if (options.a.empty() || options.b.empty()) throw CLI::RequiredError("A and B (two shapes as JSON), or --stdin,");
     return answer_arguments(command, options);
 }
 
@@ -144,16 +144,18 @@ void add_distance(CLI::App& app, Command& command) {
     const auto options = std::make_shared<DistanceArguments>();
     CLI::App& distance =
         add_subcommand(app, command, "distance",
-                       "The signed distance of two convex shapes; a polygon is the exact hull of its vertices");
+                       "Compute the signed distance of two convex shapes, with proof; a polygon is the exact hull of its "
+                       "vertices");
     distance.add_option("A", options->a, R"(A shape, as in {"circle": {"radius": 1}, "pose": {"position": [2, 0]}})");
-    distance.add_option("B", options->b, "Another");
-    distance.add_flag("--stdin", options->from_input, "A query a line on standard input, an answer a line out");
-    distance.add_option("--sub-algorithm", options->sub_algorithm, "By the GJK loop alone, with this subalgorithm")
+    distance.add_option("B", options->b, "The second shape");
+    distance.add_flag("--stdin", options->from_input,
+                      "Read one query per line from standard input, write one answer per line");
+    distance.add_option("--sub-algorithm", options->sub_algorithm, "Use the GJK loop only, with this subalgorithm")
         ->check(CLI::IsMember(&kSubAlgorithms))
         ->type_name("NAME");
-    distance.add_option("--trace", options->trace, "Write the iterations of the one query")
+    distance.add_option("--trace", options->trace, "Write the iterations of GJK as a picture or as JSON")
         ->type_name("F.png|.svg|.json");
-    distance.add_flag("--force", options->force, "Replace the trace if it exists");
+    distance.add_flag("--force", options->force, "Replace an existing trace");
     distance.callback([&command, options] { command.action = [&command, options] { return run(command, *options); }; });
 }
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
@@ -21,7 +21,7 @@ struct FmtArguments {
     bool force = false;
 };
 
-// Of a text that was read as a scene: // to the end of the line, and /* */.
+// Counts the comments of a valid scene: // to the end of the line, and /* */.
 int count_comments(std::string_view text) {
     int count = 0;
     bool in_string = false;
@@ -48,16 +48,14 @@ ExitCode format(const Command& command, const FmtArguments& options) {
     const std::string text = to_json(scene);
     const std::string before = read_file(options.file);
     const bool changes = before != text;
-    // Comments may stand between any two tokens, and the canonical form has no place for them.
     const int comments = count_comments(before);
     if (options.write && changes && comments > 0 && !options.force)
         throw FileError(options.file, "has " + std::to_string(comments) + (comments == 1 ? " comment" : " comments") +
-                                          ", for which the canonical form has no place; --force writes it without, "
-                                          "\"custom\" is for what shall stay");
+                                          ", which the canonical form drops; write it without them with --force, or "
+                                          "move them into \"custom\"");
     if (comments > 0)
         report_warning(options.file + ": " + std::to_string(comments) +
-                       (comments == 1 ? " comment is" : " comments are") +
-                       " not kept; \"custom\" is for what shall stay");
+                       (comments == 1 ? " comment is" : " comments are") + " dropped; \"custom\" keeps notes");
     if (options.write && changes) save_scene(scene, options.file);
     if (!options.write && !command.json) {
         write_output(text);
@@ -74,11 +72,12 @@ ExitCode format(const Command& command, const FmtArguments& options) {
 
 void add_fmt(CLI::App& app, Command& command) {
     const auto options = std::make_shared<FmtArguments>();
-    CLI::App& fmt = add_subcommand(app, command, "fmt", "Print a scene in its canonical form: one order, no defaults");
+    CLI::App& fmt =
+        add_subcommand(app, command, "fmt", "Print a scene in its canonical form: keys in one order, without defaults");
     fmt.add_option("SCENE", options->file, "Scene file")->required();
-    fmt.add_flag("-w,--write", options->write, "Replace the file in place of printing");
-    fmt.add_flag("--force", options->force, "Replace a file that has comments, without them");
-    fmt.add_flag("--flat", options->flat, "With what it includes in place: a scene that needs no other file");
+    fmt.add_flag("-w,--write", options->write, "Replace the file instead of printing");
+    fmt.add_flag("--force", options->force, "With --write: also replace a file with comments, which are lost");
+    fmt.add_flag("--flat", options->flat, "Resolve includes: print a scene that needs no other file");
     fmt.callback([&command, options] { command.action = [&command, options] { return format(command, *options); }; });
 }
 

@@ -1,4 +1,4 @@
-// `tumble import`: a scene from a file of another program.
+// `tumble import`: converts a file of another program into a scene.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -7,10 +7,10 @@
 #include <string>
 
 #include "reference/box2d/b2_rube.hpp"
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
@@ -28,7 +28,7 @@ struct ImportArguments {
     bool check = false;
 };
 
-constexpr double kAllowedDifference = 1e-5;  // relative, and m: exports and Box2D are float
+constexpr double kAllowedDifference = 1e-5;  // relative, and in m for anchors: exports and Box2D are float
 
 bool agrees(const reference::ImportDifferences& found) {
     return found.same_count && std::max({found.mass, found.center, found.inertia, found.anchor}) <= kAllowedDifference;
@@ -44,11 +44,11 @@ std::ptrdiff_t count_of(const ImportedScene& imported, BodyType type) {
     return std::ranges::count(imported.scene.bodies, type, &SceneBody::type);
 }
 
-// What decides in a drawing what moves, which no drawing program asks.
+// How the types of bodies follow from a drawing, which has no such property.
 constexpr const char* kSvgRule =
-    "In a drawing, filled shapes become dynamic bodies, mere lines static chains. class=\"static\" (or \"kinematic\", "
-    "\"dynamic\"), the "
-    "same in data-type, or an id that begins with it decides otherwise, on a shape or a group: mark a floor by it.";
+    "In an SVG drawing, filled shapes become dynamic bodies and unfilled lines become static chains.\n"
+    "To choose another type, set class=\"static\" (or \"kinematic\", \"dynamic\"), data-type=\"static\", or an id\n"
+    "that begins with the word, on the shape or its group.";
 
 void write_json(const ImportArguments& options, const ImportedScene& imported,
                 const std::optional<reference::ImportDifferences>& check) {
@@ -75,20 +75,24 @@ void write_text(const ImportArguments& options, const ImportedScene& imported,
                  std::to_string(count_of(imported, BodyType::static_body)) + " static), " +
                  std::to_string(imported.scene.joints.size()) + " joints\n");
     for (const ImportNote& note : imported.notes)
-        report_warning("not carried over: " + note.feature + " (" + std::to_string(note.count) + ")");
+        report_warning("not imported: " + note.feature + " (" + std::to_string(note.count) + ")");
+    if (imported.scene.bodies.empty())
+        report_warning(options.source.string() + ": no bodies found; the scene is empty");
     if (is_svg(options.source)) narrate(std::string(kSvgRule) + "\n");
     if (!check) return;
-    std::string text = "beside Box2D: " + std::to_string(check->bodies) + " dynamic bodies, masses within ";
+    std::string text = "compared with Box2D: " + std::to_string(check->bodies) + " dynamic bodies, masses within ";
     append_number(text, check->mass);
     append_number(text += ", centres within ", check->center);
     append_number(text += ", inertias within ", check->inertia);
     append_number(text += " (relative); " + std::to_string(check->joints) + " joints, anchors within ", check->anchor);
-    write_output(text + " m" + (agrees(*check) ? "\n" : ": they do not agree\n"));
+    write_output(text + " m" + (agrees(*check) ? "\n" : ": the differences are too large\n"));
 }
 
 ExitCode import_scene(const Command& command, const ImportArguments& options) {
     if (options.check && is_svg(options.source))
-        throw CLI::ValidationError("--check", "compares a R.U.B.E. export with Box2D, and this is a drawing");
+        throw CLI::ValidationError(
+            "--check",
+            "compares R.U.B.E. exports with Box2D; it has no meaning for a drawing: " + options.source.string());
     refuse_to_overwrite(options.scene, options.force);
     const ImportedScene imported =
         is_svg(options.source) ? import_svg(options.source, options.svg) : import_rube(options.source);
@@ -108,22 +112,22 @@ ExitCode import_scene(const Command& command, const ImportArguments& options) {
 void add_import(CLI::App& app, Command& command) {
     const auto options = std::make_shared<ImportArguments>();
     CLI::App& app_import =
-        add_subcommand(app, command, "import", "Make a scene from a R.U.B.E. (b2dJson) export or an SVG drawing");
+        add_subcommand(app, command, "import", "Convert a R.U.B.E. (b2dJson) export or an SVG drawing into a scene");
     app_import.footer(kSvgRule);
-    app_import.add_option("FILE", options->source, "The export (.json, .js), or the drawing (.svg)")->required();
-    app_import.add_option("--scale", options->svg.metres_per_unit, "Metres of a user unit of an SVG drawing")
+    app_import.add_option("FILE", options->source, "R.U.B.E. export (.json, .js) or drawing (.svg)")->required();
+    app_import.add_option("--scale", options->svg.metres_per_unit, "Metres per user unit of an SVG drawing")
         ->type_name("M")
         ->capture_default_str()
         ->check(number_from_to(1e-6, 1e6));
     app_import
-        .add_option("--tolerance", options->svg.tolerance, "Largest distance of SVG curves from their chords, in m")
+        .add_option("--tolerance", options->svg.tolerance, "Largest distance between an SVG curve and its chords, in m")
         ->type_name("M")
         ->capture_default_str()
         ->check(number_from_to(1e-9, 1e6));
     app_import.add_option("-o,--output", options->scene, "Scene file to write")->type_name("SCENE")->required();
     app_import.add_flag(
         "--check", options->check,
-        "Compare masses, inertias and anchors with Box2D built from the same export; exit code 7 if they differ");
+        "Compare masses, inertias and anchors with Box2D, built from the same export; exit code 7 if they differ");
     app_import.add_flag("--force", options->force, "Replace the scene file if it exists");
     app_import.callback(
         [&command, options] { command.action = [&command, options] { return import_scene(command, *options); }; });

@@ -1,4 +1,4 @@
-// `tumble parity`: distances, rays, casts and times of impact beside Box2D's, with exact arithmetic as the judge.
+// `tumble parity`: compares distances, rays, casts and times of impact with Box2D, and checks both by exact arithmetic.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -7,19 +7,20 @@
 #include "reference/families/cast_families.hpp"
 #include "reference/families/pair_families.hpp"
 #include "reference/parity/parity.hpp"
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/parity/parity_page.hpp"
 #include "tools/parity/parity_report.hpp"
-#include "tools/scene/places.hpp"
+#include "tools/scene/data_paths.hpp"
 #include "tools/scene/scene_options.hpp"
 
 namespace tumble::tools {
 
 namespace {
 
-constexpr std::uint64_t kMostPairs = 1000000000;  // an hour or two, and 200 MB for the list of their blocks
+constexpr std::uint64_t kMostPairs = 1000000000;  // one or two hours, and 200 MB for the list of blocks
 
 struct ParityArguments {
     reference::ParityOptions parity;
@@ -45,7 +46,7 @@ ExitCode list_families(const Command& command) {
     return ExitCode::ok;
 }
 
-// The rows of all scenes as one result.
+// One result with the rows of all scenes.
 reference::ParityResult compare_scenes(const ParityArguments& options) {
     reference::ParityResult all;
     all.seed = options.parity.seed;
@@ -87,7 +88,7 @@ ExitCode compare(const Command& command, const ParityArguments& options) {
         write_file(options.report,
                    parity_page(result, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"),
                    options.force);
-        narrate("the report is " + options.report + "\n");
+        narrate("report written to " + options.report + "\n");
     }
     return result.passed() ? ExitCode::ok : ExitCode::failed;
 }
@@ -96,22 +97,23 @@ ExitCode compare(const Command& command, const ParityArguments& options) {
 
 void add_parity(CLI::App& app, Command& command) {
     const auto options = std::make_shared<ParityArguments>();
-    CLI::App& parity = add_subcommand(app, command, "parity", "Compare distances with b2Distance and exact arithmetic");
-    parity.add_option("--pairs", options->parity.pairs, "Random pairs")
+    CLI::App& parity =
+        add_subcommand(app, command, "parity",
+                       "Compare distances with Box2D's and with exact arithmetic; exit code 7 if tumble is wrong");
+    parity.add_option("--pairs", options->parity.pairs, "Number of random pairs")
         ->capture_default_str()
         ->check(whole_number_from_to(1, kMostPairs));
     parity.add_option("--seed", options->parity.seed, "Seed of the pairs")->capture_default_str()->check(any_seed());
-    parity.add_option("--family", options->parity.families, "Only this family of pairs; may be given again");
-    parity.add_option("--scene", options->scenes,
-                      "Instead, every pair of every step of this scene; may be given again");
-    parity.add_option("--threads", options->parity.threads, "0: as many as the machine has")
+    parity.add_option("--family", options->parity.families, "Only this family of pairs; repeatable");
+    parity.add_option("--scene", options->scenes, "Compare every pair of every step of this scene instead; repeatable");
+    parity.add_option("--threads", options->parity.threads, "Threads; 0: one per processor")
         ->capture_default_str()
         ->check(whole_number_from_to(0, 256));
-    parity.add_option("--report", options->report, "Write a page with plots and the worst cases to this file")
+    parity.add_option("--report", options->report, "Write an HTML page with plots and the worst cases")
         ->type_name("F.html");
     parity.add_flag("--force", options->force, "Replace an existing report");
     parity.add_flag("--list", options->list, "List the families");
-    parity.parse_complete_callback([&parity] { warn_of_idle(parity, {"--pairs", "--seed", "--family"}, "--scene"); });
+    parity.parse_complete_callback([&parity] { warn_of_unused(parity, {"--pairs", "--seed", "--family"}, "--scene"); });
     parity.callback(
         [&command, options] { command.action = [&command, options] { return compare(command, *options); }; });
 }

@@ -1,10 +1,10 @@
-// `tumble run`: simulate a scene, render its frames, write what was asked for.
+// `tumble run`: simulates a scene, renders its frames and writes the requested files.
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/run/run_report.hpp"
 #include "tools/run/simulation.hpp"
@@ -24,7 +24,7 @@ ExitCode run(const Command& command, const RunArguments& options) {
     const bool has_bodies = !scene.bodies.empty() || std::ranges::any_of(scene.timeline, [](const SceneEvent& event) {
         return event.spawn.has_value();
     });
-    if (!has_bodies) report_warning("the scene has no bodies: there is nothing to see");
+    if (!has_bodies) report_warning("the scene has no bodies: the frames will be empty");
     RunOptions settings = options.run;
     if (settings.folder.empty()) settings.folder = std::filesystem::path("out") / file_name_of(scene.name);
     const RunReport report = simulate(scene, settings);

@@ -1,8 +1,8 @@
 // `tumble schema`: the JSON schema of the scene format.
 #include <string>
 
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
+#include "tools/commands/commands.hpp"
 #include "tumble/scene_file.hpp"
 
 namespace tumble::tools {

@@ -1,12 +1,12 @@
-// `tumble shot`: one frame of a scene.
+// `tumble shot`: renders one frame of a scene.
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/scene/scene_options.hpp"
@@ -38,10 +38,10 @@ void report_shot(const Command& command, const ShotArguments& options, const Sce
 
 ExitCode shoot(const Command& command, const ShotArguments& options) {
     if (options.file.extension() != ".png")
-        throw CLI::ValidationError("--output", "expected a file .png, got " + options.file.string());
+        throw CLI::ValidationError("--output", "expected a file name that ends in .png, got " + options.file.string());
     const Scene scene = read_scene(options.scene);
     if (options.time > scene.world.duration)
-        report_warning("--at is after the duration of the scene, which runs on until then");
+        report_warning("--at is after the end of the scene, which is simulated on until then");
     refuse_to_overwrite(options.file, options.force);
     const std::uint64_t step = nearest_step(options.time, scene.world.steps_per_second);
     report_shot(command, options, draw_scene_at(scene, step, options.size, options.file, options.overlay));
@@ -54,7 +54,7 @@ void add_shot(CLI::App& app, Command& command) {
     const auto options = std::make_shared<ShotArguments>();
     CLI::App& shot = add_subcommand(app, command, "shot", "Render one frame of a scene");
     add_scene_options(shot, options->scene);
-    shot.add_option("--at", options->time, "Simulated second of the frame")
+    shot.add_option("--at", options->time, "Simulated time of the frame in seconds")
         ->type_name("T")
         ->capture_default_str()
         ->check(number_from_to(0.0, kMaxDuration));

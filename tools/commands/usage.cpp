@@ -1,21 +1,18 @@
-// What `tumble` says when it is given nothing to do.
-#include "tools/cli/command.hpp"
+// The output of `tumble` without arguments.
 #include "tools/cli/console.hpp"
-#include "tools/scene/places.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/scene/data_paths.hpp"
 
 namespace tumble::tools {
 
 ExitCode print_usage() {
     write_output(
-        "  tumble run SCENE [-o DIR]       simulate and render into DIR; shot SCENE --at T -o F.png: one frame\n"
-        "  tumble demo [NAME]              run a shipped scene; demo --list: which there are\n"
-        "  tumble check SCENE...           simulate, and test what the scenes claim; validate: every error; diff A B: "
-        "two runs\n"
-        "  tumble import FILE -o SCENE     a scene from R.U.B.E. or SVG; fmt: tidy a scene; schema: its JSON schema\n"
-        "  tumble distance A B             the signed distance of two shapes, with its proof; parity: beside "
-        "b2Distance\n"
-        "  tumble bench                    queries and world step beside Box2D; COMMAND --help: all options of a "
-        "command\n"
+        "  tumble run SCENE              simulate and render a scene; see also demo, shot\n"
+        "  tumble check SCENE...         evaluate the claims of scenes; see also validate\n"
+        "  tumble diff A B               report where two runs first differ\n"
+        "  tumble import FILE -o SCENE   convert a drawing or an export; see also fmt, schema\n"
+        "  tumble distance A B           compute a distance with proof; see also parity, bench\n"
+        "  tumble COMMAND --help         list the options of a command\n"
         "Try: " +
         command_to_type() + " demo\n");
     return ExitCode::ok;

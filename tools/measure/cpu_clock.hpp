@@ -1,4 +1,4 @@
-// Processor time of the calling thread: what a measurement on a busy machine should use.
+// CPU time of the calling thread, which other processes on a busy machine do not add to.
 #pragma once
 
 #include <ctime>

@@ -1,4 +1,4 @@
-// The middle of measurements: what noise on either side does not move.
+// The median of measurements, which outliers do not move.
 #pragma once
 
 #include <algorithm>

@@ -18,14 +18,14 @@ double time_run(const reference::QueryRun& run) {
 }  // namespace
 
 QueryBenchResult bench_queries(const reference::QueryCase& query_case, const QueryBenchOptions& options) {
-    const bool is_slow = query_case.name.starts_with("1000-gon");  // 20 us a query of Box2D's
+    const bool is_slow = query_case.name.starts_with("1000-gon");  // Box2D takes 20 us per query
     const int pairs = is_slow ? options.pairs / 64 + 1 : options.pairs;
     const reference::QueryRuns runs = query_case.make(pairs, options.seed);
     std::vector<double> ours, theirs;
     for (int run = -1; run < options.runs; ++run) {
         const double ns_a_query = 1e9 / pairs;
         const double tumble_ns = ns_a_query * time_run(runs.tumble), box2d_ns = ns_a_query * time_run(runs.box2d);
-        if (run < 0) continue;  // fills the caches, the processor's and the queries'
+        if (run < 0) continue;  // warms up the processor caches and the queries' own caches
         ours.push_back(tumble_ns);
         theirs.push_back(box2d_ns);
     }

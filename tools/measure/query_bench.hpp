@@ -1,4 +1,4 @@
-// Times the queries of the narrow phase beside Box2D's.
+// Times narrow-phase queries of tumble and of Box2D.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 namespace tumble::tools {
 
 struct QueryBenchOptions {
-    int pairs = 65536;  // so many that neither engine's branches are learnt by heart
-    int runs = 5;       // of each engine, taking turns
+    int pairs = 65536;  // so many that the branch predictor cannot learn the outcomes
+    int runs = 5;       // of each engine, alternating
     std::uint64_t seed = 1;
 };
 
 struct QueryBenchResult {
     std::string name;
-    double tumble_ns = 0.0;  // CPU time of a query, median of the runs
+    double tumble_ns = 0.0;  // CPU time per query, median of the runs
     double box2d_ns = 0.0;
     double ratio() const { return box2d_ns / tumble_ns; }
 };

@@ -14,7 +14,8 @@ namespace tumble::tools {
 
 namespace {
 
-constexpr int kTurn = 10;  // steps: short beside what a machine's speed drifts in, long beside a cold cache
+// Steps before the engines alternate: short against drifts of the machine's speed, long against refilling the caches.
+constexpr int kTurn = 10;
 
 template <class World>
 double time_steps(World& world, int count) {
@@ -34,7 +35,7 @@ StepBenchResult bench_steps(const Scene& scene, const StepBenchOptions& options)
     StepBenchResult result;
     result.scene = scene.name;
     const int steps = steps_of(scene, options);
-    std::vector<double> ours, theirs;  // ms a step, of each run
+    std::vector<double> ours, theirs;  // ms per step, of each run
     for (int run = 0; run < options.runs; ++run) {
         SceneWorld tumble_world = build_world(scene);
         reference::B2World box2d_world(scene);

@@ -1,4 +1,4 @@
-// Times the steps of a scene's world beside those of a Box2D world made from the same scene.
+// Times the steps of a scene's world and of a Box2D world that is built from the same scene.
 #pragma once
 
 #include <string>
@@ -15,13 +15,13 @@ struct StepBenchOptions {
 struct StepBenchResult {
     std::string scene;
     std::size_t bodies = 0;
-    int contacts = 0;        // of ours, at the end
-    double tumble_ms = 0.0;  // CPU time of a step: mean of a run, median of the runs
+    int contacts = 0;        // of the tumble world, at the end
+    double tumble_ms = 0.0;  // CPU time per step: mean of a run, median of the runs
     double box2d_ms = 0.0;
     double ratio() const { return box2d_ms / tumble_ms; }
 };
 
-// The engines take turns every few steps, so that whatever else the machine does meets both alike.
+// The engines alternate every few steps, so that changes of the machine's speed affect both alike.
 StepBenchResult bench_steps(const Scene& scene, const StepBenchOptions& options);
 
 }  // namespace tumble::tools

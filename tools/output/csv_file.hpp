@@ -1,10 +1,12 @@
-// Reads a CSV file whose columns are known: what is wrong with it is told with its line.
+// Reads a CSV file with known columns. Errors name the file and the line.
 #pragma once
 
 #define CSV_IO_NO_THREAD
 #include <libfccp/csv.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -18,34 +20,23 @@
 
 namespace tumble::tools {
 
-// What the reader throws ends as our kind of error, with file and line.
-template <class Action>
-auto with_input_errors(Action action) {
-    try {
-        return action();
-    } catch (const io::error::base& error) {
-        throw InputError(error.what());
-    }
-}
-
 template <unsigned Columns>
 class CsvFile {
 public:
-    // The names of the columns, which must stand in the first line. Throws FileError or InputError, as all functions
-    // do.
+    // The names must be columns of the header line. Throws FileError or InputError, as all functions do.
     template <class... Names>
     CsvFile(const std::filesystem::path& file, Names... names)
         : name_(file.string()), stream_(opened(file)), csv_(name_, stream_) {
         with_input_errors([&] { csv_.read_header(io::ignore_no_column, names...); });
     }
 
-    // The fields of the next line, which hold until the one after it; false at the end.
+    // Reads the fields of the next line, which are valid until the next call; false at the end.
     bool read(std::array<char*, Columns>& fields) {
         const auto read_row = [this](auto&... field) { return csv_.read_row(field...); };
         return with_input_errors([&] { return std::apply(read_row, fields); });
     }
 
-    // A field of the line that was read last, all of it.
+    // Converts a field of the line that was read last. Throws InputError if the field is not a number.
     template <class Number>
     Number number(const char* text) const {
         Number value{};
@@ -57,6 +48,21 @@ public:
     }
 
 private:
+    // Converts the exceptions of the CSV library, `Too few columns in line 2 in file "x.csv".`, to InputError with
+    // "x.csv:2: too few columns".
+    template <class Action>
+    auto with_input_errors(Action action) {
+        try {
+            return action();
+        } catch (const io::error::base& error) {
+            std::string text = error.what();
+            for (const char* const location : {" in header of file", " in line ", " in file ", "."})
+                text.erase(std::min(text.find(location), text.size()));
+            text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+            throw InputError(name_ + ":" + std::to_string(std::max(csv_.get_file_line(), 1u)) + ": " + text);
+        }
+    }
+
     static std::ifstream opened(const std::filesystem::path& file) {
         std::ifstream stream(file);
         if (!stream) throw FileError(file, std::strerror(errno));

@@ -1,5 +1,5 @@
-// The one writer of HTML pages: self-contained documents with headings, text, tables and drawings, for reports that
-// people open in a browser. Text is escaped; the page loads nothing from anywhere.
+// Writes HTML reports: self-contained documents with headings, text, tables and drawings. Text is escaped, and the page
+// loads no external resources.
 #pragma once
 
 #include <span>
@@ -27,7 +27,7 @@ public:
     void figure(const Drawing& drawing, std::string_view caption);
     void preformatted(std::string_view text);
 
-    // A block that is folded under its summary until it is opened; must be ended.
+    // Everything between the two calls is collapsed under the summary until the reader opens it.
     void begin_details(std::string_view summary);
     void end_details();
 

@@ -1,4 +1,4 @@
-// An input other than a scene file that is not valid: the text of a query, the value of an option.
+// An invalid input other than a scene file: a query, a CSV file.
 #pragma once
 
 #include <stdexcept>

@@ -87,8 +87,8 @@ JsonWriter& JsonWriter::close(char bracket) {
     return *this;
 }
 
-// Puts the comma before the next element of the innermost container, and breaks the line where the layout wants it:
-// before keys, and before objects in arrays.
+// Writes the comma before the next element of the innermost container, and in the layout `lines` a line break before
+// keys and before objects in arrays.
 void JsonWriter::separate(bool on_new_line) {
     if (after_key_) {
         after_key_ = false;
@@ -114,7 +114,7 @@ void JsonWriter::start_line(std::size_t depth) {
 void JsonWriter::append_string(std::string_view string) {
     constexpr char kDigits[] = "0123456789abcdef";
     text_ += '"';
-    if (std::ranges::none_of(string, needs_escape)) {  // nearly always
+    if (std::ranges::none_of(string, needs_escape)) {  // the common case
         text_ += string;
         text_ += '"';
         return;

@@ -1,7 +1,7 @@
-// Writes JSON text: the one place that says how numbers, strings and nesting look in what scripts read.
+// Writes JSON text.
 //
-// Numbers are the shortest decimal that reads back as the same value; those that are not finite become null, as JSON
-// has no name for them.
+// Numbers are the shortest decimal that reads back as the same value. NaN and infinities become null, because JSON
+// cannot represent them.
 #pragma once
 
 #include <concepts>
@@ -18,12 +18,12 @@ namespace tumble::tools {
 void append_number(std::string& text, double number);
 void append_number(std::string& text, float number);
 
-// 16 hexadecimal digits, as 64-bit hashes are shown everywhere.
+// 16 hexadecimal digits, the form of 64-bit hashes in all output.
 std::string to_hex(std::uint64_t hash);
 
 class JsonWriter {
 public:
-    // `lines` gives each member a line, and keeps arrays of plain values on one; `compact` is for JSON lines.
+    // `lines` puts each member on its own line, and an array of plain values on one; `compact` is for JSON lines.
     enum class Layout { lines, compact };
     explicit JsonWriter(Layout layout = Layout::lines) : layout_(layout) {}
 
@@ -47,7 +47,7 @@ public:
         return key(name).value(of);
     }
 
-    // What is written so far; `clear` starts a new document and keeps the memory.
+    // The text so far. clear() starts a new document and keeps the memory.
     const std::string& text() const noexcept { return text_; }
     void clear();
 

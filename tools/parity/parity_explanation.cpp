@@ -13,8 +13,8 @@ namespace {
 using reference::PairQuery;
 using reference::ParityCase;
 
-// Below this length of the search direction b2Distance stops, and below this distance it calls shapes with radii
-// overlapping: absolute lengths (m).
+// b2Distance stops at a search direction shorter than this, and reports an overlap of shapes with radii if their cores
+// are closer than this: absolute lengths (m).
 constexpr double kBox2dEpsilon = std::numeric_limits<float>::epsilon();
 
 std::string metres(double length) {
@@ -35,7 +35,7 @@ double shortest_edge(const Shape& shape) {
 
 bool has_radii(const PairQuery& query) { return query.a.radius() > 0.0f || query.b.radius() > 0.0f; }
 
-// Its weights of a triangle are products of four coordinates.
+// The barycentric weights of a triangle in b2Distance are products of four coordinates.
 bool leaves_float_range(double size) {
     const double product = size * size * size * size;
     return product > std::numeric_limits<float>::max() || product < std::numeric_limits<float>::min();
@@ -49,21 +49,21 @@ std::string why_box2d_failed(const ParityCase& sample) {
     const double answer = sample.box2d->distance,
                  core = sample.exact + sample.query.a.radius() + sample.query.b.radius();
     if (!std::isfinite(answer) || leaves_float_range(size))
-        return "Products of up to four coordinates of about " + metres(size) + " leave the range of float.";
+        return "Products of up to four coordinates of about " + metres(size) + " exceed the range of float.";
     if (has_radii(sample.query) && answer == 0.0 && core <= kBox2dEpsilon && sample.exact > 0.0)
-        return "With radii, it calls every core distance up to " + metres(kBox2dEpsilon) +
-               " an overlap, whatever the size of the shapes.";
+        return "For shapes with radii, it reports an overlap at every core distance up to " + metres(kBox2dEpsilon) +
+               ", independent of the size of the shapes.";
     if (std::abs(sample.exact) <= reference::kParityTolerance * resolution)
         return "It computes in world coordinates, which float rounds to " + metres(resolution) +
-               " here: the true distance is below what it can see.";
+               " here: the exact distance is smaller than that.";
     if (std::min({shortest_edge(sample.query.a), shortest_edge(sample.query.b), std::abs(core)}) < kBox2dEpsilon)
         return "It stops at a search direction shorter than " + metres(kBox2dEpsilon) +
-               ", an absolute length that the features of this pair fall below.";
+               ", an absolute length, and this pair has smaller features.";
     if (sample.exact < 0.0 && answer > 0.0 && answer <= reference::kParityTolerance * resolution)
-        return "It stopped with the origin on an edge of its simplex. The distance it gives is the rounding of its "
-               "witness points; only an "
-               "exact 0 says overlap.";
-    return "Rounding in float lost the sign of a small difference of products.";
+        return "It stopped with the origin on an edge of its simplex. Its distance is the rounding error of its "
+               "witness "
+               "points, and only an exact 0 reports an overlap.";
+    return "Rounding in float changed the sign of a small difference of products.";
 }
 
 }  // namespace tumble::tools

@@ -1,4 +1,4 @@
-// Why b2Distance was wrong about one pair, in a sentence: from its algorithm, the pair's size and its answer.
+// Explains a wrong answer of b2Distance in one sentence, from its algorithm, the size of the pair and the answer.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace tumble::tools {
 
-// For a case in which Box2D is wrong.
+// The case must be one in which Box2D is wrong.
 std::string why_box2d_failed(const reference::ParityCase& sample);
 
 }  // namespace tumble::tools

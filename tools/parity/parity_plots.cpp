@@ -17,7 +17,7 @@ constexpr Color kOurs{30, 108, 181};
 constexpr Color kBox2d{214, 110, 20};
 constexpr Color kLimit{198, 40, 40};
 
-constexpr double kLeft = 210.0, kRight = 1250.0;  // of the axis, px
+constexpr double kLeft = 210.0, kRight = 1250.0;  // ends of the axis, px
 constexpr double kTop = 64.0;
 constexpr double kStrip = 44.0;  // height of a family's strip, both halves
 constexpr int kFirstDecade = -20;
@@ -25,7 +25,7 @@ constexpr int kFirstDecade = -20;
 double x_of_bin(double bin) { return kLeft + (kRight - kLeft) * bin / ErrorHistogram::kBins; }
 double x_of(double relative_error) { return x_of_bin(2.0 * (std::log10(relative_error) - kFirstDecade)); }
 
-// Square roots, so that a few bad pairs among thousands of good ones still show.
+// The square root keeps a few bad pairs visible among thousands of good ones.
 double bar(std::uint64_t count, std::uint64_t largest) {
     if (count == 0) return 0.0;
     const double share = std::sqrt(static_cast<double>(count) / static_cast<double>(largest));

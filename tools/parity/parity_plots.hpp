@@ -8,8 +8,8 @@
 
 namespace tumble::tools {
 
-// A strip for each family over one logarithmic axis of |error| / S: tumble's counts upwards, Box2D's downwards, both
-// relative to the family's largest bin.
+// Draws a histogram of |error| / S for each family over one logarithmic axis: tumble's counts upwards, Box2D's
+// downwards, each relative to its largest bin in the family.
 Drawing draw_error_histograms(std::span<const reference::ParityRow> families);
 
 }  // namespace tumble::tools

@@ -1,6 +1,7 @@
-// A parity result as people and scripts read it: the contract's JSON, a table for the terminal, a page for the browser.
+// The result of a comparison with Box2D as JSON and as a table for the terminal.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "reference/parity/parity.hpp"
@@ -10,10 +11,10 @@ namespace tumble::tools {
 
 void write_parity_json(JsonWriter& json, const reference::ParityResult& result);
 
-// One line a family, and the totals.
+// One line per family, and the totals.
 std::string parity_table(const reference::ParityResult& result);
 
-// A self-contained HTML document; `what` says what was compared ("10 000 000 random and hard pairs").
-std::string parity_page(const reference::ParityResult& result, const std::string& what);
+// The mean of a sum over the comparisons of a row.
+double mean_iterations(std::uint64_t sum, const reference::ParityRow& row);
 
 }  // namespace tumble::tools

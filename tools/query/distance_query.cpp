@@ -13,15 +13,15 @@ namespace tumble::tools {
 
 namespace {
 
-// The members of an object; for any other text, what is wrong with it.
+// The members of an object. Throws InputError for any other text.
 std::vector<JsonMember> members_of(std::string_view text, const std::string& source) {
     if (std::optional<std::vector<JsonMember>> members = split_members(text)) return *std::move(members);
     throw InputError(source + ": must be a JSON object, got " + parse_json(text, source).dump());
 }
 
-// Sets a value that is allowed once.
+// Throws InputError for the second value of a key.
 void set_once(std::optional<std::string_view>& value, const JsonMember& member) {
-    if (value) throw InputError(std::string(member.key) + ": is given twice");
+    if (value) throw InputError(std::string(member.key) + ": the key is given twice");
     value = member.value;
 }
 
@@ -34,7 +34,7 @@ struct ShapeAtPose {
     Pose pose;
 };
 
-// A SHAPE with an optional key "pose", for a pose that is not given beside it.
+// Reads a SHAPE with an optional key "pose". `pose` is one that is given beside the shape; both are an error.
 ShapeAtPose parse_posed(std::string_view text, const std::string& source, std::optional<std::string_view> pose = {}) {
     const std::string pose_source = source + (pose ? "_pose" : "/pose");
     std::string shape;
@@ -67,7 +67,7 @@ void write_certificate(JsonWriter& json, const Certificate& certificate) {
     json.close_array().member("cores_overlap", certificate.cores_overlap).close_object();
 }
 
-// Text for a terminal, without negative zeros.
+// Adding 0 turns -0 into 0.
 std::string point_text(DVec2 point) {
     std::string text = "(";
     append_number(text, point.x + 0.0);
@@ -95,9 +95,9 @@ DistanceQuery parse_query_line_strictly(std::string_view line) {
         else if (member.key == "b_pose")
             set_once(b_pose, member);
         else
-            throw InputError(std::string(member.key) + ": unknown key; a line has a, b, a_pose and b_pose");
+            throw InputError(std::string(member.key) + ": unknown key; expected a, b, a_pose and b_pose");
     }
-    if (!a || !b) throw InputError("needs the keys a and b");
+    if (!a || !b) throw InputError("a query needs the keys \"a\" and \"b\"");
     ShapeAtPose at_a = parse_posed(*a, "a", a_pose), at_b = parse_posed(*b, "b", b_pose);
     return {std::move(at_a.shape), std::move(at_b.shape), at_a.pose, at_b.pose};
 }

@@ -1,4 +1,4 @@
-// A distance query and its answer as text.
+// Reads distance queries and writes their results.
 #pragma once
 
 #include <string>
@@ -15,24 +15,23 @@ struct DistanceQuery {
     Pose a_pose, b_pose;
 };
 
-// Reads a line of `distance --stdin`: {"a": SHAPE, "b": SHAPE, "a_pose": POSE, "b_pose": POSE}, where the pose may also
-// be the key "pose" of its shape. Throws InputError or SceneError.
+// Reads a line of `distance --stdin`: {"a": SHAPE, "b": SHAPE, "a_pose": POSE, "b_pose": POSE}. A pose may also be the
+// key "pose" of its shape. Throws InputError or SceneError.
 DistanceQuery parse_query_line(std::string_view line);
 
-// The same without the fast path for plain lines (plain_query.hpp): ten times slower, and the source of all error
-// messages.
+// The same without the fast path for plain lines (plain_query.hpp). Ten times slower; all errors come from here.
 DistanceQuery parse_query_line_strictly(std::string_view line);
 
-// From the two arguments of `distance A B`: each a SHAPE with an optional key "pose". Throws InputError or SceneError.
+// Reads the two arguments of `distance A B`: each a SHAPE with an optional key "pose". Throws InputError or SceneError.
 DistanceQuery parse_query_arguments(std::string_view a, std::string_view b);
 
 // [vertex of A, vertex of B]
 void write_pair(JsonWriter& json, VertexPair pair);
 
-// The object that scripts rely on.
+// Writes the result as the JSON object of the command line's contract.
 void write_answer(JsonWriter& json, const DistanceQuery& query, const DistanceResult& result);
 
-// A few lines of text for a terminal.
+// The result as a few lines of text.
 std::string answer_text(const DistanceResult& result);
 
 }  // namespace tumble::tools

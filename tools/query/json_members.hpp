@@ -1,5 +1,5 @@
-// Splits the text of a JSON object into its members without reading their values. Each value is then read once, by the
-// reader of its kind, which reports the position of an error in it.
+// Splits the text of a JSON object into its members without parsing the values. Each value is then parsed once, by the
+// reader of that member, whose errors name the member.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,8 @@ struct JsonMember {
     std::string_view value;  // as written
 };
 
-// Nothing if the text is not an object by its quotes, brackets, commas and colons. The values may still be wrong.
+// Empty if the text is not an object, judged by its quotes, brackets, commas and colons. The values themselves may
+// still be invalid.
 std::optional<std::vector<JsonMember>> split_members(std::string_view object);
 
 }  // namespace tumble::tools

@@ -21,17 +21,17 @@ namespace {
 
 using Value = rapidjson::Value;
 
-// Numbers up to this one are in every range of the strict reader, for lengths and for angles.
+// The strict reader accepts every number up to this size, for lengths and angles alike.
 constexpr double kPlainLargest = 1e5;
 
-// Goes on after something unusual; the caller then drops the result.
+// Continues after a value that is not plain; the caller discards the query then.
 class PlainReader {
 public:
     bool is_plain() const { return is_plain_; }
 
     void require(bool holds) { is_plain_ = is_plain_ && holds; }
 
-    // The members with these names, null if they are left out. No other members, and none twice.
+    // The members with these names, null if absent. Other members, and duplicates, are not plain.
     template <std::size_t Count>
     std::array<const Value*, Count> members(const Value& object, const std::string_view (&names)[Count]) {
         std::array<const Value*, Count> found{};
@@ -48,8 +48,8 @@ public:
         return found;
     }
 
-    // Numbers are still text, because rapidjson's exact conversion is undefined for 0e72; text after a quote is a
-    // string. Negative zero counts as unusual: the strict reader keeps it in poses only.
+    // rapidjson keeps numbers as text, because its exact conversion is undefined for 0e72; a value after a quote is a
+    // string. Negative zero is not plain: the strict reader keeps it in poses only.
     double number(const Value& value) {
         double number = NAN;
         if (value.IsString() && value.GetString()[-1] != '"')
@@ -169,10 +169,10 @@ std::optional<DistanceQuery> read_plain_query(std::string_view line) {
     using Pool = rapidjson::MemoryPoolAllocator<>;
     using Document = rapidjson::GenericDocument<rapidjson::UTF8<>, Pool, Pool>;
     constexpr std::size_t kStackBytes = 1024;
-    // A zero byte would end the text; the strict reader does not accept escapes in keys.
+    // rapidjson ends at a null character, and the strict reader does not resolve escapes in keys.
     if (line.find('\0') != std::string_view::npos || line.find('\\') != std::string_view::npos) return std::nullopt;
     std::string text(line);                                    // parsed in place
-    alignas(std::max_align_t) char values[4096], stack[4096];  // enough for a usual line
+    alignas(std::max_align_t) char values[4096], stack[4096];  // enough for most lines
     Pool value_pool(values, sizeof values), stack_pool(stack, sizeof stack);
     Document document(&value_pool, kStackBytes, &stack_pool);
     document.ParseInsitu<rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseIterativeFlag>(text.data());

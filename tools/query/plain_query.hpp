@@ -1,7 +1,9 @@
-// The fast reader of a line of `distance --stdin`: two convex shapes in the spelling of scene files, nothing unusual.
+// The fast path of `distance --stdin`: recognizes the common form of a query and reads it nine times faster than the
+// strict reader.
 //
-// It takes a ninth of the time of the strict reader and has no error messages: a line that it does not recognize, right
-// or wrong, goes to the strict reader. Both make shapes by make_exact_shapes(), so they agree bit for bit.
+// A plain line has two convex shapes as in scene files, numbers of usual size, no escapes and no duplicate keys. For
+// such a line both readers give the same query. Every other line, valid or not, is left to the strict reader, which
+// writes all error messages.
 #pragma once
 
 #include <optional>
@@ -11,7 +13,7 @@
 
 namespace tumble::tools {
 
-// Nothing if the line is not plain.
+// Empty if the line is not plain.
 std::optional<DistanceQuery> read_plain_query(std::string_view line);
 
 }  // namespace tumble::tools

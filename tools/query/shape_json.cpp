@@ -36,7 +36,7 @@ Rotation read_rotation(const Json& rotation, const std::string& source) {
 }  // namespace
 
 bool is_cosine_and_sine(DVec2 pair) {
-    constexpr double kRounding = 0.01;  // of two decimals, far below any mistake
+    constexpr double kRounding = 0.01;  // of a cosine with two decimals
     return std::abs(length(pair) - 1.0) <= kRounding;
 }
 
@@ -44,7 +44,7 @@ Json parse_json(std::string_view text, const std::string& source) {
     try {
         return Json::parse(text);
     } catch (const Json::exception& error) {
-        // "[json.exception.parse_error.101] parse error at ...": the name of the exception is of no use to a user.
+        // Without the name of the exception: "[json.exception.parse_error.101] parse error at ...".
         const std::string what = error.what();
         fail(source, "not valid JSON: " + what.substr(what.starts_with('[') ? what.find(']') + 2 : 0));
     }
@@ -53,7 +53,7 @@ Json parse_json(std::string_view text, const std::string& source) {
 Shape parse_shape(std::string_view text, const std::string& source) {
     std::vector<Shape> shapes = parse_shapes(text, source);
     if (shapes.size() == 1) return std::move(shapes.front());
-    fail(source, "must be one convex shape; of a chain or an outline, give one piece");
+    fail(source, "must be one convex shape; of a chain or an outline, query one piece at a time");
 }
 
 Pose parse_pose(std::string_view text, const std::string& source) {
@@ -61,17 +61,17 @@ Pose parse_pose(std::string_view text, const std::string& source) {
     if (!pose.is_object()) fail(source, "must be an object, got " + pose.dump());
     Pose parsed;
     for (const auto& item : pose.items()) {
-        const std::string place = source + "/" + item.key();
+        const std::string member = source + "/" + item.key();
         if (item.key() == "position")
-            parsed.position = read_pair(item.value(), place);
+            parsed.position = read_pair(item.value(), member);
         else if (item.key() == "angle")
-            parsed.rotation = make_rotation_degrees(read_number(item.value(), place));
+            parsed.rotation = make_rotation_degrees(read_number(item.value(), member));
         else if (item.key() == "rotation")
-            parsed.rotation = read_rotation(item.value(), place);
+            parsed.rotation = read_rotation(item.value(), member);
         else
-            fail(place, "unknown key; a pose has a position, and an angle or a rotation");
+            fail(member, "unknown key; expected position, and angle or rotation");
     }
-    if (pose.contains("angle") && pose.contains("rotation")) fail(source, "needs an angle or a rotation, got both");
+    if (pose.contains("angle") && pose.contains("rotation")) fail(source, "must have an angle or a rotation, got both");
     return parsed;
 }
 

@@ -1,4 +1,4 @@
-// The iterations of a distance query in a file, as a picture or as JSON, by the file's extension.
+// Writes the iterations of a distance query as a picture or as JSON, depending on the extension of the file.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace tumble::tools {
 
-// Whether the extension is one of .png, .svg, .json.
+// Whether the extension is .png, .svg or .json.
 bool is_trace_file(const std::filesystem::path& file);
 
 // Throws FileError, or RenderError for a PNG.

@@ -1,4 +1,4 @@
-// Draws the frames of a run and hands them to the encoder threads.
+// Draws the frames of a run and passes them to the encoder threads.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace tumble::tools {
 
 class FrameOutput {
 public:
-    // The world is in its initial state: the camera is chosen from it.
+    // The world must be in its initial state: the camera is computed from it.
     FrameOutput(const Scene& scene, const SceneWorld& world, const RunOptions& options, const FrameSchedule& schedule);
 
-    // Draws the frames that show the world's current step, if there are any. To be called for each step: the camera
-    // follows.
+    // Draws the frames that show the world's current step, if there are any. Must be called after each step, because
+    // the camera follows the bodies.
     void draw_due(const SceneWorld& world);
 
-    // Waits until all frames are files. Throws the first FileError.
+    // Waits until all frames are written. Throws the first FileError.
     WrittenFiles finish();
 
     std::uint64_t drawn() const noexcept { return next_frame_; }

@@ -1,4 +1,4 @@
-// Which simulation step each frame shows. Frames show states that were simulated, never something in between.
+// Which simulation step each frame shows. Frames are not interpolated: each shows the state after a step.
 #pragma once
 
 #include <cstdint>

@@ -41,7 +41,8 @@ void prepare_run_folder(const fs::path& folder, bool with_frames, bool force) {
     std::error_code error;
     if (fs::is_directory(folder, error) && !fs::is_empty(folder, error)) {
         if (!force)
-            throw FileError(folder, "is not empty; give another folder with -o, or --force to replace its frames");
+            throw FileError(
+                folder, "the folder is not empty; choose another with -o, or replace the results in it with --force");
         remove_earlier_run(folder);
     }
     const fs::path innermost = with_frames ? folder / "frames" : folder;

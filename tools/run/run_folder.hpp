@@ -1,4 +1,4 @@
-// The folder that a run writes into: frames/frame_000000.png and on, summary.json.
+// The folder of a run: frames/frame_000000.png and so on, summary.json, events.csv.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace tumble::tools {
 
-// Makes the folder ready for a run. A folder that holds anything is refused, unless `force` is given: then the frames
-// and the summary of an earlier run are removed, and nothing else. Throws FileError.
+// Creates the folder of a run. A folder that is not empty is an error unless `force` is true: then the frames, the
+// summary and the events of an earlier run are removed, and no other file. Throws FileError.
 void prepare_run_folder(const std::filesystem::path& folder, bool with_frames, bool force);
 
 // folder/frames/frame_000000.png

@@ -42,7 +42,8 @@ std::string overlay_names() {
 void add_size_option(CLI::App& subcommand, FrameSize& size) {
     subcommand
         .add_option_function<std::string>(
-            "--size", [&size](const std::string& text) { size = parse_size(text); }, "Frame size in pixels")
+            "--size", [&size](const std::string& text) { size = parse_size(text); },
+            "Width and height of the frames in pixels")
         ->type_name("WxH")
         ->default_str("1280x720");
 }
@@ -58,19 +59,19 @@ void add_overlay_option(CLI::App& subcommand, Overlay& overlay) {
             }
             const auto found = std::ranges::find(kOverlayParts, name, &OverlayPart::name);
             if (found == kOverlayParts.end())
-                throw CLI::ValidationError("--overlay", "'" + name + "' is none of " + overlay_names());
+                throw CLI::ValidationError("--overlay", "unknown part '" + name + "'; expected " + overlay_names() +
+                                                            " or all, separated by commas");
             overlay.*found->member = true;
         }
     };
-    subcommand
-        .add_option_function<std::string>("--overlay", parse, "Draw over the shapes: " + overlay_names() + ", or all")
+    subcommand.add_option_function<std::string>("--overlay", parse, "Also draw: " + overlay_names() + ", or all")
         ->type_name("LIST");
 }
 
 void add_run_options(CLI::App& subcommand, RunOptions& options) {
-    subcommand.add_option("-o,--output", options.folder, "Folder for the results, default out/<scene name>")
+    subcommand.add_option("-o,--output", options.folder, "Folder for the results; default out/<scene name>")
         ->type_name("DIR");
-    subcommand.add_option("--duration", options.duration, "Simulated seconds, default the scene's")
+    subcommand.add_option("--duration", options.duration, "Simulated time in seconds; default: that of the scene")
         ->type_name("S")
         ->check(number_from_to(0.0, kMaxDuration));
     subcommand.add_option("--fps", options.frames_per_second, "Frames per simulated second")
@@ -78,16 +79,17 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         ->capture_default_str()
         ->check(number_from_to(1e-3, kMaxRate));
     add_size_option(subcommand, options.size);
-    subcommand.add_flag("--no-frames", options.no_frames, "Simulate only");
+    subcommand.add_flag("--no-frames", options.no_frames, "Simulate without drawing frames");
     add_overlay_option(subcommand, options.overlay);
-    subcommand.add_option("--trajectory", options.trajectory, "Write pose and velocity of each body after each step")
+    subcommand
+        .add_option("--trajectory", options.trajectory, "Write the pose and velocity of each body after each step")
         ->type_name("F.csv");
     subcommand.add_option("--contacts", options.contacts, "Write every contact point after each step")
         ->type_name("F.csv");
     subcommand.add_option("--hashes", options.hashes, "Write the state hash after each step")->type_name("F.csv");
-    subcommand.add_flag("--force", options.force, "Replace what an earlier run left in the folder");
+    subcommand.add_flag("--force", options.force, "Replace the results of an earlier run");
     subcommand.parse_complete_callback([&subcommand] {
-        warn_of_idle(subcommand, {"--fps", "--size", "--overlay"}, "--no-frames");
+        warn_of_unused(subcommand, {"--fps", "--size", "--overlay"}, "--no-frames");
     });
 }
 

@@ -1,4 +1,4 @@
-// What `run` and its relatives can be told about a simulation.
+// The options of a run: what to simulate, what to draw, which files to write.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -21,15 +21,15 @@ struct FrameSize {
 
 struct RunOptions {
     std::filesystem::path folder;    // receives frames/ and summary.json
-    std::optional<double> duration;  // s; default: the scene's
+    std::optional<double> duration;  // s; without it the scene's
     double frames_per_second = 60.0;
     FrameSize size;
     bool no_frames = false;
-    bool force = false;                // replace what an earlier run left
+    bool force = false;                // replace the results of an earlier run
     std::filesystem::path trajectory;  // empty: not written
     std::filesystem::path contacts;    // empty: not written
     std::filesystem::path hashes;      // empty: not written
-    Overlay overlay;                   // what the frames show beside the shapes
+    Overlay overlay;                   // drawn over the shapes
 };
 
 // --size WxH

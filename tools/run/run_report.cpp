@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "tools/measure/version.hpp"
+#include "tools/machine/build_info.hpp"
 #include "tools/output/json_writer.hpp"
 
 namespace tumble::tools {
@@ -68,7 +68,7 @@ std::string describe(const WrittenFiles& files) {
     const double bytes = static_cast<double>(files.bytes);
     const std::string size = bytes < 1e5 ? format("%.1f kB", bytes / 1e3) : format("%.1f MB", bytes / 1e6);
     if (files.count == 1) return files.path.string() + ", " + size;
-    return files.path.string() + " and on, " + std::to_string(files.count) + " files, " + size;
+    return files.path.string() + " and so on, " + std::to_string(files.count) + " files, " + size;
 }
 
 }  // namespace
@@ -113,13 +113,13 @@ std::string to_text(const RunReport& report) {
     std::string text = report.scene_name + ": " + std::to_string(report.steps) + " steps of " +
                        format("%.3g ms", 1e3 * report.dt) + ", " + std::to_string(report.bodies) + " bodies, " +
                        std::to_string(report.counters.contacts) + " contacts at the end" +
-                       (report.complete ? "" : ", not complete") + "\n";
+                       (report.complete ? "" : ", interrupted before the end") + "\n";
     for (const WrittenFiles& files : report.files) append_line(text, files.kind, describe(files));
     append_line(text, "state hash", to_hex(report.state_hash));
     append_line(text, "time",
                 format("%.2f s: ", report.total_seconds) + format("simulate %.2f, ", report.simulate_seconds) +
                     format("render %.2f, ", report.render_seconds) +
-                    format("encode %.2f (beside it, on threads)", report.encode_seconds));
+                    format("encode %.2f (summed over parallel threads)", report.encode_seconds));
     return text;
 }
 

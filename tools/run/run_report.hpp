@@ -1,4 +1,4 @@
-// What a run has to say at its end: summary.json, and the same for people.
+// The results of a run: summary.json, and a short text for the terminal.
 #pragma once
 
 #include <cstdint>
@@ -22,10 +22,10 @@ struct RunReport {
     std::string scene_name;
     std::uint64_t scene_hash = 0;
     std::uint64_t seed = 0;
-    double dt = 0.0;                // s a step
+    double dt = 0.0;                // s per step
     std::uint64_t steps = 0;        // done
     double simulate_seconds = 0.0;  // wall clock
-    double render_seconds = 0.0;    // drawing and waiting for the encoder
+    double render_seconds = 0.0;    // drawing, and waiting for the encoder threads
     double encode_seconds = 0.0;    // summed over the encoder's threads
     double total_seconds = 0.0;
     std::size_t bodies = 0;

@@ -10,9 +10,9 @@
 #include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/measure/stopwatch.hpp"
-#include "tools/run/fallen.hpp"
 #include "tools/run/frame_output.hpp"
 #include "tools/run/frame_schedule.hpp"
+#include "tools/run/lost_bodies.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/run/step_files.hpp"
 #include "tumble/scene_file.hpp"
@@ -54,13 +54,13 @@ FrameSchedule make_schedule(const Scene& scene, const RunOptions& options) {
     return {options.duration.value_or(scene.world.duration), options.frames_per_second, scene.world.steps_per_second};
 }
 
-// Of two files with one name the second would replace the first.
+// Of two files with the same name, the second would replace the first.
 void require_different_files(const RunOptions& options) {
     std::set<std::filesystem::path> names{std::filesystem::absolute(summary_file(options.folder)).lexically_normal(),
                                           std::filesystem::absolute(events_file(options.folder)).lexically_normal()};
     for (const std::filesystem::path* const file : {&options.contacts, &options.trajectory, &options.hashes})
         if (!file->empty() && !names.insert(std::filesystem::absolute(*file).lexically_normal()).second)
-            throw CLI::ValidationError(file->string(), "is the name of two files of the run");
+            throw CLI::ValidationError(file->string(), "names two output files of the run; give each its own name");
 }
 
 Simulation::Simulation(const Scene& scene, const RunOptions& options)
@@ -71,10 +71,10 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     report_.dt = 1.0 / scene.world.steps_per_second;
     const bool with_frames = !options.no_frames;
     if (with_frames && schedule_.repeats_frames())
-        report_warning("more frames than steps a second: some frames repeat the one before");
+        report_warning("--fps exceeds the steps per second of the scene: some frames repeat the previous one");
     require_different_files(options);
     for (const std::filesystem::path* const file : {&options.contacts, &options.trajectory, &options.hashes})
-        if (!file->empty()) refuse_to_overwrite(*file, options.force);  // before anything is made
+        if (!file->empty()) refuse_to_overwrite(*file, options.force);  // before any file is created
     prepare_run_folder(options.folder, with_frames, options.force);
     summary_.emplace(open_output(summary_file(options.folder), options.force));
     events_.emplace(events_file(options.folder), options.force, run_.built());
@@ -148,12 +148,12 @@ RunReport simulate(const Scene& scene, const RunOptions& options) {
         try {
             simulation.write_summary();
         } catch (const FileError&) {
-            // What stopped the run matters more than the summary that could not be written either.
+            // The first error is reported; that of the summary would hide it.
         }
         throw;
     }
     simulation.write_summary();
-    if (const std::string fallen = fallen_text(simulation.built()); !fallen.empty()) report_warning(fallen);
+    if (const std::string lost = lost_bodies_text(simulation.built()); !lost.empty()) report_warning(lost);
     return simulation.report();
 }
 

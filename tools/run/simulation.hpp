@@ -1,4 +1,4 @@
-// The main job, shared by `run` and `demo`: simulate a scene, draw its frames, write the files that were asked for.
+// Simulates a scene, draws its frames and writes its files, for `run` and `demo`.
 #pragma once
 
 #include "tools/run/run_options.hpp"
@@ -7,8 +7,8 @@
 
 namespace tumble::tools {
 
-// Runs the scene into options.folder. Ends early on SIGINT or SIGTERM, with a report that is not complete. Throws what
-// went wrong (SimulationDiverged, FileError, RenderError) after leaving a summary.json that is not complete.
+// Writes the results to options.folder. Ends early on SIGINT or SIGTERM; `complete` is false in the report then. Throws
+// SimulationDiverged, FileError or RenderError, after it has written a summary.json with "complete": false.
 RunReport simulate(const Scene& scene, const RunOptions& options);
 
 }  // namespace tumble::tools

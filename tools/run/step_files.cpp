@@ -25,9 +25,9 @@ void append_cell(std::string& line, Number number) {
 }  // namespace
 
 void BodyFields::update(const SceneWorld& world) {
-    for (; known_ < world.bodies.size(); ++known_) {
-        const SceneInstance& body = world.bodies[known_];
-        const std::string field = csv_field(output_name(body, known_));
+    for (; body_count_ < world.bodies.size(); ++body_count_) {
+        const SceneInstance& body = world.bodies[body_count_];
+        const std::string field = csv_field(output_name(body, body_count_));
         bodies_.set(body.id, field);
         if (!world.world.is_valid(body.id)) continue;
         for (const ShapeId shape : world.world.shapes(body.id)) shapes_.set(shape, field);
@@ -97,16 +97,16 @@ void EventsFile::record(const SceneWorld& built) {
     append_number(step_, world.time());
     step_ += ',';
     lines_.clear();
-    const auto add_meeting = [this](const char* event, const auto& meeting) {
-        lines_ += step_ + event + "," + names_[meeting.shape_a] + "," + names_[meeting.shape_b];
-        for (const double number : {meeting.point.x, meeting.point.y}) append_cell(lines_, number);
-        for (const float number : {meeting.normal.x, meeting.normal.y, meeting.approach_speed})
+    const auto add_contact = [this](const char* event, const auto& contact) {
+        lines_ += step_ + event + "," + names_[contact.shape_a] + "," + names_[contact.shape_b];
+        for (const double number : {contact.point.x, contact.point.y}) append_cell(lines_, number);
+        for (const float number : {contact.normal.x, contact.normal.y, contact.approach_speed})
             append_cell(lines_, number);
         lines_ += '\n';
     };
-    for (const ContactBegin& begin : events.contact_begins) add_meeting("contact_begin", begin);
+    for (const ContactBegin& begin : events.contact_begins) add_contact("contact_begin", begin);
     for (const ContactEnd& end : events.contact_ends) add("contact_end", names_[end.shape_a], names_[end.shape_b]);
-    for (const ContactHit& hit : events.contact_hits) add_meeting("contact_hit", hit);
+    for (const ContactHit& hit : events.contact_hits) add_contact("contact_hit", hit);
     for (const SensorEvent& event : events.sensor_begins)
         add("sensor_begin", names_[event.sensor], names_[event.visitor]);
     for (const SensorEvent& event : events.sensor_ends) add("sensor_end", names_[event.sensor], names_[event.visitor]);

@@ -1,5 +1,5 @@
-// The files of a run that get lines after each step: events.csv, --trajectory, --contacts and --hashes, as CSV (RFC
-// 4180, but lines end in \n).
+// The files of a run to which each step appends lines: events.csv, --trajectory, --contacts and --hashes. They are CSV
+// as in RFC 4180, except that lines end in \n.
 #pragma once
 
 #include <filesystem>
@@ -13,36 +13,36 @@
 
 namespace tumble::tools {
 
-// The field as CSV has it: quoted if it holds a comma, a quote or a line break.
+// The text as a CSV field: quoted if it contains a comma, a quote or a line break.
 std::string csv_field(std::string_view text);
 
-// Texts by id; of an id that is stale by now too, until its place has been taken twice.
+// Texts by id. The text of a stale id is kept until its index is reused for the second time.
 template <class Id>
 class TextsById {
 public:
     void set(Id id, std::string text) {
-        if (id.index >= places_.size()) places_.resize(id.index + 1);
-        Place& place = places_[id.index];
-        place.before = std::exchange(place.text, std::move(text));
-        place.id = id;
+        if (id.index >= slots_.size()) slots_.resize(id.index + 1);
+        Slot& slot = slots_[id.index];
+        slot.previous_text = std::exchange(slot.text, std::move(text));
+        slot.id = id;
     }
     const std::string& operator[](Id id) const {
-        const Place& place = places_[id.index];
-        return place.id == id ? place.text : place.before;
+        const Slot& slot = slots_[id.index];
+        return slot.id == id ? slot.text : slot.previous_text;
     }
 
 private:
-    struct Place {
+    struct Slot {
         Id id;
-        std::string text, before;
+        std::string text, previous_text;
     };
-    std::vector<Place> places_;  // by index
+    std::vector<Slot> slots_;  // by index
 };
 
-// The names of bodies as CSV fields, found by body or shape; those of bodies that are gone too.
+// The names of bodies as CSV fields, by body or shape, including bodies that have been destroyed.
 class BodyFields {
 public:
-    // Takes note of the bodies that came since the last call.
+    // Adds the bodies that were created since the last call.
     void update(const SceneWorld& world);
 
     const std::string& operator[](BodyId id) const { return bodies_[id]; }
@@ -50,8 +50,8 @@ public:
 
 private:
     TextsById<BodyId> bodies_;
-    TextsById<ShapeId> shapes_;  // of the body that has the shape
-    std::size_t known_ = 0;      // of world.bodies
+    TextsById<ShapeId> shapes_;   // of the body that has the shape
+    std::size_t body_count_ = 0;  // of world.bodies, added so far
 };
 
 // Pose and velocity of every body: step,time,body,x,y,angle,vx,vy,omega.
@@ -67,8 +67,9 @@ private:
     std::string lines_;
 };
 
-// Every contact point: step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse. Gaps and normals
-// as the step found them, points carried along with the first body, impulses summed over the step.
+// Every contact point: step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse. Separations and
+// normals are those at the start of the step, points move with body_a to the end of the step, impulses are summed over
+// the step.
 class ContactsFile {
 public:
     ContactsFile(const std::filesystem::path& file, bool force);
@@ -81,8 +82,8 @@ private:
     std::string lines_;
 };
 
-// What begins and ends: step,time,event,a,b,x,y,nx,ny,speed. The events are contact_begin and contact_hit (with the
-// place, the normal from a to b and the approach speed), contact_end, sensor_begin and sensor_end (a is the sensor),
+// Events: step,time,event,a,b,x,y,nx,ny,speed. The events are contact_begin and contact_hit (with the
+// point, the normal from a to b and the approach speed), contact_end, sensor_begin and sensor_end (a is the sensor),
 // joint_broke (a is the joint's name or joint[i]) and fell_asleep.
 class EventsFile {
 public:
@@ -96,7 +97,7 @@ private:
     OutputFile file_;
     BodyFields names_;
     TextsById<JointId> joints_;
-    std::string step_;  // the first two cells of the present step
+    std::string step_;  // the first two cells of the current step
     std::string lines_;
 };
 

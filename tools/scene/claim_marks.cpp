@@ -10,13 +10,13 @@ namespace tumble::tools {
 
 namespace {
 
-constexpr double kWide = 1e4;  // m: how far the band of a claim of heights is drawn
+constexpr double kWide = 1e4;  // m: half the extent to which the band of a `height` claim is drawn
 
 bool is_called(const std::string& built_name, const std::string& name) {
     return !name.empty() && (built_name == name || built_name.starts_with(name + "["));
 }
 
-// A rectangle of the claim's own frame, in the world.
+// The corners of a rectangle in the claim's own frame, in world coordinates.
 std::array<DVec2, 4> corners_of(const SceneExpectation& expected, DVec2 lower, DVec2 upper) {
     const SceneFrame frame = expected.frame.value_or(SceneFrame{});
     const Pose pose{frame.position, make_rotation_degrees(frame.angle)};

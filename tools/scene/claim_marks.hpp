@@ -1,4 +1,4 @@
-// What a picture of a claim points at.
+// What the picture of a failed claim marks.
 #pragma once
 
 #include "tumble/render.hpp"
@@ -6,8 +6,8 @@
 
 namespace tumble::tools {
 
-// The region of the claim, the bodies that it names or that were in its way in the world of the deciding step, and what
-// was expected and found.
+// Marks the region of the claim, the bodies that it names or that violate it in the world of the deciding step, and
+// shows what was expected and found.
 Marking marks_of(const SceneExpectation& expected, const ExpectationResult& result, const SceneWorld& built);
 
 }  // namespace tumble::tools

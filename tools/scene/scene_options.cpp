@@ -11,12 +11,10 @@ namespace tumble::tools {
 void add_change_options(CLI::App& subcommand, LoadOptions& changes, const std::string& scene) {
     subcommand
         .add_option("--set", changes.overrides,
-                    "Change a value of " + scene + ", /bodies/ball/position=[0, 3]; may be given again")
+                    "Change a value of " + scene + ", as in /bodies/ball/position=[0,3]; repeatable")
         ->type_name("/json/pointer=value")
         ->allow_extra_args(false);
-    subcommand.add_option("--seed", changes.seed, "Seed of " + scene + ", in place of its own")
-        ->type_name("N")
-        ->check(any_seed());
+    subcommand.add_option("--seed", changes.seed, "Replace the seed of " + scene)->type_name("N")->check(any_seed());
 }
 
 void add_scene_options(CLI::App& subcommand, SceneOptions& options) {
@@ -43,7 +41,7 @@ std::vector<std::string> without_schemas(const std::vector<std::string>& files) 
     std::vector<std::string> scenes;
     for (const std::string& file : files) {
         if (has_scene && is_schema(file))
-            narrate(file + ": a schema, not a scene: left out\n");
+            narrate(file + ": skipped, a schema and not a scene\n");
         else
             scenes.push_back(file);
     }

@@ -1,4 +1,4 @@
-// The arguments of every subcommand that reads a scene, and reading it.
+// The options of all subcommands that read a scene, and functions that read it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,23 +16,24 @@ struct SceneOptions {
     LoadOptions changes;
 };
 
-// --set and --seed.
+// Adds --set and --seed. `scene` names the scene in their help.
 void add_change_options(CLI::App& subcommand, LoadOptions& changes, const std::string& scene = "the scene");
 
-// SCENE, --set and --seed.
+// Adds SCENE, --set and --seed.
 void add_scene_options(CLI::App& subcommand, SceneOptions& options);
 
-// Reads a scene; without a name it has that of its file. Throws FileError or SceneError.
+// Reads a scene. A scene without a name gets the name of its file. Throws FileError or SceneError.
 Scene load_named_scene(const std::string& file, const LoadOptions& changes = {},
                        std::vector<Diagnostic>* warnings = nullptr);
 
-// The same, and says its warnings.
+// The same, and writes its warnings to standard error.
 Scene read_scene(const SceneOptions& options);
 
-// Of several files, those that are not called *.schema.json, which a pattern like scenes/*.json catches too; says so.
+// Drops files named *.schema.json, which a pattern like scenes/*.json matches too, with a note on standard error. If
+// there are no other files, they are kept.
 std::vector<std::string> without_schemas(const std::vector<std::string>& files);
 
-// The name of a scene as that of a file: its letters, digits, '.', '_' and '-'.
+// The name of a scene as the name of a file: every character but letters, digits, '.', '_' and '-' becomes '_'.
 std::string file_name_of(std::string name);
 
 }  // namespace tumble::tools

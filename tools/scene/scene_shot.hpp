@@ -1,4 +1,4 @@
-// One frame of a scene's run, drawn by running it again to that step: runs repeat bit for bit.
+// Draws one frame of a scene by simulating it up to that step. Runs repeat bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace tumble::tools {
 
-// What to point at in a world that has come to the step.
+// Computes what to mark in the world at the step of the frame.
 using Marker = std::function<Marking(const SceneWorld&)>;
 
-// Runs the scene for so many steps, draws what it shows then, and returns the run. The camera is widened to what is
-// marked. Throws what went wrong.
+// Simulates `step` steps, draws the frame and returns the run. The camera is widened to show all marks. Throws
+// SimulationDiverged, RenderError or FileError.
 SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
                        const Overlay& overlay, const Marker& mark = {});
 

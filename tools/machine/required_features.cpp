@@ -1,6 +1,7 @@
-// What the project's compiler flags let the compiler use. Compiled with them, and a constant: no code runs here.
-// The bits are in the order of kProcessorFeatureNames.
-#include "tools/measure/processor.hpp"
+// The instruction sets that the project's compiler flags allow, as bits in the order of kProcessorFeatureNames. This
+// file is compiled with these flags and defines a constant only, so that none of its code can use an unsupported
+// instruction.
+#include "tools/machine/processor.hpp"
 
 namespace tumble::tools {
 

@@ -1,11 +1,11 @@
-// What a measurement was made on.
+// The machine and the build that measurements come from.
 #pragma once
 
 #include "tools/output/json_writer.hpp"
 
 namespace tumble::tools {
 
-// The processor's name as the kernel has it, or "unknown".
+// The processor's name in /proc/cpuinfo, or "unknown".
 std::string processor_name();
 
 // {"processor", "cores", "compiler", "build_type", "simd"}

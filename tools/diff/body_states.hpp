@@ -1,4 +1,4 @@
-// The states of all bodies, step by step, from a trajectory file or from a scene that runs: what `diff` compares.
+// The states of all bodies, step by step, from a trajectory file or from a scene that is simulated.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@ namespace tumble::tools {
 
 inline constexpr std::array<std::string_view, 6> kComponents{"x", "y", "angle", "vx", "vy", "omega"};
 
-// The first two, the position (m), are double in the engine. The angle (rad) is written as double, but comes from a
-// float cosine and sine; the velocities (m/s, rad/s) are float.
+// The position (m), the first two, is double in the engine. The angle (rad) is written as double, computed from a float
+// cosine and sine. The velocities (m/s, rad/s) are float.
 inline constexpr std::size_t kPreciseComponents = 2;
 inline constexpr std::size_t kDoubleComponents = 3;
 
 struct NamedState {
     std::string body;
-    std::array<double, kComponents.size()> values{};  // as kComponents
+    std::array<double, kComponents.size()> values{};  // in the order of kComponents
 
     friend bool operator==(const NamedState&, const NamedState&) = default;
 };
@@ -37,19 +37,19 @@ class StateSource {
 public:
     virtual ~StateSource() = default;
 
-    // The next step; false after the last. Throws InputError for lines that are not a trajectory's, SimulationDiverged.
+    // Reads the next step; false after the last. Throws InputError for a line that is not valid, SimulationDiverged.
     virtual bool next(StepStates& states) = 0;
 
-    // The contacts of a body in the step that was read last, a line each.
+    // The contacts of a body in the step that was read last, as one line of text each.
     virtual std::vector<std::string> contacts_of(const std::string& body) = 0;
 };
 
-// A scene file (.json), a trajectory (.csv), or the folder of a run that holds trajectory.csv; a run's contacts are
-// those of contacts.csv beside the trajectory. Throws FileError, InputError or SceneError. `changes` are those of a
-// scene.
+// Opens a scene file, a trajectory (.csv), or the folder of a run with trajectory.csv. The contacts of a trajectory are
+// read from contacts.csv in the same folder, if it exists. `changes` apply to a scene only. Throws FileError,
+// InputError or SceneError.
 std::unique_ptr<StateSource> open_states(const std::filesystem::path& path, const LoadOptions& changes = {});
 
-// Whether open_states() would run it.
+// Whether open_states() simulates this path: it is neither a folder nor a .csv file.
 bool is_scene_file(const std::filesystem::path& path);
 
 }  // namespace tumble::tools

@@ -1,8 +1,10 @@
-// Ends the process with a message, rather than with an illegal instruction, on a processor that the build does not fit.
+// Ends the process with a message, not with an illegal instruction, on a processor that lacks instructions of the
+// build.
 //
-// This file is compiled for the plainest processor of the architecture, and its check runs before the initialisation of
-// any other object of ours. It includes nothing with inline functions that other files might share with it.
-#include "tools/measure/processor.hpp"
+// This file is compiled for the baseline of the architecture, and its check runs before any other static initialisation
+// of the binary. It includes no header with inline functions: the linker could replace them by copies that other files
+// compiled for a newer processor.
+#include "tools/machine/processor.hpp"
 
 #include <unistd.h>
 
@@ -34,7 +36,7 @@ namespace {
 void write_error(const char* text) {
     unsigned long length = 0;
     while (text[length] != '\0') ++length;
-    // Nothing is left to do about a message that cannot be written.
+    // A failed write cannot be reported; the comparison silences the warning about the unused result.
     if (write(STDERR_FILENO, text, length) < 0) return;
 }
 
@@ -49,7 +51,9 @@ __attribute__((constructor(101))) void check_processor() {
         write_error(kProcessorFeatureNames[i]);
     }
     write_error(
-        "\n  hint: build for it with cmake -DTUMBLE_SIMD=baseline (or avx2); results are the same, bit for bit\n");
+        "\n  hint: build tumble for this processor with cmake -DTUMBLE_SIMD=baseline (or avx2); the results are the "
+        "same, "
+        "bit for bit\n");
     _exit(1);
 }
 

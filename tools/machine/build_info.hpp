@@ -1,4 +1,4 @@
-// What this binary is.
+// How this binary was built.
 #pragma once
 
 #include <string>
@@ -10,5 +10,11 @@ std::string version();
 
 // "g++ 12.2.0"
 std::string compiler_name();
+
+// "Release"
+std::string build_type();
+
+// The value of TUMBLE_SIMD: "baseline", "avx2", "avx512" or "native".
+std::string simd_name();
 
 }  // namespace tumble::tools

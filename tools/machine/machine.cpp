@@ -1,10 +1,10 @@
-#include "tools/measure/machine.hpp"
+#include "tools/machine/machine.hpp"
 
 #include <fstream>
 #include <string>
 #include <thread>
 
-#include "tools/measure/version.hpp"
+#include "tools/machine/build_info.hpp"
 
 namespace tumble::tools {
 
@@ -22,8 +22,8 @@ void write_machine(JsonWriter& json) {
         .member("processor", processor_name())
         .member("cores", std::thread::hardware_concurrency())
         .member("compiler", compiler_name())
-        .member("build_type", TUMBLE_BUILD_TYPE)
-        .member("simd", TUMBLE_SIMD_NAME)
+        .member("build_type", build_type())
+        .member("simd", simd_name())
         .close_object();
 }
 

@@ -1,4 +1,4 @@
-#include "tools/scene/places.hpp"
+#include "tools/scene/data_paths.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -32,7 +32,7 @@ fs::path find_scenes_folder() {
     const fs::path installed = own_folder().parent_path() / "share" / "tumble" / "scenes";
     for (const fs::path& folder : {installed, kSourceScenes})
         if (fs::is_directory(folder)) return folder;
-    throw FileError(installed, "the shipped scenes are neither here nor in " + kSourceScenes.string());
+    throw FileError(installed, "the shipped scenes are missing, here and in " + kSourceScenes.string());
 }
 
 std::vector<fs::path> find_scenes() {
@@ -46,6 +46,8 @@ std::vector<fs::path> find_scenes() {
 fs::path find_scene(const std::string& name) {
     for (const fs::path& file : find_scenes())
         if (file.stem() == name) return file;
+    if (!fs::exists(name) && fs::path(name).filename() == name && !fs::path(name).has_extension())
+        throw FileError(name, "no such file, and no shipped scene of this name ('tumble demo --list' lists them)");
     return name;
 }
 

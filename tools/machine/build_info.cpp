@@ -1,4 +1,4 @@
-#include "tools/measure/version.hpp"
+#include "tools/machine/build_info.hpp"
 
 namespace tumble::tools {
 
@@ -11,5 +11,9 @@ std::string compiler_name() {
     return std::string("g++ ") + __VERSION__;
 #endif
 }
+
+std::string build_type() { return TUMBLE_BUILD_TYPE; }
+
+std::string simd_name() { return TUMBLE_SIMD_NAME; }
 
 }  // namespace tumble::tools

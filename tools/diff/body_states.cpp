@@ -1,11 +1,10 @@
-#include "tools/run/body_states.hpp"
+#include "tools/diff/body_states.hpp"
 
 #include <algorithm>
 #include <optional>
 
 #include "tools/output/csv_file.hpp"
 #include "tools/output/json_writer.hpp"
-#include "tools/run/step_files.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
 #include "tumble/scene_world.hpp"
@@ -21,7 +20,7 @@ std::string contact_text(const std::string& a, const std::string& b, const std::
            separation + " m, impulse " + impulse + " N s";
 }
 
-// The contacts of one step after the other, as --contacts writes them.
+// The contacts of a run, step by step, from a file that `run --contacts` wrote.
 class ContactFile {
 public:
     explicit ContactFile(const std::filesystem::path& file)
@@ -29,8 +28,8 @@ public:
                "tangent_impulse") {}
 
     std::vector<std::string> contacts_of(const std::string& body, std::uint64_t step) {
-        while (!at_end_ && (!held_ || held_->step < step)) read();
-        for (lines_.clear(); held_ && held_->step == step; read()) lines_.push_back(*held_);
+        while (!at_end_ && (!next_line_ || next_line_->step < step)) read();
+        for (lines_.clear(); next_line_ && next_line_->step == step; read()) lines_.push_back(*next_line_);
         std::vector<std::string> found;
         for (const Line& line : lines_)
             if (line.body_a == body || line.body_b == body) found.push_back(line.text);
@@ -45,17 +44,17 @@ private:
 
     void read() {
         std::array<char*, 11> fields{};
-        held_.reset();
+        next_line_.reset();
         at_end_ = !csv_.read(fields);
         if (at_end_) return;
         const auto& [step, a, b, feature, x, y, nx, ny, separation, normal_impulse, tangent_impulse] = fields;
-        held_ = Line{csv_.number<std::uint64_t>(step), a, b,
-                     contact_text(a, b, {x, y, nx, ny, separation, normal_impulse})};
+        next_line_ = Line{csv_.number<std::uint64_t>(step), a, b,
+                          contact_text(a, b, {x, y, nx, ny, separation, normal_impulse})};
     }
 
     CsvFile<11> csv_;
-    std::optional<Line> held_;
-    std::vector<Line> lines_;
+    std::optional<Line> next_line_;
+    std::vector<Line> lines_;  // of the last step
     bool at_end_ = false;
 };
 
@@ -71,10 +70,10 @@ public:
     bool next(StepStates& states) override {
         if (at_end_) return false;
         states.bodies.clear();
-        states.step = step_ = held_step_;
-        states.time = held_time_;
-        while (!at_end_ && held_step_ == step_) {
-            states.bodies.push_back(held_);
+        states.step = step_ = next_step_;
+        states.time = next_time_;
+        while (!at_end_ && next_step_ == step_) {
+            states.bodies.push_back(next_);
             read();
         }
         return true;
@@ -89,24 +88,25 @@ private:
         std::array<char*, 9> fields{};
         at_end_ = !csv_.read(fields);
         if (at_end_) return;
-        held_step_ = csv_.number<std::uint64_t>(fields[0]);
-        held_time_ = csv_.number<double>(fields[1]);
-        held_.body = fields[2];
+        next_step_ = csv_.number<std::uint64_t>(fields[0]);
+        next_time_ = csv_.number<double>(fields[1]);
+        next_.body = fields[2];
         for (std::size_t i = 0; i < kComponents.size(); ++i) {
             const char* const text = fields[3 + i];
-            held_.values[i] = i < kDoubleComponents ? csv_.number<double>(text) : double{csv_.number<float>(text)};
+            next_.values[i] = i < kDoubleComponents ? csv_.number<double>(text) : double{csv_.number<float>(text)};
         }
     }
 
     CsvFile<9> csv_;
     std::optional<ContactFile> contacts_;
-    std::uint64_t step_ = 0, held_step_ = 0;  // `held` is the first body of the step after the one that was read last
-    double held_time_ = 0.0;
-    NamedState held_;
+    std::uint64_t step_ = 0;  // returned last
+    NamedState next_;         // the first body of the step after it
+    std::uint64_t next_step_ = 0;
+    double next_time_ = 0.0;
     bool at_end_ = false;
 };
 
-// A scene that runs while it is read.
+// Simulates a scene one step per call.
 class RunningStates final : public StateSource {
 public:
     RunningStates(const std::filesystem::path& file, const LoadOptions& changes)
@@ -174,7 +174,8 @@ std::unique_ptr<StateSource> open_states(const std::filesystem::path& path, cons
     if (std::filesystem::is_directory(path)) {
         const std::filesystem::path trajectory = path / "trajectory.csv";
         if (!std::filesystem::exists(trajectory))
-            throw InputError(path.string() + ": holds no trajectory.csv; run the scene with --trajectory " +
+            throw InputError(path.string() +
+                             ": the folder contains no trajectory.csv; run the scene with --trajectory " +
                              trajectory.string());
         return std::make_unique<TrajectoryStates>(trajectory);
     }

@@ -1,11 +1,11 @@
-// `tumble --version`: what was built, by what, and for which processor.
+// `tumble --version`: the version, its compiler, and the instruction sets of the build and of the processor.
 #include <string>
 #include <vector>
 
-#include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
-#include "tools/measure/processor.hpp"
-#include "tools/measure/version.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/machine/build_info.hpp"
+#include "tools/machine/processor.hpp"
 #include "tools/output/json_writer.hpp"
 
 namespace tumble::tools {
@@ -37,15 +37,15 @@ ExitCode print_version(bool json) {
     const std::vector<std::string> used = feature_names(kRequiredProcessorFeatures);
     const std::vector<std::string> present = feature_names(find_processor_features());
     if (!json) {
-        write_output("tumble " TUMBLE_VERSION "\n");
-        write_output("compiler   " + compiler_name() + ", " TUMBLE_BUILD_TYPE "\n");
-        write_output("built for  " TUMBLE_SIMD_NAME ": " + join(used) + "\n");
+        write_output("tumble " + version() + "\n");
+        write_output("compiler   " + compiler_name() + ", " + build_type() + "\n");
+        write_output("built for  " + simd_name() + ": " + join(used) + "\n");
         write_output("processor  " + join(present) + "\n");
         return ExitCode::ok;
     }
     JsonWriter document;
-    document.open_object().member("version", TUMBLE_VERSION).member("compiler", compiler_name());
-    document.member("build_type", TUMBLE_BUILD_TYPE).member("simd", TUMBLE_SIMD_NAME);
+    document.open_object().member("version", version()).member("compiler", compiler_name());
+    document.member("build_type", build_type()).member("simd", simd_name());
     write_names(document, "instruction_sets", used);
     write_names(document, "processor_has", present);
     document.close_object();

@@ -1,0 +1,121 @@
+// The walls between the folders: which folder may include which, and which rooms lie below which. The tests of includes
+// and of calls read the same tables.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+namespace tumble::test {
+
+inline const std::filesystem::path kProject = TUMBLE_SOURCE_DIR;
+
+// What each folder may include besides its own files, debug and public headers. A name stands for a folder and all
+// below it.
+inline const std::map<std::string, std::set<std::string>> kMaySee = {
+    {"debug", {}},
+    {"file", {}},
+    {"math", {}},
+    {"simd", {"math"}},
+    {"shape", {"math"}},
+    {"broad", {"math"}},
+    {"narrow/cores", {"math", "simd", "shape"}},
+    {"narrow/gjk", {"narrow/cores"}},
+    {"narrow/faces", {"simd", "narrow/cores", "narrow/gjk"}},
+    {"narrow/distance", {"simd", "narrow/cores", "narrow/gjk", "narrow/faces"}},
+    {"narrow/manifold", {"shape", "narrow/cores", "narrow/distance"}},
+    {"narrow/cast", {"simd", "narrow/cores"}},
+    {"narrow/impact", {"math", "narrow/cores", "narrow/distance", "narrow/cast"}},
+    {"narrow/compound", {"narrow/cores", "narrow/distance", "narrow/cast", "narrow/impact"}},
+    {"dynamics/bodies", {"math", "broad"}},
+    {"dynamics/contacts", {"simd", "broad", "narrow/manifold", "dynamics/bodies"}},
+    {"dynamics/rows", {"dynamics/bodies"}},
+    {"dynamics/joints", {"dynamics/bodies", "dynamics/rows"}},
+    {"dynamics/state", {"broad", "dynamics/bodies", "dynamics/contacts", "dynamics/rows", "dynamics/joints"}},
+    {"dynamics/stages", {"dynamics/bodies", "dynamics/contacts", "dynamics/state"}},
+    {"dynamics", {"dynamics/bodies", "dynamics/contacts", "dynamics/state", "dynamics/stages"}},
+    {"world", {"dynamics"}},
+    {"scene/json", {}},
+    {"scene/format", {"scene/json"}},
+    {"scene/model", {"scene/json", "scene/format"}},
+    {"scene/claims", {"scene/json", "scene/format", "scene/model"}},
+    {"scene/build", {"scene/json", "scene/format", "scene/model", "scene/claims"}},
+    {"scene/lint", {"scene/json", "scene/model", "scene/build", "scene/run"}},
+    {"scene/load", {"scene/json", "scene/format", "scene/model", "scene/claims", "scene/build", "scene/lint"}},
+    {"scene/run", {"scene/json", "scene/model", "scene/build"}},
+    {"import/rube", {"scene/json", "scene/format", "scene/model"}},
+    {"import/svg", {"scene/json", "scene/format", "scene/model"}},
+    {"render/style", {}},
+    {"render/view", {}},
+    {"render/canvas", {"render/style"}},
+    {"render/shapes", {"render/style", "render/view", "render/canvas"}},
+    {"render/frame", {"render/style", "render/view", "render/canvas", "render/shapes"}},
+    {"render/drawing", {"render/view", "render/canvas", "render/shapes"}},
+    {"render/output", {}},
+    {"reference/query", {}},
+    {"reference/exact", {"reference/query"}},
+    {"reference/box2d", {"reference/query"}},
+    {"reference/bench", {"reference/query", "reference/box2d"}},
+    {"reference/families", {"reference/query", "reference/exact", "reference/box2d"}},
+    {"reference/parity", {"reference/query", "reference/exact", "reference/box2d", "reference/families"}},
+    {"tools/output", {}},
+    {"tools/cli", {"tools/output"}},
+    {"tools/query", {"tools/output", "tools/cli"}},
+    {"tools/machine", {"tools/output"}},
+    {"tools/measure", {"reference"}},
+    {"tools/parity", {"tools/output", "reference"}},
+    {"tools/diff", {"tools/output"}},
+    {"tools/run", {"tools/output", "tools/cli", "tools/machine", "tools/measure"}},
+    {"tools/scene", {"tools/output", "tools/cli", "tools/measure", "tools/run"}},
+    {"tools/commands",
+     {"tools/output", "tools/cli", "tools/query", "tools/machine", "tools/measure", "tools/parity", "tools/diff",
+      "tools/run", "tools/scene", "reference"}},
+    {"tools", {"tools/cli", "tools/commands"}},
+};
+
+// The rooms next below each room: whose functions it may call by a public header. Rooms below those are included.
+inline const std::map<std::string, std::set<std::string>> kNextBelow = {
+    {"debug", {}},
+    {"file", {}},
+    {"math", {}},
+    {"simd", {"math"}},
+    {"shape", {"math"}},
+    {"broad", {"math"}},
+    {"narrow", {"shape", "simd"}},
+    {"dynamics", {"narrow", "broad"}},
+    {"world", {"dynamics"}},
+    {"scene", {"world", "file"}},
+    {"import", {"scene"}},
+    {"render", {"scene"}},
+    {"reference", {"scene"}},
+    {"tools", {"import", "render", "reference"}},
+};
+
+// The first folder of a path: "scene" of "scene/json/text.hpp".
+inline std::string first_folder(const std::string& path) { return path.substr(0, path.find('/')); }
+
+// The folder of a source as the tables name it: below src without that name, tools with it.
+inline std::string folder_of_source(const std::filesystem::path& file) {
+    const std::string folder = std::filesystem::relative(file.parent_path(), kProject).generic_string();
+    return folder.starts_with("src/") ? folder.substr(4) : folder;
+}
+
+inline bool is_in(const std::string& folder, const std::string& above) {
+    return folder == above || folder.starts_with(above + "/");
+}
+
+inline bool may_include(const std::string& folder, const std::string& target) {
+    if (folder == target || target == "debug") return true;
+    for (const std::string& seen : kMaySee.at(folder))
+        if (is_in(target, seen)) return true;
+    return false;
+}
+
+inline bool is_below(const std::string& room, const std::string& upper) {
+    for (const std::string& next : kNextBelow.at(upper))
+        if (next == room || is_below(room, next)) return true;
+    return false;
+}
+
+}  // namespace tumble::test
