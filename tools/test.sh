@@ -13,7 +13,7 @@ set -euo pipefail
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project"
 jobs=${TUMBLE_JOBS:-2}
-sanitized_labels=(broad dynamics tools golden fuzz)
+sanitized_rooms=(broad dynamics golden tools)
 lint_arguments=()
 case ${1-} in
     --full)
@@ -77,12 +77,12 @@ build ci all
 say "running all tests"
 ctest --preset ci --parallel "$jobs"
 say "building with clang, debug, sanitizers, baseline instruction set"
-build sanitize tumble_cli test_broad test_dynamics test_tools golden fuzz_targets
+build sanitize tumble_cli "${sanitized_rooms[@]/#/test_}" fuzz_targets
 compare_hashes pyramid 5
 compare_hashes mixed_rain 2
 compare_parity 20000
 say "running tests and the fuzz targets with sanitizers"
-TUMBLE_ONE_SCENE_OF=12 ctest --preset sanitize -L "^($(IFS='|'; echo "${sanitized_labels[*]}"))\$" --parallel "$jobs"
+TUMBLE_ONE_SCENE_OF=12 ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
 say "building for AVX2 and AVX-512"
 check_golden_hashes avx2 avx2
 check_golden_hashes avx512 avx512vl
