@@ -10,7 +10,7 @@ namespace tumble::reference {
 
 namespace {
 
-constexpr std::size_t kBlockPairs = 256;
+constexpr std::size_t kBlockQueries = 256;
 
 std::vector<PairQuery> candidate_queries(const World& world) {
     std::vector<PairQuery> queries;
@@ -23,12 +23,12 @@ std::vector<PairQuery> candidate_queries(const World& world) {
 void compare_step(ParityRow& row, const std::vector<PairQuery>& queries, const ParityOptions& options) {
     const std::uint64_t first = row.pairs;
     const auto block_of = [&](std::size_t block) {
-        const std::size_t begin = block * kBlockPairs, count = std::min(kBlockPairs, queries.size() - begin);
+        const std::size_t begin = block * kBlockQueries, count = std::min(kBlockQueries, queries.size() - begin);
         return std::span(queries).subspan(begin, count);
     };
     run_blocks<ParityRow>(
-        (queries.size() + kBlockPairs - 1) / kBlockPairs, options.threads,
-        [&](std::size_t block) { return compare_queries(block_of(block), first + block * kBlockPairs, options); },
+        (queries.size() + kBlockQueries - 1) / kBlockQueries, options.threads,
+        [&](std::size_t block) { return compare_queries(block_of(block), first + block * kBlockQueries, options); },
         [&](std::size_t, const ParityRow& part) { row.merge(part); });
 }
 
