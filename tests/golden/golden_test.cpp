@@ -1,8 +1,7 @@
 // One world of everything, against hashes written down here: each build of the project is compared with every other, by
 // compiler, optimisation and instruction set.
 //
-// Whoever changes what the step computes writes the new hashes down, from any build; that all builds agree on them is
-// what the test is about.
+// A change of what the step computes needs new hashes, from any build. The test checks that all builds agree on them.
 #include <doctest/doctest.h>
 
 #include <cstdint>

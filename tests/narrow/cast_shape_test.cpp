@@ -53,7 +53,7 @@ public:
         return tumble_test::core_distance(a_, moved) - reach_;
     }
 
-    // The gap is convex along the way: ternary search, to 2^-60 of it.
+    // The gap is convex along the path: ternary search, to 2^-60 of it.
     Real smallest() const {
         Real low = 0, high = 1;
         for (int i = 0; i < 104; ++i) {
@@ -211,7 +211,7 @@ TEST_CASE("a box hits a box face to face where the arithmetic says") {
 }
 
 TEST_CASE("circles touch where a right triangle says") {
-    // Centres (0, 0) and (10, 3) with radii 2 and 3: moving left they meet at (4, 3), after 6 of 12.
+    // Centres (0, 0) and (10, 3) with radii 2 and 3: moving left they touch at (4, 3), after 6 of 12.
     const Query query{make_circle(2), make_circle(3), {}, {{10, 3}, {}}, {-12, 0}};
     const CastResult result = query.cast();
     CHECK(result.status == CastStatus::hit);

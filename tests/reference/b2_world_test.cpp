@@ -1,4 +1,4 @@
-// A scene in Box2D: that it starts where ours starts, maps every shape, and behaves as physics says.
+// A scene in Box2D: that it starts where ours starts, maps every shape, and behaves as mechanics predicts.
 #include "reference/box2d/b2_world.hpp"
 
 #include <doctest/doctest.h>

@@ -112,7 +112,7 @@ TEST_CASE("separated shapes by hand") {
 TEST_CASE("overlapping shapes by hand") {
     check_equal({box(1.0, 1.0), box(1.0, 1.0), at(0.0, 0.0), at(1.75, 0.5)}, -0.25);
     check_equal({box(1.0, 1.0, 0.25), box(1.0, 1.0), at(0.0, 0.0), at(1.75, 0.5)}, -0.5);
-    // Concentric: out through the thinner way, 1 + 1/4.
+    // Concentric: out along the thinner side, 1 + 1/4.
     check_equal({box(3.0, 1.0), box(0.25, 0.25), at(0.0, 0.0), at(0.0, 0.0)}, -1.25);
     // Crossing segments: the difference is the square [-1, 1]^2 about (-1/4, -1/2).
     check_equal(

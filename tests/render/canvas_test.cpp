@@ -1,4 +1,4 @@
-// What is drawn is what was asked for: colours at known places, areas that match the exact ones, the frame upright.
+// Drawing: colours at known positions, areas that match the exact ones, the frame upright.
 #include "render/canvas/canvas.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Colours: parsing, mixing, and who gets which.
+// Colours: parsing, mixing, and the colour of each body.
 #include "render/style/palette.hpp"
 
 #include <doctest/doctest.h>

@@ -75,7 +75,7 @@ TEST_CASE("islands cover bodies, and no other mark") {
         return render::pixel(image, x, y);
     };
     const Overlay velocity{.velocity = true}, islands{.islands = true}, both{.islands = true, .velocity = true};
-    // The way of 0.1 s is 16 pixels long. 8 of them from the middles of crate and ball:
+    // The displacement in 0.1 s is 16 pixels long. 8 of them from the middles of crate and ball:
     for (const auto& [x, y] : {std::pair{320 - 80 + 8, 180 + 20}, std::pair{320 + 80 + 8, 180}}) {
         CHECK(seen(both, x, y) == seen(velocity, x, y));
         CHECK(seen(both, x, y) != seen(islands, x, y));

@@ -216,7 +216,7 @@ TEST_CASE("the common name of copies claims of each where they are, and of any w
     CHECK_FALSE(hit.passed);
     CHECK(hit.finding == "'ball' and 'drop[1]' touch");
     CHECK(fall(R"({"body": "drop", "never_touches": "drop"})").passed);
-    // Before the first of them there is nothing to look at, and if none comes nothing is borne out.
+    // Before the first of them the claim has no body to judge, and if none is spawned it fails.
     CHECK(fall(R"({"body": "late", "inside": [[19, -9], [21, 1]], "when": "always"})").passed);
     CHECK_FALSE(fall(R"({"body": "late", "height": [-0.1, 1], "when": "always"})").passed);
     const ExpectationResult never = fall(R"({"body": "late", "height": [-9, 1], "when": "always", "until": 0.4})");

@@ -147,7 +147,7 @@ TEST_CASE("the copies of a repeated body turn with the part") {
 }
 
 TEST_CASE("a part at any angle moves as it does alone, seen from its place") {
-    // In a world without gravity nothing tells a turned part from an upright one.
+    // In a world without gravity a turned part behaves as an upright one.
     Files files = {
         {"part.json", kPart},
         {"main.json",

@@ -1,4 +1,4 @@
-// What a picture of a claim points at: its region where its frame puts it, the bodies that it speaks of.
+// What a picture of a claim points at: its region where its frame puts it, the bodies that it refers to.
 #include "tools/scene/claim_marks.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// What the README shows of distances is what the binary says.
+// The distances that the README shows are those that the binary prints.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>

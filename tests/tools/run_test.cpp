@@ -116,7 +116,7 @@ TEST_CASE("events.csv tells what began, ended and fell asleep; --contacts has ev
                                      [&](const std::string& line) { return line.find(kind) != std::string::npos; });
     };
     CHECK(count(",contact_begin,ground,ball,") >= 1);
-    // Who touches at the end has begun once more often than it has ended.
+    // A pair that touches at the end has begun once more often than it has ended.
     const std::vector<std::string> contacts = lines_of(file);
     CHECK(contacts[0] == "step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse");
     const json summary = json::parse(answer.out);

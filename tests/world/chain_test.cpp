@@ -1,4 +1,4 @@
-// Bodies on chains: no seam is felt at any speed, one-sided chains let through what comes from behind.
+// Bodies on chains: no seam lifts or slows a body at any speed, and a one-sided chain lets bodies cross from behind.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ TEST_CASE("a body that slides over a flat chain at 50 m/s is not lifted, turned 
 
 TEST_CASE("a ball runs around the inside of a smooth loop and loses no more speed than its bends absorb") {
     // 120 segments, radius 5 m, drawn clockwise: the inside is on their right. A bend by 3 degrees that does not bounce
-    // keeps the part cos 3 degrees of the speed; in 5 s the ball meets at most 200 of them.
+    // keeps the part cos 3 degrees of the speed; in 5 s the ball passes at most 200 of them.
     std::vector<Vec2> points;
     for (int i = 0; i < 120; ++i) {
         const SinCos at = sin_cos(-2.0 * kPi * i / 120);
@@ -148,7 +148,7 @@ TEST_CASE("a body that creeps through a bent chain from its solid side crosses i
             }
 }
 
-// The walls of a cup are met from their open side by what has come in through its bottom.
+// A body that has crossed the bottom of a cup hits its walls from their open side.
 TEST_CASE("a body that has crossed one segment is stopped by the next if that turns by a right angle") {
     const std::vector<Vec2> cup{{1.0f, 8.0f}, {1.0f, 0.0f}, {-1.0f, 0.0f}, {-1.0f, 8.0f}};
     struct Shot {

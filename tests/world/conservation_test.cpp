@@ -128,8 +128,8 @@ TEST_CASE("a box that tumbles between walls without loss gains no energy in a mi
     }
 }
 
-// Spinning boxes and capsules meet a floor with two corners in one step, or are stopped on their way after they have
-// bounced: neither may be paid by nobody. With friction, what stops the surface's slip must not come back as a bounce.
+// Spinning boxes and capsules hit a floor with two corners in one step, or are stopped at an impact after they have
+// bounced: neither may add energy. With friction, what stops the surface's slip must not come back as a bounce.
 TEST_CASE("no lone body that bounces without loss gains more than 1 % of energy in a minute") {
     int spinning = 0;
     for (const float friction : {0.0f, 0.3f, 0.6f}) {
@@ -189,7 +189,8 @@ TEST_CASE("a bounce between floor and wall gives back no more than both have tak
         }
 }
 
-// Who meets two at once is asked to part from each with the speed that it came with, which may be more than both took.
+// A body that hits two at once has to part from each with its approach speed, which may need more energy than both
+// contacts have absorbed.
 TEST_CASE("ten bodies that collide without loss gain no energy in a minute") {
     for (unsigned seed = 1; seed <= 12; ++seed) {
         CAPTURE(seed);

@@ -196,7 +196,7 @@ TEST_CASE("a long rod that spins fast is stopped by a thin pillar") {
     }
 }
 
-// The pillar may be met anywhere on the bar, its last centimetres too; the middle of the bar never comes past its
+// The pillar may be hit anywhere on the bar, its last centimetres too; the middle of the bar never comes past its
 // middle.
 TEST_CASE("no part of a long bar that spins fast passes a pillar") {
     for (int i = 0; i < 60; ++i) {

@@ -1,4 +1,4 @@
-// Events: each beginning has its end, in its own step, with the numbers of the meeting. Filters and sensors.
+// Events: each beginning has its end, in its own step, with the numbers of the contact. Filters and sensors.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -216,7 +216,7 @@ TEST_CASE("filters: categories must know each other, groups have the last word")
 }
 
 // Balls of 10 cm that fly at each other, 5 cm off the middle, are done with each other within two steps; the phase is
-// where in a step they meet. They touch for less than one, and are out of each other's boxes at its end.
+// where in a step they touch. They touch for less than one, and are out of each other's boxes at its end.
 TEST_CASE("a deflected body has begun to touch, also if both are far apart at the end of the step") {
     int met = 0, within_a_step = 0;
     for (int phase = 0; phase < 200; ++phase) {
@@ -327,7 +327,7 @@ TEST_CASE("a contact that begins is a hit, in that step, and only if it is fast"
 }
 
 // A plank of 2 m that leans by 0.1 rad on its left edge falls over it: its right edge comes down 0.2 m in the way of
-// w^2 = 2 m g (0.1 m) / (m l^2 / 3), l = 2 m, and meets the floor at w l = sqrt(6 g 0.1 m) = 2.45 m/s, with an
+// w^2 = 2 m g (0.1 m) / (m l^2 / 3), l = 2 m, and hits the floor at w l = sqrt(6 g 0.1 m) = 2.45 m/s, with an
 // acceleration of 3 g / 2 at most. The semi-implicit scheme is half a sub-step of that faster.
 TEST_CASE("the other end of a plank that falls over hits, though they touch already") {
     World world;
@@ -347,7 +347,7 @@ TEST_CASE("the other end of a plank that falls over hits, though they touch alre
     REQUIRE(hits.size() == 1);
     CHECK(world.body(hits[0].shape_b) == plank);
     CHECK(std::abs(hits[0].point.x - 2.0) < 0.05);
-    // At the start of the step in which it meets the floor, less at most than one step later.
+    // At the start of the step in which it hits the floor, less at most than one step later.
     CHECK(hits[0].approach_speed < std::sqrt(6.0) + 15.0 / 480.0);
     CHECK(hits[0].approach_speed > std::sqrt(6.0) - 15.0 / 60.0);
     run(world, 60);

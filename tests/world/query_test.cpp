@@ -1,4 +1,4 @@
-// Queries against what a look at every shape says, and by hand.
+// Queries against a test of every shape, and by hand.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Floors of several shapes: who slides over a seam between two of them does not feel it.
+// Floors of several shapes: a seam between two of them does not disturb a body that slides over it.
 #include <doctest/doctest.h>
 
 #include <string>

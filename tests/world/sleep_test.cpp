@@ -1,4 +1,4 @@
-// Sleep: who falls asleep and when, that it costs nothing and changes nothing, and what wakes.
+// Sleep: which bodies fall asleep and when, that sleep costs nothing and changes nothing, and what wakes a body.
 #include <doctest/doctest.h>
 
 #include <stdexcept>

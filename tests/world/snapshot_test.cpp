@@ -126,7 +126,7 @@ TEST_CASE("a snapshot that is cut short, damaged or of something else is refused
     CHECK_THROWS_WITH(World::load(newer), "snapshot: it has version 99, this build reads version 4");
 }
 
-// Who changes what a snapshot holds raises kVersion in snapshot.cpp and writes the new size down.
+// A change of the contents of a snapshot raises kVersion in snapshot.cpp and needs the new size here.
 TEST_CASE("the size of a known world's snapshot belongs to the version") {
     CHECK(make_falling_hinges().save().size() == 10925);
 }

@@ -1,4 +1,4 @@
-// Joints that ask for what cannot be: the world stays finite, and whoever is freed behaves again.
+// Joints that contradict each other: the world stays finite, and a body that is freed moves normally again.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The limits that are told are those that the stepper keeps to.
+// The limits that are reported are those that the stepper keeps to.
 #include "tumble/world_limits.hpp"
 
 #include <doctest/doctest.h>
