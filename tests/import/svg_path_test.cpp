@@ -1,4 +1,4 @@
-// Path data, curves and transforms: against closed forms and curves evaluated another way.
+// Path data, curves and transforms: against closed forms and curves evaluated by another method.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -71,7 +71,7 @@ void check_bezier(const std::string& data, const std::vector<DVec2>& control) {
     CHECK(length(points.back() - control.back()) < 1e-12);
 }
 
-// Every point at the radius from the center, none twice, and the way around it as far as told (degrees).
+// Every point at the radius from the center, none twice, and the turn around it as given (degrees).
 void check_arc(const std::string& data, DVec2 center, double radius, double degrees) {
     const std::vector<DVec2> points = only_points(data);
     double turn = 0.0;
@@ -163,7 +163,7 @@ TEST_CASE("an ellipse under a skew stays within the tolerance in the world") {
         const double t = 2.0 * kPi * i / 5000.0;
         REQUIRE(distance_to_line(apply(map, {5.0 * std::cos(t), 2.0 * std::sin(t)}), points) <= kTolerance);
     }
-    // No more chords than four times what the longest half axis, about 11.6 m, asks for: pi / acos(1 - 0.01 / 11.6)
+    // No more chords than four times what the longest half axis, about 11.6 m, needs: pi / acos(1 - 0.01 / 11.6)
     // = 76.
     CHECK(points.size() < 4 * 76);
 }

@@ -1,4 +1,4 @@
-// Signed distances and bounds against a look at every vertex and edge in long double.
+// Signed distances and bounds against those over every vertex and edge in long double.
 #include <doctest/doctest.h>
 
 #include <array>

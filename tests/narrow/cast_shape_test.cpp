@@ -53,7 +53,7 @@ public:
         return tumble_test::core_distance(a_, moved) - reach_;
     }
 
-    // The gap is convex along the way: ternary search, to 2^-60 of it.
+    // The gap is convex along the path: ternary search, to 2^-60 of it.
     Real smallest() const {
         Real low = 0, high = 1;
         for (int i = 0; i < 104; ++i) {

@@ -82,7 +82,7 @@ TEST_CASE("overlapping boxes: the least depth, out through the nearest face") {
 }
 
 TEST_CASE("a radius is subtracted from the core distance, also inside") {
-    // Core 1 x 1 grown by 0.5, and the same: cores 2 apart overlap by nothing until the radii meet.
+    // Core 1 x 1 grown by 0.5, and the same: cores 2 apart overlap by nothing until the radii touch.
     const Shape rounded = make_box({2, 2}, 0.5f);
     CHECK(distance(rounded, at(0, 0), rounded, at(2.5, 0)).distance == 0.5);
     CHECK(distance(rounded, at(0, 0), rounded, at(1.5, 0)).distance == -0.5);  // cores 0.5 apart

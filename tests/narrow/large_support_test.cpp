@@ -1,4 +1,4 @@
-// Supports of large polygons by the directions of their edges against a look at all vertices.
+// Supports of large polygons by the directions of their edges against those over all vertices.
 #include "narrow/cores/large_support.hpp"
 
 #include <doctest/doctest.h>
@@ -23,7 +23,7 @@ double highest(const Shape& shape, DVec2 direction) {
 void check_supports(const Shape& shape, PairSource& source, int directions) {
     REQUIRE(shape.large() != nullptr);
     REQUIRE_FALSE(shape.large()->edge_angles.empty());
-    // What edges shorter than rounding hide: 2 u of the way around.
+    // Edges shorter than rounding hide 2 u of the perimeter.
     const double rounding = 16.0 * 0x1p-53 * shape.core_radius();
     for (int sample = 0; sample < directions; ++sample) {
         DVec2 direction(source.uniform(-1, 1), source.uniform(-1, 1));

@@ -33,7 +33,7 @@ Real extent_of(const Shape& shape, const Sweep& sweep) {
     return shape.core_radius() + length(DVec2(sweep.local_center));
 }
 
-// The error that is held against it: 24 u of the sizes and ways, less than its own worst cases add up to, and 4 u of
+// The error that is held against it: 24 u of the sizes and paths, less than its own worst cases add up to, and 4 u of
 // the angles times the levers.
 Real error_of(const Query& query) {
     const Real e_a = extent_of(query.a, query.sweep_a), e_b = extent_of(query.b, query.sweep_b);
@@ -205,7 +205,7 @@ TEST_CASE("a rod that turns by more than half a turn hits the post in its path")
         CHECK(near(result.fraction * turn, kPi / 2, absolute(1e-12)));
         CHECK(std::abs(result.point.y - 1.0) < 1e-12);
     }
-    // The other way round it takes three quarters, and a turn of 4 is not enough.
+    // In the other direction it takes three quarters, and a turn of 4 is not enough.
     const Sweep back{{}, {0, 0}, {0, 0}, 0.0, -4.0}, post_sweep{{}, {0, 1}, {0, 1}, 0.0, 0.0};
     CHECK(time_of_impact(rod, back, post, post_sweep).status == CastStatus::miss);
 }

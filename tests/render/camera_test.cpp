@@ -204,3 +204,13 @@ TEST_CASE("room to spare lies above what is shown, seven parts of ten") {
     CHECK(frame.bottom < -0.5);
     CHECK(frame.top - 1.0 > 1.5 * (0.0 - frame.bottom));
 }
+
+TEST_CASE("the frame is 1.14 times as large as what it shows, with three tenths of the room to spare below") {
+    HandMadeScene s;
+    s.add_static("plank", {5.0, 2.0}, make_box({8.0f, 1.0f}));
+    const Camera camera = make_camera(s.scene, s.built, kAspect);
+    const double height = 1.14 * 8.0 / kAspect, spare = height - 1.14 * 1.0;
+    CHECK(near(camera.height, height, kFloat));
+    CHECK(near(camera.center.x, 5.0, kFloat));
+    CHECK(near(camera.center.y, 2.0 + 0.2 * spare, kFloat));
+}

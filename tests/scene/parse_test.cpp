@@ -1,4 +1,4 @@
-// Reading: what is accepted becomes exactly what the file says.
+// Reading: an accepted file becomes exactly the scene that it states.
 #include <doctest/doctest.h>
 
 #include "scene/example.hpp"

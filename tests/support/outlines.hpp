@@ -95,7 +95,7 @@ inline bool is_simple(const Outline& ring) {
 }
 
 // Random points joined at random, then untangled: two edges that cross are exchanged for two shorter ones. May end not
-// simple where points lie on lines; the caller asks is_simple().
+// simple where points lie on lines; the caller checks is_simple().
 inline Outline untangled(int count, int size, std::mt19937_64& random) {
     std::uniform_int_distribution<int> coordinate(-size, size);
     Outline ring;

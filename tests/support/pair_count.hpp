@@ -7,7 +7,7 @@
 
 namespace tumble_test {
 
-// As many as usual, or what the environment asks for in TUMBLE_PAIRS.
+// As many as usual, or the number in the environment variable TUMBLE_PAIRS.
 inline std::uint64_t pair_count(std::uint64_t usual = 10000) {
     const char* asked = std::getenv("TUMBLE_PAIRS");
     return asked ? std::strtoull(asked, nullptr, 10) : usual;

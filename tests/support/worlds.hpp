@@ -1,4 +1,4 @@
-// Short ways to put things into a world, for tests.
+// Short functions that put things into a world, for tests.
 #pragma once
 
 #include <cmath>

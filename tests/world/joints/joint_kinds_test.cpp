@@ -111,7 +111,7 @@ TEST_CASE("a lift's motor raises its load at its speed up to the limit, or stall
         const double give = 1.01 * std::abs(double{force} - 20.0) / (2.0 * kJointOmega * kJointOmega);
         if (force > 20.0f) {
             // Accelerates by (25 - 20) / 2 = 2.5 m/s^2 for 0.4 s, then goes at 1 m/s: 0.2 + 0.6 m in the first second,
-            // and half a sub-step's way more, as it moves with the velocity at the end of each.
+            // and half a sub-step's motion more, as it moves with the velocity at the end of each.
             CHECK(near(rig.position().y, 0.8 + 0.5 * kH, float_sum(240)));
             CHECK(near(rig.world.state(rig.box).velocity.y, 1.0, kFloat));
             CHECK(near(rig.world.reaction(lift).force.y, 20.0, kFloat));
