@@ -7,6 +7,25 @@
 
 namespace tumble::render {
 
+void FoundVertices::add(VertexPair pair, DVec2 position) {
+    if (std::ranges::find(pairs_, pair) != pairs_.end()) return;
+    pairs_.push_back(pair);
+    positions_.push_back(position);
+}
+
+FoundVertices::FoundVertices(const DistanceTrace& trace) {
+    if (trace.steps.empty()) return;
+    const TraceStep& first = trace.steps.front();
+    for (std::size_t i = 0; i < first.count; ++i) add(first.simplex[i], first.vertices[i]);
+    for (const TraceStep& step : trace.steps) add(step.support, step.support_vertex);
+}
+
+std::string FoundVertices::number(VertexPair pair) const {
+    const auto at = std::ranges::find(pairs_, pair);
+    TUMBLE_CHECK(at != pairs_.end());
+    return std::to_string(at - pairs_.begin() + 1);
+}
+
 namespace {
 
 constexpr double kCaptionSize = 12.0;
@@ -71,25 +90,6 @@ std::string step_caption(const TraceFigure& figure, std::size_t k) {
 }
 
 }  // namespace
-
-FoundVertices::FoundVertices(const DistanceTrace& trace) {
-    if (trace.steps.empty()) return;
-    const TraceStep& first = trace.steps.front();
-    for (std::size_t i = 0; i < first.count; ++i) add(first.simplex[i], first.vertices[i]);
-    for (const TraceStep& step : trace.steps) add(step.support, step.support_vertex);
-}
-
-std::string FoundVertices::number(VertexPair pair) const {
-    const auto at = std::ranges::find(pairs_, pair);
-    TUMBLE_CHECK(at != pairs_.end());
-    return std::to_string(at - pairs_.begin() + 1);
-}
-
-void FoundVertices::add(VertexPair pair, DVec2 position) {
-    if (std::ranges::find(pairs_, pair) != pairs_.end()) return;
-    pairs_.push_back(pair);
-    positions_.push_back(position);
-}
 
 TraceFigure make_trace_figure(const PairDrawing& pair, const DistanceTrace& trace) {
     constexpr double kSmallPart = 0.5;
