@@ -67,15 +67,25 @@ std::string unknown_argument_text(const CLI::App& app) {
            (nearest.empty() ? "" : "\n  hint: did you mean '" + std::string(nearest) + "'?");
 }
 
+std::string parse_error_text(const CLI::App& app, const CLI::ParseError& error) {
+    const std::string text = error.what();
+    switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
+        case CLI::ExitCodes::ExtrasError: return unknown_argument_text(app);
+        case CLI::ExitCodes::ArgumentMismatch: return text.substr(0, text.find(':')) + ": the value is missing";
+        default: return text;
+    }
+}
+
 // CLI11 throws for --help too, with the exit code 0.
 ExitCode answer_parse_error(CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {
         write_output(app.help("", CLI::AppFormatMode::Normal));
         return ExitCode::ok;
     }
-    const bool is_unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    report_error((is_unknown ? unknown_argument_text(app) : std::string(error.what())) +
-                 "\n  hint: 'tumble COMMAND --help' lists the options of a command");
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    report_error(parse_error_text(app, error) +
+                 (chosen.empty() ? "\n  hint: 'tumble --help' lists the commands"
+                                 : "\n  hint: 'tumble " + chosen.front()->get_name() + " --help' lists the options"));
     return ExitCode::usage;
 }
 

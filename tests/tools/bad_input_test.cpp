@@ -1,4 +1,4 @@
-// What a user can do wrong, and the exit code and message that answer it.
+// Errors of users: the exit code and the message for each.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -34,7 +34,7 @@ void check_invalid(const std::string& text, const std::string& expected_message)
 
 }  // namespace
 
-TEST_CASE("a scene that cannot be read as format 1 ends with exit code 3 and its place") {
+TEST_CASE("an invalid scene ends with exit code 3, and the message names the location") {
     check_invalid("", "the file is empty");
     check_invalid(R"({"format": 1, "bodies": [)", "scene.json:1:");
     check_invalid(R"({"format": 1, "bodys": []})", "bodies");
@@ -49,7 +49,7 @@ TEST_CASE("a scene that cannot be read as format 1 ends with exit code 3 and its
                   "gone");
 }
 
-TEST_CASE("an invalid scene is refused before anything is written") {
+TEST_CASE("an invalid scene is refused before any file is written") {
     const Folder folder;
     const std::string scene = folder.write("scene.json", body_scene(R"({"circle": {"radius": -1}})"));
     CHECK(run_tumble({"run", scene, "-o", (folder / "out").string(), "--hashes", (folder / "h.csv").string()}).code ==
@@ -58,7 +58,7 @@ TEST_CASE("an invalid scene is refused before anything is written") {
     CHECK_FALSE(std::filesystem::exists(folder / "h.csv"));
 }
 
-TEST_CASE("all errors of a scene are reported, by validate as by run") {
+TEST_CASE("validate reports all errors of a scene") {
     const Folder folder;
     const std::string scene =
         folder.write("scene.json", body_scene(R"({"circle": {"radius": -1}}, {"box": {"size": [1]}}, {"capsul": {}})"));
@@ -70,7 +70,7 @@ TEST_CASE("all errors of a scene are reported, by validate as by run") {
     }
 }
 
-TEST_CASE("a missing scene ends with exit code 4 and its name") {
+TEST_CASE("a missing scene ends with exit code 4, and the message names it") {
     for (const char* command : {"run", "validate"}) {
         const Answer answer = run_tumble({command, "no/such/scene.json"});
         CHECK(answer.code == 4);
@@ -78,22 +78,22 @@ TEST_CASE("a missing scene ends with exit code 4 and its name") {
     }
 }
 
-TEST_CASE("a folder that cannot be written ends with exit code 4 and its name") {
+TEST_CASE("a folder that cannot be written ends with exit code 4, and the message names it") {
     const Folder folder;
     const std::string scene = folder.write("scene.json", tumble::test::small_scene());
     const std::string file = folder.write("file", "");
-    for (const std::string& place : {file + "/out", std::string("/proc/tumble")}) {
-        CAPTURE(place);
-        const Answer answer = run_tumble({"run", scene, "-o", place});
+    for (const std::string& target : {file + "/out", std::string("/proc/tumble")}) {
+        CAPTURE(target);
+        const Answer answer = run_tumble({"run", scene, "-o", target});
         CHECK(answer.code == 4);
-        CHECK_MESSAGE(answer.err.find(place) != std::string::npos, answer.err);
+        CHECK_MESSAGE(answer.err.find(target) != std::string::npos, answer.err);
     }
     const Answer answer =
         run_tumble({"run", scene, "--no-frames", "-o", (folder / "out").string(), "--hashes", file + "/h"});
     CHECK(answer.code == 4);
 }
 
-TEST_CASE("wrong usage ends with exit code 2") {
+TEST_CASE("wrong arguments end with exit code 2") {
     const Folder folder;
     const std::string scene = folder.write("scene.json", tumble::test::small_scene());
     const std::string out = (folder / "out").string(), csv = (folder / "data.csv").string();
@@ -130,7 +130,7 @@ TEST_CASE("wrong usage ends with exit code 2") {
     }
 }
 
-TEST_CASE("a misspelt command or option is told with what it may have been meant to be") {
+TEST_CASE("a misspelt command or option is answered with the nearest one") {
     CHECK(run_tumble({"rum", "x.json"}).err.find("unknown command 'rum'\n  hint: did you mean 'run'?") !=
           std::string::npos);
     CHECK(run_tumble({"run", "x.json", "--fsp", "2"})
@@ -138,7 +138,7 @@ TEST_CASE("a misspelt command or option is told with what it may have been meant
     CHECK(run_tumble({"run", "x.json", "more"}).err.find("unknown argument 'more' of run") != std::string::npos);
 }
 
-TEST_CASE("what has no effect is said, and what cannot be written is found before anything is made") {
+TEST_CASE("an option without effect is a warning, and an existing file is refused before any file is written") {
     const Folder folder;
     const std::string scene = folder.write("scene.json", tumble::test::small_scene()), out = (folder / "out").string();
     const std::string there = folder.write("there.csv", "");
@@ -152,23 +152,23 @@ TEST_CASE("what has no effect is said, and what cannot be written is found befor
     CHECK(idle.err.find("--size") == std::string::npos);
 }
 
-TEST_CASE("who has fallen out of the world is said at the end of a run") {
+TEST_CASE("a run warns of bodies that have fallen below all static shapes") {
     const Folder folder;
     const std::string ground =
         R"({"format": 1, "world": {"duration": 4}, "bodies": [{"type": "static", "shapes": [{"box": {"size": [4, 1]}}]},
-        {"name": "ball", "position": [PLACE, 2], "shapes": [{"circle": {"radius": 0.5}}]}]})";
-    const auto run_at = [&](const std::string& place) {
+        {"name": "ball", "position": [X, 2], "shapes": [{"circle": {"radius": 0.5}}]}]})";
+    const auto run_at = [&](const std::string& x) {
         std::string text = ground;
-        const std::string scene = folder.write("s.json", text.replace(text.find("PLACE"), 5, place));
+        const std::string scene = folder.write("s.json", text.replace(text.find("[X,") + 1, 1, x));
         return run_tumble({"run", scene, "--no-frames", "--force", "-o", (folder / "out").string()}).err;
     };
     CHECK(run_at("0").empty());
-    // Four seconds at -10 m/s^2 from 2 m: -78 m, and a little for the sub-steps.
-    CHECK(run_at("9").find("'ball' has fallen below all that could hold it: 'ball' is at y = -78.") !=
+    // Four seconds at -10 m/s^2 from 2 m: -78 m, and the error of the integrator.
+    CHECK(run_at("9").find("'ball' has fallen below all static and kinematic shapes: 'ball' is at y = -78.") !=
           std::string::npos);
 }
 
-TEST_CASE("a scene without a name is called after its file, and one without bodies is no surprise") {
+TEST_CASE("a scene without a name gets the name of its file, and one without bodies is a warning") {
     const Folder folder;
     const std::string scene = folder.write("lonely.json", R"({"format": 1, "world": {"duration": 0.1}})");
     const Answer answer = run_tumble({"run", scene, "--no-frames", "-o", (folder / "out").string()});

@@ -1,4 +1,4 @@
-// `check` and `fmt`, as a script would use them.
+// `check`, `fmt` and `import`, as scripts use them.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -19,19 +19,19 @@ using tumble::test::run_tumble;
 
 namespace {
 
-// A crate that lies on the floor from the start, and claims so; `place` is the height it claims.
-std::string crate_scene(const std::string& place) {
+// A crate that rests on the floor from the start. Its claim expects it no lower than `lowest_y`.
+std::string crate_scene(const std::string& lowest_y) {
     return R"({"format": 1, "name": "crate & floor", "world": {"duration": 1}, "bodies": [
         {"name": "floor", "type": "static", "shapes": [{"box": {"size": [9, 1]}}]},
         {"name": "crate", "position": [0, 1], "shapes": [{"box": {"size": [1, 1]}}]}],
         "expect": [{"at_rest_by": 0.5}, {"body": "crate", "inside": [[-1, )" +
-           place + R"(], [1, 5]]}]})";
+           lowest_y + R"(], [1, 5]]}]})";
 }
 
 }  // namespace
 
-// The environment variable TUMBLE_ONE_SCENE_OF takes every n-th scene alone: under sanitizers all of them take minutes.
-TEST_CASE("every shipped scene that claims something holds it") {
+// With the environment variable TUMBLE_ONE_SCENE_OF=n only every n-th scene is tested: with sanitizers all take minutes.
+TEST_CASE("the claims of all shipped scenes hold") {
     const char* every = std::getenv("TUMBLE_ONE_SCENE_OF");
     const std::size_t stride = every ? std::strtoull(every, nullptr, 10) : 1;
     REQUIRE(stride > 0);
@@ -45,7 +45,7 @@ TEST_CASE("every shipped scene that claims something holds it") {
     CHECK_MESSAGE(answer.code == 0, answer.out);
 }
 
-TEST_CASE("a claim that does not hold is exit code 7, with what was expected and what happened") {
+TEST_CASE("a failed claim ends with exit code 7, and the report shows what was expected and found") {
     const Folder folder;
     const std::string good = folder.write("good.json", crate_scene("0.9")),
                       bad = folder.write("bad.json", crate_scene("2"));
@@ -68,7 +68,7 @@ TEST_CASE("a claim that does not hold is exit code 7, with what was expected and
     CHECK(document["scenes"][1]["passed"] == true);
 }
 
-TEST_CASE("a scene that cannot be read weighs more than a claim that does not hold") {
+TEST_CASE("the exit code reports an unreadable scene before a failed claim") {
     const Folder folder;
     const std::string bad = folder.write("bad.json", crate_scene("2")), broken = folder.write("broken.json", "{");
     const Answer both = run_tumble({"check", broken, bad});
@@ -79,21 +79,21 @@ TEST_CASE("a scene that cannot be read weighs more than a claim that does not ho
     CHECK(run_tumble({"check", bad, (folder / "missing.json").string()}).code == 4);
 }
 
-TEST_CASE("check writes JUnit, and draws the moment of a failure") {
+TEST_CASE("check writes JUnit and draws the deciding step of a failure") {
     const Folder folder;
     const std::string bad = folder.write("bad.json", crate_scene("2")), junit = (folder / "results/junit.xml").string();
     CHECK(run_tumble({"check", bad, "--junit", junit, "--shots", (folder / "shots").string()}).code == 7);
     const std::string text = read_text(junit);
     CHECK(text.find("tests=\"2\" failures=\"1\" errors=\"0\"") != std::string::npos);
     CHECK(text.find("name=\"/expect/1: 'crate' is inside") != std::string::npos);
-    CHECK(text.find("<failure message=\"at 1 s (step 60): it is at [0, 1]\"/><system-out>drawn: ") !=
+    CHECK(text.find("<failure message=\"at 1 s (step 60): it is at [0, 1]\"/><system-out>picture: ") !=
           std::string::npos);
     CHECK(fs::file_size(folder / "shots/crate___floor-expect-1.png") > 1000);
     CHECK(run_tumble({"check", bad, "--junit", junit}).code == 4);
     CHECK(run_tumble({"check", bad, "--junit", junit, "--force"}).code == 7);
 }
 
-TEST_CASE("pictures of scenes of one name stand beside each other, and those there already do not hide the failure") {
+TEST_CASE("pictures of scenes with equal names get numbers, and existing pictures do not change the exit code") {
     const Folder folder;
     fs::create_directory(folder / "b");
     const std::string one = folder.write("x.json", crate_scene("2")),
@@ -107,10 +107,10 @@ TEST_CASE("pictures of scenes of one name stand beside each other, and those the
     CHECK(fs::exists(folder / "shots/crate___floor-2-expect-1.png"));
     const Answer again = run_tumble(arguments);
     CHECK(again.code == 7);
-    CHECK(again.err.find("not drawn: ") != std::string::npos);
+    CHECK(again.err.find("no picture of a failed claim: ") != std::string::npos);
 }
 
-TEST_CASE("the picture of a failure has the title of the scene, which is that of its file if it has none") {
+TEST_CASE("the picture of a failure shows the name of the scene, or of its file") {
     const Folder folder;
     std::string text = crate_scene("2");
     const std::string file = folder.write("crate & floor.json", text), shots = (folder / "shots").string();
@@ -124,7 +124,7 @@ TEST_CASE("the picture of a failure has the title of the scene, which is that of
     CHECK(read_text(folder / "shots/other-expect-1.png") != named);
 }
 
-TEST_CASE("fmt prints the canonical form, and says what it loses") {
+TEST_CASE("fmt prints the canonical form and warns of lost comments") {
     const Folder folder;
     const std::string file = folder.write("a.json",
                                           "// mine: \"\n{\"bodies\": [], /* // */ \"name\": \"//\\\"/*\", \"world\": "
@@ -132,7 +132,7 @@ TEST_CASE("fmt prints the canonical form, and says what it loses") {
     const Answer answer = run_tumble({"fmt", file});
     CHECK(answer.code == 0);
     CHECK(answer.out == "{\n  \"format\": 1,\n  \"name\": \"//\\\"/*\"\n}\n");
-    CHECK(answer.err.find("3 comments are not kept") != std::string::npos);
+    CHECK(answer.err.find("3 comments are dropped") != std::string::npos);
     CHECK(read_text(file).starts_with("// mine"));
     CHECK(json::parse(run_tumble({"fmt", file, "--json"}).out)["comments_lost"] == 3);
     const Answer refused = run_tumble({"fmt", file, "--write"});
@@ -144,19 +144,19 @@ TEST_CASE("fmt prints the canonical form, and says what it loses") {
     CHECK(json::parse(run_tumble({"fmt", file, "--json"}).out)["canonical"] == true);
 }
 
-TEST_CASE("a pattern may catch the schema of the scenes beside it") {
+TEST_CASE("a schema among the scenes is skipped") {
     const Folder folder;
     const std::string scene = folder.write("a.json", R"({"format": 1})"),
                       schema = folder.write("scene.schema.json", "{}");
     for (const char* command : {"check", "validate"}) {
         const Answer both = run_tumble({command, scene, schema});
         CHECK(both.code == 0);
-        CHECK(both.err.find("left out") != std::string::npos);
+        CHECK(both.err.find("skipped") != std::string::npos);
         CHECK(run_tumble({command, schema}).code == 3);
     }
 }
 
-TEST_CASE("fmt keeps includes, or writes what they hold") {
+TEST_CASE("fmt keeps includes, and fmt --flat resolves them") {
     const Folder folder;
     fs::create_directory(folder / "parts");
     folder.write("parts/ball.json",

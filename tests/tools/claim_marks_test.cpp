@@ -1,4 +1,4 @@
-// What a picture of a claim points at: its region where its frame puts it, the bodies that it speaks of.
+// The marks in the picture of a claim: its region in world coordinates, and its bodies.
 #include "tools/scene/claim_marks.hpp"
 
 #include <doctest/doctest.h>
@@ -12,7 +12,7 @@ using namespace tumble::tools;
 
 namespace {
 
-// Two crates fall beside a ball that lies on the ground.
+// Two crates fall beside a ball that rests on the ground.
 SceneWorld made() {
     return build_world(parse_scene(R"({"format": 1, "bodies": [
         {"name": "ground", "type": "static", "shapes": [{"box": {"size": [20, 1], "center": [0, -0.5]}}]},
@@ -28,7 +28,7 @@ bool marks(const Marking& marking, const SceneWorld& built, const std::string& n
 
 }  // namespace
 
-TEST_CASE("a claim of a place marks its box and its body") {
+TEST_CASE("an `inside` claim marks its box and its body") {
     const SceneWorld built = made();
     SceneExpectation claim;
     claim.body = "ball";
@@ -44,7 +44,7 @@ TEST_CASE("a claim of a place marks its box and its body") {
     CHECK(marking.caption == std::vector<std::string>{"expected that 'ball' is inside", "it is not"});
 }
 
-TEST_CASE("a claim of a touch marks both sides, and all copies by their common name") {
+TEST_CASE("a `touches` claim marks both bodies, and all copies of a common name") {
     const SceneWorld built = made();
     SceneExpectation claim;
     claim.body = "ball";
@@ -55,7 +55,7 @@ TEST_CASE("a claim of a touch marks both sides, and all copies by their common n
     CHECK(marks(marking, built, "crate[1]"));
 }
 
-TEST_CASE("claims of the world mark what stands against them") {
+TEST_CASE("claims of the world mark the bodies that violate them") {
     SceneWorld built = made();
     for (int step = 0; step < 10; ++step) built.world.step();
     SceneExpectation rest;

@@ -1,4 +1,4 @@
-// What the other subcommands print.
+// The output of the other subcommands.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -23,7 +23,7 @@ TEST_CASE("without arguments: six lines of usage and a command to copy") {
     CHECK(answer.err.empty());
 }
 
-TEST_CASE("--version says what was built, by what and for what") {
+TEST_CASE("--version prints version, compiler and instruction sets") {
     const Answer answer = run_tumble({"--version"});
     CHECK(answer.code == 0);
     CHECK(answer.out.starts_with("tumble 0."));
@@ -32,7 +32,7 @@ TEST_CASE("--version says what was built, by what and for what") {
         CHECK(version.contains(key));
 }
 
-TEST_CASE("every subcommand has help, on standard output") {
+TEST_CASE("every subcommand has help on standard output") {
     for (const char* command :
          {"run", "demo", "shot", "validate", "schema", "distance", "import", "bench", "check", "fmt", "parity"}) {
         CAPTURE(command);
@@ -43,7 +43,7 @@ TEST_CASE("every subcommand has help, on standard output") {
     }
 }
 
-TEST_CASE("validate judges each scene") {
+TEST_CASE("validate reports the result of each scene") {
     const Folder folder;
     const std::string good = folder.write("good.json", tumble::test::small_scene());
     const std::string bad = folder.write("bad.json", "{}");
@@ -60,7 +60,7 @@ TEST_CASE("validate judges each scene") {
     CHECK(run_tumble({"validate", bad, (folder / "missing.json").string()}).code == 4);
 }
 
-TEST_CASE("validate counts its warnings, and with --strict they are refused") {
+TEST_CASE("validate counts warnings, and with --strict they end with exit code 3") {
     const Folder folder;
     const std::string tiny = folder.write(
         "tiny.json", R"({"format": 1, "bodies": [{"name": "dot", "shapes": [{"circle": {"radius": 0.001}}]}]})");
@@ -73,7 +73,7 @@ TEST_CASE("validate counts its warnings, and with --strict they are refused") {
     CHECK(larger.out == tiny + ": valid, 1 body, 0 joints\n");
 }
 
-TEST_CASE("help is a command too, of all and of one") {
+TEST_CASE("`tumble help` equals `tumble --help`, also for one command") {
     CHECK(run_tumble({"help"}).out == run_tumble({"--help"}).out);
     CHECK(run_tumble({"help", "run"}).out == run_tumble({"run", "--help"}).out);
 }
@@ -88,7 +88,7 @@ TEST_CASE("every shipped scene is valid and has a description") {
     }
 }
 
-TEST_CASE("demo prints a scene to start from, in one piece, and runs one into a folder that it does not own") {
+TEST_CASE("demo --print prints a scene as one file, and demo -o does not replace a folder of the user") {
     const Folder folder;
     CHECK(run_tumble({"demo", "see_saw", "--print"}).out ==
           tumble::test::read_text(TUMBLE_SOURCE_DIR "/scenes/see_saw.json"));
@@ -107,7 +107,7 @@ TEST_CASE("schema prints the published schema") {
           json::parse(tumble::test::read_text(TUMBLE_SOURCE_DIR "/scenes/scene.schema.json")));
 }
 
-TEST_CASE("import writes a scene that runs, and says what it could not carry over") {
+TEST_CASE("import writes a valid scene and refuses to replace one") {
     const Folder folder;
     const std::string source = folder.write("export.json", R"({
         "gravity": {"x": 0, "y": -10}, "allowSleep": true,

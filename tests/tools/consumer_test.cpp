@@ -1,4 +1,4 @@
-// What the README promises to users of the library: the installed package is found, and the example compiles and runs.
+// The installed package is found by CMake, and the README's example compiles and runs.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -38,7 +38,7 @@ int main() {
     const tumble::BodyId ball = world.create_body({.pose = {{0.0, 10.0}, {}}});
     world.add_shape(ball, {.shape = tumble::make_circle(0.5f)});
     for (int i = 0; i < 60; ++i) world.step();
-    // A second of free fall is 5 m, give or take the half step of the integrator.
+    // A second of free fall is 5 m, within half a step of the integrator.
     const double y = world.state(ball).pose.position.y;
     return 4.9 < y && y < 5.1 ? 0 : 1;
 }
@@ -56,7 +56,7 @@ target_link_libraries(readme_example PRIVATE tumble::render)
 
 }  // namespace
 
-TEST_CASE("an installed tumble is found, linked and run by a project of its own") {
+TEST_CASE("a separate project finds the installed package, links it and runs") {
     const Folder folder;
     const std::string prefix = (folder / "prefix").string();
     const std::string build = (folder / "build").string();

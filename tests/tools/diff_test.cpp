@@ -1,4 +1,4 @@
-// `tumble diff`: where two runs first differ, by closed cases.
+// `tumble diff`: where two runs first differ, on hand-written files.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -23,7 +23,7 @@ json compare(const Answer& answer) {
 
 }  // namespace
 
-TEST_CASE("the first step, body and component that differ are named, with ulps and length") {
+TEST_CASE("diff names the first step, body and component that differ, with the difference and its ulps") {
     const Folder folder;
     const std::string start = std::string(kHeader) + "0,0,ball,1,2,0,0,0,0\n0,0,\"a, b\",0,0,0,0,0,0\n";
     const std::string a = folder.write("a.csv", start + "1,0.5,ball,1,2,0,0.25,0,0\n1,0.5,\"a, b\",1,0,0,0,0,0\n");
@@ -52,7 +52,7 @@ TEST_CASE("the first step, body and component that differ are named, with ulps a
     CHECK(run_tumble({"diff", a, c, "--tolerance", "0.5"}).code == 7);
 }
 
-TEST_CASE("beyond the first difference, the largest of each kind is found, and angles go the shorter way") {
+TEST_CASE("diff finds the largest difference of each kind, and of angles along the shorter arc") {
     const Folder folder;
     const std::string a = folder.write(
         "a.csv", std::string(kHeader) + "0,0,ball,1,2,3.14,0,0,0\n1,0.5,ball,1,2,0,0,0,0\n2,1,ball,1,2,0,0,0,7\n");
@@ -69,7 +69,7 @@ TEST_CASE("beyond the first difference, the largest of each kind is found, and a
     CHECK(run_tumble({"diff", a, b, "--tolerance", "2"}).code == 0);
 }
 
-TEST_CASE("two lists of hashes are compared, and two values of one scene") {
+TEST_CASE("diff compares two lists of hashes, and a scene with a changed value") {
     const Folder folder;
     const std::string a = folder.write("a.csv", "step,hash\n0,00000000000000aa\n1,00000000000000bb\n"),
                       longer = folder.write("c.csv", "step,hash\n0,00000000000000aa\n1,00000000000000bb\n2,1\n");
@@ -104,13 +104,13 @@ TEST_CASE("a run that ends early or has other bodies differs") {
         folder.write("c.csv", std::string(kHeader) + "0,0,box,1,2,0,0,0,0\n1,0.5,box,1,2,0,0,0,0\n");
     const Answer ended = run_tumble({"diff", a, shorter});
     CHECK(ended.code == 7);
-    CHECK(ended.out.find("step 1 (0.5 s): B ends before it") != std::string::npos);
+    CHECK(ended.out.find("step 1 (0.5 s): B ends before this step") != std::string::npos);
     const Answer other = run_tumble({"diff", a, renamed});
     CHECK(other.code == 7);
     CHECK(other.out.find("'ball': the body is in A only") != std::string::npos);
 }
 
-TEST_CASE("a scene agrees with the trajectory that it wrote, and the contacts of a difference are shown") {
+TEST_CASE("a scene agrees with its own trajectory, and diff lists the contacts of a difference") {
     const Folder folder;
     const std::string scene = folder.write("ball.json", R"({"format": 1, "world": {"duration": 0.5}, "bodies": [
         {"name": "ground", "type": "static", "shapes": [{"box": {"size": [10, 1]}}]},
@@ -133,7 +133,7 @@ TEST_CASE("a scene agrees with the trajectory that it wrote, and the contacts of
     CHECK(touching["contacts_a"][0].get<std::string>().find("ball") != std::string::npos);
 }
 
-TEST_CASE("what is no trajectory is refused with its line") {
+TEST_CASE("an invalid trajectory is refused with file and line") {
     const Folder folder;
     const std::string good = folder.write("a.csv", std::string(kHeader) + "0,0,ball,1,2,0,0,0,0\n");
     const auto refuse = [&](const std::string& text) {
@@ -141,8 +141,8 @@ TEST_CASE("what is no trajectory is refused with its line") {
         CHECK(answer.code == 3);
         return answer.err;
     };
-    CHECK(refuse("step,time\n0,0\n").find("column") != std::string::npos);
-    CHECK(refuse(std::string(kHeader) + "0,0,ball,1,2,0\n").find("line 2") != std::string::npos);
+    CHECK(refuse("step,time\n0,0\n").find("bad.csv:1: missing column") != std::string::npos);
+    CHECK(refuse(std::string(kHeader) + "0,0,ball,1,2,0\n").find("bad.csv:2: too few columns") != std::string::npos);
     CHECK(refuse(std::string(kHeader) + "0,0,ball,1,two,0,0,0,0\n").find("bad.csv:2: expected a number, got 'two'") !=
           std::string::npos);
     CHECK(refuse("").size() > 10);

@@ -1,4 +1,4 @@
-// Distance queries by the command line.
+// `tumble distance`.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -35,7 +35,7 @@ TEST_CASE("the distance of two circles is that of their centres less their radii
     CHECK(result.contains("iterations"));
 }
 
-TEST_CASE("a line takes its poses in the shapes as arguments do, or beside them, but not twice") {
+TEST_CASE("the pose of a query line is inside of the shape or beside it, but not both") {
     const auto answer = [](const std::string& line) {
         return Process(tumble_command({"distance", "--stdin"}), ".", line).wait();
     };
@@ -53,7 +53,7 @@ TEST_CASE("a line takes its poses in the shapes as arguments do, or beside them,
           std::string::npos);
 }
 
-TEST_CASE("poses are taken by angle or by rotation, and quarter turns are exact") {
+TEST_CASE("a pose has an angle or a rotation, and quarter turns are exact") {
     const std::string box = R"({"box": {"size": [2, 1]}})";
     const auto distance_to = [&](const std::string& pose) {
         const Answer answer =
@@ -67,7 +67,7 @@ TEST_CASE("poses are taken by angle or by rotation, and quarter turns are exact"
     CHECK(distance_to(R"({"position": [1.5, 0]})") == -0.5);
 }
 
-TEST_CASE("clockwise, self-crossing and repeated points stand for their hull") {
+TEST_CASE("clockwise, self-crossing and repeated points give their hull") {
     const auto distance_of = [](const std::string& vertices) {
         const Answer answer = run_tumble({"distance", R"({"polygon": {"vertices": )" + vertices + "}}",
                                           R"({"circle": {"radius": 1}, "pose": {"position": [4, 0.5]}})", "--json"});
@@ -80,7 +80,7 @@ TEST_CASE("clockwise, self-crossing and repeated points stand for their hull") {
     CHECK(distance_of("[[0, 0], [0, 0], [1, 0], [0.5, 0], [1, 1], [1, 1], [0, 1], [0.5, 0.5]]") == 2.0);
 }
 
-TEST_CASE("a query that is wrong says where, with exit code 3") {
+TEST_CASE("an invalid query ends with exit code 3, and the message names the location") {
     const std::string circle = R"({"circle": {"radius": 1}})";
     for (const std::string& wrong :
          {std::string("{"), std::string("[]"), std::string(R"({"circle": {}})"),
@@ -124,7 +124,7 @@ TEST_CASE("lines of queries give lines of answers, and a bad line does not end t
     CHECK(lines[3]["distance"] == 7);
 }
 
-TEST_CASE("a query is answered before the next one is waited for") {
+TEST_CASE("a query is answered before the next one is read") {
     const std::string script = R"(
 coproc T { "$0" distance --stdin; }
 for x in 3 4; do
@@ -138,7 +138,7 @@ done)";
     CHECK(json::parse(answer.out.substr(answer.out.find('\n')))["distance"] == 2);
 }
 
-TEST_CASE("a trace is a picture or JSON, by its extension, and replaces nothing by itself") {
+TEST_CASE("the extension of a trace selects picture or JSON, and an existing file is refused") {
     const tumble::test::Folder folder;
     const std::string box = R"({"box": {"size": [2, 1]}})",
                       turned = R"({"box": {"size": [2, 1]}, "pose": {"position": [4, 1], "angle": 30}})";
@@ -151,7 +151,7 @@ TEST_CASE("a trace is a picture or JSON, by its extension, and replaces nothing 
     REQUIRE(document["steps"].size() >= 1);
     CHECK(document["steps"].size() + 1 == document["result"]["iterations"]);  // the first support starts the first step
     const json& last = document["steps"].back();
-    // Bounds on the cores' distance, which is that of the boxes: without radii.
+    // Bounds on the distance of the cores, without radii.
     CHECK(last["lower"].get<double>() <= document["result"]["distance"].get<double>() * (1.0 + 1e-14));
     CHECK(last["upper"].get<double>() >= document["result"]["distance"].get<double>() * (1.0 - 1e-14));
     CHECK(document["result"]["distance"] == json::parse(trace("u.json").out)["distance"]);

@@ -1,4 +1,4 @@
-// Runs that end early: by a signal, or by a full disk. What is left is whole.
+// Runs that end early, by a signal or a full disk, leave only complete files.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -31,7 +31,7 @@ bool is_whole_png(const fs::path& file) {
     return bytes.starts_with("\x89PNG") && bytes.ends_with(end);
 }
 
-// Checks that the folder holds whole frames and no temporary file; returns the number of frames.
+// Checks that the folder contains complete frames and no temporary file. Returns the number of frames.
 int check_frames(const fs::path& folder) {
     int frames = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -59,12 +59,12 @@ void check_interruption(int signal) {
     const nlohmann::json summary = nlohmann::json::parse(read_text(out / "summary.json"));
     CHECK(summary["complete"] == false);
     CHECK(check_frames(out / "frames") == summary["files"][0]["count"].get<int>());
-    // A line for each step that was done, the initial state, and the header.
+    // One line per step, one for the initial state, and the header.
     const std::string hashes = read_text(folder / "hashes.csv");
     CHECK(std::count(hashes.begin(), hashes.end(), '\n') == summary["steps"].get<int>() + 2);
 }
 
-// A file system of its own that is soon full; none if this process may not mount.
+// A small file system for the test; empty if this process may not mount.
 class SmallDisk {
 public:
     explicit SmallDisk(const fs::path& folder) : folder_(folder) {
@@ -86,12 +86,12 @@ private:
 
 }  // namespace
 
-TEST_CASE("Ctrl-C finishes the current frame and says that the run is not complete") {
+TEST_CASE("Ctrl-C finishes the current frame, and the summary is not complete") {
     check_interruption(SIGINT);
     check_interruption(SIGTERM);
 }
 
-TEST_CASE("a full disk ends a run with exit code 4 and leaves no half-written file") {
+TEST_CASE("a full disk ends a run with exit code 4 and leaves no partial file") {
     const Folder folder;
     const std::string scene = folder.write("small.json", tumble::test::small_scene());
     const SmallDisk disk(folder / "disk");
@@ -117,7 +117,7 @@ TEST_CASE("a full disk ends a run with exit code 4 and leaves no half-written fi
     CHECK(fs::is_empty(folder / "disk"));
 }
 
-TEST_CASE("standard output that cannot be written is exit code 4") {
+TEST_CASE("a failed write to standard output ends with exit code 4") {
     Process process(tumble::test::tumble_command({"schema"}), ".", "", "/dev/full");
     CHECK(process.wait().code == 4);
 }

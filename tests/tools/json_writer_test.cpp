@@ -28,7 +28,7 @@ TEST_CASE("numbers are the shortest that read back as the same value") {
     }
 }
 
-TEST_CASE("what is written reads back, in either layout") {
+TEST_CASE("written JSON reads back in both layouts") {
     for (const JsonWriter::Layout layout : {JsonWriter::Layout::lines, JsonWriter::Layout::compact}) {
         JsonWriter json(layout);
         json.open_object().member("text", "a \"quote\", a \\, a\nline, \x01 and \xc3\xa9");

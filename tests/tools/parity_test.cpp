@@ -1,4 +1,4 @@
-// The parity command as scripts and people use it: what it prints, writes and refuses.
+// `tumble parity`: its JSON, table, page and errors.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ using tumble::test::Folder;
 using tumble::test::read_text;
 using tumble::test::run_tumble;
 
-TEST_CASE("parity prints what scripts rely on, and nothing of tumble's is wrong") {
+TEST_CASE("parity prints the JSON of the contract, and no answer of tumble is wrong") {
     const Answer answer = run_tumble(
         {"parity", "--pairs", "2000", "--seed", "7", "--family", "near_gap", "--family", "far_16km", "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
@@ -51,14 +51,14 @@ TEST_CASE("parity of a scene compares its pairs step by step") {
     CHECK(json::parse(run_tumble({"parity", "--scene", nameless, "--json"}).out)["families"][0]["name"] == "nameless");
 }
 
-TEST_CASE("parity lists its families, to scripts too") {
+TEST_CASE("parity --list prints the families, as JSON too") {
     const json families = json::parse(run_tumble({"parity", "--list", "--json"}).out);
     REQUIRE(families.size() > 20);
     const std::string text = run_tumble({"parity", "--list"}).out;
     for (const json& family : families) CHECK(text.find(family["name"].get<std::string>() + " ") != std::string::npos);
 }
 
-TEST_CASE("the parity report is one page that needs nothing else, and is not overwritten") {
+TEST_CASE("the parity report is one self-contained page and is not overwritten") {
     const Folder folder;
     const std::string page = (folder / "report.html").string();
     const std::vector<std::string> command = {"parity", "--pairs", "500", "--family", "near_overlap", "--report", page};
@@ -67,7 +67,7 @@ TEST_CASE("the parity report is one page that needs nothing else, and is not ove
     CHECK(answer.out.find("near_overlap") != std::string::npos);
     const std::string text = read_text(page);
     CHECK(text.find("<svg") != std::string::npos);
-    CHECK(text.find("Where Box2D is wrong") != std::string::npos);
+    CHECK(text.find("Wrong answers of Box2D") != std::string::npos);
     CHECK(text.find("overlap flag") != std::string::npos);
     for (const char* from_elsewhere : {"<script", "src=", "href=", "url("})
         CHECK_MESSAGE(text.find(from_elsewhere) == std::string::npos, from_elsewhere);
@@ -75,7 +75,7 @@ TEST_CASE("the parity report is one page that needs nothing else, and is not ove
     CHECK(read_text(page) == text);
 }
 
-TEST_CASE("parity names its families, and refuses others and pairs that are none") {
+TEST_CASE("parity refuses unknown families and invalid numbers of pairs") {
     const Answer families = run_tumble({"parity", "--list"});
     CHECK(families.code == 0);
     CHECK(families.out.find("near_gap") != std::string::npos);

@@ -1,5 +1,5 @@
-// The quick reader of query lines beside the strict one: what it reads, it reads the same, and the rest it leaves
-// alone.
+// The fast reader of query lines against the strict one: both give the same query, or the fast one leaves the line to the
+// strict one.
 #include "tools/query/plain_query.hpp"
 
 #include <doctest/doctest.h>
@@ -35,7 +35,7 @@ private:
     int below(int end) { return std::uniform_int_distribution<int>(0, end - 1)(random_); }
     double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
 
-    // Whole, short, or all digits; sometimes with an exponent.
+    // Integers, short decimals or all digits; sometimes with an exponent.
     std::string number(double from, double to) {
         const double value = uniform(from, to);
         std::string text;
@@ -135,7 +135,7 @@ bool is_refused(const std::string& line) {
     }
 }
 
-// Where "?" stands in the line, this text.
+// The line with "?" replaced by the text.
 std::string with(const std::string& text) {
     const std::string line = R"({"a": {"circle": {"radius": 1}}, "b": ?})";
     std::string result = line;
@@ -144,7 +144,7 @@ std::string with(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("plain lines read the same quickly and strictly, bit for bit") {
+TEST_CASE("both readers give the same query for a plain line, bit for bit") {
     LineSource source(91);
     int plain_lines = 0;
     constexpr int kLines = 3000;
@@ -163,7 +163,7 @@ TEST_CASE("plain lines read the same quickly and strictly, bit for bit") {
     CHECK(plain_lines > kLines * 7 / 10);
 }
 
-TEST_CASE("the quick reader leaves what is wrong to the strict one, which refuses it") {
+TEST_CASE("the fast reader leaves invalid lines to the strict one, which refuses them") {
     for (const char* shape : {"1",
                               "null",
                               "[]",
@@ -206,7 +206,7 @@ TEST_CASE("the quick reader leaves what is wrong to the strict one, which refuse
     CHECK(is_refused(ends_early));
 }
 
-TEST_CASE("what is unusual but right is read strictly") {
+TEST_CASE("valid lines that are not plain are left to the strict reader") {
     for (const char* shape : {R"({"circle": {"radius": 1}, "custom": 3})", R"({"circle": {"radius": 1 /* metre */}})",
                               R"({"chain": {"points": [[0, 0], [1, 0]]}})"}) {
         CAPTURE(shape);

@@ -1,4 +1,4 @@
-// Runs the tumble binary as a user's script would, and keeps what it said.
+// Runs the tumble binary as a script does, and keeps its output.
 #pragma once
 
 #include <filesystem>
@@ -13,10 +13,10 @@ struct Answer {
     std::string err;
 };
 
-// A process that was started and is still to be waited for.
+// A process that has been started.
 class Process {
 public:
-    // `output` names a file that takes standard output in place of the pipe; `input` is standard input, else empty.
+    // `output` names a file that receives standard output instead of the pipe; `input` is standard input.
     explicit Process(const std::vector<std::string>& command, const std::filesystem::path& working_folder = ".",
                      const std::string& input = {}, const std::string& output = {});
     ~Process();
@@ -30,7 +30,7 @@ public:
 private:
     int id_ = -1;
     bool waited_ = false;
-    std::filesystem::path folder_;  // holds what the process reads and writes
+    std::filesystem::path folder_;  // input and output of the process
 };
 
 Answer run(const std::vector<std::string>& command, const std::filesystem::path& working_folder = ".");
@@ -39,7 +39,7 @@ Answer run(const std::vector<std::string>& command, const std::filesystem::path&
 Answer run_tumble(std::vector<std::string> arguments);
 std::vector<std::string> tumble_command(std::vector<std::string> arguments);
 
-// A new empty folder of this test's own, removed at the end.
+// A new empty folder, removed with everything in it by the destructor.
 class Folder {
 public:
     Folder();

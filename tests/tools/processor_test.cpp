@@ -7,7 +7,7 @@
 
 namespace {
 
-// The name in the kernel's list, which is the oracle.
+// The name of the feature in /proc/cpuinfo, the oracle.
 std::string kernel_name(const std::string& name) {
     if (name == "sse4.2") return "sse4_2";
     if (name == "bmi") return "bmi1";
@@ -17,7 +17,7 @@ std::string kernel_name(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the processor has the features that the kernel says it has") {
+TEST_CASE("the detected features are those that the kernel lists") {
     std::ifstream file("/proc/cpuinfo");
     std::string line;
     while (std::getline(file, line) && !line.starts_with("flags")) {
@@ -35,6 +35,6 @@ TEST_CASE("the processor has the features that the kernel says it has") {
     }
 }
 
-TEST_CASE("this processor has what this build needs") {
+TEST_CASE("this processor has the features that the build requires") {
     CHECK((tumble::tools::kRequiredProcessorFeatures & ~tumble::tools::find_processor_features()) == 0);
 }

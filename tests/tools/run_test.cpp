@@ -1,4 +1,4 @@
-// The files that a run promises.
+// The files of a run.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -42,7 +42,7 @@ std::string small_scene_file(const Folder& folder) { return folder.write("small.
 
 }  // namespace
 
-TEST_CASE("five seconds at 60 frames a second are 301 frames") {
+TEST_CASE("five seconds at 60 frames per second are 301 frames") {
     const Folder folder;
     const fs::path out = folder / "out";
     const Answer answer = run_tumble({"run", TUMBLE_SOURCE_DIR "/scenes/pyramid.json", "--duration", "5", "--fps", "60",
@@ -88,7 +88,7 @@ TEST_CASE("the summary has every key that scripts rely on, and --json prints the
     CHECK_FALSE(fs::exists(out / "frames"));
 }
 
-TEST_CASE("the summary counts the bodies that live at the end: a despawned one does not") {
+TEST_CASE("the summary counts the bodies at the end, without despawned ones") {
     const Folder folder;
     const std::string scene = folder.write("despawn.json", R"({"format": 1, "name": "despawn",
         "bodies": [{"name": "ball", "shapes": [{"circle": {"radius": 1}}]}, {"position": [5, 0], "shapes": [{"circle": {"radius": 1}}]}],
@@ -103,7 +103,7 @@ TEST_CASE("the summary counts the bodies that live at the end: a despawned one d
     CHECK(bodies_after("0.6") == 1);
 }
 
-TEST_CASE("events.csv tells what began, ended and fell asleep; --contacts has every point of every step") {
+TEST_CASE("events.csv lists contacts and sleep, and --contacts lists every point of every step") {
     const Folder folder;
     const fs::path out = folder / "out", file = folder / "contacts.csv";
     const Answer answer = run_tumble({"run", small_scene_file(folder), "--duration", "4", "--no-frames", "-o",
@@ -116,7 +116,7 @@ TEST_CASE("events.csv tells what began, ended and fell asleep; --contacts has ev
                                      [&](const std::string& line) { return line.find(kind) != std::string::npos; });
     };
     CHECK(count(",contact_begin,ground,ball,") >= 1);
-    // Who touches at the end has begun once more often than it has ended.
+    // A contact that exists at the end has one more begin event than end events.
     const std::vector<std::string> contacts = lines_of(file);
     CHECK(contacts[0] == "step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse");
     const json summary = json::parse(answer.out);
@@ -131,7 +131,7 @@ TEST_CASE("events.csv tells what began, ended and fell asleep; --contacts has ev
     for (const std::string& line : events) CHECK(std::ranges::count(line, ',') == 9);
 }
 
-TEST_CASE("an overlay changes the frames, and an unknown part of one is refused with the list") {
+TEST_CASE("an overlay changes the frames, and an unknown part is refused with the list of parts") {
     const Folder folder;
     const std::string scene = small_scene_file(folder);
     const auto shoot = [&](const std::string& name, const std::string& overlay) {
@@ -171,7 +171,7 @@ TEST_CASE("two runs give the same hash after each step") {
     CHECK(lines.back() == "120," + summary["state_hash"].get<std::string>());
 }
 
-TEST_CASE("a trajectory has a line for each body and step") {
+TEST_CASE("a trajectory has one line per body and step") {
     const Folder folder;
     const fs::path file = folder / "sub/trajectory.csv";
     REQUIRE(run_tumble({"run", small_scene_file(folder), "--no-frames", "--duration", "0.5", "-o",
@@ -186,7 +186,7 @@ TEST_CASE("a trajectory has a line for each body and step") {
     CHECK(lines[4].starts_with("1,0.016666666666666666,ground,"));
 }
 
-TEST_CASE("a run without -o goes to out/<scene name>") {
+TEST_CASE("a run without -o writes to out/<scene name>") {
     const Folder folder;
     small_scene_file(folder);
     const Answer answer = tumble::test::run(
@@ -232,7 +232,7 @@ TEST_CASE("more frames than steps repeat frames, with a warning") {
     CHECK(read_text(folder / "out/frames/frame_000002.png") == read_text(folder / "out/frames/frame_000003.png"));
 }
 
-TEST_CASE("a shot is the frame of a run at that time") {
+TEST_CASE("a shot equals the frame of a run at that time") {
     const Folder folder;
     const std::string scene = small_scene_file(folder);
     REQUIRE(run_tumble({"run", scene, "--duration", "0.5", "--size", "160x90", "-o", (folder / "out").string()}).code ==
@@ -245,9 +245,9 @@ TEST_CASE("a shot is the frame of a run at that time") {
     CHECK(run_tumble({"shot", scene, "-o", file, "--force"}).code == 0);
 }
 
-TEST_CASE("a camera that follows shows the same in a shot and in the frames of a run, few or many") {
+TEST_CASE("a following camera gives the same frame in a shot and in a run at any frame rate") {
     const Folder folder;
-    // The ball turns, comes between two frames of the slower run and goes between two others.
+    // The ball turns. It is created between two frames of the slower run and destroyed between two others.
     const std::string scene = folder.write("late.json", R"({"format": 1, "name": "late", "world": {"duration": 0.5},
         "camera": {"center": [1, 2], "follow": "ball"},
         "bodies": [{"name": "floor", "type": "static", "shapes": [{"box": {"size": [9, 1]}}]}],
@@ -268,7 +268,7 @@ TEST_CASE("a camera that follows shows the same in a shot and in the frames of a
     }
 }
 
-TEST_CASE("--set and --seed change the scene that is read") {
+TEST_CASE("--set and --seed change the scene") {
     const Folder folder;
     const Answer answer =
         run_tumble({"run", small_scene_file(folder), "--no-frames", "--json", "-o", (folder / "out").string(), "--set",

@@ -1,4 +1,4 @@
-// The shell scripts: sound, and clear about wrong arguments.
+// The shell scripts: shellcheck, and wrong arguments.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -20,7 +20,7 @@ TEST_CASE("the shell scripts pass shellcheck") {
     CHECK_MESSAGE(answer.code == 0, answer.out << answer.err);
 }
 
-TEST_CASE("setup says nothing where all is installed, and shows its usage for what it does not know") {
+TEST_CASE("setup prints nothing if all packages are installed, and its usage for a wrong argument") {
     const Answer nothing_to_do = run({kRoot + "/tools/setup.sh", "all"}, "/");
     CHECK(nothing_to_do.code == 0);
     CHECK(nothing_to_do.out.empty());

@@ -4,7 +4,7 @@
 
 using tumble::tools::csv_field;
 
-TEST_CASE("CSV fields are quoted as RFC 4180 says, and only where needed") {
+TEST_CASE("CSV fields are quoted as in RFC 4180, and only where needed") {
     CHECK(csv_field("crate[3]") == "crate[3]");
     CHECK(csv_field("a b") == "a b");
     CHECK(csv_field("a,b") == "\"a,b\"");

@@ -8,6 +8,10 @@ namespace fs = std::filesystem;
 
 void refuse_to_overwrite(const fs::path& file, bool force) {
     std::error_code ignored;
+    const fs::file_status target = fs::status(file, ignored);
+    if (fs::is_directory(target)) throw FileError(file, "is a folder; choose the name of a file");
+    // Files are renamed into place, which would replace the device itself.
+    if (fs::is_other(target)) throw FileError(file, "is a device or a pipe; choose the name of a file");
     if (!force && fs::exists(fs::symlink_status(file, ignored)))
         throw FileError(file, "already exists; choose another name, or replace it with --force");
 }

@@ -8,7 +8,7 @@
 
 namespace tumble::tools {
 
-// Throws FileError if the path exists and `force` is false.
+// Throws FileError if the file exists and `force` is false, and always for a folder, a device or a pipe.
 void refuse_to_overwrite(const std::filesystem::path& file, bool force);
 
 // Creates the folders above the file. Throws FileError.

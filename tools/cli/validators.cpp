@@ -4,8 +4,6 @@
 #include <limits>
 #include <string>
 
-#include "tools/output/json_writer.hpp"
-
 namespace tumble::tools {
 
 namespace {
@@ -21,13 +19,17 @@ CLI::Validator from_to(Number lowest, Number highest, const std::string& wanted)
     return {check, ""};
 }
 
+// "1000000", not "1e+06".
+std::string without_exponent(double number) {
+    char digits[64];
+    const auto end = std::to_chars(digits, digits + sizeof digits, number, std::chars_format::fixed);
+    return {digits, end.ptr};
+}
+
 }  // namespace
 
 CLI::Validator number_from_to(double lowest, double highest) {
-    std::string wanted = "a number from ";
-    append_number(wanted, lowest);
-    append_number(wanted += " to ", highest);
-    return from_to(lowest, highest, wanted);
+    return from_to(lowest, highest, "a number from " + without_exponent(lowest) + " to " + without_exponent(highest));
 }
 
 CLI::Validator whole_number_from_to(std::uint64_t lowest, std::uint64_t highest) {

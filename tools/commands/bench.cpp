@@ -70,15 +70,16 @@ void bench_all_queries(const Command& command, const QueryBenchOptions& options,
 }
 
 ExitCode bench(const Command& command, const BenchArguments& options) {
+    std::vector<Scene> scenes;  // read first: an error in one should not come after minutes of measurements
+    for (const std::string& name : options.scenes) scenes.push_back(load_named_scene(find_scene(name).string()));
     JsonWriter json;
     json.open_object().key("distance").open_array();
     bench_all_queries(command, options.queries, json);
     json.close_array().key("step").open_array();
     if (!command.json)
         write_output("scene                 bodies  contacts  tumble ms   box2d ms   ratio   (CPU time per step)\n");
-    for (const std::string& name : options.scenes) {
-        const Scene scene = load_named_scene(find_scene(name).string());
-        narrate("measuring " + name + "\n");
+    for (const Scene& scene : scenes) {
+        narrate("measuring " + scene.name + "\n");
         const StepBenchResult row = bench_steps(scene, options.steps);
         write_row(json, row);
         if (!command.json) write_row(row);

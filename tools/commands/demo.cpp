@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tools/cli/console.hpp"
 #include "tools/commands/commands.hpp"
@@ -12,6 +14,7 @@
 #include "tools/scene/data_paths.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tumble/file.hpp"
+#include "tumble/suggest.hpp"
 
 namespace tumble::tools {
 
@@ -46,9 +49,15 @@ ExitCode list_demos(const Command& command) {
 }
 
 fs::path find_demo(const std::string& name) {
-    for (const fs::path& file : find_scenes())
+    std::vector<std::string> names;
+    for (const fs::path& file : find_scenes()) {
         if (file.stem() == name) return file;
-    throw CLI::ValidationError("NAME", "there is no shipped scene '" + name + "'; 'tumble demo --list' lists them");
+        names.push_back(file.stem().string());
+    }
+    const std::string_view nearest = nearest_word(name, std::vector<std::string_view>(names.begin(), names.end()));
+    throw CLI::ValidationError("NAME", "there is no shipped scene '" + name + "'; " +
+                                           (nearest.empty() ? "" : "did you mean '" + std::string(nearest) + "'? ") +
+                                           "'tumble demo --list' lists all");
 }
 
 // Prints the file as it is, with comments. A scene with includes is printed as one scene, because the included files

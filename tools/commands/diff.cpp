@@ -7,6 +7,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/diff/diff_report.hpp"
 #include "tools/diff/hash_diff.hpp"
+#include "tools/output/input_error.hpp"
 #include "tools/scene/scene_options.hpp"
 
 namespace tumble::tools {
@@ -39,8 +40,11 @@ ExitCode run_diff(const Command& command, const DiffArguments& options) {
     const bool is_changed = !options.changes.overrides.empty() || options.changes.seed;
     if (is_changed && !is_scene_file(options.b))
         throw CLI::ValidationError("--set and --seed", "change the scene B, and B is not a scene: " + options.b);
-    const bool are_hashes = is_hash_file(options.a) && is_hash_file(options.b);
-    return are_hashes ? diff_hashes(command, options) : diff_states(command, options);
+    const bool has_hashes_a = is_hash_file(options.a), has_hashes_b = is_hash_file(options.b);
+    if (has_hashes_a != has_hashes_b)
+        throw InputError((has_hashes_a ? options.a : options.b) +
+                         ": a list of hashes can only be compared with another list of hashes");
+    return has_hashes_a ? diff_hashes(command, options) : diff_states(command, options);
 }
 
 }  // namespace

@@ -77,6 +77,8 @@ void write_text(const ImportArguments& options, const ImportedScene& imported,
                  std::to_string(imported.scene.joints.size()) + " joints\n");
     for (const ImportNote& note : imported.notes)
         report_warning("not imported: " + note.feature + " (" + std::to_string(note.count) + ")");
+    if (imported.scene.bodies.empty())
+        report_warning(options.source.string() + ": no bodies found; the scene is empty");
     if (is_svg(options.source)) narrate(std::string(kSvgRule) + "\n");
     if (!check) return;
     std::string text = "compared with Box2D: " + std::to_string(check->bodies) + " dynamic bodies, masses within ";

@@ -4,7 +4,9 @@
 #define CSV_IO_NO_THREAD
 #include <libfccp/csv.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -17,16 +19,6 @@
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
-
-// Converts the exceptions of the CSV library, which name file and line, to InputError.
-template <class Action>
-auto with_input_errors(Action action) {
-    try {
-        return action();
-    } catch (const io::error::base& error) {
-        throw InputError(error.what());
-    }
-}
 
 template <unsigned Columns>
 class CsvFile {
@@ -56,6 +48,21 @@ public:
     }
 
 private:
+    // Converts the exceptions of the CSV library, `Too few columns in line 2 in file "x.csv".`, to InputError with
+    // "x.csv:2: too few columns".
+    template <class Action>
+    auto with_input_errors(Action action) {
+        try {
+            return action();
+        } catch (const io::error::base& error) {
+            std::string text = error.what();
+            for (const char* const location : {" in header of file", " in line ", " in file ", "."})
+                text.erase(std::min(text.find(location), text.size()));
+            text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+            throw InputError(name_ + ":" + std::to_string(std::max(csv_.get_file_line(), 1u)) + ": " + text);
+        }
+    }
+
     static std::ifstream opened(const std::filesystem::path& file) {
         std::ifstream stream(file);
         if (!stream) throw FileError(file, std::strerror(errno));

@@ -46,7 +46,7 @@ ShapeAtPose parse_posed(std::string_view text, const std::string& source, std::o
         for (const std::string_view part : {"position", "angle", "rotation"})
             if (member.key == part)
                 throw InputError(source + "/" + std::string(part) +
-                                 ": belongs into the pose: \"pose\": {\"position\": [x, y], \"angle\": degrees}");
+                                 ": belongs to the pose: \"pose\": {\"position\": [x, y], \"angle\": degrees}");
         shape += shape.empty() ? "{\"" : ", \"";
         shape.append(member.key).append("\": ").append(member.value);
     }

@@ -46,6 +46,8 @@ std::vector<fs::path> find_scenes() {
 fs::path find_scene(const std::string& name) {
     for (const fs::path& file : find_scenes())
         if (file.stem() == name) return file;
+    if (!fs::exists(name) && fs::path(name).filename() == name && !fs::path(name).has_extension())
+        throw FileError(name, "no such file, and no shipped scene of this name ('tumble demo --list' lists them)");
     return name;
 }
 

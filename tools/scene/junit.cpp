@@ -41,7 +41,7 @@ std::string junit_suite(const SceneCheck& check) {
         }
         text += "><failure" + attribute("message", moment_text(result) + ": " + result.finding) + "/>";
         if (!check.shots.empty() && !check.shots[i].empty())
-            text += "<system-out>drawn: " + escape_markup(check.shots[i].string()) + "</system-out>";
+            text += "<system-out>picture: " + escape_markup(check.shots[i].string()) + "</system-out>";
         text += "</testcase>\n";
     }
     return text + "  </testsuite>\n";
