@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs tumble: installs and builds what is missing first, which is silent and quick if nothing is.
+# Runs tumble. Installs missing packages and builds changed sources first, which is silent if there are none.
 #   tools/run.sh            the built-in demo
 #   tools/run.sh ARGS...    tumble ARGS...
-# Standard output is tumble's alone; what installing and building have to say goes to standard error.
+# Standard output is that of tumble; messages of the installation and of the build go to standard error.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -14,7 +14,7 @@ configure() {
     (cd -- "$project" && cmake --preset release -DTUMBLE_TESTS=OFF) >&2
 }
 
-# Ninja's own messages, apart from those of a build that has nothing to do.
+# Drops Ninja's messages of a build that has nothing to do.
 compile() {
     ninja -C "$build" tumble_cli |
         sed -u -e '/no work to do/d' -e '/Entering directory/d' -e '/Re-checking globbed/d' >&2

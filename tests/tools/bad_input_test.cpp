@@ -1,5 +1,6 @@
 // Errors of users: the exit code and the message for each.
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <string>
@@ -150,6 +151,27 @@ TEST_CASE("an option without effect is a warning, and an existing file is refuse
     CHECK(idle.err.find("--fps has no effect with --no-frames") != std::string::npos);
     CHECK(idle.err.find("--overlay has no effect") != std::string::npos);
     CHECK(idle.err.find("--size") == std::string::npos);
+}
+
+TEST_CASE("--force replaces files only, not folders, pipes or devices") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", tumble::test::small_scene()), out = (folder / "out").string();
+    const std::string pipe = (folder / "pipe").string();
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    const auto run_with_hashes = [&](const std::string& file) {
+        return run_tumble({"run", scene, "--no-frames", "--duration", "0.1", "--force", "-o", out, "--hashes", file});
+    };
+    CHECK(run_with_hashes(pipe).code == 4);
+    CHECK(std::filesystem::is_fifo(pipe));
+    CHECK(run_with_hashes(folder.path().string()).err.find("is a folder") != std::string::npos);
+    CHECK(run_with_hashes(folder.write("hashes.csv", "")).code == 0);
+}
+
+TEST_CASE("a missing value, a missing scene and a misspelt demo are named") {
+    CHECK(run_tumble({"run", "x.json", "--fps"}).err.find("--fps: the value is missing") != std::string::npos);
+    CHECK(run_tumble({"bench", "--scenes", "piramid"}).err.find("piramid: no such file, and no shipped scene") !=
+          std::string::npos);
+    CHECK(run_tumble({"demo", "piramid"}).err.find("did you mean 'pyramid'?") != std::string::npos);
 }
 
 TEST_CASE("a run warns of bodies that have fallen below all static shapes") {

@@ -30,7 +30,8 @@ std::string crate_scene(const std::string& lowest_y) {
 
 }  // namespace
 
-// With the environment variable TUMBLE_ONE_SCENE_OF=n only every n-th scene is tested: with sanitizers all take minutes.
+// With the environment variable TUMBLE_ONE_SCENE_OF=n only every n-th scene is tested: with sanitizers all take
+// minutes.
 TEST_CASE("the claims of all shipped scenes hold") {
     const char* every = std::getenv("TUMBLE_ONE_SCENE_OF");
     const std::size_t stride = every ? std::strtoull(every, nullptr, 10) : 1;

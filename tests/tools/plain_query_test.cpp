@@ -1,5 +1,5 @@
-// The fast reader of query lines against the strict one: both give the same query, or the fast one leaves the line to the
-// strict one.
+// The fast reader of query lines against the strict one: both give the same query, or the fast one leaves the line to
+// the strict one.
 #include "tools/query/plain_query.hpp"
 
 #include <doctest/doctest.h>

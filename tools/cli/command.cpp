@@ -10,10 +10,10 @@ CLI::App& add_subcommand(CLI::App& app, Command& command, const std::string& nam
     return subcommand;
 }
 
-void warn_of_unused(const CLI::App& subcommand, std::initializer_list<const char*> options, const char* beside) {
-    if (subcommand.count(beside) == 0) return;
+void warn_of_unused(const CLI::App& subcommand, std::initializer_list<const char*> options, const char* other) {
+    if (subcommand.count(other) == 0) return;
     for (const char* const option : options)
-        if (subcommand.count(option) > 0) report_warning(std::string(option) + " has no effect with " + beside);
+        if (subcommand.count(option) > 0) report_warning(std::string(option) + " has no effect with " + other);
 }
 
 }  // namespace tumble::tools

@@ -19,8 +19,8 @@ struct Command {
 // Adds a subcommand with its --json flag.
 CLI::App& add_subcommand(CLI::App& app, Command& command, const std::string& name, const std::string& description);
 
-// Warns of each of these options that is given, if `beside` is given too and makes it useless. To be called after the
+// Warns of each of these options that is given, if `other` is given too and makes it useless. To be called after the
 // command line is parsed.
-void warn_of_unused(const CLI::App& subcommand, std::initializer_list<const char*> options, const char* beside);
+void warn_of_unused(const CLI::App& subcommand, std::initializer_list<const char*> options, const char* other);
 
 }  // namespace tumble::tools

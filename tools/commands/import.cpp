@@ -46,10 +46,9 @@ std::ptrdiff_t count_of(const ImportedScene& imported, BodyType type) {
 
 // How the types of bodies follow from a drawing, which has no such property.
 constexpr const char* kSvgRule =
-    "In an SVG drawing, filled shapes become dynamic bodies and unfilled lines become static chains. To choose another "
-    "type, set class=\"static\" (or \"kinematic\", \"dynamic\"), data-type=\"static\", or an id that begins with the "
-    "word, on "
-    "the shape or its group.";
+    "In an SVG drawing, filled shapes become dynamic bodies and unfilled lines become static chains.\n"
+    "To choose another type, set class=\"static\" (or \"kinematic\", \"dynamic\"), data-type=\"static\", or an id\n"
+    "that begins with the word, on the shape or its group.";
 
 void write_json(const ImportArguments& options, const ImportedScene& imported,
                 const std::optional<reference::ImportDifferences>& check) {
