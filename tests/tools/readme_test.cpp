@@ -1,4 +1,4 @@
-// What the README shows of distances is what the binary says.
+// The distances that the README shows are those that the binary prints.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 const std::string kReadme = read_text(TUMBLE_SOURCE_DIR "/README.md");
 
-// What stands between two texts, after a third.
+// The text between `from` and `to`, at their first occurrence behind `after`.
 std::string between(const std::string& after, const std::string& from, const std::string& to) {
     const std::size_t start = kReadme.find(after);
     REQUIRE_MESSAGE(start != std::string::npos, after);
@@ -33,7 +33,7 @@ std::string between(const std::string& after, const std::string& from, const std
 
 }  // namespace
 
-TEST_CASE("the README's first distance, and its line of JSON, are what the binary answers") {
+TEST_CASE("the binary answers the README's first distance and its line of JSON as shown") {
     const std::string a = between("run.sh distance ", "'", "' '"), b = between("run.sh distance ", "' '", "'\n");
     CHECK(run_tumble({"distance", a, b}).out == between("`distance` answers one query", "```\n", "```"));
     const std::string line = between("`distance --stdin` takes", "echo '", "' |");
@@ -41,7 +41,7 @@ TEST_CASE("the README's first distance, and its line of JSON, are what the binar
           between("run.sh distance --stdin", "```json\n", "```"));
 }
 
-TEST_CASE("the pentagon and the kite take as many iterations and support vertices as the README says") {
+TEST_CASE("the pentagon and the kite take the iterations and support vertices that the README states") {
     const Folder folder;
     const std::string trace = (folder / "gjk.json").string();
     const std::string a = between("support vertex of A in d minus", "distance '", "' \\\n"),
