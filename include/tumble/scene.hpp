@@ -1,6 +1,6 @@
 // Scenes: the portable description of a world as plain data.
 //
-// Format 1 of their files is described in README.md and published as scenes/scene.schema.json. A Scene keeps the
+// Format 1 of their files is described in scenes/README.md and published as scenes/scene.schema.json. A Scene keeps the
 // doubles and degrees of its file. Files are read and written by scene_file.hpp, worlds built by scene_world.hpp.
 #pragma once
 

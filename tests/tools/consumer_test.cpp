@@ -1,4 +1,4 @@
-// The installed package is found by CMake, and the README's example compiles and runs.
+// The installed package is found by CMake, and the example on the library's page compiles and runs.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -20,15 +20,15 @@ void check(const std::vector<std::string>& command) {
     REQUIRE_MESSAGE(answer.code == 0, command.front() << " " << command[1] << "\n" << answer.out << answer.err);
 }
 
-// The first ```cpp block of the README.
-std::string readme_example() {
-    const std::string readme = read_text(TUMBLE_SOURCE_DIR "/README.md");
+// The first ```cpp block of include/tumble/README.md.
+std::string page_example() {
+    const std::string page = read_text(TUMBLE_SOURCE_DIR "/include/tumble/README.md");
     const std::string fence = "```cpp\n";
-    const std::size_t start = readme.find(fence);
+    const std::size_t start = page.find(fence);
     REQUIRE(start != std::string::npos);
-    const std::size_t end = readme.find("```", start + fence.size());
+    const std::size_t end = page.find("```", start + fence.size());
     REQUIRE(end != std::string::npos);
-    return readme.substr(start + fence.size(), end - start - fence.size());
+    return page.substr(start + fence.size(), end - start - fence.size());
 }
 
 constexpr const char* kTenLines = R"(
@@ -50,8 +50,8 @@ project(consumer LANGUAGES CXX)
 find_package(tumble 0.2 REQUIRED)
 add_executable(ten_lines ten_lines.cpp)
 target_link_libraries(ten_lines PRIVATE tumble::tumble)
-add_executable(readme_example readme_example.cpp)
-target_link_libraries(readme_example PRIVATE tumble::render)
+add_executable(page_example page_example.cpp)
+target_link_libraries(page_example PRIVATE tumble::render)
 )";
 
 }  // namespace
@@ -63,13 +63,13 @@ TEST_CASE("a separate project finds the installed package, links it and runs") {
     check({"cmake", "--install", TUMBLE_BINARY_DIR, "--prefix", prefix});
     folder.write("CMakeLists.txt", kListFile);
     folder.write("ten_lines.cpp", kTenLines);
-    folder.write("readme_example.cpp", readme_example());
+    folder.write("page_example.cpp", page_example());
     check({"cmake", "-S", folder.path().string(), "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
            "-DCMAKE_PREFIX_PATH=" + prefix, std::string("-DCMAKE_CXX_COMPILER=") + TUMBLE_COMPILER,
            std::string("-DCMAKE_CXX_FLAGS=") + TUMBLE_CXX_FLAGS});
     check({"cmake", "--build", build});
     CHECK(run({build + "/ten_lines"}).code == 0);
-    const Answer example = run({build + "/readme_example"}, TUMBLE_SOURCE_DIR);
+    const Answer example = run({build + "/page_example"}, TUMBLE_SOURCE_DIR);
     CHECK_MESSAGE(example.code == 0, example.out << example.err);
 
     const Answer installed = run({prefix + "/bin/tumble", "demo", "--list"});

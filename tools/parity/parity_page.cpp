@@ -154,7 +154,7 @@ void add_case(HtmlPage& page, const ParityCase& sample) {
         rings = {sample.box2d->point_a, sample.box2d->point_b};
     }
     caption += sample.reason.empty() ? "." : "; wrong: " + sample.reason + ".";
-    if (sample.culprit == reference::Culprit::box2d) caption += " " + why_box2d_failed(sample);
+    if (sample.verdict == reference::ParityVerdict::box2d_wrong) caption += " " + why_box2d_failed(sample);
     if (!rings.empty()) caption += " The rings are Box2D's witness points.";
     page.figure(draw_pair(sample.query.a, sample.query.pose_a, sample.query.b, sample.query.pose_b, sample.ours, rings),
                 caption);
@@ -175,7 +175,9 @@ void add_failures(HtmlPage& page, const ParityResult& result) {
 void add_worst_cases(HtmlPage& page, const ParityResult& result) {
     std::vector<const ParityCase*> shown;
     for (const ParityRow& row : result.families) {
-        const auto is_shown = [](const ParityCase& sample) { return sample.culprit == reference::Culprit::box2d; };
+        const auto is_shown = [](const ParityCase& sample) {
+            return sample.verdict == reference::ParityVerdict::box2d_wrong;
+        };
         const auto worst = std::ranges::find_if(row.worst_box2d, is_shown);
         if (worst != row.worst_box2d.end()) shown.push_back(&*worst);
     }
