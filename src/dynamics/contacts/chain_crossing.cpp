@@ -2,9 +2,8 @@
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/shape_store.hpp"
-#include "dynamics/contacts/collide_contact.hpp"
 #include "dynamics/contacts/contact_store.hpp"
-#include "narrow/manifold/link_meeting.hpp"
+#include "narrow/manifold/link_contact.hpp"
 
 namespace tumble {
 
@@ -63,9 +62,9 @@ ChainState state_of_neighbors(const ChainContacts& chains, ProxyPair pair, const
 
 Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, Vec2 displacement, Contact& contact) {
     TUMBLE_CHECK(segment.record.link.has_value());
-    const LinkMeeting seen =
-        meet_link(segment.record.shape, *segment.record.link, segment.world_from_body, other.record.shape,
-                  other.world_from_body, contact.speculative_distance, contact.cache);
+    const LinkContact seen =
+        collide_link(segment.record.shape, *segment.record.link, segment.world_from_body, other.record.shape,
+                     other.world_from_body, contact.speculative_distance, contact.cache);
     const bool is_first = contact.chain_state == ChainState::apart && seen.side == LinkSide::open;
     const bool through = is_first && came_through(segment, other, displacement, seen.manifold.normal);
     contact.chain_state = next_state(contact.chain_state, seen.side, through);

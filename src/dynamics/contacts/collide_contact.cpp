@@ -97,15 +97,6 @@ Vec2 displacement_in_step(const Contact& contact, const BodyStore& bodies, float
 
 }  // namespace
 
-void remove_manifold(Contact& contact) {
-    contact.manifold.point_count = 0;
-    contact.impulses[0] = contact.impulses[1] = {};
-    contact.applied[0] = contact.applied[1] = {};
-    contact.watched = -1;
-    contact.rolling_impulse = 0.0f;
-    contact.is_touching = false;
-}
-
 bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, float duration) {
     TUMBLE_CHECK(contact.kind == ContactKind::solid);
     const ShapeRecord& a = shapes[contact.shapes.a];

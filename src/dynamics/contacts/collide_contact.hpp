@@ -16,7 +16,4 @@ bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
 // nothing to solve.
 void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes);
 
-// Removes the manifold and the impulses: the two shapes do not push each other in this step.
-void remove_manifold(Contact& contact);
-
 }  // namespace tumble

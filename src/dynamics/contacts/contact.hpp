@@ -67,4 +67,14 @@ struct Contact {
 // The tangent of a contact normal: the normal turned clockwise. With B on top of A it points to the right.
 constexpr Vec2 contact_tangent(Vec2 normal) { return -perp(normal); }
 
+// Removes the manifold and the impulses: the two shapes do not push each other in this step.
+inline void remove_manifold(Contact& contact) {
+    contact.manifold.point_count = 0;
+    contact.impulses[0] = contact.impulses[1] = {};
+    contact.applied[0] = contact.applied[1] = {};
+    contact.watched = -1;
+    contact.rolling_impulse = 0.0f;
+    contact.is_touching = false;
+}
+
 }  // namespace tumble

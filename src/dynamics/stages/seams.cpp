@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "debug/check.hpp"
-#include "dynamics/contacts/collide_contact.hpp"
+#include "dynamics/contacts/contact.hpp"
 
 namespace tumble {
 

@@ -9,7 +9,7 @@
 
 #include "debug/check.hpp"
 #include "narrow/manifold/edge_manifold.hpp"
-#include "narrow/manifold/link_meeting.hpp"
+#include "narrow/manifold/link_contact.hpp"
 
 namespace tumble {
 
@@ -114,8 +114,8 @@ void keep_points_beside(const OpenSegment& segment, double tolerance, Manifold& 
 
 }  // namespace
 
-LinkMeeting meet_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
-                      const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept {
+LinkContact collide_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
+                         const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept {
     const Manifold found = collide(a, world_from_a, b, world_from_b, speculative_distance, cache);
     if (found.point_count == 0) return {};
     if (a.vertex_count() != 2 || a.vertex(0) == a.vertex(1)) return {found, LinkSide::open};
@@ -139,7 +139,7 @@ LinkMeeting meet_link(const Shape& a, const ChainLink& link, const Pose& world_f
 
 Manifold collide_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
                       const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept {
-    return meet_link(a, link, world_from_a, b, world_from_b, speculative_distance, cache).manifold;
+    return collide_link(a, link, world_from_a, b, world_from_b, speculative_distance, cache).manifold;
 }
 
 bool is_behind(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,

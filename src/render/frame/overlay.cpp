@@ -25,7 +25,7 @@ constexpr double kNormalLength = 20.0;
 constexpr double kThin = 1.0;
 
 constexpr double kVelocityTime = 0.1;  // s: an arrow shows the displacement in this time
-constexpr const char* kVelocityLegend = "velocity: the way of 0.1 s";
+constexpr const char* kVelocityLegend = "velocity: displacement in 0.1 s";
 constexpr double kAsleep = 0.65;  // share of the background in the colour of a sleeping island
 
 void add_boxes(Marks& marks, const View& view, const World& world) {

@@ -11,13 +11,13 @@ namespace tumble {
 // Both sides of a two-sided chain are open.
 enum class LinkSide : std::uint8_t { apart, open, solid };
 
-struct LinkMeeting {
+struct LinkContact {
     Manifold manifold;  // none on the solid side
     LinkSide side = LinkSide::apart;
 };
 
 // collide_link() returns the manifold of this alone.
-LinkMeeting meet_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
+LinkContact collide_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
                       const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept;
 
 }  // namespace tumble
