@@ -114,8 +114,8 @@ void keep_points_beside(const OpenSegment& segment, double tolerance, Manifold& 
 
 }  // namespace
 
-LinkContact collide_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
-                         const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept {
+LinkContact find_link_contact(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
+                              const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept {
     const Manifold found = collide(a, world_from_a, b, world_from_b, speculative_distance, cache);
     if (found.point_count == 0) return {};
     if (a.vertex_count() != 2 || a.vertex(0) == a.vertex(1)) return {found, LinkSide::open};
@@ -139,7 +139,7 @@ LinkContact collide_link(const Shape& a, const ChainLink& link, const Pose& worl
 
 Manifold collide_link(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
                       const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept {
-    return collide_link(a, link, world_from_a, b, world_from_b, speculative_distance, cache).manifold;
+    return find_link_contact(a, link, world_from_a, b, world_from_b, speculative_distance, cache).manifold;
 }
 
 bool is_behind(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
