@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Makes the pictures of the README from a build of tumble and puts them into scenes/pictures:
+# Makes the pictures of README.md and src/narrow/GJK.md from a build of tumble and puts them into scenes/pictures:
 #   overview.png  nine of the shipped scenes, three by three
 #   demo.gif      a scene in motion, as a loop
-#   gjk_*.png     GJK at work on three pairs of shapes
+#   gjk_*.png     the iterations of GJK for three pairs of shapes
 #
 #   tools/overview.sh            with build/release/tools/tumble
 #   tools/overview.sh TUMBLE     with that binary
 #
-# Needs ffmpeg, which nothing else here does. The same binary and the same ffmpeg make the same files.
+# Needs ffmpeg, which no other script needs. The same binary and the same ffmpeg make the same files.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -60,7 +60,7 @@ draw_overview() {
         "$work/overview.png"
 }
 
-# The loop begins where the ball has swung half way and rests on its last frame for a while.
+# The loop begins when the ball has swung half way, and repeats its last frame for 0.6 s.
 draw_demo() {
     local fps=20 first_frame=20
     "$tumble" run "$project/scenes/wrecking_ball.json" --duration 4.8 --fps "$fps" --size 480x270 -o "$work/run" \
@@ -77,7 +77,7 @@ draw_trace() {
     "$tumble" distance "$2" "$3" --sub-algorithm voronoi --trace "$work/gjk_$1.png" > /dev/null
 }
 
-# draw_kite NAME Y: the pentagon and the kite of the README, the kite at that height.
+# draw_kite NAME Y: the pentagon and the kite of src/narrow/GJK.md, the kite at that height.
 draw_kite() {
     local pentagon='[[-1, -0.6], [0.8, -0.9], [1.2, 0.1], [0.2, 0.9], [-0.9, 0.6]]'
     local kite='[[-1.4, 0.1], [0, -0.5], [1.4, 0.2], [0, 0.6]]'
@@ -85,7 +85,7 @@ draw_kite() {
         "{\"polygon\": {\"vertices\": $kite}, \"pose\": {\"position\": [0.9, $2], \"angle\": 20}}"
 }
 
-# publish NAME MOST_KILOBYTES: moves a finished picture to where the README shows it.
+# publish NAME MOST_KILOBYTES: moves a finished picture to scenes/pictures.
 publish() {
     local size
     size=$(($(stat -c %s -- "$work/$1") / 1000))

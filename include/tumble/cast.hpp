@@ -22,7 +22,8 @@ enum class CastStatus : std::uint8_t {
     hit,          // the target distance is reached; at fraction 0 if the motion starts there and approaches
     miss,         // it is not, or the motion starts there and recedes, slides along or stands still
     overlapping,  // the motion starts clearly below the target distance; fraction 0, and no point and normal
-    invalid,      // NaN, infinity or overflow in the input, a shape without vertices, a negative radius or target
+    invalid,      // NaN, infinity or overflow in the input, a shape without vertices, a negative radius or target;
+                  // fraction, bounds, point and normal are NaN
 };
 
 struct CastResult {
@@ -30,11 +31,11 @@ struct CastResult {
     double fraction = 0.0;  // of the motion, in [0, 1], when the target distance is reached; 1 for a miss
     double lower = 0.0;     // for a hit: the exact first fraction lies in [lower, upper]; lower may be below 0 and
     double upper = 0.0;     // upper above 1 by the error bound; 1 and 1 for a miss
-    DVec2 point;            // for a hit: on the surface of A at that fraction, world coordinates
-    DVec2 normal;           // for a hit: unit, from A to B, or out of the shape that a ray hits
+    DVec2 point;   // for a hit: on the surface of A, or of the shape that a ray hits, at that fraction; world, m
+    DVec2 normal;  // for a hit: unit, from A to B, or out of the shape that a ray hits
     std::int32_t iterations = 0;  // faces and corners evaluated, or certified steps taken
     bool reached_cap = false;     // time of impact only: ended by the bound on the steps. The result is a `hit` at the
-                               // last fraction that is proved free, with upper = 1
+                                  // last fraction that is proved free, with upper = 1
 };
 
 // The first point of a ray on a shape. The ray is the segment from `origin` to `origin + translation` (world, m). Only
@@ -48,7 +49,7 @@ CastResult cast_shape(const Shape& a, const Pose& world_from_a, const Shape& b, 
 
 // Whether B touches A anywhere on its path by `translation` relative to A: GJK on the difference swept along the path.
 // Cheaper than a cast for large polygons, but without a fraction: `touching` if the sign is below what double
-// arithmetic can decide (16 u of sizes, offset and path). No allocation.
+// arithmetic can decide, 2^-49 of the sum of sizes, offset and path. No allocation.
 DistanceStatus swept_overlap(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                              DVec2 translation) noexcept;
 
@@ -64,12 +65,12 @@ struct Sweep {
     friend constexpr bool operator==(const Sweep&, const Sweep&) = default;
 };
 
-// The pose of the shape at a fraction; its rotation is rounded to float.
+// The pose of the shape at a fraction; its rotation is rounded to float, and NaN for angles beyond 1e6 radians.
 Pose pose_at(const Sweep& sweep, double fraction);
 
-// The first fraction at which two moving shapes are at the signed distance `target` >= 0. Never later than the first
-// time at which the exact distance is below target - 4E. Angles up to 1e6 radians, else `invalid`. At most
-// kMaxImpactSteps steps; no allocation.
+// The first fraction at which two moving shapes are at the signed distance `target` >= 0 (m). Never later than the
+// first fraction at which the exact distance is below target - 4E. `invalid` if |start_angle| + |turn| of a sweep is
+// more than 1e6 radians. At most kMaxImpactSteps steps; no allocation.
 CastResult time_of_impact(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep& sweep_b,
                           double target = 0.0) noexcept;
 

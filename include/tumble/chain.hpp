@@ -15,7 +15,7 @@ struct ChainLink {
     Vec2 after;               // the chain's point after the segment's second
     bool has_before = false;  // false at an open end, where the segment collides on all sides
     bool has_after = false;
-    bool one_sided = false;  // solid on its left: collides with what comes from its right; the rest passes through it
+    bool one_sided = false;  // solid on its left: collides with shapes on its right, and others pass through it
 
     friend constexpr bool operator==(const ChainLink&, const ChainLink&) = default;
 };

@@ -23,7 +23,7 @@ struct CompoundDistance {
     double lower = 0.0;  // the least exact signed distance of all pairs lies in [lower, upper]
     double upper = 0.0;
     DistanceStatus status = DistanceStatus::invalid;  // of [lower, upper]
-    std::int32_t queries = 0;                         // pairs for which distance() was computed
+    std::int32_t queries = 0;                         // pairs for which distance() was called
 };
 
 // The signed distance of two compounds. The same bits as the least of distance() over all pairs. `invalid`, with NaN
@@ -34,7 +34,7 @@ CompoundDistance compound_distance(std::span<const Shape> a, const Pose& world_f
 
 struct CompoundOverlap {
     DistanceStatus status = DistanceStatus::invalid;
-    std::int32_t part_a = -1;  // the pair that decided: one that overlaps or, failing that, touches; -1 if separated
+    std::int32_t part_a = -1;  // a pair that overlaps, or touches if none overlaps; -1 if separated or invalid
     std::int32_t part_b = -1;
     std::int32_t queries = 0;
 };

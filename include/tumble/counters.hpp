@@ -34,7 +34,7 @@ struct StepCounters {
     StageTimes ms;
 };
 
-// The memory that a world has allocated, bytes, unused capacity included.
+// The memory that a world has allocated, in bytes, with unused capacity.
 struct WorldMemory {
     std::size_t bodies = 0;
     std::size_t shapes = 0;  // a large polygon is counted once for each shape that shares it

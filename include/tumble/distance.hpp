@@ -30,9 +30,10 @@ struct VertexPair {
     friend constexpr bool operator==(VertexPair, VertexPair) = default;
 };
 
-// The simplex that a query ended with, to start the next query between the same shapes; empty where shapes of at most
-// eight vertices were not apart. Any content is safe: indices are range-checked and a wrong hint costs iterations only.
-// The reference edge is for manifolds alone: the edge that the last one was clipped against.
+// The simplex that a query ended with, to start the next query between the same shapes. It is empty (count 0) if cores
+// of at most eight vertices are not proved to be separated. Any content is safe: indices are range-checked, and a wrong
+// hint costs iterations only. The reference edge is for manifolds alone: the edge that the last one was clipped
+// against.
 struct SimplexCache {
     std::array<VertexPair, 3> pairs{};
     std::uint8_t count = 0;
@@ -45,8 +46,8 @@ enum class DistanceStatus : std::uint8_t {
     separated,    // proved: lower > 0
     touching,     // the bounds straddle zero: the sign is below what double arithmetic can decide
     overlapping,  // proved: upper < 0
-    invalid,  // NaN or infinity in the input, a shape without vertices, or positions more than 2^500 m apart (or, for
-              // points, less than 2^-480 m but not 0); every number of the result is NaN
+    invalid,      // NaN or infinity in the input, a shape without vertices, a negative radius, or positions more than
+                  // 2^500 m apart (or, for points, less than 2^-480 m but not 0); every number of the result is NaN
 };
 
 // "separated", "touching", "overlapping" or "invalid".
@@ -81,23 +82,23 @@ struct DistanceResult {
     DVec2 normal;   // unit, from A to B; (1, 0) if the cores coincide in a point
     Certificate certificate;
     DistanceStatus status = DistanceStatus::invalid;
-    std::uint16_t iterations = 0;  // support pairs computed; evaluating all faces at once counts as one
+    std::uint16_t iterations = 0;  // 1 for two points or a cached feature, 2 for all faces at once, else support pairs
     bool reached_cap = false;      // GJK stopped at its iteration bound and the exhaustive search answered
 };
 
-// The signed distance of two shapes. Does not throw or allocate. With a cache, starts from its simplex and stores the
-// final one; the same status and overlapping bounds come out as without, and the same bits where the closest pair is
-// unique. For shapes of at most eight vertices all faces of their difference are evaluated at once, in lanes: the face
-// of largest separation decides overlap and depth, and the nearest point lies in it or at its end. GJK answers for more
-// vertices (4 to 18 iterations of O(log n), O(n) if the outline is not strictly convex), and if rounding leaves the
-// faces undecided.
+// The signed distance of two shapes. Does not throw or allocate. With a cache, the query starts from its simplex and
+// stores the final one. A cache does not change the status, and where the closest pair is unique not a bit of the
+// distance; elsewhere the bounds with and without it overlap. For shapes of at most eight vertices all faces of their
+// difference are evaluated at once, in lanes: the face of largest separation decides overlap and depth, and the nearest
+// point lies in it or at its end. GJK answers for more vertices (4 to 18 iterations of O(log n), O(n) if the outline is
+// not strictly convex), and if rounding leaves the faces undecided.
 //
 // The bounds hold for the shapes as they are. make_polygon() welds nearby points, so for bounds that must hold for
 // given points make the shape by make_exact_polygon().
 DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                         SimplexCache* cache = nullptr) noexcept;
 
-// A query of a batch. The shapes are the caller's and must outlive the call.
+// A query of a batch. The shapes are the caller's, are not null and must outlive the call.
 struct PosedPair {
     const Shape* a = nullptr;
     Pose world_from_a;
@@ -106,8 +107,8 @@ struct PosedPair {
 };
 
 // results[i] is distance() of pairs[i], bit for bit, whatever the other pairs and their order; as many as the shorter
-// of the spans has. Convex shapes of up to eight vertices are computed a pair a lane: with AVX-512 in 56 % of the time
-// of single queries for boxes, 64 % for octagons. Does not throw or allocate.
+// of the spans has. Pairs of convex shapes of up to eight vertices are computed in lanes, one pair in each: with
+// AVX-512 in 56 % of the time of single queries for boxes, 64 % for octagons. Does not throw or allocate.
 void distance_batch(std::span<const PosedPair> pairs, std::span<DistanceResult> results) noexcept;
 
 // The method that finds the point of a simplex nearest to the origin. Their results differ by rounding only.
@@ -118,7 +119,8 @@ enum class SubAlgorithm : std::uint8_t {
 };
 
 // The same query by the GJK loop alone, for any number of vertices. The same bits as distance() if the closest pair is
-// unique, except for iterations and the certificate, of which there may be several. Does not throw or allocate.
+// unique, except for the iterations and the certificate, since several certificates may prove one distance. Does not
+// throw or allocate.
 DistanceResult gjk_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                             SubAlgorithm sub_algorithm = SubAlgorithm::voronoi, SimplexCache* cache = nullptr) noexcept;
 

@@ -18,7 +18,7 @@ struct ManifoldPoint {
 
 struct Manifold {
     Vec2 normal;              // unit, from A to B, world axes
-    int point_count = 0;      // 0 to 2; 0: farther apart than the speculative distance, or invalid input
+    int point_count = 0;      // 0 to 2; 0 if farther apart than the speculative distance, or for invalid input
     ManifoldPoint points[2];  // [point_count], in the counter-clockwise order of A's edge
 };
 

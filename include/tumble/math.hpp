@@ -11,7 +11,7 @@ namespace tumble {
 
 inline constexpr double kPi = 3.141592653589793238462643383279502884;
 
-// A vector or point in float: of shapes, velocities and boxes.
+// A vector or point in float, for shapes, velocities and boxes.
 struct Vec2 {
     float x = 0.0f;
     float y = 0.0f;
@@ -19,7 +19,7 @@ struct Vec2 {
     friend constexpr bool operator==(Vec2, Vec2) = default;
 };
 
-// A vector or point in double: of positions in the world.
+// A vector or point in double, for positions in the world.
 struct DVec2 {
     double x = 0.0;
     double y = 0.0;
@@ -104,12 +104,12 @@ SinCos sin_cos_degrees(double degrees);
 // The angle of the vector (x, y), rad in (-pi, pi], relative error below 6e-16; 0 for (0, 0), NaN if not finite.
 double arc_tangent(double y, double x);
 
-// The rotation by an angle, rounded to float. |radians| <= 1e6; degrees may be any finite number, and multiples of 90
-// are exact.
+// The rotation by an angle, rounded to float. Degrees may be any finite number, and multiples of 90 are exact. NaN for
+// |radians| > 1e6 and for an angle that is not finite.
 Rotation make_rotation(double radians);
 Rotation make_rotation_degrees(double degrees);
 
-// The angle of a rotation, radians in (-pi, pi].
+// The angle of a rotation, radians in (-pi, pi]; 0 if c and s are 0, NaN if one is not finite.
 double angle(Rotation q);
 
 // Position and rotation of a body: maps local to world coordinates, p = position + rotate(rotation, local).
@@ -142,7 +142,7 @@ struct Aabb {
     friend constexpr bool operator==(const Aabb&, const Aabb&) = default;
 };
 
-// The smallest box that contains both.
+// The smallest box that contains both; merged with the empty box, a box stays as it is.
 constexpr Aabb merge(const Aabb& a, const Aabb& b) {
     return {{a.lower.x < b.lower.x ? a.lower.x : b.lower.x, a.lower.y < b.lower.y ? a.lower.y : b.lower.y},
             {a.upper.x > b.upper.x ? a.upper.x : b.upper.x, a.upper.y > b.upper.y ? a.upper.y : b.upper.y}};
@@ -159,6 +159,7 @@ constexpr bool contains(const Aabb& outer, const Aabb& inner) {
            inner.upper.y <= outer.upper.y;
 }
 
+// In the unit of the box (m); not meaningful for the empty box.
 constexpr float perimeter(const Aabb& box) {
     return 2.0f * ((box.upper.x - box.lower.x) + (box.upper.y - box.lower.y));
 }

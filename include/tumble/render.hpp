@@ -56,8 +56,8 @@ struct Marking {
     std::vector<std::string> caption{};  // lines below the time
 };
 
-// The camera with the frame grown to contain the marking. What needs a frame more than three times as high stays out of
-// view.
+// The camera with the frame grown to contain the marking. Regions and bodies that need a frame more than three times as
+// high stay out of view.
 Camera widen_camera(Camera camera, const World& world, const Marking& marking, double aspect_ratio);
 
 // State of the simulation that a frame shows over the shapes, each with a line in the legend.
@@ -112,8 +112,8 @@ void write_png(const Image& image, const std::filesystem::path& file);
 // Encodes and writes PNG files on threads of its own. The number of queued images is bounded.
 class FrameWriter {
 public:
-    explicit FrameWriter(int threads);
-    ~FrameWriter();  // waits for the queued frames and drops errors: call finish() to get them
+    explicit FrameWriter(int threads);  // 1 to 256, else std::invalid_argument
+    ~FrameWriter();                     // waits for the queued frames and drops errors: call finish() to get them
     FrameWriter(const FrameWriter&) = delete;
     FrameWriter& operator=(const FrameWriter&) = delete;
 
@@ -123,12 +123,13 @@ public:
     // Queues the image; waits while the queue is full. Throws the first FileError of earlier frames.
     void submit(Image image, std::filesystem::path file);
 
-    // Waits for all frames. Throws the first FileError.
     struct Written {
         std::uint64_t files = 0;
         std::uint64_t bytes = 0;
         double encode_seconds = 0.0;  // summed over the threads
     };
+
+    // Waits for all frames. Throws the first FileError.
     Written finish();
 
 private:

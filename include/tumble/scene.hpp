@@ -169,11 +169,11 @@ struct SceneJointSpring {
     double damping_ratio = 0.0;
 };
 
-// Copies a joint, row by row: each next column joins the next copies of its bodies, each next row the copies that
-// follow those of the row before by `row_step`. A body that is not a copy is joined by all. An anchor or axis in world
-// coordinates is that of the first joint; its coordinates in the first of the joint's bodies that is a copy are the
-// same for all copies. Copies are named name[0], name[1], ... A gear is repeated over the copies of its joints in the
-// same way.
+// Copies a joint, row by row. From column to column the joint joins the next copies of its two bodies, from row to row
+// the copies whose index is larger by `row_step`. A body without copies is joined by every copy of the joint. An anchor
+// or axis in world coordinates is that of the first joint; its coordinates in the first of the joint's bodies that is a
+// copy are the same for all copies. Copies are named name[0], name[1], ... A gear is repeated over the copies of its
+// joints in the same way.
 struct JointRepeat {
     int columns = 1;
     int rows = 1;
@@ -213,10 +213,12 @@ struct SceneEvent {
     std::optional<double> at;     // s
     std::optional<double> every;  // s
     std::optional<double> from;   // s: the first repetition; default: 0
-    std::optional<double>
-        until;          // s: the last repetition, or the end of a force or torque; default: the end of the run
-    std::string body;   // the body that impulses, forces and velocities act on
-    std::string joint;  // the joint that motor speeds and targets act on
+
+    // s: the last repetition, or the end of a force or torque; default: the end of the run.
+    std::optional<double> until;
+
+    std::string body;                        // the body that impulses, forces and velocities act on
+    std::string joint;                       // the joint that motor speeds and targets act on
     std::optional<DVec2> impulse;            // N s, at the centre of mass
     std::optional<double> angular_impulse;   // N m s
     std::optional<DVec2> force;              // N, at the centre of mass, in each step from `at` on

@@ -47,10 +47,13 @@ using ReadIncluded = std::function<std::string(const std::filesystem::path& file
 struct LoadOptions {
     std::vector<std::string> overrides;  // "/json/pointer=value" each; a value that is not JSON is taken as a string
     std::optional<std::uint64_t> seed;   // replaces /world/seed
-    bool lint =
-        false;  // also warn about valid scenes that are likely to disappoint: builds the world and steps it once
-    bool keep_includes =
-        false;  // keep Scene::include and do not add what it includes: for a scene that is written again
+
+    // Also warn about valid scenes that are likely to disappoint: builds the world and steps it once.
+    bool lint = false;
+
+    // Keep Scene::include and do not add the included entries: for a scene that is written again.
+    bool keep_includes = false;
+
     ReadIncluded read_included{};  // default: from the file system for load_scene(), none for parse_scene()
 };
 
@@ -68,8 +71,9 @@ Scene parse_scene(std::string_view text, const std::string& file_name, const Loa
 // The canonical text: keys in the schema's order, defaults left out, shortest round-trip numbers. Throws
 // std::invalid_argument for a `custom` that is not JSON.
 std::string to_json(const Scene& scene);
-void save_scene(const Scene& scene,
-                const std::filesystem::path& file);  // writes another file and renames it; throws FileError
+
+// Writes the canonical text to a temporary file and renames it. Throws as to_json(), and FileError.
+void save_scene(const Scene& scene, const std::filesystem::path& file);
 
 // The JSON schema (Draft-07) of format 1, as published in scenes/scene.schema.json.
 std::string scene_schema();

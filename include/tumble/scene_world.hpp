@@ -27,8 +27,8 @@ std::size_t count_bodies(const Scene& scene);
 // The number of joints, copies included.
 std::size_t count_joints(const Scene& scene);
 
-// One body of the built world: which entry of Scene::bodies it came from (or, counted on from there, of
-// Scene::timeline), and its name after repeating (empty for unnamed bodies).
+// One body of the built world. `source` is the index of its entry in Scene::bodies or, from bodies.size() on, in
+// Scene::timeline; `name` is its name after repeating (empty for unnamed bodies).
 struct SceneInstance {
     BodyId id;
     std::size_t source = 0;
@@ -38,8 +38,8 @@ struct SceneInstance {
 // The entry that the body came from.
 const SceneBody& source_of(const Scene& scene, const SceneInstance& body);
 
-// One joint of the built world: which entry of Scene::joints it came from, and its name after repeating (empty for
-// unnamed joints).
+// One joint of the built world. `source` is the index of its entry in Scene::joints, `name` its name after repeating
+// (empty for unnamed joints).
 struct SceneJointInstance {
     JointId id;
     std::size_t source = 0;

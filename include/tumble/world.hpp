@@ -71,8 +71,8 @@ struct ShapePair {
 //
 // Sleep. Dynamic bodies that touch or are joined form an island. An island falls asleep once all of its bodies have
 // been slower than 0.05 m/s for 0.5 s, each times the square root of WorldDef::scale. A sleeping island costs nothing
-// in a step. It wakes when an awake body touches it, when one of its bodies gets a velocity, a force, a shape or a
-// joint, and when a body that it rests on is moved, changed or destroyed.
+// in a step. It wakes when an awake body touches it; when one of its bodies gets a velocity, a force, a joint to an
+// awake body or, if the island has contacts, a shape; and when a body that it rests on is moved, changed or destroyed.
 //
 // Speed limits. A step clamps the speed of dynamic bodies to 400 m/s times the square root of WorldDef::scale, and
 // their rotation to 1/8 turn in a step (1/2 turn in a sub-step with BodyDef::allow_fast_rotation), whatever forces and
@@ -111,7 +111,8 @@ public:
     // the mass once, O(n) for n shapes; adding n shapes one by one is O(n^2).
     BodyId create_body(const BodyDef& def, std::span<const ShapeDef> shapes);
 
-    // Destroys a body with its shapes, its joints and the gears on them.
+    // Destroys a body with its shapes, its joints and the gears on them. Wakes the bodies that touch it or are joined
+    // to it.
     void destroy_body(BodyId id);
 
     // True if the id refers to a body of this world that is not destroyed.
@@ -130,7 +131,7 @@ public:
     // The definition that would create the body as it is now, with everything that was set since its creation.
     BodyDef definition(BodyId id) const;
 
-    // Moves a body to a pose at once, without collision on the way; its velocity does not change. Contacts begin and
+    // Moves a body to a pose at once, without collisions on the path; its velocity does not change. Contacts begin and
     // end in the next step, which also pushes overlapping shapes apart. Wakes the body, the bodies that touch it or are
     // joined to it, and the sleeping bodies at the new pose.
     void set_transform(BodyId id, const Pose& pose);
@@ -141,6 +142,7 @@ public:
 
     // Sets the velocity with which an unobstructed body reaches a pose in the next step, by the shorter rotation. For
     // kinematic bodies that follow a path. The velocity stays: stop the body by set_velocity() when it has arrived.
+    // Throws for a static or disabled body.
     void move_towards(BodyId id, const Pose& pose);
 
     // Changes the type. A body that becomes static loses its velocity; forces applied since the last step are lost.
@@ -148,7 +150,8 @@ public:
     void set_type(BodyId id, BodyType type);
 
     // A disabled body keeps its pose, shapes and joints, but does not move, collide or appear in queries, and its
-    // joints do not act. It has velocity 0 when it is enabled again.
+    // joints do not act. It has velocity 0 when it is enabled again. Wakes the bodies that touch it or are joined to
+    // it.
     void set_enabled(BodyId id, bool enabled);
     bool is_enabled(BodyId id) const;
 
@@ -187,24 +190,28 @@ public:
 
     // ---- Shapes ----
 
-    // Adds a shape to a body and updates the body's mass.
+    // Adds a shape to a body and updates the body's mass. Wakes a sleeping body whose island has contacts.
     ShapeId add_shape(BodyId body, const ShapeDef& def);
 
-    // Removes a shape from its body, updates the body's mass and wakes the body.
+    // Removes a shape from its body and updates the body's mass. Wakes the body and the bodies that touch it or are
+    // joined to it.
     void remove_shape(ShapeId id);
 
+    // True if the id refers to a shape of this world that is not destroyed.
     bool is_valid(ShapeId id) const noexcept;
 
     // The shapes of a body in the order they were added. Valid until a shape of the body is added or removed.
     std::span<const ShapeId> shapes(BodyId id) const;
 
+    // References are valid until the next shape is added or removed.
     const Shape& shape(ShapeId id) const;  // in body coordinates
     const SurfaceMaterial& material(ShapeId id) const;
     const CollisionFilter& filter(ShapeId id) const;
     bool is_sensor(ShapeId id) const;
     BodyId body(ShapeId id) const;
 
-    // Changes the material of a shape, also for its present contacts, and the body's mass. Wakes the body. O(contacts).
+    // Changes the material of a shape, also for its present contacts, and the body's mass. Wakes the body and its
+    // neighbors. O(contacts).
     void set_material(ShapeId id, const SurfaceMaterial& material);
 
     // Changes the filter of a shape; contacts that it excludes end in the next step. Wakes the body and its neighbors.
@@ -212,7 +219,8 @@ public:
 
     // ---- Joints (joint.hpp) ----
 
-    // Creates a joint between two different bodies. A gear takes its bodies from its two joints.
+    // Creates a joint between two different bodies. A gear takes its bodies from its two joints. Wakes the bodies if
+    // one of them is in awake_bodies(); a joint of sleeping bodies sleeps with them.
     JointId create_joint(const JointDef& def);
 
     // Destroys a joint and the gears on it, and wakes its bodies.
@@ -223,6 +231,7 @@ public:
     // bodies.
     void set_joint(JointId id, const JointDef& def);
 
+    // True if the id refers to a joint of this world that is not destroyed.
     bool is_valid(JointId id) const noexcept;
 
     // All joints in id order, and the joints of a body in order of their creation. Valid until the next joint is
@@ -240,13 +249,12 @@ public:
     std::optional<JointAnchors> joint_anchors(JointId id) const;
 
     // The position of the joint's free motion at the start of the last step in which it was awake:
-    //   revolute, weld, motor   angle of B against A less reference_angle, rad; of a revolute joint only if it has
-    //   limits
-    //                           or a spring, else 0
+    //   revolute, weld, motor   angle of B - angle of A - reference_angle, rad; 0 for a revolute joint without
+    //                           limits and spring
     //   prismatic, wheel        displacement of B's anchor from A's along the axis, m
     //   distance, mouse         distance of the anchors, m
     //   pulley                  distance of A's anchor from its wheel, m
-    //   gear                    motion_a + ratio motion_b less its value at creation, rad or m
+    //   gear                    motion_a + ratio * motion_b - its value at creation, rad or m
     //   filter                  0
     float joint_position(JointId id) const;
 
@@ -295,6 +303,7 @@ public:
     // states have equal hashes on every machine.
     std::uint64_t state_hash() const;
 
+    // Counts and times of the last step.
     const StepCounters& counters() const noexcept;
 
     // The memory that the world has allocated. O(bodies).
@@ -311,8 +320,8 @@ public:
 
     // ---- Diagnostics ----
 
-    // Checks every invariant of the world's data structures. Throws std::logic_error that names the first broken one: a
-    // defect of this library.
+    // Checks every invariant of the world's data structures. Throws std::logic_error, which names the first broken one,
+    // for a defect of this library.
     void audit() const;
 
 private:

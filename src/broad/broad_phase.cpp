@@ -15,7 +15,7 @@ void BroadPhase::add(std::uint32_t key, const Aabb& box, ProxyLayer layer) {
     touch(key);
 }
 
-// The key may stay in touched_: a search skips it there, unless a new proxy has got the key.
+// The key may stay in touched_: the next search skips it unless a new proxy has this key.
 void BroadPhase::remove(std::uint32_t key) {
     TUMBLE_CHECK(has(key));
     Proxy& proxy = proxies_[key];

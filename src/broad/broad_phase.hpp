@@ -40,11 +40,12 @@ public:
         return proxies_[key].box;
     }
     bool has(std::uint32_t key) const { return key < proxies_.size() && proxies_[key].leaf != AabbTree::kNone; }
+
     // True if both proxies exist and their boxes overlap.
     bool overlap(ProxyPair pair) const { return has(pair.a) && has(pair.b) && overlaps(box(pair.a), box(pair.b)); }
 
-    // Finds the new pairs for which accept(pair) is true, sorted. Rejected pairs are not kept: the next search that
-    // looks at one of their proxies finds them again. Valid until the next call.
+    // Finds the new pairs for which accept(pair) is true, sorted. Rejected pairs are not kept: a later search
+    // finds them again if one of their proxies is touched. The result is valid until the next call.
     template <class Accept>
     const std::vector<ProxyPair>& find_new_pairs(Accept&& accept);
 
@@ -61,7 +62,7 @@ public:
             trees_[layer].query(box, visit);
     }
 
-    // The same of all layers with any condition on boxes: see AabbTree::search().
+    // The same for all layers, with any condition on boxes: see AabbTree::search().
     template <class MayContain, class Visitor>
     void search(MayContain&& may_contain, Visitor&& visit) const {
         for (const AabbTree& tree : trees_) tree.search(may_contain, visit);

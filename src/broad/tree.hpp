@@ -41,8 +41,8 @@ public:
     }
 
     // Calls visit(key) for each leaf for which may_contain(box) is true of its own box and of those of its ancestors.
-    // may_contain must be monotonic: false for a box implies false for every box inside it. It may become stricter as
-    // leaves are visited, as in a search for the nearest.
+    // may_contain must be monotonic: if it is false for a box, it is false for every box inside. It may become stricter
+    // as leaves are visited, as in a search for the nearest.
     template <class MayContain, class Visitor>
     void search(MayContain&& may_contain, Visitor&& visit) const;
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <type_traits>
+#include <utility>
 
 namespace tumble::debug {
 
@@ -41,6 +42,33 @@ struct Outcome {
 // Prints to standard error and aborts.
 [[noreturn]] void fail_check(const char* expression, const char* file, int line, const Outcome& outcome);
 
+template <class T, class U>
+inline constexpr bool kAreIntegers =
+    std::is_integral_v<T>&& std::is_integral_v<U> && !std::is_same_v<T, bool> && !std::is_same_v<U, bool>;
+
+// Comparisons of integers are by value, whatever their signs.
+template <class T, class U>
+constexpr bool is_equal(const T& left, const U& right) {
+    if constexpr (kAreIntegers<T, U>)
+        return std::cmp_equal(left, right);
+    else
+        return left == right;
+}
+template <class T, class U>
+constexpr bool is_less(const T& left, const U& right) {
+    if constexpr (kAreIntegers<T, U>)
+        return std::cmp_less(left, right);
+    else
+        return left < right;
+}
+template <class T, class U>
+constexpr bool is_at_most(const T& left, const U& right) {
+    if constexpr (kAreIntegers<T, U>)
+        return std::cmp_less_equal(left, right);
+    else
+        return left <= right;
+}
+
 // The left side of a comparison: `Start{} << a <= b` keeps both values.
 template <class T>
 struct Left {
@@ -48,27 +76,27 @@ struct Left {
 
     template <class U>
     constexpr Outcome operator==(const U& right) const {
-        return {value == right, show(value), show(right), "=="};
+        return {is_equal(value, right), show(value), show(right), "=="};
     }
     template <class U>
     constexpr Outcome operator!=(const U& right) const {
-        return {value != right, show(value), show(right), "!="};
+        return {!is_equal(value, right), show(value), show(right), "!="};
     }
     template <class U>
     constexpr Outcome operator<(const U& right) const {
-        return {value < right, show(value), show(right), "<"};
+        return {is_less(value, right), show(value), show(right), "<"};
     }
     template <class U>
     constexpr Outcome operator<=(const U& right) const {
-        return {value <= right, show(value), show(right), "<="};
+        return {is_at_most(value, right), show(value), show(right), "<="};
     }
     template <class U>
     constexpr Outcome operator>(const U& right) const {
-        return {value > right, show(value), show(right), ">"};
+        return {is_less(right, value), show(value), show(right), ">"};
     }
     template <class U>
     constexpr Outcome operator>=(const U& right) const {
-        return {value >= right, show(value), show(right), ">="};
+        return {is_at_most(right, value), show(value), show(right), ">="};
     }
     constexpr operator Outcome() const { return {static_cast<bool>(value), show(static_cast<bool>(value)), {}, ""}; }
 };

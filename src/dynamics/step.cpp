@@ -95,7 +95,8 @@ void step(Simulation& simulation) {
     ms.step = clock.total();
 }
 
-// Runs twice in a step: for the caller's changes before it, and after the motion, so that sensors see every visitor.
+// Runs twice in a step: for the caller's changes before it, and after the motion, so that the step reports each sensor
+// that a body entered in it.
 // New pairs begin, and pairs end, only where a box has moved.
 void find_pairs(Simulation& simulation) {
     simulation.contacts.merge_woken();

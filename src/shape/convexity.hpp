@@ -7,8 +7,8 @@
 
 namespace tumble {
 
-// True if no vertex lies to the right of any edge, exactly: counter-clockwise, once round, with collinear and duplicate
-// vertices allowed. One or two vertices are convex. O(n^2).
+// True if no vertex lies to the right of any edge, decided exactly: the outline is counter-clockwise and winds once;
+// collinear and duplicate vertices are allowed. One or two vertices are convex. O(n^2).
 bool is_convex_outline(std::span<const Vec2> vertices);
 
 }  // namespace tumble

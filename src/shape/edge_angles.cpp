@@ -29,7 +29,7 @@ void sort_edges(LargePolygon& polygon) {
     }
     polygon.first_edge = static_cast<std::int32_t>(first);
     std::rotate(angles.begin(), angles.begin() + polygon.first_edge, angles.end());
-    // All turns are to the left. If no angle after the first falls by more than rounding, the outline goes round once.
+    // All turns are to the left. If no angle after the first falls by more than rounding, the outline winds once.
     constexpr double kRounding = 0x1p-48;
     for (std::size_t i = 1; i < count; ++i) {
         if (angles[i] < angles[i - 1] - kRounding) return;

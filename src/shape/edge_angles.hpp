@@ -9,8 +9,7 @@
 namespace tumble {
 
 // The point at which the ray in a direction leaves the square |x| + |y| = 1, measured along the square from the x axis,
-// 0 to
-// 4. It grows with the angle and needs no trigonometry. Within 2^-50 of the exact value.
+// 0 to 4. It grows with the angle and needs no trigonometry. Within 2^-50 of the exact value; NaN for the direction 0.
 inline double square_angle(DVec2 direction) {
     const double share = direction.x / (std::abs(direction.x) + std::abs(direction.y));
     return direction.y >= 0.0 ? 1.0 - share : 3.0 + share;
@@ -23,8 +22,8 @@ inline std::size_t sector_of(double angle, std::size_t sectors) {
     return at < static_cast<double>(sectors) ? static_cast<std::size_t>(at) : sectors - 1;
 }
 
-// Fills in `edge_angles`, `edges_before` and `first_edge` if the outline is strictly convex, counter-clockwise and goes
-// round once.
+// Fills in `edge_angles`, `edges_before` and `first_edge` if the outline is strictly convex, counter-clockwise and
+// winds once. Otherwise `edge_angles` stays empty.
 void sort_edges(LargePolygon& polygon);
 
 }  // namespace tumble

@@ -1,4 +1,4 @@
-// The factories: check, then hand the core vertices to Shape::from_raw.
+// The factories: each checks its arguments, then passes the core vertices to Shape::from_raw().
 #include <algorithm>
 #include <array>
 #include <sstream>
@@ -69,7 +69,7 @@ Shape make_box(Vec2 size, float radius, Vec2 center, double angle) {
     if (!is_strictly_convex(corners)) {
         std::ostringstream message;
         message << "a box of size (" << size.x << ", " << size.y << ") and radius " << radius
-                << " has no float corners of its own at center (" << center.x << ", " << center.y << ')';
+                << " does not have distinct corners in float at center (" << center.x << ", " << center.y << ')';
         throw std::invalid_argument(message.str());
     }
     return Shape::from_raw(corners, radius);

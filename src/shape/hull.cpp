@@ -12,8 +12,6 @@ namespace tumble {
 
 namespace {
 
-bool is_left_of(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-
 // Appends the chain of strict left turns over points that are sorted along it, without its last point, which begins the
 // other chain.
 template <typename Iterator>
@@ -75,7 +73,7 @@ bool is_near_edge(Vec2 point, const std::vector<Vec2>& kept, double tolerance) {
 
 std::vector<Vec2> convex_hull(std::span<const Vec2> points) {
     std::vector<Vec2> sorted(points.begin(), points.end());
-    std::sort(sorted.begin(), sorted.end(), is_left_of);
+    std::sort(sorted.begin(), sorted.end(), is_before);
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     TUMBLE_CHECK(!sorted.empty());
     if (sorted.size() < 3) return sorted;
@@ -99,7 +97,7 @@ std::vector<Vec2> simplify_hull(const std::vector<Vec2>& hull, double tolerance)
     for (const std::size_t index : kept) result.push_back(hull[index]);
     TUMBLE_CHECK(!result.empty());
     TUMBLE_CHECK(result.size() <= hull.size());
-    std::rotate(result.begin(), std::min_element(result.begin(), result.end(), is_left_of), result.end());
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end(), is_before), result.end());
     return result;
 }
 

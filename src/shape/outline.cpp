@@ -1,4 +1,4 @@
-// Outline to parts: clean the ring, prove it simple, triangulate it, merge the triangles.
+// decompose_outline(): removes equal and straight points, proves the ring simple, triangulates it, merges triangles.
 #include "tumble/outline.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // The orders of a plane sweep over a ring of points: of its events from left to right, of its edges from below upwards.
 //
-// Events are ordered by x, then by y, which acts as an infinitesimal shear under which no edge is vertical. All
-// comparisons are orientations of given points, hence exact (de Berg et al., Computational Geometry, 3rd ed., 2.1).
+// Events are ordered by is_before(): by x, then by y, which acts as an infinitesimal shear under which no edge is
+// vertical. All comparisons are orientations of given points, hence exact (de Berg et al., Computational Geometry, 3rd
+// ed., 2.1).
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,6 @@
 #include "tumble/math.hpp"
 
 namespace tumble {
-
-inline bool is_before(Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 // A closed ring of points; edge i goes from point i to the next one.
 class Ring {
@@ -49,8 +48,8 @@ private:
     std::span<const Vec2> points_;
 };
 
-// True if the first of two edges, or of an edge and a point, lies below the second on the sweep line.
-// Edges compare as equal only if the left end of one lies on the other, or if they leave one point in one direction.
+// True if the first of two edges, or of an edge and a point, lies below the second on the sweep line. Edges compare as
+// equal only if the left end of one lies on the other, or if they leave one point in one direction.
 class SweepOrder {
 public:
     using is_transparent = void;

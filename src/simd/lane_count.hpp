@@ -1,4 +1,4 @@
-// The number of lanes in an array of lanes, for code that counts lanes and computes with none.
+// The number of lanes in an array of float lanes, for code that does not include Eigen (lanes.hpp).
 #pragma once
 
 namespace tumble {

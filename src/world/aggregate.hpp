@@ -1,7 +1,7 @@
 // The fields of plain structs, found by the compiler, so that code that visits them cannot leave one out.
 //
-// The number of fields is the number of values in braces that initialize the struct. A C array counts as its elements:
-// structs with one list their members themselves (see visit_members.hpp). A wrong count does not compile.
+// The number of fields is the number of values in braces that initialize the struct. A C array would count as its
+// elements, so structs that have one list their members themselves (visit_members.hpp). A wrong count does not compile.
 #pragma once
 
 #include <cstddef>

@@ -11,31 +11,31 @@ namespace tumble {
 
 namespace {
 
-void require(bool holds, const char* invariant, std::size_t index) {
+void ensure(bool holds, const char* invariant, std::size_t index) {
     if (!holds) throw std::logic_error("world: " + std::string(invariant) + " (index " + std::to_string(index) + ")");
 }
 
 void audit_bodies(const BodyStore& bodies) {
-    require(bodies.moving.size() == bodies.solver_bodies.size(), "solver bodies and moving bodies differ in number",
-            bodies.moving.size());
-    require(bodies.solver_bodies[kStaticSolverBody].velocity == Vec2{}, "the static solver body moves", 0);
+    ensure(bodies.moving.size() == bodies.solver_bodies.size(), "solver bodies and moving bodies differ in number",
+           bodies.moving.size());
+    ensure(bodies.solver_bodies[kStaticSolverBody].velocity == Vec2{}, "the static solver body moves", 0);
     std::size_t moving = 1;
     for (const BodyId id : bodies.ids.live()) {
         const BodyFrame& frame = bodies.frames[id.index];
         const bool is_asleep = bodies.records[id.index].island != kNoIsland;
         const bool is_static = frame.type == BodyType::static_body || is_asleep;  // for the solver
-        require(!is_asleep || bodies.is_dynamic(id.index), "a body sleeps that is not dynamic", id.index);
-        require(is_static == (frame.solver_body == kStaticSolverBody),
-                "a static or sleeping body has a solver body, or another has none", id.index);
-        require((frame.inv_mass > 0.0f) == bodies.is_dynamic(id.index),
-                "a body that is not dynamic has a mass, or a dynamic one has none", id.index);
-        require(bodies.records[id.index].is_enabled || is_static, "a disabled body has a solver body", id.index);
+        ensure(!is_asleep || bodies.is_dynamic(id.index), "a body sleeps that is not dynamic", id.index);
+        ensure(is_static == (frame.solver_body == kStaticSolverBody),
+               "a static or sleeping body has a solver body, or another has none", id.index);
+        ensure((frame.inv_mass > 0.0f) == bodies.is_dynamic(id.index),
+               "a body that is not dynamic has a mass, or a dynamic one has none", id.index);
+        ensure(bodies.records[id.index].is_enabled || is_static, "a disabled body has a solver body", id.index);
         if (is_static) continue;
         ++moving;
-        require(frame.solver_body < bodies.moving.size(), "a solver body is out of range", id.index);
-        require(bodies.moving[frame.solver_body].body == id.index, "a solver body belongs to another body", id.index);
+        ensure(frame.solver_body < bodies.moving.size(), "a solver body is out of range", id.index);
+        ensure(bodies.moving[frame.solver_body].body == id.index, "a solver body belongs to another body", id.index);
     }
-    require(moving == bodies.moving.size(), "a solver body belongs to no moving body", moving);
+    ensure(moving == bodies.moving.size(), "a solver body belongs to no moving body", moving);
 }
 
 void audit_shapes(const Simulation& simulation) {
@@ -43,26 +43,25 @@ void audit_shapes(const Simulation& simulation) {
     for (const BodyId body : simulation.bodies.ids.live()) {
         for (const ShapeId id : simulation.bodies.records[body.index].shapes) {
             ++owned;
-            require(simulation.shapes.ids.is_live(id), "a body lists a destroyed shape", body.index);
-            require(simulation.shapes[id.index].body == body.index, "a shape belongs to another body", id.index);
-            require(simulation.shapes[id.index].is_placed == simulation.bodies.records[body.index].is_enabled,
-                    "a shape of a disabled body has a proxy, or one of an enabled body has none", id.index);
+            ensure(simulation.shapes.ids.is_live(id), "a body lists a destroyed shape", body.index);
+            ensure(simulation.shapes[id.index].body == body.index, "a shape belongs to another body", id.index);
+            ensure(simulation.shapes[id.index].is_placed == simulation.bodies.records[body.index].is_enabled,
+                   "a shape of a disabled body has a proxy, or one of an enabled body has none", id.index);
             if (!simulation.shapes[id.index].is_placed) continue;
             const Aabb box = bounds(simulation.shapes[id.index].shape, simulation.bodies.frames[body.index].pose);
-            require(contains(simulation.broad.box(id.index), box), "a proxy's box does not contain its shape",
-                    id.index);
+            ensure(contains(simulation.broad.box(id.index), box), "a proxy's box does not contain its shape", id.index);
         }
     }
-    require(owned == simulation.shapes.ids.live().size(), "a shape is on no body", owned);
+    ensure(owned == simulation.shapes.ids.live().size(), "a shape is on no body", owned);
 }
 
 void audit_gear(const JointStore& joints, JointId id, const GearJointDef& gear) {
-    require(gear.joint_a != gear.joint_b, "a gear joins a joint to itself", id.index);
+    ensure(gear.joint_a != gear.joint_b, "a gear joins a joint to itself", id.index);
     for (const JointId joint : {gear.joint_a, gear.joint_b}) {
-        require(joints.ids.is_live(joint), "a gear is on a destroyed joint", id.index);
-        require(can_be_geared(joints.def(joint)), "a gear is on a joint that cannot be geared", id.index);
+        ensure(joints.ids.is_live(joint), "a gear is on a destroyed joint", id.index);
+        ensure(can_be_geared(joints.def(joint)), "a gear is on a joint that cannot be geared", id.index);
     }
-    require(
+    ensure(
         gear.body_a == joint_body_b(joints.def(gear.joint_a)) && gear.body_b == joint_body_b(joints.def(gear.joint_b)),
         "a gear's bodies are not the second bodies of its joints", id.index);
 }
@@ -74,15 +73,16 @@ void audit_joints(const Simulation& simulation) {
             audit_gear(simulation.joints, id, *gear);
         for (const BodyId body : simulation.joints.bodies(id)) {
             ++ends;
-            require(simulation.bodies.ids.is_live(body), "a joint is on a destroyed body", id.index);
+            ensure(simulation.bodies.ids.is_live(body), "a joint is on a destroyed body", id.index);
             const std::vector<JointId>& joints = simulation.bodies.records[body.index].joints;
-            require(std::count(joints.begin(), joints.end(), id) == 1, "a body does not list its joint once", id.index);
+            ensure(std::count(joints.begin(), joints.end(), id) == 1, "a body does not list its joint exactly once",
+                   id.index);
         }
     }
     std::size_t listed = 0;
     for (const BodyId body : simulation.bodies.ids.live())
         listed += simulation.bodies.records[body.index].joints.size();
-    require(listed == ends, "a body lists a destroyed joint", listed);
+    ensure(listed == ends, "a body lists a destroyed joint", listed);
 }
 
 void audit_islands(const Simulation& simulation) {
@@ -92,26 +92,26 @@ void audit_islands(const Simulation& simulation) {
         const SleepingIsland& island = simulation.sleeping.all()[i];
         listed += island.bodies.size();
         count += !island.bodies.empty();
-        require(std::is_sorted(island.bodies.begin(), island.bodies.end()), "an island's bodies are not sorted", i);
+        ensure(std::is_sorted(island.bodies.begin(), island.bodies.end()), "an island's bodies are not sorted", i);
         for (const std::uint32_t body : island.bodies)
-            require(bodies.records[body].island == i, "a body of an island names another island", body);
+            ensure(bodies.records[body].island == i, "a body of an island names another island", body);
         for (const Contact& contact : island.contacts) {
-            require(contact.manifold.point_count > 0, "a sleeping contact has no points", i);
-            require(bodies.records[contact.body_a].island == i || bodies.records[contact.body_b].island == i,
-                    "a sleeping contact has no body in its island", i);
-            require(simulation.broad.has_pair(contact.shapes),
-                    "the pair of a sleeping contact is not in the broad phase", i);
+            ensure(contact.manifold.point_count > 0, "a sleeping contact has no points", i);
+            ensure(bodies.records[contact.body_a].island == i || bodies.records[contact.body_b].island == i,
+                   "a sleeping contact has no body in its island", i);
+            ensure(simulation.broad.has_pair(contact.shapes),
+                   "the pair of a sleeping contact is not in the broad phase", i);
         }
     }
-    require(count == simulation.sleeping.count(), "an island in use is empty", count);
+    ensure(count == simulation.sleeping.count(), "an island in use is empty", count);
     for (const BodyId id : bodies.ids.live()) asleep_count += bodies.is_asleep(id.index);
-    require(listed == asleep_count, "a sleeping body is in no island", asleep_count);
+    ensure(listed == asleep_count, "a sleeping body is in no island", asleep_count);
     for (const JointId id : simulation.joints.ids.live()) {
         bool must_sleep = false;
         for (const BodyId body : simulation.joints.bodies(id))
             must_sleep |= bodies.is_asleep(body.index) || !bodies.records[body.index].is_enabled;
-        require(must_sleep != simulation.joints.is_awake(id),
-                "a joint is awake beside a sleeping or disabled body, or asleep beside none", id.index);
+        ensure(must_sleep != simulation.joints.is_awake(id),
+               "a joint is awake beside a sleeping or disabled body, or asleep beside none", id.index);
     }
 }
 
@@ -119,26 +119,25 @@ void audit_contacts(const Simulation& simulation) {
     const std::vector<Contact>& contacts = simulation.contacts.all();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const Contact& contact = contacts[i];
-        require(contact.shapes.a < contact.shapes.b, "a contact's shapes are not sorted", i);
-        require(i == 0 || contacts[i - 1].shapes < contact.shapes, "contacts are not sorted", i);
-        require(simulation.broad.has_pair(contact.shapes), "the pair of a contact is not in the broad phase", i);
+        ensure(contact.shapes.a < contact.shapes.b, "a contact's shapes are not sorted", i);
+        ensure(i == 0 || contacts[i - 1].shapes < contact.shapes, "contacts are not sorted", i);
+        ensure(simulation.broad.has_pair(contact.shapes), "the pair of a contact is not in the broad phase", i);
         const ShapeRecord& a = simulation.shapes[contact.shapes.a];
         const ShapeRecord& b = simulation.shapes[contact.shapes.b];
         if (!simulation.is_live(contact.shapes)) continue;  // the next step drops it
         const bool both_sleep = simulation.bodies.is_asleep(a.body) && simulation.bodies.is_asleep(b.body);
         const bool may_wait = contact.kind != ContactKind::solid || contact.chain_state == ChainState::crossing;
-        require(!both_sleep || may_wait || is_over(simulation, contact), "a contact is awake between sleeping bodies",
-                i);
-        require(a.body == contact.body_a && b.body == contact.body_b, "a contact's bodies are not those of its shapes",
-                i);
-        require(contact.manifold.point_count >= 0 && contact.manifold.point_count <= 2,
-                "a manifold has fewer than 0 or more than 2 points", i);
+        ensure(!both_sleep || may_wait || is_over(simulation, contact), "a contact is awake between sleeping bodies",
+               i);
+        ensure(a.body == contact.body_a && b.body == contact.body_b, "a contact's bodies are not those of its shapes",
+               i);
+        ensure(contact.manifold.point_count >= 0 && contact.manifold.point_count <= 2,
+               "a manifold has fewer than 0 or more than 2 points", i);
         for (int point = 0; point < contact.manifold.point_count; ++point)
-            require(contact.impulses[point].normal >= 0.0f, "a contact has a negative normal impulse", i);
+            ensure(contact.impulses[point].normal >= 0.0f, "a contact has a negative normal impulse", i);
     }
     const std::size_t all = contacts.size() + simulation.contacts.woken().size() + simulation.sleeping.contact_count();
-    require(simulation.broad.pair_count() == all, "the pairs of the broad phase and the contacts differ in number",
-            all);
+    ensure(simulation.broad.pair_count() == all, "the pairs of the broad phase and the contacts differ in number", all);
 }
 
 }  // namespace

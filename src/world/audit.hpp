@@ -1,4 +1,4 @@
-// Checks every invariant between the stores of a world. For tests, and to find defects.
+// Checks every invariant of the stores of a world and between them. For tests, and to find defects.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"

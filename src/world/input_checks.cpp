@@ -8,8 +8,8 @@ namespace tumble {
 
 namespace {
 
-// How far the length of a rotation (cosine, sine) may be from 1: far above what rounding to float leaves, far below
-// what a mistake causes.
+// The largest difference of the length of a rotation (cosine, sine) from 1: far above the rounding of floats, far below
+// the effect of a mistake.
 constexpr double kUnitTolerance = 1e-4;
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace tumble {
 
 namespace {
 
-// Joins body indices, where the step joins solver bodies: sleeping bodies have none.
+// Joins body indices, not solver bodies as the step does, because sleeping bodies have no solver bodies.
 class IslandNumbers {
 public:
     explicit IslandNumbers(const Simulation& simulation) : simulation_(simulation) {

@@ -1,4 +1,4 @@
-// The memory that a world has allocated.
+// The memory that a world has allocated: the sum of the capacities of its vectors.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"

@@ -175,7 +175,7 @@ std::optional<ClosestHit> find_closest(const Simulation& simulation, DVec2 point
     const auto may_contain = [&](const Aabb& box) {
         const double x = std::max({box.lower.x - point.x, 0.0, point.x - box.upper.x});
         const double y = std::max({box.lower.y - point.y, 0.0, point.y - box.upper.y});
-        // The deepest of several shapes around the point may have any box: a negative limit is no bound on boxes.
+        // A negative limit does not bound boxes: of several shapes that contain the point, the deepest may have any.
         return length(DVec2{x, y}) <= std::max(limit, 0.0) + rounding_margin(box, point);
     };
     simulation.broad.search(may_contain, [&](std::uint32_t shape) {

@@ -10,7 +10,7 @@
 
 namespace tumble {
 
-// These answer the queries of World (tumble/world.hpp). The arguments have been checked.
+// These answer the queries of World (tumble/world.hpp), which has checked the arguments.
 std::optional<CastHit> find_ray_hit(const Simulation& simulation, DVec2 origin, DVec2 translation,
                                     const QueryFilter& filter);
 std::vector<CastHit> find_ray_hits(const Simulation& simulation, DVec2 origin, DVec2 translation,

@@ -20,12 +20,12 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied as
 
 constexpr char kMagic[8] = {'t', 'u', 'm', 'b', 'l', 'e', 'W', '\n'};
 
-// Raise it with every change of the saved members, anywhere in the state.
+// To be raised with every change of the saved members, anywhere in the state.
 constexpr std::uint32_t kVersion = 4;
 
 constexpr std::size_t kHeaderBytes = sizeof kMagic + sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
 
-// Calls visit(parts...) with all that is saved, in the order of the bytes.
+// Calls visit(parts...) with all saved parts, in the order of their bytes.
 template <class Visit>
 void visit_saved(const SnapshotParts& parts, Visit&& visit) {
     SimulationState& state = parts.simulation;

@@ -1,8 +1,8 @@
 // Snapshots: the whole state of a world as bytes.
 //
-// Magic (8 bytes), version (4), size of the payload (8), its xxHash64 (8), payload. The payload has every number of the
-// definition, the counters and SimulationState, in the order of the members, little-endian. Scratch memory and
-// measurements of the last step (StepScratch, StepReport) are left out.
+// Magic (8 bytes), version (4), size of the payload (8), its xxHash64 (8), payload. The payload has the definition, the
+// step count, the index of a diverged body and SimulationState: every number in the order of the members,
+// little-endian. Scratch memory and measurements of the last step (StepScratch, StepReport) are left out.
 #pragma once
 
 #include <cstddef>

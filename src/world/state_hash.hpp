@@ -1,4 +1,4 @@
-// The state hash: two runs with equal hashes are equal bit for bit.
+// The state hash: equal for runs that are equal bit for bit.
 #pragma once
 
 #include <cstdint>

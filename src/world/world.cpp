@@ -111,7 +111,7 @@ void World::audit() const { tumble::audit(impl_->simulation); }
 
 SimulationDiverged::SimulationDiverged(BodyId body_, std::uint64_t step_)
     : std::runtime_error("the simulation diverged in step " + std::to_string(step_) + ": body " +
-                         std::to_string(body_.index) + " is no longer finite"),
+                         std::to_string(body_.index) + " is not finite"),
       body(body_),
       step(step_) {}
 

@@ -1,4 +1,4 @@
-// Bodies: creating and destroying them, what they are, and what they may do.
+// Bodies: creating and destroying them, their definitions, types, locks, damping and mass.
 #include "dynamics/stages/sleep.hpp"
 #include "world/input_checks.hpp"
 #include "world/require.hpp"

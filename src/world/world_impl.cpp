@@ -1,4 +1,4 @@
-// What the members of World share: the shapes of a body and their proxies, mass, and the removal of joints.
+// Operations that the members of World share: on the shapes of a body and their proxies, mass, and removal of joints.
 #include "world/world_impl.hpp"
 
 #include "dynamics/rows/joint_ends.hpp"

@@ -77,7 +77,7 @@ JointId World::create_joint(const JointDef& def) {
     const JointId id = simulation.joints.create(joint);
     for (const BodyId body : simulation.joints.bodies(id)) simulation.bodies.records[body.index].joints.push_back(id);
     simulation.filters_changed |= !collides_connected(joint);
-    // If the two bodies touch in their sleep, that contact ends now: one may have rested on the other.
+    // If the two bodies sleep and touch, that contact ends now: one may have rested on the other.
     if (!collides_connected(joint) && touch_in_sleep(simulation, a.index, b.index))
         for (const BodyId body : {a, b}) wake(simulation, body.index);
     settle_sleep(simulation, id);

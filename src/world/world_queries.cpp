@@ -42,7 +42,7 @@ std::vector<ShapeId> World::overlap_shape(const Shape& shape, const Pose& pose, 
 std::vector<ShapeId> World::overlap_box(DVec2 lower, DVec2 upper, const QueryFilter& filter) const {
     require(is_finite(lower), "lower corner", "finite", lower);
     require(is_finite(upper), "upper corner", "finite", upper);
-    require(lower.x <= upper.x && lower.y <= upper.y, "upper corner", "above the lower one", upper);
+    require(lower.x <= upper.x && lower.y <= upper.y, "upper corner", "at least the lower corner in x and y", upper);
     return find_overlaps(impl_->simulation, lower, upper, filter);
 }
 

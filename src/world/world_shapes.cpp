@@ -10,8 +10,8 @@ ShapeId World::add_shape(BodyId body, const ShapeDef& def) {
     impl_->require(body);
     check(def);
     Simulation& simulation = impl_->simulation;
-    // A body that was created asleep sleeps on while it gets its shapes. One that sleeps in contact with another wakes:
-    // with the new shape it may no longer be in balance.
+    // A body that was created asleep stays asleep while it gets its shapes. A body whose island has contacts wakes,
+    // because the new shape may unbalance it.
     const std::uint32_t island = simulation.bodies.records[body.index].island;
     if (island != kNoIsland && !simulation.sleeping[island].contacts.empty()) wake(simulation, body.index);
     const ShapeId id = impl_->attach(body, def);

@@ -99,11 +99,11 @@ TEST_CASE("a query finds exactly the overlapping boxes through random edits") {
             ++moved;
         }
         if (round % 50 == 0) tree.audit();
-        const Aabb asked = boxes.next();
+        const Aabb queried = boxes.next();
         std::vector<std::uint32_t> expected;
         for (const auto& [other, other_box] : live)
-            if (overlaps(other_box, asked)) expected.push_back(other);
-        REQUIRE(sorted_hits(tree, asked) == expected);
+            if (overlaps(other_box, queried)) expected.push_back(other);
+        REQUIRE(sorted_hits(tree, queried) == expected);
         if (round % 50 == 0) REQUIRE(pairs_of(tree) == all_overlaps(live));
     }
     CHECK(removed > 300);
@@ -141,7 +141,7 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
     std::set<ProxyPair> known;
     std::size_t reported = 0;
     for (int round = 0; round < 400; ++round) {
-        const int edits = round % 2 == 0 ? 10 : 100;  // few and most of them: asked for by each, and at once
+        const int edits = round % 2 == 0 ? 10 : 100;  // few of the boxes, and most of them: two methods of search
         for (int edit = 0; edit < edits; ++edit) {
             const std::uint32_t key = boxes.below(150);
             if (!live.contains(key)) {
@@ -210,7 +210,7 @@ TEST_CASE("a pair set agrees with std::set through random edits") {
             pairs.insert(pair);
         }
         REQUIRE(pairs.size() == expected.size());
-        const ProxyPair asked = make_pair_of(random.below(40), 40 + random.below(40));
-        REQUIRE(pairs.contains(asked) == expected.contains(asked));
+        const ProxyPair queried = make_pair_of(random.below(40), 40 + random.below(40));
+        REQUIRE(pairs.contains(queried) == expected.contains(queried));
     }
 }

@@ -15,7 +15,7 @@ struct Death {
     std::string message;
 };
 
-// Runs an action in a process of its own, and reads its standard error.
+// Runs an action in a child process, and reads its standard error.
 template <class Action>
 Death run_apart(Action action) {
     int ends[2];
@@ -39,7 +39,7 @@ Death run_apart(Action action) {
 
 }  // namespace
 
-TEST_CASE("a check that fails prints the expression, its place and both values, and aborts") {
+TEST_CASE("a check that fails prints the expression, its location and both values, and aborts") {
     const Death of_numbers = run_apart([] {
         const double depth = 0.25;
         TUMBLE_CHECK(depth <= 0.125);

@@ -139,6 +139,7 @@ TEST_CASE("a soft contact gets the impulse of the closed form") {
     graph.build(contacts, bodies);
     std::vector<ContactBlock> blocks;
     prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks);
+    REQUIRE(blocks.size() == 1);
     solve_contacts(blocks, bodies.solver_bodies, 1.0f / kH, kPushOutSpeed);
     const double omega = 2.0 * kPi * 60.0, h = 1.0 / 240.0;
     const double a1 = 2.0 * 10.0 + h * omega, a2 = h * omega * a1, mass_scale = a2 / (1.0 + a2);
@@ -164,6 +165,7 @@ TEST_CASE("a soft contact takes back less of its carried impulse and more of its
         graph.build(contacts, bodies);
         std::vector<ContactBlock> blocks;
         prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks);
+        REQUIRE(blocks.size() == 1);
         blocks[0].points[0].normal_impulse[0] = static_cast<float>(before);
         solve_contacts(blocks, bodies.solver_bodies, 1.0f / kH, kPushOutSpeed);
         const double kept = before * (1.0 - (is_carried ? 0.5 : 4.0) * a3);
@@ -202,6 +204,7 @@ TEST_CASE("two points share a centred push equally, and do not tip the box") {
     graph.build(contacts, bodies);
     std::vector<ContactBlock> blocks;
     prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks);
+    REQUIRE(blocks.size() == 1);
     relax_contacts(blocks, bodies.solver_bodies, 1.0f / kH);
     CHECK(near(blocks[0].points[0].normal_impulse[0], 0.5, kFloat));
     CHECK(blocks[0].points[1].normal_impulse[0] == blocks[0].points[0].normal_impulse[0]);

@@ -38,7 +38,7 @@ TEST_CASE("a small rotation has unit length and the given angle") {
     }
 }
 
-TEST_CASE("lengths shrink with small things, and stop growing at human scale") {
+TEST_CASE("the speculative distance and the margin of a box grow with the body up to a limit") {
     const Tuning tuning;
     CHECK(near(tuning.speculative_distance(0.02f), 0.002, kFloat));  // a 2 cm ball must not touch at a 2 cm gap
     CHECK(tuning.speculative_distance(5.0f) == 0.02f);
@@ -47,7 +47,7 @@ TEST_CASE("lengths shrink with small things, and stop growing at human scale") {
 }
 
 TEST_CASE("a recycled manifold moves with the bodies") {
-    // Unit boxes, B on top of A, 1 mm apart; anchors half way.
+    // Unit boxes, B on top of A, 1 mm apart; both anchors are in the middle of the gap.
     ManifoldReference reference;
     reference.manifold.normal = {0.0f, 1.0f};
     reference.manifold.point_count = 1;

@@ -24,7 +24,8 @@ public:
         return value;
     }
 
-    // A float that is often a small whole number, where ties and exact contacts live, and else any bit pattern.
+    // A float that is often a small multiple of 1/4, which makes equal distances and exact contacts frequent; else any
+    // bit pattern.
     float take_coordinate() {
         const std::uint8_t kind = take<std::uint8_t>();
         return kind < 200 ? static_cast<float>(static_cast<int>(kind) - 100) * 0.25f : take<float>();

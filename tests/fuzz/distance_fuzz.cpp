@@ -1,5 +1,5 @@
 // libFuzzer target over the query interface: any vertices, poses, radii and caches. A query ends with a decided status.
-// For convex shapes the bounds hold the distance, swapping the shapes changes nothing, and the bounds of a cold
+// For convex shapes the bounds contain the distance, swapping the shapes changes nothing, and the bounds of a cold
 // query, a warm one and the trace overlap.
 #include <cmath>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// libFuzzer target over a line of `tumble distance --stdin`: any text is answered by a result or by a located error,
-// and what the quick reader takes, the strict one reads the same.
+// libFuzzer target over a line of `tumble distance --stdin`: the answer to any text is a result or an error
+// with its location, and the strict reader gives the same answer to each line that the fast reader accepts.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

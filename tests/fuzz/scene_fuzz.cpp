@@ -1,5 +1,5 @@
 // libFuzzer target over the scene reader: any text is a scene that writes itself, reads itself back, builds and steps,
-// or an error. All that it includes is one part, which has something of everything that is placed.
+// or an error. Each include reads the same part, which has an element of each kind that the pose of a part moves.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// The SVG importer: what each figure becomes, and what is said of the rest.
+// The SVG importer: what each figure becomes, and the notes on features that are left out.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -65,7 +65,7 @@ std::string error_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("one figure of each kind, 100 units to a metre, y upwards from the lower edge") {
+TEST_CASE("a figure of each kind becomes a body, 100 units to a metre, y upwards from the lower edge") {
     const ImportedScene imported = import_svg(kData / "figures.svg");
     CHECK(imported.notes.empty());
     CHECK(imported.scene.name == "figures");
@@ -109,7 +109,7 @@ TEST_CASE("one figure of each kind, 100 units to a metre, y upwards from the low
     CHECK(area_of(body_named(imported, "drop")) > 0.0);
 }
 
-TEST_CASE("files of drawing programs: layers, style sheets, clones, and features that are left out") {
+TEST_CASE("layers, style sheets and clones of drawing programs are imported, other features are noted") {
     const ImportedScene imported = import_svg(kData / "editor.svg");
     const std::map<std::string, int> expected = {
         {"clip paths", 1},
@@ -174,7 +174,7 @@ TEST_CASE("filled figures are dynamic, lines are static, and a type that is stat
     CHECK(type_of("<g class='static'><rect class='dynamic' " + box + "</g>") == BodyType::dynamic_body);
     CHECK(type_of("<polyline points='0 0 9 0 9 9'/>") == BodyType::dynamic_body);  // SVG closes what it fills
     CHECK(type_of("<polyline stroke='red' points='0 0 9 0 9 9'/>") == BodyType::static_body);
-    // A closed line that shall move has an area.
+    // A closed line of a dynamic body has an area.
     const ImportedScene hoop = import_text("<circle data-type='dynamic' r='9' " + none + "/>");
     CHECK(near(only_shape<CircleGeometry>(hoop.scene.bodies.at(0)).radius, 0.09, kDouble));
     const ImportedScene ring = import_text("<circle r='9' " + none + "/>");
@@ -200,7 +200,7 @@ TEST_CASE("circles and boxes are kept under similarity transforms only") {
     CHECK(std::abs(area_of(uneven) - (0.08 - 0.1 * 0.05 * (4.0 - kPi))) < 0.005 * 0.5);
 }
 
-TEST_CASE("units, percentages and the scale of the world") {
+TEST_CASE("lengths in any unit, in percent and at any scale become metres") {
     const auto width_of = [](const std::string& width) {
         return only_shape<BoxGeometry>(import_text("<rect height='1' width='" + width + "'/>").scene.bodies.at(0))
             .size.x;
@@ -218,7 +218,7 @@ TEST_CASE("units, percentages and the scale of the world") {
     CHECK_THROWS_AS(import_text("", options), std::invalid_argument);
 }
 
-TEST_CASE("holes by both fill rules") {
+TEST_CASE("holes are filled in, by both fill rules, and noted") {
     const std::string outer = "M0 0H30V30H0Z", same = "M10 10H20V20H10Z", opposite = "M10 10V20H20V10Z";
     const auto notes = [](const std::string& data, const std::string& rule) {
         const ImportedScene imported = import_text("<path fill-rule='" + rule + "' d='" + data + "'/>");

@@ -71,7 +71,7 @@ void check_bezier(const std::string& data, const std::vector<DVec2>& control) {
     CHECK(length(points.back() - control.back()) < 1e-12);
 }
 
-// Every point at the radius from the center, none twice, and the turn around it as given (degrees).
+// Every point is at the radius from the center, the chords are within the tolerance, and the arc turns by `degrees`.
 void check_arc(const std::string& data, DVec2 center, double radius, double degrees) {
     const std::vector<DVec2> points = only_points(data);
     double turn = 0.0;
@@ -126,7 +126,7 @@ TEST_CASE("smooth curves mirror the last control point of their kind, else start
     CHECK(only_points("M0 0 L 4 0 T 8 0") == only_points("M0 0 L 4 0 Q 4 0 8 0"));
 }
 
-TEST_CASE("the four arcs between two points") {
+TEST_CASE("the two flags of an arc select one of the four arcs between two points") {
     // From (50, 0) to (100, 50) with radius 50: the centres are (50, 50) and (100, 0).
     check_arc("M50 0 A50 50 0 0 1 100 50", {50, 50}, 50, 90);
     check_arc("M50 0 A50 50 0 1 0 100 50", {50, 50}, 50, -270);

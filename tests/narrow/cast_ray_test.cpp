@@ -38,7 +38,7 @@ TEST_CASE("a ray finds what the cast of a point finds, and stops on the surface"
         const Real error = 16 * 0x1p-53L * scale;
         INFO("pair ", index);
         const bool is_graze = ray.status != cast.status;
-        if (is_graze) {  // one of them may see a vertex that the line misses by less than the error bound
+        if (is_graze) {  // one of them may hit a vertex that the line misses by less than the error bound
             const CastResult& hit = ray.status == CastStatus::hit ? ray : cast;
             REQUIRE(hit.upper >= 1.0);
             continue;
@@ -89,7 +89,7 @@ TEST_CASE("a ray from inside overlaps, one that leaves a surface misses, one tha
     }
 }
 
-TEST_CASE("rays at a vertex and along an edge hit, in whatever direction single ulps move them") {
+TEST_CASE("single ulps to either side do not make rays at a vertex miss, nor inward ones rays along an edge") {
     const Shape box = make_box({2, 2});
     for (int ulps = -20; ulps <= 20; ++ulps) {
         double y = 1.0;

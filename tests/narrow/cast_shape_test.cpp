@@ -87,7 +87,7 @@ struct Tally {
 bool is_on_surface(const Query& query, DVec2 point, Real tolerance) {
     const Shape at = Shape::from_raw(std::vector<Vec2>{{}}, 0.0f);
     const Real away = tumble_test::brute_distance(query.a, query.pose_a, at, {point, {}});
-    // The world point itself is rounded where it is.
+    // The world point is rounded to its own magnitude.
     return std::abs(away) <= tolerance + 0x1p-52L * (std::abs(point.x) + std::abs(point.y));
 }
 
@@ -197,7 +197,7 @@ TEST_CASE("scaling everything by a power of two scales the answer bit for bit") 
 }
 
 TEST_CASE("a box hits a box face to face at hand-computed fractions") {
-    // Half sides 1 and 1/2, centres 4 apart: a gap of 2.5, of which the motion of 5 takes one half.
+    // Half sides 1 and 1/2, centres 4 apart: a gap of 2.5, half of the motion of 5.
     const Query query{make_box({2, 2}), make_box({1, 1}), {}, {{4, 0}, {}}, {-5, 0}};
     const CastResult result = query.cast();
     CHECK(result.status == CastStatus::hit);
@@ -211,7 +211,8 @@ TEST_CASE("a box hits a box face to face at hand-computed fractions") {
 }
 
 TEST_CASE("circles hit where a right triangle gives the fraction") {
-    // Centres (0, 0) and (10, 3) with radii 2 and 3: moving left they meet at (4, 3), after 6 of 12.
+    // Centres (0, 0) and (10, 3) with radii 2 and 3: B moves left and touches A with its centre at (4, 3), after 6 m
+    // of 12 m.
     const Query query{make_circle(2), make_circle(3), {}, {{10, 3}, {}}, {-12, 0}};
     const CastResult result = query.cast();
     CHECK(result.status == CastStatus::hit);
@@ -233,7 +234,7 @@ TEST_CASE("the target distance is where the cast stops") {
     CHECK(query.cast().status == CastStatus::overlapping);
 }
 
-// As box3d #32 reported a hit.
+// box3d #32 reported such a cast as a hit.
 TEST_CASE("a cast that starts at or near a surface and recedes or slides is a miss") {
     const Shape box = make_box({2, 2}), ball = make_circle(0.5f),
                 triangle = make_polygon(std::vector<Vec2>{{0, 0}, {1, -1}, {1, 1}});
@@ -252,9 +253,9 @@ TEST_CASE("a cast that starts at or near a surface and recedes or slides is a mi
         }
 }
 
-// As parry #180 missed.
+// parry #180 missed such hits.
 TEST_CASE("moving the input by single ulps never loses the hit") {
-    // The corner of a diamond flies at the corner of a box, and at a face: parallel to nothing, aimed exactly.
+    // The corner of a diamond moves exactly towards the corner of a box, and towards a face; no edges are parallel.
     const Shape box = make_box({2, 2}), diamond = make_polygon(std::vector<Vec2>{{-1, 0}, {0, -1}, {1, 0}, {0, 1}});
     for (int ulps = -40; ulps <= 40; ++ulps)
         for (const double aim : {0.0, 0.5, 0.999999, 1.9}) {

@@ -1,4 +1,4 @@
-// Chains: that no seam is felt, which normals exist, and which side is open.
+// Chains: contacts at seams, the range of the normals, and the open side.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ std::vector<Shape> sliders() {
 
 }  // namespace
 
-TEST_CASE("on a flat chain every normal is the ground's, whatever slides over the seams and however deep") {
+TEST_CASE("on a flat chain every normal is the chain's, for every shape and depth, also at seams") {
     for (const bool one_sided : {false, true}) {
         const Chain chain(kFlat, false, one_sided);
         int contacts = 0;
@@ -65,17 +65,17 @@ TEST_CASE("on a flat chain every normal is the ground's, whatever slides over th
                         REQUIRE(manifold.normal.y == 1.0f);
                     }
                     INFO("x ", pose.position.x, " depth ", depth);
-                    REQUIRE(!found.empty());  // and the body is never let go of
+                    REQUIRE(!found.empty());  // the body has a contact at every position
                     REQUIRE(near(deepest(found), -depth, absolute(1e-7)));
                 }
         CHECK(contacts > 12000);
     }
 }
 
-TEST_CASE("a lone segment does push back at its end, which is what the links are for") {
+TEST_CASE("at its end a segment without links pushes sideways, one with links along its own normal") {
     const Shape box = make_box({1, 0.5f}), segment = make_segment({1, 0}, {-1, 0});
     SimplexCache cache;
-    // The right side of the box has passed the segment's left end by 1 mm, its bottom has sunk in by 5 mm.
+    // The box overlaps the left end of the segment by 1 mm in x, and the segment is 5 mm above the bottom of the box.
     const Pose pose{{-1.499, 0.245}, {}};
     CHECK(std::abs(collide(segment, {}, box, pose, kSpeculative, cache).normal.x) == 1.0f);
     const ChainLink link{{2, 0}, {-2, 0}, true, true, false};
@@ -105,13 +105,13 @@ TEST_CASE("at a round corner the normal turns from one neighbour's to the other'
     const double steepest = std::atan(0.25);
     double last = -1.0;
     for (int step = 0; step <= 200; ++step) {
-        const double angle = 1.2 * steepest * (0.01 * step - 1.0);  // of the ball around the top, from the upright
+        const double angle = 1.2 * steepest * (0.01 * step - 1.0);  // of the ball around the top, from the vertical
         const Pose pose{{0.25 * std::sin(angle), 0.25 * std::cos(angle)}, {}};
         const std::vector<Manifold> found = hill.collide(ball, pose);
         REQUIRE(!found.empty());
         for (const Manifold& manifold : found) {
             const double normal = std::atan2(manifold.normal.x, manifold.normal.y);
-            REQUIRE(std::abs(normal) <= steepest + 0.001);  // a thousandth of a radian is not told apart
+            REQUIRE(std::abs(normal) <= steepest + 0.001);  // the cone is widened by a thousandth of a radian
             if (std::abs(angle) <= steepest) REQUIRE(near(normal, angle, absolute(1e-7)));
         }
         const double normal = std::atan2(found.at(0).normal.x, found.at(0).normal.y);
@@ -121,7 +121,7 @@ TEST_CASE("at a round corner the normal turns from one neighbour's to the other'
 }
 
 TEST_CASE("in a hollow corner each segment pushes along its own normal alone") {
-    // A floor and a wall on its left; the box has sunk into both, the floor's end is nearer than its surface.
+    // A floor and a wall on its left; the box overlaps both, and the end of the floor is nearer than its surface.
     const Chain corner({{3, 0}, {0, 0}, {0, 3}}, false, true);
     const std::vector<Manifold> found = corner.collide(make_box({1, 1}), {{0.499, 0.49}, {}});
     REQUIRE(found.size() == 2);
@@ -141,7 +141,7 @@ TEST_CASE("an open end is touched from all around") {
     CHECK(wall.collide(make_box({4, 0.5f}), {{0.01, 2.24}, {}}).at(0).normal == Vec2{0, 1});  // a plank across the top
 }
 
-TEST_CASE("over random hills no normal leaves the cone of the neighbours, and nothing on the surface falls through") {
+TEST_CASE("over random hills normals stay in the cone of the neighbours, and shapes on the surface have a contact") {
     using reference::Random;
     int contacts = 0;
     for (std::uint64_t index = 0; index < 300; ++index) {
@@ -187,7 +187,7 @@ TEST_CASE("over random hills no normal leaves the cone of the neighbours, and no
     CHECK(contacts > 6000);
 }
 
-TEST_CASE("links know the points beside each segment") {
+TEST_CASE("links contain the points beside each segment") {
     const std::vector<Vec2> points = {{0, 0}, {1, 0}, {2, 1}};
     const std::vector<ChainLink> open = make_chain_links(points, false, true),
                                  closed = make_chain_links(points, true, false);

@@ -59,7 +59,7 @@ Pose random_pose(double reach, std::mt19937_64& random) {
 
 }  // namespace
 
-TEST_CASE("the nearest of three circles to two") {
+TEST_CASE("of three circles and two, the nearest pair is found") {
     // Circle 2 at x = 4 and circle 0 of the other compound at x = 8: 8 - 4 - 1 - 1 = 2; every other pair is farther
     // apart.
     const Parts a = {make_circle(1, {0, 0}), make_circle(1, {2, 5}), make_circle(1, {4, 0})};
@@ -105,7 +105,7 @@ TEST_CASE("compounds without parts or with an invalid one are invalid") {
     CHECK(compound_overlap(circle, {{1e308, 0}, {}}, circle, {{-1e308, 0}, {}}).status == DistanceStatus::invalid);
 }
 
-TEST_CASE("random compounds: the same bits as over all pairs, with few queries") {
+TEST_CASE("random compounds have the bits of a search over all pairs, with less than a fifth of its queries") {
     std::mt19937_64 random(11);
     std::map<DistanceStatus, int> seen;
     double queries = 0, pairs = 0;
@@ -140,9 +140,8 @@ TEST_CASE("random compounds: the same bits as over all pairs, with few queries")
     CHECK(queries < 0.2 * pairs);
 }
 
-TEST_CASE("flush parts on large ones: ties are not lost to rounding of the bounds") {
+TEST_CASE("rounding of the bounds loses none of the equal distances of flush parts on large ones") {
     // Boxes of 1 cm on a ground of 2 km pieces whose surfaces touch: all distances are 0 or within E of it.
-    std::mt19937_64 random(12);
     Parts ground, crates;
     for (int i = -3; i < 3; ++i) ground.push_back(make_box({2000, 100}, 0, {2000.0f * static_cast<float>(i), -50}));
     for (int i = 0; i < 20; ++i)
@@ -157,7 +156,7 @@ TEST_CASE("flush parts on large ones: ties are not lost to rounding of the bound
     }
 }
 
-TEST_CASE("swapping the compounds swaps the answer") {
+TEST_CASE("swapping the compounds changes neither the distance nor its bounds") {
     std::mt19937_64 random(13);
     for (int sample = 0; sample < 300; ++sample) {
         const Parts a = random_parts(6, random), b = random_parts(9, random);
@@ -170,7 +169,7 @@ TEST_CASE("swapping the compounds swaps the answer") {
     }
 }
 
-TEST_CASE("two large decomposed outlines: few of a million pairs are queried") {
+TEST_CASE("of all pairs of two large decomposed outlines less than a thousandth is queried") {
     std::mt19937_64 random(14);
     const Parts a = decompose_outline(test::star(2000, 10000.0f, random));
     const Parts b = decompose_outline(test::star(2000, 10000.0f, random));
@@ -207,10 +206,10 @@ CompoundCast first_by_brute_force(std::size_t parts_a, std::size_t parts_b, Cast
 
 struct CastTally {
     int hits = 0, misses = 0, overlaps = 0;
-    long asked = 0, pairs = 0;
+    long queries = 0, pairs = 0;
 
     void compare(const CompoundCast& found, const CompoundCast& expected) {
-        asked += found.queries;
+        queries += found.queries;
         pairs += expected.queries;
         REQUIRE(found.first.status == expected.first.status);
         hits += found.first.status == CastStatus::hit;
@@ -228,7 +227,7 @@ struct CastTally {
         CHECK(hits > 100);
         CHECK(misses > 100);
         CHECK(overlaps > 5);
-        CHECK(asked < pairs / 2);
+        CHECK(queries < pairs / 2);
     }
 };
 
@@ -242,19 +241,24 @@ TEST_CASE("casts of compounds give the bits of the first of all pairs, from fewe
         const Pose pose_a = random_pose(100.0, random);
         Pose pose_b = random_pose(9.0, random);
         pose_b.position += pose_a.position;
-        const DVec2 aim = random_pose(7.0, random).position, way = 1.2 * (pose_a.position + aim - pose_b.position);
+        const DVec2 aim = random_pose(7.0, random).position,
+                    displacement = 1.2 * (pose_a.position + aim - pose_b.position);
         const double target = sample % 3 ? 0.0 : 0.1;
-        rays.compare(compound_cast_ray(a, pose_a, pose_b.position, way),
+        rays.compare(compound_cast_ray(a, pose_a, pose_b.position, displacement),
                      first_by_brute_force(a.size(), 1, [&](std::size_t i, std::size_t) {
-                         return cast_ray(a[i], pose_a, pose_b.position, way);
+                         return cast_ray(a[i], pose_a, pose_b.position, displacement);
                      }));
-        casts.compare(compound_cast_shape(a, pose_a, b, pose_b, way, target),
+        casts.compare(compound_cast_shape(a, pose_a, b, pose_b, displacement, target),
                       first_by_brute_force(a.size(), b.size(), [&](std::size_t i, std::size_t j) {
-                          return cast_shape(a[i], pose_a, b[j], pose_b, way, target);
+                          return cast_shape(a[i], pose_a, b[j], pose_b, displacement, target);
                       }));
-        const Sweep sweep_a{{0.5f, 0.25f}, pose_a.position, pose_a.position + 0.1 * way, angle(pose_a.rotation), 0.5};
-        const Sweep sweep_b{
-            {-0.5f, 1.0f}, pose_b.position, pose_b.position + way, angle(pose_b.rotation), sample % 2 ? -1.5 : 0.0};
+        const Sweep sweep_a{
+            {0.5f, 0.25f}, pose_a.position, pose_a.position + 0.1 * displacement, angle(pose_a.rotation), 0.5};
+        const Sweep sweep_b{{-0.5f, 1.0f},
+                            pose_b.position,
+                            pose_b.position + displacement,
+                            angle(pose_b.rotation),
+                            sample % 2 ? -1.5 : 0.0};
         impacts.compare(compound_time_of_impact(a, sweep_a, b, sweep_b, target),
                         first_by_brute_force(a.size(), b.size(), [&](std::size_t i, std::size_t j) {
                             return time_of_impact(a[i], sweep_a, b[j], sweep_b, target);
@@ -278,7 +282,7 @@ TEST_CASE("casts of no parts, and of parts or motions that are not finite, are i
     CHECK(compound_time_of_impact(one, still, one, coming).first.status == CastStatus::hit);
     CHECK(compound_time_of_impact(one, still, one, mad).first.status == CastStatus::invalid);
     CHECK(compound_time_of_impact(one, still, one, coming, -1.0).first.status == CastStatus::invalid);
-    // Also where it falls so far short that no two boxes are looked at.
+    // Also if the motion ends so far away that no pair of parts is queried.
     const Sweep short_of{{}, {50, 0}, {45, 0}, 0.0, 0.0};
     CHECK(compound_time_of_impact(one, still, one, short_of).first.status == CastStatus::miss);
     CHECK(compound_time_of_impact(one, still, one, short_of, -1.0).first.status == CastStatus::invalid);

@@ -1,4 +1,4 @@
-// A batch gives the bits of distance(), whatever stands beside a pair.
+// A batch gives the bits of distance(), whatever the other pairs are.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::vector<PosedPair> posed(const std::vector<Pair>& pairs) {
 
 DistanceResult alone(const PosedPair& pair) { return distance(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b); }
 
-// Results that were used before, so that nothing is left from then.
+// Results of an earlier query, all members of which the batch must overwrite.
 std::vector<DistanceResult> used_results(std::size_t count) {
     const Shape box = make_box({1, 1});
     return std::vector<DistanceResult>(count, distance(box, {}, box, {{0.25, 0.5}, {}}));
@@ -48,7 +48,7 @@ void check_as_alone(const std::vector<PosedPair>& pairs) {
 
 }  // namespace
 
-TEST_CASE("a batch gives the bits of one by one, in any order") {
+TEST_CASE("a batch gives the bits of single queries, in any order") {
     const std::vector<Pair> pairs = random_pairs(101, 20000);
     std::vector<PosedPair> in_order = posed(pairs);
     check_as_alone(in_order);
@@ -78,7 +78,7 @@ TEST_CASE("an invalid pair does not change the results of its neighbours in a ba
     check_as_alone(posed(pairs));
 }
 
-TEST_CASE("batches of any length, of one kind of pair, and none") {
+TEST_CASE("a batch of any length, or of a single kind of pair, gives the bits of single queries") {
     const std::vector<Pair> pairs = random_pairs(105, 40);
     const std::vector<PosedPair> all = posed(pairs);
     for (std::size_t count = 0; count <= all.size(); ++count)
@@ -86,7 +86,7 @@ TEST_CASE("batches of any length, of one kind of pair, and none") {
     for (const PosedPair& pair : all) check_as_alone(std::vector<PosedPair>(17, pair));
 }
 
-TEST_CASE("the shorter span decides how many are answered") {
+TEST_CASE("the shorter span decides how many pairs are answered") {
     const std::vector<Pair> pairs = random_pairs(106, 9);
     const std::vector<PosedPair> all = posed(pairs);
     std::vector<DistanceResult> results = used_results(12), untouched = results;

@@ -33,7 +33,7 @@ const Shape kBox = make_box({2, 2});
 
 }  // namespace
 
-TEST_CASE("two circles: the distance of centers less the radii") {
+TEST_CASE("the distance of two circles is that of their centers less the radii") {
     // 3-4-5: 5 - 1 - 2 = 2
     const DistanceResult r = distance(make_circle(1), at(10, 10), make_circle(2), at(13, 14));
     CHECK(r.distance == 2.0);
@@ -44,7 +44,7 @@ TEST_CASE("two circles: the distance of centers less the radii") {
     check_consistent(r);
 }
 
-TEST_CASE("face to vertex: a box and one turned by 45 degrees") {
+TEST_CASE("the distance of a face from a vertex is measured along the normal of the face") {
     // B's left corner is sqrt(2) left of its center: 4 - sqrt(2) - 1.
     const DistanceResult r = distance(kBox, at(0, 0), kBox, at(4, 0.25, 45));
     // The rotation is rounded to float: its corner is at 2 c with c = float(sqrt(1/2)).
@@ -58,7 +58,7 @@ TEST_CASE("face to vertex: a box and one turned by 45 degrees") {
     check_consistent(r);
 }
 
-TEST_CASE("corner to corner: the direction between the corners") {
+TEST_CASE("the normal between two corners is the direction between them") {
     // Corners (1, 1) and (4, 5): 3-4-5.
     const DistanceResult r = distance(kBox, at(0, 0), kBox, at(5, 6));
     CHECK(r.distance == 5.0);
@@ -69,7 +69,7 @@ TEST_CASE("corner to corner: the direction between the corners") {
     check_consistent(r);
 }
 
-TEST_CASE("overlapping boxes: the least depth, out through the nearest face") {
+TEST_CASE("the depth of overlapping boxes is that of the nearest face") {
     // B's center at (1.75, 0.5): 0.25 deep in x, 1.5 in y.
     const DistanceResult r = distance(kBox, at(0, 0), kBox, at(1.75, 0.5));
     CHECK(r.distance == -0.25);
@@ -89,7 +89,7 @@ TEST_CASE("a radius is subtracted from the core distance, also inside") {
     CHECK(distance(rounded, at(0, 0), rounded, at(0.5, 0)).distance == -1.5);  // cores 0.5 deep
 }
 
-TEST_CASE("one formula through zero: a box pushed into another moves the distance one to one") {
+TEST_CASE("from a gap to an overlap the distance of two boxes changes by their displacement") {
     for (int step = -64; step <= 64; ++step) {
         const double gap = step / 64.0;
         const DistanceResult r = distance(kBox, at(0, 0), kBox, at(2 + gap, 0.25));
@@ -114,7 +114,7 @@ TEST_CASE("coincident centers have a decided answer") {
     check_consistent(circles);
 }
 
-TEST_CASE("collinear capsules: apart, end to end, one in the other") {
+TEST_CASE("collinear capsules apart, end to end or inside each other have the distance of their cores less the radii") {
     const Shape capsule = make_capsule({-1, 0}, {1, 0}, 0.25f);
     for (const double degrees : {0.0, 30.0, 90.0, 137.0}) {
         const Pose origin = at(0, 0, degrees);
@@ -125,7 +125,7 @@ TEST_CASE("collinear capsules: apart, end to end, one in the other") {
         CHECK(near(distance(capsule, origin, capsule, shifted(0.5)).distance, -0.5, kDouble));
         const DistanceResult same = distance(capsule, origin, capsule, origin);
         CHECK(near(same.distance, -0.5, kDouble));
-        CHECK(std::abs(dot(same.normal, along)) < 1e-6);  // out sideways: the shortest way
+        CHECK(std::abs(dot(same.normal, along)) < 1e-6);  // sideways: the shortest displacement
         check_consistent(same);
     }
 }
@@ -139,7 +139,7 @@ TEST_CASE("crossing segments are separated by the displacement to the nearer end
     check_consistent(r);
 }
 
-TEST_CASE("a point on a segment, and a point in a box") {
+TEST_CASE("a point on a segment touches it, and a point in a box is as deep as the nearest face") {
     const DistanceResult on = distance(make_circle(0), at(0.5, 0), make_segment({-1, 0}, {1, 0}), at(0, 0));
     CHECK(on.distance == 0.0);
     CHECK(on.normal.x == 0.0);
@@ -149,7 +149,7 @@ TEST_CASE("a point on a segment, and a point in a box") {
     check_point(in.normal, 1, 0);
 }
 
-TEST_CASE("degenerate polygons answer like what they are: duplicate and collinear vertices, zero area") {
+TEST_CASE("polygons with duplicate or collinear vertices or without area have the distance of their hull") {
     const Shape spot = Shape::from_raw(std::array<Vec2, 4>{{{1, 2}, {1, 2}, {1, 2}, {1, 2}}}, 0);
     const Shape line = Shape::from_raw(std::array<Vec2, 3>{{{-1, 0}, {0, 0}, {1, 0}}}, 0);
     const Shape padded =
@@ -249,7 +249,7 @@ TEST_CASE("tiny gaps keep a unit normal and their sign") {
     }
 }
 
-TEST_CASE("1 cm against 10 km") {
+TEST_CASE("a box of 1 cm that is 10 um above a box of 20 km has that distance") {
     const Shape ground = make_box({20000, 20000}), crumb = make_box({0.01f, 0.01f});
     const DistanceResult r = distance(ground, at(0, -10000), crumb, at(5000, 0.00501));
     CHECK(near(r.distance, 0.00501 - 0.5 * 0.01f, kFloat));

@@ -28,7 +28,7 @@ void check_supports(const Shape& shape, PairSource& source, int directions) {
     for (int sample = 0; sample < directions; ++sample) {
         DVec2 direction(source.uniform(-1, 1), source.uniform(-1, 1));
         if (sample % 4 == 0) direction.x = 0.0;
-        if (sample % 4 == 1) {  // across an edge: a tie
+        if (sample % 4 == 1) {  // across an edge, whose ends are equally high
             const int from = source.below(shape.vertex_count());
             direction = -perp(DVec2(shape.vertex((from + 1) % shape.vertex_count())) - DVec2(shape.vertex(from)));
         }
@@ -42,7 +42,7 @@ void check_supports(const Shape& shape, PairSource& source, int directions) {
 
 }  // namespace
 
-TEST_CASE("the support found by bisection is the highest vertex: round, flat and huge polygons") {
+TEST_CASE("the support found by bisection is the highest vertex of round, flat and huge polygons") {
     PairSource source(95);
     for (const int count : {9, 10, 17, 100, 1000}) {
         check_supports(source.ellipse(count, 1, 1), source, 2000);
@@ -53,7 +53,7 @@ TEST_CASE("the support found by bisection is the highest vertex: round, flat and
     check_supports(source.ellipse(60000, 1, 1), source, 200);
 }
 
-TEST_CASE("the support does not depend on where it is looked for first") {
+TEST_CASE("the support does not depend on the vertex at which the search starts") {
     PairSource source(97);
     for (const Shape& shape : {source.ellipse(10, 1, 1), source.ellipse(1000, 1, 1), source.ellipse(300, 1, 0.001)}) {
         for (int sample = 0; sample < 2000; ++sample) {
@@ -67,7 +67,7 @@ TEST_CASE("the support does not depend on where it is looked for first") {
     }
 }
 
-TEST_CASE("the deepest face of large overlapping polygons is the deepest of all, one after the other") {
+TEST_CASE("the deepest face of large overlapping polygons is the deepest in a loop over all faces") {
     PairSource source(98);
     for (int sample = 0; sample < 300; ++sample) {
         const int count = 9 + source.below(120);
@@ -108,7 +108,7 @@ TEST_CASE("outlines that bisection cannot search are detected by their turns") {
     CHECK_FALSE(has_angles(star));
 }
 
-TEST_CASE("a direction of zero or NaN ends with some vertex") {
+TEST_CASE("a search in a direction of zero or NaN ends with a valid vertex") {
     PairSource source(96);
     const Shape shape = source.ellipse(200, 1, 0.5);
     for (const DVec2 direction : {DVec2{0, 0}, DVec2{std::nan(""), 1}, DVec2{1e308, -1e308}, DVec2{5e-324, 0}}) {

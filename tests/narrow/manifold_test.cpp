@@ -197,8 +197,8 @@ TEST_CASE("random manifolds: the deepest point agrees with the signed distance, 
             const DVec2 on_a = pa.position + DVec2(point.anchor_a), on_b = pb.position + DVec2(point.anchor_b);
             CHECK(length(on_a - on_b) < 1e-5);  // anchors are floats of size 4
         }
-        // Corners that meet squarely or nearly touch are judged by a face, and cut at its end: the tolerance of a
-        // fiftieth of the speculative distance to either side, and 1e-6 m for floats.
+        // For a corner against a corner the manifold uses a face, clipped at its end: a tolerance of a fiftieth of the
+        // speculative distance to either side, and 1e-6 m for floats.
         CHECK(std::abs(deepest - sd.distance) < 0.02 * kSpeculative + 1e-6);
     }
     CHECK(touching > 10000);

@@ -38,7 +38,7 @@ double distance_from_shape(DVec2 point, const Shape& shape, const Pose& pose) {
 
 }  // namespace
 
-TEST_CASE("inflation: a radius grown by r brings the shapes nearer by r, through contact and overlap") {
+TEST_CASE("a radius of r brings the shapes nearer by r, through contact and overlap") {
     PairSource source(71);
     for (int sample = 0; sample < kPairs; ++sample) {
         Pair pair = source.near_pair();
@@ -50,7 +50,7 @@ TEST_CASE("inflation: a radius grown by r brings the shapes nearer by r, through
     }
 }
 
-TEST_CASE("the distance changes by no more than a shift, and by all of it along the normal of convex bodies leaving") {
+TEST_CASE("the distance changes by no more than a shift, and by all of a shift along the normal of separated shapes") {
     PairSource source(72);
     for (int sample = 0; sample < kPairs; ++sample) {
         Pair pair = sample % 2 ? source.near_pair() : source.pair();
@@ -128,7 +128,7 @@ TEST_CASE("witness points lie on the shapes and differ by the distance along the
         CHECK(length((r.point_b - r.point_a) - r.distance * r.normal) <= rounding);
         CHECK(distance_from_shape(r.point_a, pair.a, pair.pose_a) <= rounding);
         CHECK(distance_from_shape(r.point_b, pair.b, pair.pose_b) <= rounding);
-        // On the surface, not within: of the boundary of A, whose radius is the signed distance's.
+        // On the surface of A, not inside: its signed distance from A is 0, not only at most 0.
         if (r.distance > 1e-9) CHECK(std::abs(distance_from_shape(r.point_a, pair.a, pair.pose_a)) <= rounding);
     }
 }

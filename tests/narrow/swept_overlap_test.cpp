@@ -52,7 +52,7 @@ TEST_CASE("a bullet that is on either side of a wall at both ends crossed it") {
 }
 
 TEST_CASE("an origin on a chord of the difference is inside, on its boundary it is touching") {
-    // Equal boxes, the motion passing centre over centre: every simplex along the path is symmetric.
+    // Equal boxes, the centre of one moves through that of the other: every simplex along the path is symmetric.
     const Shape box = make_box({2, 2});
     CHECK(swept_overlap(box, {}, box, {{4, 0}, {}}, {-8, 0}) == DistanceStatus::overlapping);
     CHECK(swept_overlap(box, {}, box, {{4, 4}, {}}, {-8, -8}) == DistanceStatus::overlapping);

@@ -105,7 +105,7 @@ TEST_CASE("quarter turns of the world turn the answer exactly") {
     }
 }
 
-TEST_CASE("warm as cold: caches that fit, are stale, random or out of range") {
+TEST_CASE("a query with a fitting, stale, random or out-of-range cache has the numbers of one without") {
     PairSource source(65);
     int fewer = 0;
     for (int sample = 0; sample < kPairs; ++sample) {

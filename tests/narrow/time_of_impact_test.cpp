@@ -33,12 +33,13 @@ Real extent_of(const Shape& shape, const Sweep& sweep) {
     return shape.core_radius() + length(DVec2(sweep.local_center));
 }
 
-// The error that is held against it: 24 u of the sizes and paths, less than its own worst cases add up to, and 4 u of
-// the angles times the levers.
+// The allowed error: 24 u of the sizes and paths, less than the sum of the worst cases, and 4 u of the angles times the
+// levers.
 Real error_of(const Query& query) {
     const Real e_a = extent_of(query.a, query.sweep_a), e_b = extent_of(query.b, query.sweep_b);
-    const Real ways = length(query.sweep_a.end - query.sweep_a.start) + length(query.sweep_b.end - query.sweep_b.start);
-    const Real sizes = e_a + e_b + length(query.sweep_b.start - query.sweep_a.start) + ways;
+    const Real paths =
+        length(query.sweep_a.end - query.sweep_a.start) + length(query.sweep_b.end - query.sweep_b.start);
+    const Real sizes = e_a + e_b + length(query.sweep_b.start - query.sweep_a.start) + paths;
     const Real angles = (std::abs(query.sweep_a.start_angle) + std::abs(query.sweep_a.turn)) * e_a +
                         (std::abs(query.sweep_b.start_angle) + std::abs(query.sweep_b.turn)) * e_b;
     const double reach = static_cast<double>(query.a.radius()) + query.b.radius() + query.target;
@@ -48,9 +49,10 @@ Real error_of(const Query& query) {
 // Vertices at a fraction, relative to A's centre at the start.
 std::vector<Point> moved(const Shape& shape, const Sweep& sweep, DVec2 origin, Real fraction) {
     const Real angle = sweep.start_angle + fraction * sweep.turn, c = std::cos(angle), s = std::sin(angle);
-    const Point way{static_cast<Real>(sweep.end.x - sweep.start.x), static_cast<Real>(sweep.end.y - sweep.start.y)};
+    const Point displacement{static_cast<Real>(sweep.end.x - sweep.start.x),
+                             static_cast<Real>(sweep.end.y - sweep.start.y)};
     const Point start{static_cast<Real>(sweep.start.x - origin.x), static_cast<Real>(sweep.start.y - origin.y)};
-    const Point center = start + fraction * way;
+    const Point center = start + fraction * displacement;
     std::vector<Point> vertices;
     for (int i = 0; i < shape.vertex_count(); ++i) {
         const Real x = static_cast<Real>(shape.vertex(i).x) - sweep.local_center.x;
@@ -68,7 +70,7 @@ Real gap_at(const Query& query, Real fraction) {
            reach;
 }
 
-// No point moves faster relative to one of the other shape (m a whole motion).
+// No point moves faster relative to one of the other shape (m per motion).
 Real top_speed(const Query& query) {
     const DVec2 velocity = (query.sweep_b.end - query.sweep_b.start) - (query.sweep_a.end - query.sweep_a.start);
     return length(velocity) + std::abs(query.sweep_a.turn) * extent_of(query.a, query.sweep_a) +
@@ -106,7 +108,7 @@ bool holds(const Query& query, Tally& tally) {
     if (result.reached_cap) return true;
     if (!(std::abs(gap_at(query, result.fraction)) <= 4 * error)) return false;
     if (!(std::abs(length(result.normal) - 1.0) < 1e-15)) return false;
-    // By `upper` the target is passed; only a graze may leave it open, at the end of the motion.
+    // At `upper` the distance is at most the target; only for a graze at the end of the motion this may be undecided.
     const bool is_passed = gap_at(query, result.upper) <= 0;
     if (!is_passed) ++tally.grazes;
     return is_passed || result.upper == 1.0;
@@ -195,7 +197,7 @@ TEST_CASE("scaling lengths by a power of two changes no bit of the fraction") {
 }
 
 TEST_CASE("a rod that turns by more than half a turn hits the post in its path") {
-    // The rod's tip, 2 m from the pivot, meets a point at (0, 1) after a quarter of a turn, whatever the turn in all.
+    // The rod reaches 2 m from the pivot. It touches the point at (0, 1) after a quarter of a turn, for any total turn.
     const Shape rod = make_segment({0, 0}, {2, 0}), post = make_circle(0);
     for (const double turn : {2.0, 3.5, 7.0, 40.0, 300.0}) {
         const Sweep rod_sweep{{}, {0, 0}, {0, 0}, 0.0, turn}, post_sweep{{}, {0, 1}, {0, 1}, 0.0, 0.0};
@@ -205,7 +207,7 @@ TEST_CASE("a rod that turns by more than half a turn hits the post in its path")
         CHECK(near(result.fraction * turn, kPi / 2, absolute(1e-12)));
         CHECK(std::abs(result.point.y - 1.0) < 1e-12);
     }
-    // In the other direction it takes three quarters, and a turn of 4 is not enough.
+    // In the other direction they touch after three quarters of a turn, 4.71 rad.
     const Sweep back{{}, {0, 0}, {0, 0}, 0.0, -4.0}, post_sweep{{}, {0, 1}, {0, 1}, 0.0, 0.0};
     CHECK(time_of_impact(rod, back, post, post_sweep).status == CastStatus::miss);
 }
@@ -225,9 +227,9 @@ TEST_CASE("many turns beside a wall are a miss in a bounded number of steps") {
 TEST_CASE("a start at the target that recedes, slides or rests is a miss, one that approaches a hit at 0") {
     const Shape box = make_box({2, 2});
     const Sweep floor{{}, {0, 0}, {0, 0}, 0.0, 0.0};
-    const auto status = [&](DVec2 way, double turn) {
+    const auto status = [&](DVec2 displacement, double turn) {
         const DVec2 start{0.25, 2.0};
-        return time_of_impact(box, floor, box, {{}, start, start + way, 0.0, turn});
+        return time_of_impact(box, floor, box, {{}, start, start + displacement, 0.0, turn});
     };
     CHECK(status({0, 1}, 0.0).status == CastStatus::miss);
     CHECK(status({0, 2}, 0.3).status == CastStatus::miss);
@@ -239,7 +241,7 @@ TEST_CASE("a start at the target that recedes, slides or rests is a miss, one th
     CHECK(status({0, -0.1}, 0.0).normal == DVec2{0, 1});
 }
 
-TEST_CASE("overlap and what is not a number are told apart") {
+TEST_CASE("an overlap at the start is overlapping, and input that is not finite is invalid") {
     const Shape box = make_box({2, 2});
     const Sweep still{{}, {0, 0}, {0, 0}, 0.0, 0.0};
     CHECK(time_of_impact(box, still, box, {{}, {1, 0}, {5, 0}, 0.0, 0.0}).status == CastStatus::overlapping);

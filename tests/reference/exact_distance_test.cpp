@@ -96,20 +96,20 @@ PairQuery random_query(Random& random) {
 
 }  // namespace
 
-TEST_CASE("separated shapes by hand") {
+TEST_CASE("separated shapes have the hand-worked distance") {
     // Corner (1, 1) against corner (4, 5): 3-4-5.
     check_equal({box(1.0, 1.0), box(1.0, 1.0), at(0.0, 0.0), at(5.0, 6.0)}, 5.0);
     // Faces 1 apart; radii 1/4 and 1/8 off that.
     check_equal({box(1.0, 1.0), box(0.5, 2.0), at(-7.0, 0.0), at(-4.5, 0.5)}, 1.0);
     check_equal({box(1.0, 1.0, 0.25), box(0.5, 2.0, 0.125), at(-7.0, 0.0), at(-4.5, 0.5)}, 0.625);
-    // The line x + y = 2 through a rotation taken literally, (c, s) = (3, 4): the point (1, 0) comes to (3, 4).
+    // The line x + y = 2 through a rotation taken literally, (c, s) = (3, 4): the point (1, 0) becomes (3, 4).
     const ExactDistance turned({segment({2.0f, 0.0f}, {0.0f, 2.0f}), segment({1.0f, 0.0f}, {1.0f, 0.0f}), at(0.0, 0.0),
                                 at(-3.0, -4.0, {3.0f, 4.0f})});
     CHECK(turned.value() == std::sqrt(2.0));
     check_equal({point_shape(), point_shape(), at(1.0, 1.0), at(1.0, 1.0 + 0x1p-52)}, 0x1p-52);
 }
 
-TEST_CASE("overlapping shapes by hand") {
+TEST_CASE("overlapping shapes have the hand-worked depth") {
     check_equal({box(1.0, 1.0), box(1.0, 1.0), at(0.0, 0.0), at(1.75, 0.5)}, -0.25);
     check_equal({box(1.0, 1.0, 0.25), box(1.0, 1.0), at(0.0, 0.0), at(1.75, 0.5)}, -0.5);
     // Concentric: the least depth is vertical, 1 + 1/4.
@@ -118,11 +118,11 @@ TEST_CASE("overlapping shapes by hand") {
     check_equal(
         {segment({-1.0f, 0.0f}, {1.0f, 0.0f}), segment({0.0f, -1.0f}, {0.0f, 1.0f}), at(0.0, 0.0), at(0.25, 0.5)},
         -0.5);
-    // Rotated by a quarter turn about the origin of B: the corner (2, -1) of B goes to (1, 2).
+    // Rotated by a quarter turn about the origin of B: the corner (2, -1) of B becomes (1, 2).
     check_equal({box(1.0, 1.0), box(2.0, 1.0), at(0.0, 0.0), at(0.0, 2.5, {0.0f, 1.0f})}, -0.5);
 }
 
-TEST_CASE("touching and flat shapes by hand") {
+TEST_CASE("touching and flat shapes have the hand-worked distance") {
     check_equal({box(1.0, 1.0), box(1.0, 1.0), at(0.0, 0.0), at(2.0, 2.0)}, 0.0);
     check_equal({box(1.0, 1.0), box(1.0, 1.0), at(0.0, 0.0), at(2.0, 0.3)}, 0.0);
     check_equal({point_shape(0.5f), point_shape(0.25f), at(9.0, 9.0), at(9.0, 9.0)}, -0.75);

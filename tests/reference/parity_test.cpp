@@ -1,4 +1,5 @@
-// The parity run: it passes, does not depend on the number of threads, and detects wrong answers.
+// The parity run: tumble is never wrong, the result does not depend on the number of threads, and wrong answers are
+// detected.
 #include "reference/parity/parity.hpp"
 
 #include <doctest/doctest.h>

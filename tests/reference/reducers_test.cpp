@@ -134,10 +134,10 @@ std::vector<Vec2> lattice_polygon(std::size_t edges_in_quarter) {
 
 }  // namespace
 
-TEST_CASE("every family by every subalgorithm: bounds, status and certificates are right") {
+TEST_CASE("by every subalgorithm the bounds, status and certificates of every family are right") {
     Counts total;
     for (const PairFamily& family : pair_families()) {
-        if (!is_family_asked_for(family.name)) continue;
+        if (!is_family_selected(family.name)) continue;
         const Counts counts = check_family(family);
         INFO(family.name << ": " << counts.example);
         CHECK(counts.wrong == 0);
@@ -151,10 +151,10 @@ TEST_CASE("every family by every subalgorithm: bounds, status and certificates a
     MESSAGE(total.pairs << " answers, " << total.same << " of them distance()'s bits");
 }
 
-TEST_CASE("every family in batches: distance() bit for bit") {
+TEST_CASE("a batch of each family has the bits of distance()") {
     std::uint64_t pairs = 0;
     for (const PairFamily& family : pair_families()) {
-        if (!is_family_asked_for(family.name)) continue;
+        if (!is_family_selected(family.name)) continue;
         std::vector<PairQuery> queries;
         for (std::uint64_t i = 0; i < pairs_of(family, kUsualPairs); ++i) queries.push_back(family.generate(kSeed, i));
         std::vector<PosedPair> posed;
@@ -171,7 +171,8 @@ TEST_CASE("every family in batches: distance() bit for bit") {
     CHECK(pairs > 1000);
 }
 
-TEST_CASE("the regression cases by every subalgorithm") {
+TEST_CASE("the answers of every subalgorithm to the regression cases are right and certified") {
+    REQUIRE_FALSE(regression_cases().empty());
     for (const RegressionCase& regression : regression_cases()) {
         const PairQuery& q = regression.query;
         const ExactDistance exact(q);
@@ -184,7 +185,7 @@ TEST_CASE("the regression cases by every subalgorithm") {
     }
 }
 
-TEST_CASE("outlines of 65 532 vertices by every subalgorithm and in a batch: certificates are accepted") {
+TEST_CASE("the certificates of outlines of 65 532 vertices are accepted, by every subalgorithm and in a batch") {
     const Shape large = Shape::from_raw(lattice_polygon(16383), 0.0f), box = make_box({1.0f, 1.0f}, 0.1f);
     REQUIRE(large.vertex_count() == 65532);
     REQUIRE(large.is_convex());

@@ -56,7 +56,9 @@ TEST_CASE("static shapes that fit are shown whole") {
     s.add_static("left wall", {-6.5, 3.0}, make_box({1.0f, 6.0f}));
     s.add_static("right wall", {6.5, 3.0}, make_box({1.0f, 6.0f}));
     s.add_dynamic("ball", {0.0, 5.0}, make_circle(0.5f));
-    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).contains({-7.0, -1.0}, {7.0, 6.0}));
+    const Camera camera = make_camera(s.scene, s.built, kAspect);
+    CHECK(Framing(camera, kAspect).contains({-7.0, -1.0}, {7.0, 6.0}));
+    CHECK(camera.height < 14.0);  // twice the height of the walls and the floor
 }
 
 TEST_CASE("the ground far below a body is in view, but nothing below the first ground as wide as all bodies") {
@@ -75,7 +77,9 @@ TEST_CASE("a turning beam is in view at every angle") {
     const BodyId post = s.add_static("post", {0.0, 0.0}, make_circle(0.1f));
     const BodyId beam = s.add_dynamic("beam", {0.0, 0.0}, make_box({10.0f, 0.5f}));
     s.built.joints.push_back({s.built.world.create_joint(RevoluteJointDef{post, beam, {}, {}}), 0, ""});
-    CHECK(Framing(make_camera(s.scene, s.built, kAspect), kAspect).contains({-5.0, -5.0}, {5.0, 5.0}));
+    const Camera camera = make_camera(s.scene, s.built, kAspect);
+    CHECK(Framing(camera, kAspect).contains({-5.0, -5.0}, {5.0, 5.0}));
+    CHECK(camera.height < 20.0);  // twice the length of the beam
 }
 
 TEST_CASE("the center and the height that a scene states are used unchanged") {
@@ -196,7 +200,7 @@ TEST_CASE("a frame grows to contain what is marked, unless that is too far away"
               .contains({0.0, 0.0}, {2.0, 9.0}));
 }
 
-TEST_CASE("room to spare lies above what is shown, seven parts of ten") {
+TEST_CASE("seven tenths of the room to spare are above what is shown") {
     HandMadeScene s;
     s.add_static("floor", {0.0, -0.5}, make_box({40.0f, 1.0f}));
     for (int i = 0; i < 20; ++i) s.add_dynamic("crate", {1.5 * i - 14.25, 0.5}, make_box({1.0f, 1.0f}));

@@ -1,4 +1,4 @@
-// Scenes that the reader must reject, with the place and a part of the message of the first error.
+// Scenes that the reader must reject, with the pointer and a part of the message of the first error.
 #pragma once
 
 #include <string>
@@ -13,15 +13,15 @@ struct BadScene {
     std::string only_reader{};  // why a JSON schema cannot express the rule; empty: it can
 };
 
-// What a schema cannot say.
-inline const std::string kText = "the text itself: keys that occur twice, numbers that no double holds";
-inline const std::string kNames = "names: that they are unique, and that what is named is there";
+// Rules that a schema cannot express.
+inline const std::string kText = "the text itself: keys that occur twice, numbers beyond the range of a double";
+inline const std::string kNames = "names: they must be unique, and what they refer to must exist";
 inline const std::string kNumbers =
     "numbers beside each other: which is larger, how many copies they make, and what must be 0";
 inline const std::string kGeometry = "geometry: what has no extent, or crosses itself";
 inline const std::string kKinds = "keys that belong to some types of joints, events or claims only";
 inline const std::string kNeeds = "keys that some types need";
-inline const std::string kFiles = "included files: whether they are there, and what is in them";
+inline const std::string kFiles = "included files: whether they exist, and their contents";
 inline const std::string kForm = "texts of a form of their own: bytes of a name, digits of a hash";
 
 // One body with one shape.
@@ -252,7 +252,7 @@ inline const std::vector<BadScene> kBadScenes = {
     {with_joint(R"("type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], "break_force": 0)"),
      "/joints/0/break_force", "must be greater than 0, got 0"},
     {with_joint(R"("type": "distance", "bodies": ["a", "b"], "anchors": [[0, 0], [0, 0]], "limits": [-1, 2])"),
-     "/joints/0/limits", "of a distance must not be negative", kKinds},
+     "/joints/0/limits", "the limits of a distance must not be negative", kKinds},
     {with_joint(R"("type": "mouse", "bodies": ["a", "b"], "anchor": [0, 0], "max_torque": 2)"), "/joints/0/max_torque",
      "belongs to motor joints", kKinds},
     {R"({"format": 1, "timeline": {}})", "/timeline", "must be an array, got an object"},

@@ -1,4 +1,4 @@
-// What is rejected, and how the errors read: place, pointer, message, caret, hint.
+// What is rejected, and how the errors read: location, pointer, message, caret, hint.
 #include <doctest/doctest.h>
 
 #include "scene/bad_scenes.hpp"
@@ -27,7 +27,7 @@ Diagnostic error_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("each bad scene is rejected at its place with its reason") {
+TEST_CASE("each bad scene is rejected at its location with its reason") {
     for (const test::BadScene& bad : test::kBadScenes) {
         CAPTURE(bad.text);
         const std::vector<Diagnostic> errors = errors_of(bad.text);
@@ -55,7 +55,7 @@ TEST_CASE("the column counts bytes and the caret counts characters") {
     CHECK(caret == 42);  // after a margin of two and two characters fewer than bytes
 }
 
-TEST_CASE("syntax errors tell the place, and a hint where one is due") {
+TEST_CASE("syntax errors state the location, and some of them a hint") {
     struct Case {
         std::string text;
         int line, column;
@@ -93,7 +93,7 @@ TEST_CASE("a byte-order mark and both kinds of comment are allowed, and no colum
     CHECK(error.source_line == "{\"format\": 2}");
 }
 
-TEST_CASE("comments and strings full of brackets do not mislead the place of an error") {
+TEST_CASE("comments and strings full of brackets do not change the location of an error") {
     const Diagnostic error = error_of(
         "{\"format\": 1, // \"world\": {\n"
         " \"custom\": {\"a\": \"}]\\\"{\", \"world\": [1, {}]}, /* } */\n"
@@ -114,7 +114,7 @@ TEST_CASE("all errors are reported in the order of the text, and at most 20") {
     std::string many = "{\"format\": 1, \"bodies\": [{}";
     for (int i = 0; i < 100; ++i) many += ", {\"angle\": null}";
     const std::vector<Diagnostic> twenty = errors_of(many + "]}");
-    CHECK(twenty.size() == 20);
+    REQUIRE(twenty.size() == 20);
     CHECK(twenty.back().hint.find("more errors") != std::string::npos);
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("hints suggest what was meant") {
             .hint == "the copies are called crate[0] to crate[2]");
 }
 
-TEST_CASE("of what is repeated or comes later the hints know the names") {
+TEST_CASE("hints contain the names of copies and of what the timeline spawns") {
     const auto hint_of = [](const std::string& more) {
         return error_of(
                    R"({"format": 1, "bodies": [{"name": "plank", "repeat": {"grid": {"columns": 4, "spacing": [2, 1]}}}], "joints": [{"type": "revolute",

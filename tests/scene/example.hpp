@@ -1,4 +1,4 @@
-// The example of format 1: everything that a scene file can say, once.
+// The example of format 1: everything that a scene file can contain, once.
 #pragma once
 
 namespace tumble::test {

@@ -80,7 +80,7 @@ const std::string kPart = scene_text(R"(
         {"at_rest_by": 1}, {"max_penetration": 0.1}, {"max_energy_gain": 1000}
     ])");
 
-// Position (10, -4), turned by 90 degrees: (x, y) comes to (10 - y, -4 + x), the vector (x, y) becomes (-y, x).
+// Position (10, -4), turned by 90 degrees: the point (x, y) becomes (10 - y, -4 + x), the vector (x, y) (-y, x).
 const Files kQuarterTurn = {
     {"parts/arm.json", kPart},
     {"main.json", includes(R"({"file": "parts/arm.json", "position": [10, -4], "angle": 90, "prefix": "left/"})")}};
@@ -147,7 +147,7 @@ TEST_CASE("the copies of a repeated body turn with the part") {
 }
 
 TEST_CASE("a part at any angle moves as it does alone, seen from its frame") {
-    // In a world without gravity nothing tells a turned part from an upright one.
+    // Without gravity a turned part moves as an upright one.
     Files files = {
         {"part.json", kPart},
         {"main.json",
@@ -242,7 +242,7 @@ TEST_CASE("includes nest: poses and prefixes combine") {
     CHECK(scene.bodies.at(0).angle == 100);
 }
 
-TEST_CASE("a scene is written with its includes, or with what they hold, and is the same world") {
+TEST_CASE("a scene is written with its includes, or with their contents, and is the same world") {
     LoadOptions as_written = with_files(kQuarterTurn);
     as_written.keep_includes = true;
     const std::string& text = kQuarterTurn.at("main.json");
@@ -396,7 +396,7 @@ TEST_CASE("equal materials of several files are one") {
     CHECK(scene.materials.size() == 1);
 }
 
-TEST_CASE("files that include each other deeply, or double each other, end") {
+TEST_CASE("includes that are nested too deep, or give too many bodies, are refused") {
     Files deep = {{"main.json", includes(R"({"file": "0.json"})")}};
     for (int i = 0; i < 30; ++i)
         deep[std::to_string(i) + ".json"] = includes("{\"file\": \"" + std::to_string(i + 1) + ".json\"}");
@@ -405,7 +405,7 @@ TEST_CASE("files that include each other deeply, or double each other, end") {
     CHECK(too_deep[0].message.find("more than 16 files deep") != std::string::npos);
     CHECK(too_deep[0].included_by.size() == 16);
 
-    // Each file holds the next one four times: 4^15 bodies.
+    // Each file includes the next one four times: 4^15 bodies.
     Files doubled = {{"main.json", includes(R"({"file": "0.json"})")}};
     for (int i = 0; i < 15; ++i) {
         const std::string next = "{\"file\": \"" + std::to_string(i + 1) + ".json\"}";

@@ -53,7 +53,7 @@ TEST_CASE("omitted keys of a joint are absent, and it does not break") {
     CHECK(def.break_force == kUnbreakable);
 }
 
-TEST_CASE("an axis is the world's with a world anchor, the first body's with own anchors") {
+TEST_CASE("an axis is in world coordinates with a world anchor, in those of the first body with local anchors") {
     const auto world = built_def<PrismaticJointDef>(
         R"("type": "prismatic", "anchor": [4, 0], "axis": [0, 1], "limits": [-1, 2],
            "motor": {"speed": 3, "max_force": 40})");
@@ -77,7 +77,7 @@ TEST_CASE("a rope is a distance joint with limits, a spring one with a spring") 
     CHECK(spring.spring == JointSpring{1.0f, 0.0f});
 }
 
-TEST_CASE("welds, motors, mice and filters") {
+TEST_CASE("the keys of welds, motors, mouse joints and filters arrive in their definitions") {
     const auto weld = built_def<WeldJointDef>(
         R"("type": "weld", "anchor": [2, 0], "spring": {"hertz": 9}, "angular_spring": {"hertz": 3, "damping_ratio": 1})");
     CHECK(weld.linear_spring == JointSpring{9.0f, 0.0f});
@@ -96,7 +96,7 @@ TEST_CASE("welds, motors, mice and filters") {
     CHECK(std::holds_alternative<FilterJointDef>(filtered.world.joint(filtered.joints.at(0).id)));
 }
 
-TEST_CASE("a pulley has its wheels in the world, and the rope that it has at load") {
+TEST_CASE("a pulley has its wheels in the world, and a rope that fits the initial poses") {
     // a is at the origin, turned by 90 degrees; b at (4, 0).
     const auto pulley = built_def<PulleyJointDef>(
         R"("type": "pulley", "anchors": [[1, 0], [0, 1]], "ground_anchors": [[0, 4], [4, 6]], "ratio": 2, "break_force": 70)");

@@ -37,7 +37,7 @@ const std::string kGround = R"({"type": "static", "position": [0, -0.5], "shapes
 
 }  // namespace
 
-TEST_CASE("slivers and sizes out of range are warned of, on dynamic bodies") {
+TEST_CASE("slivers and sizes out of range cause a warning, on dynamic bodies only") {
     const Diagnostic thin =
         warning_of(R"({"position": [0, 5], "shapes": [{"polygon": {"vertices": [[0, 0], [3, 1], [3, 1.02]]}}]})");
     CHECK(thin.pointer == "/bodies/0/shapes/0");
@@ -48,7 +48,7 @@ TEST_CASE("slivers and sizes out of range are warned of, on dynamic bodies") {
     CHECK(warnings_of(R"({"type": "static", "shapes": [{"box": {"size": [500, 0.1]}}]})").empty());
 }
 
-TEST_CASE("a body that moves farther in a step than it is thick is warned of, unless something keeps it from passing") {
+TEST_CASE("a body that moves farther in a step than it is thick causes a warning, unless it is a bullet") {
     // 60 m/s at 60 Hz: 1 m a step; the ball is 0.5 m thick.
     const std::string target = R"({"position": [50, 0], "shapes": [{"box": {"size": [1, 1]}}]}, )";
     const std::string ball = R"({"velocity": [60, 0], "shapes": [{"circle": {"radius": 0.25}}])";
@@ -68,8 +68,8 @@ TEST_CASE("a body that moves farther in a step than it is thick is warned of, un
 }
 
 TEST_CASE(
-    "a body whose ends turn farther in a step than it is thick is warned of, one that is round or does not turn is "
-    "not") {
+    "a body whose ends turn farther in a step than it is thick causes a warning, one that is round or does not turn "
+    "causes none") {
     // 1200 degrees/s at 60 Hz: 0.349 rad; the ends are 2.0025 m from the centre of mass, the blade is 0.2 m thick.
     const auto blade = [](const std::string& more) {
         return R"({"position": [50, 0], "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "blade", "shapes": [{"box": {"size": [4, 0.2], "center": [7, 0]}}])" +
@@ -95,7 +95,7 @@ TEST_CASE(
     CHECK(warnings_of(wheel).empty());
 }
 
-TEST_CASE("an arm that a motor swings farther in a step than it is thick is warned of, at the fastest speed") {
+TEST_CASE("an arm that a motor swings farther in a step than it is thick causes a warning at the fastest speed") {
     // 900 degrees/s of a tip 2 m away at 60 Hz: 15.7 x 2 / 60 = 0.524 m; the arm is 0.2 m thick.
     const std::string bodies =
         R"({"name": "wall", "type": "static", "position": [-1, 0]}, {"name": "ball", "position": [0, 5], "shapes": [{"circle": {"radius": 0.5}}]},
@@ -129,7 +129,7 @@ TEST_CASE("an arm that a motor swings farther in a step than it is thick is warn
     CHECK(says(turned, "the joint moves 'arm' by up to 1.05 m in a step"));
 }
 
-TEST_CASE("a chain with a body on its open side is warned of, one with a body on its solid side is not") {
+TEST_CASE("a chain with a body on its solid side causes a warning, one with a body on its open side does not") {
     const auto on_chain = [](const std::string& points, const std::string& more = "") {
         return warnings_of(
             R"({"name": "hills", "type": "static", "shapes": [{"circle": {"radius": 0.1}}, {"chain": {"points": )" +
@@ -139,43 +139,43 @@ TEST_CASE("a chain with a body on its open side is warned of, one with a body on
     const std::vector<Diagnostic> wrong = on_chain(to_the_right);
     REQUIRE(wrong.size() == 1);
     CHECK(wrong[0].pointer == "/bodies/0/shapes/1/chain/points");
-    CHECK(says(wrong[0], "'car' starts on the open side of the chain"));
+    CHECK(says(wrong[0], "'car' starts on the solid side of the chain"));
     CHECK(on_chain(to_the_left).empty());
     CHECK(on_chain(to_the_right, R"(, "two_sided": true)").empty());
-    // A block that the car is above, and a room that it is in.
+    // A block below the car, and a room around it.
     CHECK(on_chain("[[0, 0], [4, 0], [4, 1], [0, 1]]", R"(, "loop": true)").empty());
     CHECK(on_chain("[[0, 0], [0, 9], [4, 9], [4, 0]]", R"(, "loop": true)").empty());
     CHECK(on_chain("[[0, 0], [4, 0], [4, 9], [0, 9]]", R"(, "loop": true)").size() == 1);
-    // Held up by something nearer.
+    // A nearer shape supports the car.
     CHECK(warnings_of(R"({"name": "hills", "type": "static", "shapes": [{"chain": {"points": )" + to_the_right +
                       R"(}}, {"box": {"size": [9, 1], "center": [0, 1.5]}}]},
         {"name": "car", "position": [2, 3], "shapes": [{"circle": {"radius": 0.5}}]})")
               .empty());
 }
 
-TEST_CASE("joints that start apart or act far away, and springs too stiff for the steps are warned of") {
+TEST_CASE("joints that start apart or act far away, and springs too stiff for the steps, cause a warning") {
     const std::string bodies =
         R"({"name": "a", "shapes": [{"box": {"size": [1, 1]}}]}, {"name": "b", "position": [8, 0], "shapes": [{"box": {"size": [1, 1]}}]})";
-    const auto tied = [](const std::string& joint) {
+    const auto joined = [](const std::string& joint) {
         return R"(, "world": {"gravity": [0, 0]}, "joints": [{"bodies": ["a", "b"], )" + joint + "}]";
     };
     const std::string rod = R"("type": "distance", "anchors": [[0, 0], [0, 0]])";
-    CHECK(says(warning_of(bodies, tied(rod + R"(, "length": 30)")),
+    CHECK(says(warning_of(bodies, joined(rod + R"(, "length": 30)")),
                "starts 22 m away from a position that it allows for 'a' and 'b'"));
-    CHECK(warnings_of(bodies, tied(rod + R"(, "length": 8.05)")).empty());
-    CHECK(warnings_of(bodies, tied(rod + R"(, "limits": [0, 9])")).empty());
-    CHECK(warnings_of(bodies, tied(rod + R"(, "length": 30, "spring": {"hertz": 2})")).empty());
-    CHECK(says(warning_of(bodies, tied(R"("type": "revolute", "anchor": [50, 50])")),
+    CHECK(warnings_of(bodies, joined(rod + R"(, "length": 8.05)")).empty());
+    CHECK(warnings_of(bodies, joined(rod + R"(, "limits": [0, 9])")).empty());
+    CHECK(warnings_of(bodies, joined(rod + R"(, "length": 30, "spring": {"hertz": 2})")).empty());
+    CHECK(says(warning_of(bodies, joined(R"("type": "revolute", "anchor": [50, 50])")),
                "acts at [50, 50], far from both 'a' and 'b'"));
-    CHECK(warnings_of(bodies, tied(R"("type": "revolute", "anchor": [0, -9])")).empty());
+    CHECK(warnings_of(bodies, joined(R"("type": "revolute", "anchor": [0, -9])")).empty());
     // 0.15 of 240 sub-steps a second.
-    const Diagnostic stiff = warning_of(bodies, tied(rod + R"(, "spring": {"hertz": 36.5})"));
+    const Diagnostic stiff = warning_of(bodies, joined(rod + R"(, "spring": {"hertz": 36.5})"));
     CHECK(stiff.pointer == "/joints/0/spring/hertz");
     CHECK(says(stiff, "is limited to 36 Hz"));
-    CHECK(warnings_of(bodies, tied(rod + R"(, "spring": {"hertz": 36})")).empty());
+    CHECK(warnings_of(bodies, joined(rod + R"(, "spring": {"hertz": 36})")).empty());
 }
 
-TEST_CASE("events and claims after the end of the run, and events without effect, are warned of") {
+TEST_CASE("events and claims after the end of the run, and events without effect, cause a warning") {
     const std::string bodies =
         R"({"name": "ball", "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "wall", "type": "static", "position": [9, 0]},
         {"name": "lift", "type": "kinematic", "position": [-9, 0], "shapes": [{"box": {"size": [1, 1]}}]})";
@@ -201,8 +201,8 @@ TEST_CASE("events and claims after the end of the run, and events without effect
         warning_of(bodies, event(R"({"at": 2, "body": "ball", "impulse": [1, 0]}, {"at": 1, "despawn": "ball"})"));
     CHECK(gone.pointer == "/timeline/0/body");
     CHECK(says(gone, "is removed at 1 s"));
-    // What is called alike, a body that comes and a joint that goes, are two things; a body that comes again has not
-    // gone.
+    // The spawned body and the joint have the same name. A released joint is gone; a body that the timeline spawns is
+    // not reported.
     const std::string late = R"({"at": 0.5, "spawn": {"name": "hinge", "position": [0, 9]}}, {"at": 1, )";
     const auto hinged = [&](const std::string& end) {
         return R"(, "joints": [{"type": "revolute", "name": "hinge", "bodies": ["wall", "ball"], "anchor": [9, 0], "motor": {"speed": 1, "max_torque": 1}}])" +
@@ -213,7 +213,7 @@ TEST_CASE("events and claims after the end of the run, and events without effect
     CHECK(warnings_of(bodies, hinged(R"("despawn": "hinge"}, {"at": 2, "body": "hinge", "impulse": [1, 0]})")).empty());
 }
 
-TEST_CASE("bodies of segments and sensors alone are warned of, because they have no mass") {
+TEST_CASE("bodies of segments and sensors alone cause a warning, because they have no mass") {
     CHECK(says(warning_of(R"({"shapes": [{"segment": {"from": [0, 0], "to": [1, 0]}}]})"),
                "gets 1 kg and does not rotate"));
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 1}, "sensor": true}]})"), "which have no mass"));
@@ -223,13 +223,13 @@ TEST_CASE("bodies of segments and sensors alone are warned of, because they have
               .empty());
 }
 
-TEST_CASE("a static body with a velocity is warned of") {
+TEST_CASE("a static body with a velocity causes a warning") {
     CHECK(says(warning_of(R"({"type": "static", "velocity": [1, 0], "shapes": [{"circle": {"radius": 1}}]})"),
                "it does not move"));
     CHECK(warnings_of(R"({"type": "kinematic", "velocity": [1, 0], "shapes": [{"circle": {"radius": 1}}]})").empty());
 }
 
-TEST_CASE("masses that differ by more than a hundred are warned of where they touch or are joined") {
+TEST_CASE("masses of a ratio above a hundred cause a warning where they touch or are joined") {
     const std::string light = R"({"name": "light", "position": [0, 0.5], "shapes": [{"box": {"size": [1, 1]}}]}, )";
     // 1 kg under 4 x 4 x 10 = 160 kg.
     const std::string heavy =
@@ -243,14 +243,14 @@ TEST_CASE("masses that differ by more than a hundred are warned of where they to
     const std::string far =
         R"({"name": "heavy", "position": [20, 3], "shapes": [{"box": {"size": [4, 4]}, "material": "lead"}]})";
     CHECK(warnings_of(kGround + light + far, lead).empty());
-    const Diagnostic tied =
+    const Diagnostic joined =
         warning_of(kGround + light + far,
                    lead + R"(, "joints": [{"type": "revolute", "bodies": ["light", "heavy"], "anchor": [10, 1]}])");
-    CHECK(tied.pointer == "/joints/0");
-    CHECK(says(tied, "1 kg and 160 kg"));
+    CHECK(joined.pointer == "/joints/0");
+    CHECK(says(joined, "1 kg and 160 kg"));
 }
 
-TEST_CASE("bodies that start inside each other are warned of once for all copies") {
+TEST_CASE("bodies that start inside each other cause one warning for all copies") {
     const Diagnostic deep = warning_of(
         R"({"name": "crate", "position": [0, 5], "repeat": {"grid": {"columns": 4, "spacing": [0.9, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]})");
     CHECK(deep.pointer == "/bodies/0");
@@ -260,7 +260,7 @@ TEST_CASE("bodies that start inside each other are warned of once for all copies
               .empty());
 }
 
-TEST_CASE("a body that sleeps without support is warned of, one with support or without gravity is not") {
+TEST_CASE("a body that sleeps without support causes a warning, one with support or without gravity does not") {
     const std::string sleeper =
         R"({"name": "lamp", "position": [0, HEIGHT], "awake": false, "shapes": [{"box": {"size": [1, 1]}}]})";
     const auto at = [&](const std::string& height) {
@@ -279,7 +279,7 @@ TEST_CASE("a stack is predicted to sink by half of what the contact springs woul
         R"({"name": "box", "position": [0, 0.5], "repeat": {"grid": {"rows": 20}}, "shapes": [{"box": {"size": [1, 1]}}]})");
     CHECK(stack.pointer == "/bodies/1");
     CHECK(says(stack, "the support of 'box[19]' ('box[18]') will sink by about 0.0677 m"));
-    // Other piles are named too, of those that are alike one.
+    // The warning names other piles too, one of those that are equal.
     const auto pile = [](const std::string& name, const std::string& at) {
         return R"(, {"name": ")" + name + R"(", "position": [)" + at +
                R"(, 0.5], "repeat": {"grid": {"columns": 2, "rows": 20, "spacing": [3, 1]}}, "shapes": [{"box": {"size": [1, 1]}}]})";
@@ -302,7 +302,7 @@ TEST_CASE("a stack is predicted to sink by half of what the contact springs woul
             .empty());
 }
 
-TEST_CASE("in a world of marbles sizes and sinking are those of marbles") {
+TEST_CASE("the limits of sizes and sinking follow the scale of the world") {
     const std::string small = R"(, "world": {"scale": 0.02})";
     CHECK(warnings_of(R"({"shapes": [{"circle": {"radius": 0.002}}]})", small).empty());
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 2}}]})", small), "between 0.0001 m and 2 m"));

@@ -1,4 +1,4 @@
-// "--set" and "--seed": what they change, and what they say when they cannot.
+// "--set" and "--seed": what they change, and their errors.
 #include <doctest/doctest.h>
 
 #include "scene/example.hpp"
@@ -51,7 +51,7 @@ TEST_CASE("a key that the file leaves out starts from its default") {
     CHECK(with({"/bodies/1/velocity=[1, 0]"}).bodies.at(1).velocity == DVec2(1, 0));
 }
 
-TEST_CASE("the later of two overrides counts, and the seed comes last") {
+TEST_CASE("the later of two overrides takes effect, and the seed is applied last") {
     CHECK(with({"/world/seed=3", "/world/seed=4"}).world.seed == 4);
     CHECK(parse_scene(test::kExample, "", LoadOptions{{"/world/seed=3"}, 9}).world.seed == 9);
     CHECK(parse_scene(R"({"format": 1})", "", LoadOptions{{}, 18446744073709551615u}).world.seed ==

@@ -34,7 +34,7 @@ TEST_CASE("the example of format 1 is read in full") {
     CHECK(scene.custom == R"({"author": "anything a user wants to keep; also on bodies, shapes and joints"})");
 }
 
-TEST_CASE("a camera may follow a body that the timeline makes, or a copy of one that it makes again and again") {
+TEST_CASE("a camera may follow a body that the timeline spawns, or a copy of one that it spawns repeatedly") {
     const auto follows = [](const std::string& name) {
         return parse_scene(R"({"format": 1, "camera": {"follow": ")" + name + R"("}, "timeline": [
             {"at": 1, "spawn": {"name": "late", "shapes": [{"circle": {"radius": 1}}]}},
@@ -43,5 +43,5 @@ TEST_CASE("a camera may follow a body that the timeline makes, or a copy of one 
     };
     CHECK(follows("late").camera.follow == "late");
     CHECK(follows("drop[3]").camera.follow == "drop[3]");
-    CHECK_THROWS_AS(follows("nobody"), SceneError);
+    CHECK_THROWS_AS(follows("missing"), SceneError);
 }

@@ -1,4 +1,4 @@
-// The README's scene, which everybody copies first: it is valid, holds what it claims, and stays in its frame.
+// The README's scene: it is valid, its claims hold, and its bodies stay in its frame.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ std::string example_of_readme() {
 
 }  // namespace
 
-TEST_CASE("the README's scene holds its claims without a warning, and nothing leaves its frame or sinks") {
+TEST_CASE("the README's scene has no warning, its claims hold, and no body leaves its frame or sinks") {
     std::vector<Diagnostic> warnings;
     const Scene scene = parse_scene(example_of_readme(), "README.md", &warnings);
     CHECK(warnings.empty());
@@ -45,7 +45,7 @@ TEST_CASE("the README's scene holds its claims without a warning, and nothing le
             INFO(body.name, " at step ", step);
             REQUIRE(std::abs(seen.x) < half_width);
             REQUIRE(std::abs(seen.y) < half_height);
-            // The ground's top is y = 0, and a slop of 5 mm and a soft impact lie below it.
+            // The ground's top is y = 0; a slop of 5 mm and a soft impact reach below it.
             for (const ShapeId shape : run.world().shapes(body.id))
                 REQUIRE(bounds(run.world().shape(shape), pose).lower.y > -0.05f);
         }

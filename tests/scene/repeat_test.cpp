@@ -87,6 +87,7 @@ TEST_CASE("a scatter stays in its box, fills it, and keeps its separation") {
 TEST_CASE("a scatter depends on its seed and its stream alone") {
     const ScatterRepeat scatter{20, {1, 1}, false, 0};
     const auto first = poses_of(scatter, 7, 3);
+    REQUIRE(first.size() == 20);
     CHECK(first[19].position == poses_of(scatter, 7, 3)[19].position);
     CHECK(first[0].position != poses_of(scatter, 8, 3)[0].position);
     CHECK(first[0].position != poses_of(scatter, 7, 4)[0].position);

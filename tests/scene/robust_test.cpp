@@ -12,7 +12,7 @@ using namespace tumble;
 
 namespace {
 
-// True if the text was accepted; every error must have a place and a text.
+// True if the text was accepted; every error must have a location and a text.
 bool survives(const std::string& text) {
     try {
         const Scene scene = parse_scene(text, "random.json");
@@ -58,7 +58,7 @@ TEST_CASE("scenes with random bytes changed, removed or doubled are read or refu
         }
         if (survives(text)) ++accepted;
     }
-    // Both ends of the reader are reached: changes in digits, texts and comments are harmless, most others are not.
+    // Both outcomes occur: changes in digits, texts and comments are harmless, most others are not.
     CHECK(accepted > kSamples / 50);
     CHECK(accepted < kSamples / 2);
 }
@@ -76,7 +76,7 @@ TEST_CASE("every value of the example may be of any type") {
     CHECK(refused > 400);
 }
 
-TEST_CASE("over a hundred bad files made by hand have a place, however they are laid out") {
+TEST_CASE("the errors of over a hundred bad files have a location, whatever the layout") {
     for (const test::BadScene& bad : test::kBadScenes) CHECK(!survives("// comment\n\t" + bad.text + "\r\n"));
     CHECK(test::kBadScenes.size() > 125);
 }

@@ -1,4 +1,4 @@
-// scenes/README.md, the page of the scene format: it names every key, and its complete scenes hold what they claim.
+// scenes/README.md, the page of the scene format: it names every key, and the claims of its complete scenes hold.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -54,7 +54,7 @@ TEST_CASE("the page of the scene format names every key and every enumerator") {
     }
 }
 
-TEST_CASE("the scenes on the page of the scene format hold their claims without a warning") {
+TEST_CASE("the scenes on the page of the scene format have no warnings, and their claims hold") {
     const std::vector<std::string> scenes = whole_scenes(page());
     CHECK(!scenes.empty());
     for (const std::string& text : scenes) {

@@ -93,7 +93,7 @@ TEST_CASE("velocities and gravity are set") {
     CHECK(near(state.angular_velocity, kPi / 2, kFloat));
 }
 
-TEST_CASE("bodies appear by their names, are acted on, and go") {
+TEST_CASE("spawned bodies have their names, events act on them, and despawned bodies are removed") {
     const Scene scene = make_disc_scene(R"("timeline": [
         {"every": 0.25, "until": 0.5, "spawn": {"name": "drop", "position": [5, 0], "velocity": [1, 0], "shapes": [{"circle": {"radius": 0.1}}]}},
         {"at": 0.5, "spawn": {"name": "pair", "repeat": {"grid": {"columns": 2, "spacing": [2, 0]}}, "position": [0, 50], "shapes": [{"circle": {"radius": 0.1}}]}},
@@ -188,7 +188,7 @@ TEST_CASE("an invalid timeline is refused at its entry") {
     };
     CHECK(pointer_of(R"({"at": 1, "body": "disk", "impulse": [1, 0]})") == "/timeline/0/body");
     CHECK(pointer_of(R"({"at": 1, "impulse": [1, 0]})") == "/timeline/0");
-    CHECK(pointer_of(R"({"at": 1, "despawn": "nobody"})") == "/timeline/0/despawn");
+    CHECK(pointer_of(R"({"at": 1, "despawn": "missing"})") == "/timeline/0/despawn");
     CHECK(pointer_of(R"({"every": 1, "despawn": "disc"})") == "/timeline/0/every");
     CHECK(pointer_of(R"({"every": 1, "body": "disc", "force": [1, 0]})") == "/timeline/0/every");
     CHECK(pointer_of(R"({"at": 1, "until": 1, "body": "disc", "force": [1, 0]})") == "/timeline/0/until");

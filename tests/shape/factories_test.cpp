@@ -43,7 +43,7 @@ TEST_CASE("a box has the outer size given, its core is smaller by the radius") {
 
 TEST_CASE("a turned box turns counter-clockwise about its center") {
     const Shape box = make_box({4, 2}, 0.0f, {1, 0}, kPi / 2.0);
-    // The corner at (-2, -1) from the center goes to (1, -2), so to (2, -2).
+    // The corner at (-2, -1) from the center turns to (1, -2): at (2, -2).
     CHECK(near(box.vertex(0).x, 2.0, kFloat));
     CHECK(near(box.vertex(0).y, -2.0, kFloat));
 }
@@ -76,9 +76,9 @@ TEST_CASE("the core radius is the farthest vertex, and not finite if one is not"
 TEST_CASE("a chain is a segment between each two points, and one more if closed") {
     const std::array<Vec2, 3> points = {{{0, 0}, {1, 0}, {1, 1}}};
     const std::vector<Shape> open = make_chain(points, false), closed = make_chain(points, true);
-    CHECK(open.size() == 2);
+    REQUIRE(open.size() == 2);
     CHECK(open[1] == make_segment({1, 0}, {1, 1}));
-    CHECK(closed.size() == 3);
+    REQUIRE(closed.size() == 3);
     CHECK(closed[2] == make_segment({1, 1}, {0, 0}));
 }
 
@@ -99,5 +99,5 @@ TEST_CASE("factories refuse what is not finite or negative and print it") {
 }
 
 TEST_CASE("a box whose corners coincide in float is refused, not turned into something else") {
-    CHECK(contains(refusal([] { make_box({0.01f, 0.01f}, 0, {1e7f, 0}); }), "no float corners"));
+    CHECK(contains(refusal([] { make_box({0.01f, 0.01f}, 0, {1e7f, 0}); }), "distinct corners"));
 }

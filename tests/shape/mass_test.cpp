@@ -41,14 +41,14 @@ MassProperties by_quadrature(const Shape& shape, double from, double to, int cel
 
 }  // namespace
 
-TEST_CASE("a circle: pi r^2 and pi r^4 / 2 about its center") {
+TEST_CASE("a circle has the area pi r^2 and the inertia pi r^4 / 2 about its center") {
     const MassProperties mass = mass_properties(make_circle(2, {5, -3}));
     CHECK(near(mass.area, 4.0 * kPi, kDouble));
     CHECK(near(mass.inertia, 8.0 * kPi, kDouble));
     CHECK(mass.center == Vec2{5, -3});
 }
 
-TEST_CASE("a box: w h and w h (w^2 + h^2) / 12, wherever it lies") {
+TEST_CASE("a box has the area w h and the inertia w h (w^2 + h^2) / 12, at any position") {
     // 3 x 2 at (1000, -500): 6 and 6 * 13 / 12 = 6.5
     const MassProperties mass = mass_properties(make_box({3, 2}, 0, {1000, -500}));
     CHECK(near(mass.area, 6.0, kDouble));
@@ -56,7 +56,7 @@ TEST_CASE("a box: w h and w h (w^2 + h^2) / 12, wherever it lies") {
     CHECK(mass.center == Vec2{1000, -500});
 }
 
-TEST_CASE("a right triangle: centroid at a third of its legs") {
+TEST_CASE("a right triangle has its centroid at a third of its legs") {
     // Legs 3 and 6: area 9, centroid (1, 2), I = A (a^2 + b^2) / 18 = 9 * 45 / 18 = 22.5
     const MassProperties mass = mass_properties(make_polygon(std::array<Vec2, 3>{{{0, 0}, {3, 0}, {0, 6}}}));
     CHECK(near(mass.area, 9.0, kDouble));
@@ -65,7 +65,7 @@ TEST_CASE("a right triangle: centroid at a third of its legs") {
     CHECK(near(mass.center.y, 2.0, kDouble));
 }
 
-TEST_CASE("a capsule: a rectangle and two half discs") {
+TEST_CASE("a capsule has the area and the inertia of a rectangle and two half discs") {
     // Length 4, radius 1 along x. Rectangle 4 x 2: area 8, I = 8 (16 + 4) / 12 = 40 / 3. Half disc: area pi / 2, its
     // centroid 4 / (3 pi) beyond the end; about the end pi / 4, about its centroid less A c^2, about the middle plus A
     // (2 + c)^2.

@@ -66,7 +66,7 @@ bool has_interior_point_inside(const Outline& part, const Outline& outline) {
     return inside;
 }
 
-// No edge of the outline passes through the interior of a part: it has all of the part on one side, or it ends before.
+// No edge of the outline crosses the interior of a part: the whole part is on one side of it, or the edge ends before.
 bool crosses_interior(const Outline& part, Vec2 a, Vec2 b) {
     const auto on_one_side = [&](int sign) {
         return std::ranges::all_of(part, [&](Vec2 p) { return side(a, b, p) * sign <= 0; });
@@ -74,7 +74,7 @@ bool crosses_interior(const Outline& part, Vec2 a, Vec2 b) {
     return !on_one_side(1) && !on_one_side(-1) && !is_separated_by_edge_of(part, {a, b});
 }
 
-// Everything that makes the parts a partition of the outline, in integers.
+// Checks in integers that the parts are a partition of the outline.
 void check_partition(const Outline& outline) {
     const std::vector<Shape> shapes = decompose_outline(outline);
     std::vector<Outline> parts;
@@ -119,10 +119,10 @@ TEST_CASE("a convex outline is one part, from its lowest leftmost point") {
     CHECK(vertices(parts[0]) == Outline{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
 }
 
-TEST_CASE("an L is two parts of together its area, in either winding") {
+TEST_CASE("an L is two parts with the sum of its area, in either winding") {
     Outline outline = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
     const std::vector<Shape> parts = decompose_outline(outline);
-    CHECK(parts.size() == 2);
+    REQUIRE(parts.size() == 2);
     CHECK(mass_properties(parts[0]).area + mass_properties(parts[1]).area == 5.0);  // 3 x 1 and 1 x 2
     std::reverse(outline.begin(), outline.end());
     const std::vector<Shape> reversed = decompose_outline(outline);
@@ -130,7 +130,7 @@ TEST_CASE("an L is two parts of together its area, in either winding") {
     for (std::size_t i = 0; i < 2; ++i) CHECK(parts[i] == reversed[i]);
 }
 
-TEST_CASE("a plus: eight convex corners, four reflex ones, three parts at the least") {
+TEST_CASE("a plus, whose four reflex corners need three parts at least, is cut into at most five") {
     const Outline plus = {{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},
                           {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
     check_partition(plus);
@@ -147,7 +147,7 @@ TEST_CASE("equal consecutive points, a repeated first point and straight corners
     for (std::size_t i = 0; i < parts.size(); ++i) CHECK(parts[i] == expected[i]);
 }
 
-TEST_CASE("an outline that crosses or touches itself is refused by the two edges") {
+TEST_CASE("an outline that crosses or touches itself is refused, and the message names two edges") {
     CHECK(error_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}) ==
           edge_error("0 from (0, 0) to (2, 2)", "2 from (2, 0) to (0, 2)"));
     // The corner (2, 0) lies on the edge from (0, 0) to (4, 0).
@@ -194,7 +194,7 @@ TEST_CASE("random simple polygons are partitioned exactly") {
     CHECK(checked > 1000);
 }
 
-TEST_CASE("random closed lines: refused if and only if two edges meet") {
+TEST_CASE("a random closed line is refused if and only if two of its edges share a point") {
     std::mt19937_64 random(5);
     std::map<bool, int> simple;
     for (int sample = 0; sample < 20000; ++sample) {

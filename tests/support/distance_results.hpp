@@ -1,4 +1,4 @@
-// What tests ask of answers to distance queries, and how many pairs they try.
+// Checks of answers to distance queries, and the number of pairs to try.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace tumble_test {
 
-// Of large polygons a fiftieth.
+// For large polygons a fiftieth.
 inline std::uint64_t pairs_of(const tumble::reference::PairFamily& family, std::uint64_t usual) {
     const std::uint64_t all = pair_count(usual);
     return family.kind == tumble::reference::FamilyKind::large ? std::max<std::uint64_t>(all / 50, 1) : all;
@@ -30,8 +30,8 @@ inline double core_error_bound(const tumble::reference::PairQuery& query) {
     return tumble::error_bound(tumble::make_core_pair(query.a, query.pose_a, query.b, query.pose_b));
 }
 
-// How the bounds of an answer lie to the exact distance: near on either side of it; looser than rounding usually makes
-// them; not around it, or looser than rounding can.
+// How well the bounds of an answer enclose the exact distance. near: tightly; loose: wider than rounding usually makes
+// them; wrong: not at all, or wider than rounding can make them.
 enum class BoundsFit { near, loose, wrong };
 
 // Near is E for the error of what was computed, E for its allowance, the same for the subtraction of the radii, and

@@ -19,7 +19,7 @@ struct Tolerance {
 constexpr Tolerance absolute(double tolerance) { return {tolerance, 0.0}; }
 constexpr Tolerance relative(double part) { return {0.0, part}; }
 
-// A value that comes from a few float operations: 16 roundings by 2^-24 of it each; and from as many double ones.
+// The result of a few float operations: 16 roundings by 2^-24 of it each; and of as many double ones.
 inline constexpr Tolerance kFloat = relative(16 * 0x1p-24);
 inline constexpr Tolerance kDouble = relative(16 * 0x1p-53);
 

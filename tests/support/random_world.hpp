@@ -26,7 +26,7 @@ public:
 
     void edit() {
         make_edit();
-        // What spins and has no inertia spins on (BodyMass), whatever hangs on it: a motor without end.
+        // No joint can slow the spin of a body without inertia (BodyMass): it would be a motor of unlimited torque.
         for (const BodyId id : world.bodies())
             if (world.type(id) == BodyType::dynamic_body && world.is_enabled(id) && world.mass(id).inertia == 0.0f &&
                 world.state(id).angular_velocity != 0.0f)
@@ -240,8 +240,8 @@ private:
         return Motor{speed, between(0.0f, 50.0f)};
     }
 
-    // What the kinds have in common is drawn for whichever kind has it. Anchors nearly meet: what is joined from far
-    // away flies together, and that at some hundred m/s is what the springs ask for.
+    // Draws the members that the kind has. The anchors are near each other: joints between distant anchors pull their
+    // bodies together at some hundred m/s.
     template <class Def>
     JointDef draw_joint(Def def, BodyId a, BodyId b) {
         def.body_a = a;
@@ -333,7 +333,7 @@ private:
         if (kind > 8) return add_gear();
         const auto a = pick(world.bodies()), b = pick(world.bodies().subspan(1));
         if (!a || !b || *a == *b) return;
-        // What is not tied yet comes along; who is far away otherwise would hang on a long lever.
+        // A body without a joint moves near A. A distant body would be on a long lever.
         if (!is_jointed(*b)) world.set_transform(*b, draw_move(*a));
         const DVec2 apart = world.state(*b).pose.position - world.state(*a).pose.position;
         if (*a == world.bodies().front() || length(apart) < 2.0) world.create_joint(draw_joint(kind, *a, *b));

@@ -1,4 +1,4 @@
-// A body that slides along the x axis without friction, and what it feels of the ground.
+// A body that slides along the x axis without friction, and how the ground disturbs it.
 #pragma once
 
 #include <algorithm>
@@ -8,19 +8,19 @@
 
 namespace tumble::test {
 
-// Who is on another segment in every step is borne by new impulses alone, on which a contact gives way four times as
-// far as its spring would: 4 x 1.25 g / w^2 for a box, w = 2 pi 60 / s against what is static. That is how far it may
-// rise and sink.
+// Metres that a body may rise and sink. If it is on another segment in each step, new impulses alone carry it, and for
+// those a contact yields four times as far as its spring would: 4 x 1.25 g / w^2 for a box, w = 2 pi 60 / s on a static
+// body.
 inline constexpr double kDeepestSlide = 4.0 * 1.25 * 10.0 / (4.0 * kPi * kPi * 60.0 * 60.0);
 
 struct Slide {
-    double highest_rise = 0.0;  // of the body above or below where it lay, m
+    double highest_rise = 0.0;  // of the body above or below its rest height, m
     double fastest_rise = 0.0;  // up or down, m/s
     double most_turned = 0.0;   // radians
     double slowest = 1e9;       // m/s along the ground
 };
 
-// Lies down for a second at `start`, then slides.
+// Rests for a second at `start`, then slides.
 inline Slide slide(World& world, const Shape& shape, DVec2 start, float speed, int steps) {
     SurfaceMaterial smooth;
     smooth.friction = 0.0f;

@@ -127,7 +127,7 @@ inline void add_joints(World& world) {
     world.create_joint(pulley);
 }
 
-// Bullets on their way to a thin wall, a ball about to cross the chain, and a filter that was just changed.
+// Bullets that fly towards a thin wall, a ball about to cross the chain, and a filter that was just changed.
 inline void add_last_things(World& world) {
     add_static(world, {14.0, 5.0}, make_box({0.02f, 4.0f}));
     for (int i = 0; i < 3; ++i) {

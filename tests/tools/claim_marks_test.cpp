@@ -23,7 +23,7 @@ SceneWorld made() {
 
 bool marks(const Marking& marking, const SceneWorld& built, const std::string& name) {
     const auto found = std::ranges::find(built.bodies, name, &SceneInstance::name);
-    return std::ranges::count(marking.bodies, found->id) == 1;
+    return found != built.bodies.end() && std::ranges::count(marking.bodies, found->id) == 1;
 }
 
 }  // namespace

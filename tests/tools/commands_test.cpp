@@ -18,7 +18,7 @@ using tumble::test::kDouble;
 using tumble::test::near;
 using tumble::test::run_tumble;
 
-TEST_CASE("without arguments: six lines of usage and a command to copy") {
+TEST_CASE("without arguments six lines show the usage and a command to copy") {
     const Answer answer = run_tumble({});
     CHECK(answer.code == 0);
     CHECK(std::count(answer.out.begin(), answer.out.end(), '\n') == 7);
@@ -36,8 +36,8 @@ TEST_CASE("--version prints version, compiler and instruction sets") {
 }
 
 TEST_CASE("every subcommand has help on standard output") {
-    for (const char* command :
-         {"run", "demo", "shot", "validate", "schema", "distance", "import", "bench", "check", "fmt", "parity"}) {
+    for (const char* command : {"run", "demo", "shot", "validate", "schema", "distance", "import", "bench", "check",
+                                "diff", "fmt", "parity"}) {
         CAPTURE(command);
         const Answer answer = run_tumble({command, "--help"});
         CHECK(answer.code == 0);

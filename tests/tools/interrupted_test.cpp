@@ -43,7 +43,8 @@ int check_frames(const fs::path& folder) {
 }
 
 void wait_for(const fs::path& file, const Process& process) {
-    while (!fs::exists(file) && process.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (int tries = 0; tries < 12000 && !fs::exists(file) && process.is_running(); ++tries)  // a minute at most
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
 void check_interruption(int signal) {

@@ -67,7 +67,7 @@ TEST_CASE("the parity report is one self-contained page and is not overwritten")
     CHECK(answer.out.find("near_overlap") != std::string::npos);
     const std::string text = read_text(page);
     CHECK(text.find("<svg") != std::string::npos);
-    CHECK(text.find("Wrong answers of Box2D") != std::string::npos);
+    CHECK(text.find("Wrong answers of Box2D: the worst of each family") != std::string::npos);
     CHECK(text.find("overlap flag") != std::string::npos);
     for (const char* from_elsewhere : {"<script", "src=", "href=", "url("})
         CHECK_MESSAGE(text.find(from_elsewhere) == std::string::npos, from_elsewhere);

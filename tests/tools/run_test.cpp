@@ -110,6 +110,7 @@ TEST_CASE("events.csv lists contacts and sleep, and --contacts lists every point
                                       out.string(), "--contacts", file.string(), "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const std::vector<std::string> events = lines_of(out / "events.csv");
+    REQUIRE(!events.empty());
     CHECK(events[0] == "step,time,event,a,b,x,y,nx,ny,speed");
     const auto count = [&](const std::string& kind) {
         return std::ranges::count_if(events,
@@ -118,6 +119,7 @@ TEST_CASE("events.csv lists contacts and sleep, and --contacts lists every point
     CHECK(count(",contact_begin,ground,ball,") >= 1);
     // A contact that exists at the end has one more begin event than end events.
     const std::vector<std::string> contacts = lines_of(file);
+    REQUIRE(!contacts.empty());
     CHECK(contacts[0] == "step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse");
     const json summary = json::parse(answer.out);
     const auto is_of_the_end = [](const std::string& line) { return line.starts_with("240,"); };

@@ -22,7 +22,7 @@ constexpr double kSeparation = kSummit;
 
 struct Faller {
     Shape shape;
-    double rest;  // of its centre over the floor it lies on
+    double rest;  // of its centre over the floor, at rest
 };
 
 const Faller kFallers[] = {{make_circle(0.5f), 0.5},

@@ -168,7 +168,7 @@ TEST_CASE("a body that crosses one segment is stopped by the next at a right ang
     }
 }
 
-TEST_CASE("a body that falls asleep while it crosses a chain crosses it on after waking") {
+TEST_CASE("a body that falls asleep while it crosses a chain continues to cross it after waking") {
     World world = weightless();
     add_chain(world, flat_points(), false, true, 0.5f);
     const BodyId ball = add_dynamic(world, {0.0, -0.6}, make_circle(0.5f));
@@ -181,7 +181,9 @@ TEST_CASE("a body that falls asleep while it crosses a chain crosses it on after
     world.audit();
     world.set_velocity(ball, {0.0f, 0.06f}, 0.0f);
     run(world, 20);
-    CHECK(world.state(ball).pose.position.y < rest + 0.06 / 3.0);
+    const double rise = world.state(ball).pose.position.y - rest;  // damped from 0.06 m/s for 1/3 s: 0.017 m
+    CHECK(rise > 0.015);
+    CHECK(rise < 0.06 / 3.0);
 }
 
 TEST_CASE("a body that has crossed a chain lands on it when it comes back") {

@@ -64,7 +64,7 @@ int count_through(BodyType wall_type, bool bullet, bool continuous) {
 TEST_CASE("of 1000 shots at 400 m/s none passes through a wall of 1 cm") {
     CHECK(count_through(BodyType::static_body, false, true) == 0);
     CHECK(count_through(BodyType::kinematic_body, false, true) == 0);
-    CHECK(count_through(BodyType::static_body, false, false) > 900);  // the shots would pass
+    CHECK(count_through(BodyType::static_body, false, false) > 900);  // without it most pass through
 }
 
 TEST_CASE("bullets do not pass through a dynamic wall, other bodies do") {
@@ -79,7 +79,7 @@ TEST_CASE("two bullets that fly at each other collide, at any phase of the step"
         const BodyId right = shoot(world, make_circle(0.05f), {5.0 + 0.011 * i, 0.0}, {-300.0f, 0.0f}, 0.0f, true);
         run(world, 10);
         CHECK(world.state(left).pose.position.x < world.state(right).pose.position.x);
-        // Equal masses without restitution go on together.
+        // Equal masses without restitution move on together.
         CHECK(near(world.state(left).velocity.x, 40.0, kFloat));
     }
 }
@@ -197,9 +197,9 @@ TEST_CASE("a long rod that spins fast is stopped by a thin pillar") {
     }
 }
 
-// The bar may hit the pillar with any part, its last centimetres too; the middle of the bar never passes the middle of
-// the pillar.
-TEST_CASE("no part of a long bar that spins fast passes a pillar") {
+// Any part of the bar may hit the pillar, its last centimetres too; the axis of the bar never reaches the centre of the
+// pillar.
+TEST_CASE("no part of a long bar that spins fast passes through a pillar") {
     for (int i = 0; i < 60; ++i) {
         CAPTURE(i);
         const double reach = 0.3 + 2.68 * i / 59.0, turn = 0.6 + 0.11 * (i % 9);

@@ -66,7 +66,7 @@ DistanceJointDef rod() {
 
 }  // namespace
 
-TEST_CASE("a body between two joints that move apart stays finite, forevery kind of joint") {
+TEST_CASE("a body between two joints that move apart stays finite, for every kind of joint") {
     const std::vector<JointDef> kinds{slider(), strut(), rod(), RevoluteJointDef{}, WeldJointDef{}};
     for (const JointDef& kind : kinds)
         for (const float speed : {1.0f, 5.0f, 10.0f})
@@ -98,7 +98,7 @@ TEST_CASE("a slider between two contradicting limits moves no faster than its ca
     }
 }
 
-// It hangs 2 cm below the line of its carriers again; the joints give way by F / (m w^2) = 0.1 mm.
+// It hangs 2 cm below the line of its carriers again; the joints yield by F / (m w^2) = 0.1 mm.
 TEST_CASE("joints that were pulled apart close again once their carriers have come back") {
     const auto check = [](const auto& def) {
         Torn torn(5.0f, 0.0f, 1.0f);

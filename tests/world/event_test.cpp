@@ -182,7 +182,7 @@ TEST_CASE("a sensor has no mass, detects kinematic bodies, and keeps bodies that
     const BodyId zone = add_sensor(world, {}, make_box({4.0f, 4.0f}));
     const BodyId ball = add_dynamic(world, {1.0, 0.0}, make_circle(0.5f));
     const BodyId lift = add_body(world, BodyType::kinematic_body, {-1.0, 0.0}, kBox);
-    add_sensor(world, {0.0, 1.6}, kBox, BodyType::dynamic_body);  // sensors do not notice each other
+    add_sensor(world, {0.0, 1.6}, kBox, BodyType::dynamic_body);  // sensors do not detect each other
     world.step();
     CHECK(world.events().sensor_begins.size() == 2);
     run(world, 120);
@@ -299,6 +299,7 @@ TEST_CASE("a body that is stopped before a sensor does not enter it") {
         world.step();
         CHECK(world.events().sensor_begins.empty());
     }
+    CHECK(near(world.state(ball).pose.position.x, -0.15, absolute(0.01)));  // at the wall
 }
 
 TEST_CASE("a fast impact is a hit in the step in which it begins, a slow one is not") {

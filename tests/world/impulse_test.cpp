@@ -30,7 +30,7 @@ double sum_of_normals(const World& world) {
 struct Balance {
     DVec2 linear;           // N s
     double angular = 0.0;   // N m s
-    double turnover = 0.0;  // N s: of all that came and went, the scale of its rounding
+    double turnover = 0.0;  // N s: sum of all magnitudes, the scale of the rounding
 
     void add(DVec2 impulse, DVec2 arm) {
         linear = linear + impulse;
@@ -78,7 +78,7 @@ TEST_CASE("the impulse of an impact is the momentum that it stops, and of a boun
             shown = sum_of_normals(world);
         }
         // Fallen 2.75 m: it arrives with sqrt(2 g h) = 7.4 m/s. It is stopped up to a step later, in a step whose
-        // gravity is stopped too: each m g dt, and the bounce gives back its part.
+        // gravity is stopped too: each m g dt, and the bounce returns its part.
         const double mass = double{world.mass(brick).mass}, part = 1.0 + double{restitution};
         CHECK(std::abs(shown - part * mass * std::sqrt(2.0 * 10.0 * 2.75)) < part * 2.0 * 10.0 * mass * double{kStep});
     }

@@ -41,7 +41,7 @@ TEST_CASE("a projectile lands where the parabola of the scheme ends") {
     World world;
     const BodyId ball = add_dynamic(world, {}, make_circle(0.1f));
     world.set_velocity(ball, {8.0f, 6.0f}, 0.0f);
-    run(world, 72);  // 1.2 s: back at the height of the throw, but for the half sub-step of the scheme
+    run(world, 72);  // 1.2 s: back at its initial height, but for the half sub-step of the scheme
     const double t = 72 * kSubsteps * kH;
     const BodyState state = world.state(ball);
     CHECK(std::abs(state.pose.position.x - 8.0 * t) <= rounding(72 * kSubsteps, 8.0));

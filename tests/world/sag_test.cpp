@@ -1,4 +1,4 @@
-// How far soft constraints give way, against closed forms: stacks, pyramids, bridges and chains. Settled bodies neither
+// How far soft constraints yield, against closed forms: stacks, pyramids, bridges and chains. Settled bodies neither
 // creep nor lean, and fall asleep.
 #include <doctest/doctest.h>
 
@@ -18,9 +18,9 @@ constexpr double kGravity = 10.0;
 constexpr double kContactOmega = 2.0 * kPi * 30.0;  // contact softness, rad/s
 constexpr double kJointOmega = 2.0 * kPi * 60.0;
 constexpr double kDampedGravity = kGravity / (1.0 + 1.0 / 240.0);  // of a body with a damping of 1 / s
-constexpr double kSagPart = 0.5;  // of a plain spring's, of what contacts give way under a load that they carry on
+constexpr double kSagPart = 0.5;  // contacts under a constant load yield by this part of what plain springs do
 
-// How far the top of n equal boxes would sink on plain springs. A contact that carries k boxes above it gives way by
+// How far the top of n equal boxes would sink on plain springs. A contact that carries k boxes above it yields by
 // F / (m_eff w^2) with F = k m g and the effective mass of two points on two boxes, m / 2.5; on the ground m / 1.25 at
 // twice the frequency.
 double spring_sag(int n) {
@@ -160,7 +160,7 @@ TEST_CASE("a pyramid of 20 rows sinks by 16.4 mm, comes to rest and stands") {
 // A taut bridge of n unit planks is longer than its span by the openings e of its n + 1 hinges, each 2 H / (m w^2) (at
 // the banks half of that) under its pull H = m g n^2 / (8 d) with the middle d below the banks: n e = 8 d^2 / (3 n)
 // gives d^3 = 3 g n^4 / (32 w^2). The parabola neglects terms of 8/3 (d / n)^2, by which its arc is longer than n.
-TEST_CASE("a taut bridge hangs as low as its hinges give way") {
+TEST_CASE("the openings of its hinges determine how low a taut bridge hangs") {
     for (const int n : {20, 40}) {
         CAPTURE(n);
         const double planks = n;

@@ -43,7 +43,7 @@ TEST_CASE("seams of tiles, at rest or moving, neither lift nor rotate nor slow a
 }
 
 // The rise of a ramp and a step is no seam.
-TEST_CASE("a ramp or a step above the floor collides as without seams") {
+TEST_CASE("a ramp or a step above the floor slows a sliding body") {
     for (const bool ramp : {false, true}) {
         CAPTURE(ramp);
         World world({.sleeping = false});

@@ -48,7 +48,7 @@ TEST_CASE("overlapping bodies are pushed apart at 3 m/s at most") {
     // The spring alone would push by 9 / s of 0.6 m; a soft contact reaches its mass scale, 0.94, of its bias velocity.
     CHECK(fastest > 0.94 * 3.0);
     CHECK(before > 0.9);
-    CHECK(world.state(right).velocity.x - world.state(left).velocity.x < 0.1f);  // no energy is left behind
+    CHECK(world.state(right).velocity.x - world.state(left).velocity.x < 0.1f);  // no speed remains
 }
 
 TEST_CASE("a heavy box rests on a light one, a thousand to one") {
@@ -57,8 +57,8 @@ TEST_CASE("a heavy box rests on a light one, a thousand to one") {
     const BodyId light = add_dynamic(world, {0.0, 0.5}, make_box({1.0f, 1.0f}), {.density = 1.0f});
     const BodyId heavy = add_dynamic(world, {0.0, 1.5}, make_box({1.0f, 1.0f}), {.density = 1000.0f});
     run(world, 600);
-    // The light one is overlapped by F / (m_eff w^2) with its own mass. It must not be pushed out sideways or passed
-    // through.
+    // The heavy box overlaps the light one by F / (m_eff w^2) with the mass of the light one. It must neither push it
+    // out sideways nor pass through it.
     CHECK(height(world, heavy) > height(world, light) + 0.4);
     CHECK(std::abs(world.state(light).pose.position.x) < 0.05);
 }

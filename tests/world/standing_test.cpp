@@ -84,7 +84,7 @@ TEST_CASE("an arch stands by friction, and falls without it") {
         run(arch.world, 600);
         const double moved = farthest_moved(arch.world, arch.bodies, arch.positions);
         if (friction > 0.5f) {
-            CHECK(moved < 0.02);  // 14 joints that give way by a millimetre or so each
+            CHECK(moved < 0.02);  // 14 joints that yield by a millimetre or so each
             CHECK(arch.world.counters().awake_bodies == 0);
         } else {
             CHECK(moved > 1.0);

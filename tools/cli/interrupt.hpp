@@ -3,7 +3,7 @@
 
 namespace tumble::tools {
 
-// After this call the first SIGINT or SIGTERM sets the flag, and a second one ends the process.
+// After this call the first SIGINT or SIGTERM sets the flag, and a second one of the same kind ends the process.
 void catch_interrupts();
 
 bool is_interrupted() noexcept;

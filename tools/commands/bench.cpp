@@ -70,7 +70,7 @@ void bench_all_queries(const Command& command, const QueryBenchOptions& options,
 }
 
 ExitCode bench(const Command& command, const BenchArguments& options) {
-    std::vector<Scene> scenes;  // read first: an error in one should not come after minutes of measurements
+    std::vector<Scene> scenes;  // read first, so that an error in one is not reported after minutes of measurements
     for (const std::string& name : options.scenes) scenes.push_back(load_named_scene(find_scene(name).string()));
     JsonWriter json;
     json.open_object().key("distance").open_array();

@@ -1,5 +1,5 @@
-// `tumble demo`: runs a shipped scene into a folder that the demo replaces, or into a folder of the user; lists the
-// shipped scenes; prints the file of one.
+// `tumble demo`: runs a shipped scene and writes its results to a folder that each demo replaces, or to a folder that
+// the user names; lists the shipped scenes; prints the file of one.
 #include <filesystem>
 #include <memory>
 #include <string>

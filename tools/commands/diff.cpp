@@ -1,4 +1,4 @@
-// `tumble diff`: where two runs first differ.
+// `tumble diff`: reports where two runs first differ.
 #include <memory>
 #include <string>
 

@@ -1,4 +1,4 @@
-// `tumble distance`: the signed distance of two shapes, for two arguments or for each line of standard input.
+// `tumble distance`: computes the signed distance of two shapes, for two arguments or for each line of standard input.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -142,10 +142,10 @@ ExitCode run(const Command& command, const DistanceArguments& options) {
 
 void add_distance(CLI::App& app, Command& command) {
     const auto options = std::make_shared<DistanceArguments>();
-    CLI::App& distance =
-        add_subcommand(app, command, "distance",
-                       "Compute the signed distance of two convex shapes, with proof; a polygon is the exact hull of its "
-                       "vertices");
+    CLI::App& distance = add_subcommand(
+        app, command, "distance",
+        "Compute the signed distance of two convex shapes, with proof; a polygon is the exact hull of its "
+        "vertices");
     distance.add_option("A", options->a, R"(A shape, as in {"circle": {"radius": 1}, "pose": {"position": [2, 0]}})");
     distance.add_option("B", options->b, "The second shape");
     distance.add_flag("--stdin", options->from_input,

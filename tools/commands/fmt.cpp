@@ -1,4 +1,4 @@
-// `tumble fmt`: the canonical form of a scene file.
+// `tumble fmt`: prints or writes the canonical form of a scene file.
 #include <memory>
 #include <string>
 #include <string_view>

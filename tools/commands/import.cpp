@@ -44,7 +44,7 @@ std::ptrdiff_t count_of(const ImportedScene& imported, BodyType type) {
     return std::ranges::count(imported.scene.bodies, type, &SceneBody::type);
 }
 
-// How the types of bodies follow from a drawing, which has no such property.
+// How the importer chooses the types of bodies: a drawing has no such property.
 constexpr const char* kSvgRule =
     "In an SVG drawing, filled shapes become dynamic bodies and unfilled lines become static chains.\n"
     "To choose another type, set class=\"static\" (or \"kinematic\", \"dynamic\"), data-type=\"static\", or an id\n"

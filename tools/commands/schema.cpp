@@ -1,4 +1,4 @@
-// `tumble schema`: the JSON schema of the scene format.
+// `tumble schema`: prints the JSON schema of the scene format.
 #include <string>
 
 #include "tools/cli/console.hpp"

@@ -41,7 +41,7 @@ ExitCode shoot(const Command& command, const ShotArguments& options) {
         throw CLI::ValidationError("--output", "expected a file name that ends in .png, got " + options.file.string());
     const Scene scene = read_scene(options.scene);
     if (options.time > scene.world.duration)
-        report_warning("--at is after the end of the scene, which is simulated on until then");
+        report_warning("--at is after the end of the scene; the simulation continues until then");
     refuse_to_overwrite(options.file, options.force);
     const std::uint64_t step = nearest_step(options.time, scene.world.steps_per_second);
     report_shot(command, options, draw_scene_at(scene, step, options.size, options.file, options.overlay));

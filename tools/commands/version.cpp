@@ -1,4 +1,4 @@
-// `tumble --version`: the version, its compiler, and the instruction sets of the build and of the processor.
+// `tumble --version`: prints the version, its compiler, and the instruction sets of the build and of the processor.
 #include <string>
 #include <vector>
 

@@ -14,7 +14,8 @@ namespace tumble::tools {
 
 namespace {
 
-// Steps before the engines alternate: short against drifts of the machine's speed, long against refilling the caches.
+// Steps before the engines alternate: short compared with drifts of the machine's speed, long compared with refilling
+// the caches.
 constexpr int kTurn = 10;
 
 template <class World>

@@ -51,18 +51,17 @@ std::string why_box2d_failed(const ParityCase& sample) {
     if (!std::isfinite(answer) || leaves_float_range(size))
         return "Products of up to four coordinates of about " + metres(size) + " exceed the range of float.";
     if (has_radii(sample.query) && answer == 0.0 && core <= kBox2dEpsilon && sample.exact > 0.0)
-        return "For shapes with radii, it reports an overlap at every core distance up to " + metres(kBox2dEpsilon) +
-               ", independent of the size of the shapes.";
+        return "For shapes with radii, b2Distance reports an overlap at every core distance up to " +
+               metres(kBox2dEpsilon) + ", independent of the size of the shapes.";
     if (std::abs(sample.exact) <= reference::kParityTolerance * resolution)
-        return "It computes in world coordinates, which float rounds to " + metres(resolution) +
-               " here: the exact distance is smaller than that.";
+        return "b2Distance computes in world coordinates, which float rounds to " + metres(resolution) +
+               " here: the exact distance is at most 4 times that.";
     if (std::min({shortest_edge(sample.query.a), shortest_edge(sample.query.b), std::abs(core)}) < kBox2dEpsilon)
-        return "It stops at a search direction shorter than " + metres(kBox2dEpsilon) +
+        return "b2Distance stops at a search direction shorter than " + metres(kBox2dEpsilon) +
                ", an absolute length, and this pair has smaller features.";
     if (sample.exact < 0.0 && answer > 0.0 && answer <= reference::kParityTolerance * resolution)
-        return "It stopped with the origin on an edge of its simplex. Its distance is the rounding error of its "
-               "witness "
-               "points, and only an exact 0 reports an overlap.";
+        return "b2Distance stopped with the origin on an edge of its simplex. Its distance is the rounding error of "
+               "its witness points, and only an exact 0 reports an overlap.";
     return "Rounding in float changed the sign of a small difference of products.";
 }
 

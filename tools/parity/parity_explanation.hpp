@@ -1,4 +1,4 @@
-// Explains a wrong answer of b2Distance in one sentence, from its algorithm, the size of the pair and the answer.
+// Explains a wrong answer of b2Distance in a sentence or two, from its algorithm, the size of the pair and the answer.
 #pragma once
 
 #include <string>

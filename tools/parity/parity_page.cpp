@@ -47,13 +47,13 @@ void add_summary(HtmlPage& page, const ParityResult& result, const std::string& 
     const ParityRow total = result.total();
     page.paragraph(
         what + ", seed " + std::to_string(result.seed) +
-        ". tumble and Box2D's b2Distance each computed the distance of every pair: " + grouped(total.comparisons) +
-        " comparisons, because shapes with radii are compared without and with them. Exact arithmetic "
+        ". tumble and Box2D answered the same queries: " + grouped(total.comparisons) +
+        " comparisons, because distances of shapes with radii are compared without and with them. Exact arithmetic "
         "checked " +
         grouped(total.checked_exactly) + " of the comparisons. The run took " + short_number(result.seconds) + " s.");
-    page.paragraph("Wrong answers of tumble: " + grouped(total.ours_wrong) +
-                   ". Wrong answers of b2Distance: " + grouped(total.box2d_wrong) + " (" +
-                   grouped(total.box2d_wrong_flag) + " wrong overlap flags, " + grouped(total.box2d_wrong_distance) +
+    page.paragraph("Wrong answers of tumble: " + grouped(total.ours_wrong + total.ours_witness_wrong) +
+                   ". Wrong answers of Box2D: " + grouped(total.box2d_wrong) + " (" + grouped(total.box2d_wrong_flag) +
+                   " wrong overlap flags, " + grouped(total.box2d_wrong_distance) +
                    " wrong distances). Ill-conditioned pairs, on which the engines differ and neither is wrong: " +
                    grouped(total.ill_conditioned) + ".");
 }
@@ -67,21 +67,21 @@ void add_definitions(HtmlPage& page) {
     page.paragraph(
         "A distance of tumble comes with bounds. It is wrong if the exact signed distance lies outside of [lower, "
         "upper], if its status (separated, touching, overlapping) contradicts the exact sign, if its certificate does "
-        "not prove the bounds, or if its error exceeds 16 to 20 u L, the rounding error in double; the last condition "
-        "excludes bounds that are correct but too wide.");
+        "not prove the bounds, if its witness points are off by more than 4 eps S, or if its error exceeds the "
+        "rounding error in double, 16 to 20 u L; the last condition excludes bounds that are correct but too wide.");
     page.paragraph(
-        "A ray, a shape cast or a time of impact of tumble is wrong if it misses a distance that is below the target "
-        "by "
-        "4 E, if it reports a contact where no distance is within 4 E of the target, or if its bracket of the fraction "
-        "is not correct. E is the query's own error bound, about 24 u L. The error in the table is the difference from "
-        "the target distance at the reported fraction.");
+        "A ray, a shape cast or a time of impact of tumble is wrong if the distance falls more than 4 E below the "
+        "target before the reported fraction, or at any time if a miss is reported; if the distance at the reported "
+        "fraction differs from the target by more than 4 E; or if its bracket of the fraction is not correct. E is the "
+        "error bound of the query, 16 u L for a translation and about 24 u L for a time of impact. For Box2D, 4 eps S "
+        "plus its own tolerance replace 4 E, and at the reported fraction only a distance above the target is wrong. "
+        "The error in the table is the difference from the target at the reported fraction.");
     page.paragraph(
         "b2Distance computes in float. It is wrong if its distance has an error above 4 eps S, or if its overlap flag "
         "is wrong: it reports an overlap by the distance 0, so 0 is wrong for a positive exact distance, and any other "
         "value is wrong for a negative one. A pair is ill-conditioned if the engines differ by more than the tolerance "
         "and neither is wrong. Exact arithmetic checks every pair on which they differ by more, the first pairs of "
-        "each "
-        "family, and a seeded sample of the rest.");
+        "each family, and a seeded sample of the rest.");
     page.heading("Why b2Distance fails");
     page.paragraph(
         "It computes in float and in world coordinates. The coordinates of a pair S metres from the origin are rounded "
@@ -90,8 +90,7 @@ void add_definitions(HtmlPage& page) {
         "an edge of its simplex, a deep overlap is reported as a tiny distance. The barycentric weights of its "
         "triangles are products of four coordinates, which exceed the range of float for shapes below a nanometre or "
         "above a million kilometres. tumble computes in double relative to one of the shapes, has no absolute length "
-        "in "
-        "any query, and subtracts the radii last.");
+        "in any query, and subtracts the radii last.");
 }
 
 void add_family_table(HtmlPage& page, const ParityResult& result) {
@@ -191,7 +190,7 @@ void add_worst_cases(HtmlPage& page, const ParityResult& result) {
 }  // namespace
 
 std::string parity_page(const ParityResult& result, const std::string& what) {
-    HtmlPage page("Parity with b2Distance");
+    HtmlPage page("Parity with Box2D");
     add_summary(page, result, what);
     page.figure(draw_error_histograms(result.families),
                 "Errors of both engines by family, on one axis. The errors of tumble are those of the comparisons that "

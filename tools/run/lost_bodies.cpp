@@ -52,7 +52,7 @@ std::string lost_bodies_text(const SceneWorld& built) {
     }
     if (count == 0) return {};
     const std::string name = "'" + output_name(built.bodies[first], first) + "'";
-    std::string text = name + (count > 1 ? " and " + std::to_string(count - 1) + " more bodies have" : " has") +
+    std::string text = name + (count > 1 ? " and " + std::to_string(count - 1) + " more have" : " has") +
                        " fallen below all static and kinematic shapes: " + name + " is at y = ";
     append_number(text, static_cast<float>(world.state(built.bodies[first].id).pose.position.y));
     return text + " m at the end";

@@ -8,7 +8,7 @@
 
 namespace tumble::tools {
 
-// "'car' and 2 more bodies have fallen ...": the dynamic bodies that have fallen far below all static and kinematic
+// "'car' and 2 more have fallen ...": the dynamic bodies that have fallen far below all static and kinematic
 // shapes. Empty if there is none, if the world has no static or kinematic shape, or without gravity.
 std::string lost_bodies_text(const SceneWorld& built);
 

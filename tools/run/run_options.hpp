@@ -20,7 +20,7 @@ struct FrameSize {
 };
 
 struct RunOptions {
-    std::filesystem::path folder;    // receives frames/ and summary.json
+    std::filesystem::path folder;    // of frames/, summary.json and events.csv
     std::optional<double> duration;  // s; without it the scene's
     double frames_per_second = 60.0;
     FrameSize size;

@@ -78,8 +78,8 @@ public:
     // velocity of every material point stay the same. `reach` and `smallest_extent` are those of BodyMotion.
     void set_mass(BodyId id, const BodyMass& mass, float reach, float smallest_extent);
 
-    // Each keeps the velocity as far as type and locks allow. After set_type, set_enabled and a change of locks the
-    // caller sets the mass again.
+    // Each keeps the velocity as far as type and locks allow, but an enabled body starts at rest. After set_type,
+    // set_enabled and a change of locks the caller sets the mass again.
     void set_type(std::uint32_t body, BodyType type);
     void set_enabled(std::uint32_t body, bool enabled);
     void set_flag(std::uint32_t body, BodyFlag flag, bool value);

@@ -2,7 +2,8 @@
 //
 // The values are those on which soft-step engines agree (Box2D 3.x, Rapier), so that scenes behave alike. Lengths are
 // limited by the shapes, so that a 2 cm ball does not touch at a 2 cm gap. Values in m, m/s, Hz and s are for bodies of
-// 1 m; a world of another scale uses its Tuning. ../SOFTNESS.md derives the limits of frequencies.
+// 1 m; a world of another scale uses its Tuning. ../SOFTNESS.md derives the limits of the frequencies of springs and
+// contacts.
 #pragma once
 
 #include <algorithm>
@@ -100,8 +101,9 @@ inline constexpr float kMaxFastRotation = static_cast<float>(kPi);
 inline constexpr float kDeadPoint = 0.01f;
 
 // Colours of the constraint graph: for contacts between dynamic bodies, and for contacts with a static or kinematic
-// one. The latter are solved last in each pass, so that the ground wins. Together at most 24: the last of more colours
-// have too few contacts to fill lanes. A contact without a colour has a block of its own.
+// one. The latter are solved last in each pass, so that no later contact presses a body into the ground again. Together
+// at most 24: the last of more colours have too few contacts to fill lanes. A contact without a colour has a block of
+// its own.
 inline constexpr int kDynamicColors = 16;
 inline constexpr int kStaticColors = 8;
 

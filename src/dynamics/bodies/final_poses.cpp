@@ -28,22 +28,22 @@ void shorten_motion(BodyStore& bodies, std::uint32_t index, double fraction, Vec
     SolverBody& body = bodies.solver_bodies[frame.solver_body];
     const MovingBody& moving = bodies.moving[frame.solver_body];
     const float part = static_cast<float>(fraction), rest = static_cast<float>(1.0 - fraction);
-    const float lost = rest * times.step;  // s
-    body.angular_velocity -= allowed(body.flags, lost * moving.angular_acceleration);
+    const float rest_time = rest * times.step;  // s
+    body.angular_velocity -= allowed(body.flags, rest_time * moving.angular_acceleration);
     const Vec2 acceleration = allowed(body.flags, moving.free_acceleration(gravity));
     const float size = length(acceleration);
     if (size > 0.0f) {
         const Vec2 down = (1.0f / size) * acceleration;
         const float fallen = dot(body.delta_position, down), gained = size * times.step;
         const float middle = dot(body.velocity, down) + 0.5f * times.substep * size;
-        const float ballistic = middle - lost * size;
+        const float ballistic = middle - rest_time * size;
         // The mean speed of free motion is middle - gained / 2, apart from damping; an impact changes it by more.
         const bool was_struck = std::abs(middle - 0.5f * gained - fallen / times.step) > gained;
-        const float due_sq = was_struck ? speed_sq_after(middle, -rest * fallen, size) : ballistic * ballistic;
-        const float speed = std::min(std::sqrt(std::max(due_sq, 0.0f)), std::abs(middle) + lost * size);
+        const float speed_sq = was_struck ? speed_sq_after(middle, -rest * fallen, size) : ballistic * ballistic;
+        const float speed = std::min(std::sqrt(std::max(speed_sq, 0.0f)), std::abs(middle) + rest_time * size);
         body.velocity += (std::copysign(speed, ballistic) - middle) * down;
-        const float owed = std::min(due_sq, 0.0f) * frame.inv_inertia / frame.inv_mass;
-        const float spin_sq = body.angular_velocity * body.angular_velocity + owed;
+        const float spin_sq_change = std::min(speed_sq, 0.0f) * frame.inv_inertia / frame.inv_mass;
+        const float spin_sq = body.angular_velocity * body.angular_velocity + spin_sq_change;
         body.angular_velocity = std::copysign(std::sqrt(std::max(spin_sq, 0.0f)), body.angular_velocity);
     }
     if (fraction <= 0.0) body.angular_velocity = 0.0f;

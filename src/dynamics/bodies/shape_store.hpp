@@ -33,8 +33,8 @@ public:
     // Creates a shape without a proxy.
     ShapeId create(std::uint32_t body, const ShapeDef& def);
 
-    // Adds a proxy at the body's pose, and removes it. Its layer follows from the body's type, and from whether the
-    // shape is a sensor. displace() has no effect on a shape without a proxy.
+    // place() adds a proxy at the body's pose, displace() removes it. Its layer follows from the body's type, and from
+    // whether the shape is a sensor. displace() has no effect on a shape without a proxy.
     void place(std::uint32_t shape, const BodyFrame& frame, const Tuning& tuning, BroadPhase& broad);
     void displace(std::uint32_t shape, BroadPhase& broad);
 

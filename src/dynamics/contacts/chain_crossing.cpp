@@ -34,7 +34,8 @@ bool continues(const Shape& segment, const Shape& other) {
     return is_adjacent && dot(segment.vertex(1) - segment.vertex(0), other.vertex(1) - other.vertex(0)) > 0.0f;
 }
 
-// What a shape's contacts with a segment and those that it continues decide, apart from the contact `except`.
+// The state that follows from a shape's contacts with a segment and with those that continue it, without the contact
+// `except`.
 ChainState state_of_neighbors(const ChainContacts& chains, const ShapeRecord& segment, std::uint32_t shape,
                               const Contact* except) {
     ChainState state = ChainState::apart;

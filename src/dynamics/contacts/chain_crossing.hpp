@@ -1,8 +1,8 @@
 // One-sided chains: which contacts with a chain's segments push, as a state machine for each contact.
 //
 // A one-sided segment is solid on its left. A shape that comes from the right, the open side, collides with it. A shape
-// that comes from the left crosses the chain: half way its middle is already on the open side, where a contact would
-// push it away. Therefore each contact with a segment stores the side that the shape came from, until the two are
+// that comes from the left crosses the chain: half-way through, its middle is already on the open side, where a contact
+// would push it away. Therefore each contact with a segment stores the side that the shape came from, until the two are
 // apart. A segment of a two-sided chain has two open sides.
 //
 //   state      meaning                                       manifold

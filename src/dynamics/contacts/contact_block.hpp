@@ -48,7 +48,7 @@ struct ContactBlock {
     Lanes coupling;  // change of the normal velocity at one point per unit normal impulse at the other, 1/kg
     Lanes friction;
     Softness softness;
-    // The rest is read only if the flag before it is set for one of the lanes.
+    // The passes read the rest only if its flag is set for one of the lanes.
     bool has_locks;
     Lanes least_response;  // rows of locked bodies with a smaller response are not solved, 1/kg
     bool has_radius;

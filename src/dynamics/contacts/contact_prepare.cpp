@@ -1,4 +1,4 @@
-// From contacts to blocks and back. Only here are lanes read and written one by one.
+// From contacts to blocks and back: fills the lanes one by one, and reads the impulses from them.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -62,7 +62,7 @@ JointStrength joint_strength(const JointDef& def);
 
 class JointStore {
 public:
-    // Adds an awake joint. The lists of joints of its bodies are the caller's.
+    // Adds an awake joint. The caller updates the lists of joints of its bodies.
     JointId create(const JointDef& def);
     void destroy(JointId id);
     const JointDef& def(JointId id) const {
@@ -159,7 +159,7 @@ private:
     std::vector<JointLoad> loads_;      // by joint index
     KindList lists_;
     std::vector<JointId> broken_;
-    bool is_unsorted_ = false;  // an awake list has got joints since the last prepare()
+    bool is_unsorted_ = false;  // an awake list got joints since the last prepare()
 };
 
 }  // namespace tumble

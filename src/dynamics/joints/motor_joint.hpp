@@ -1,6 +1,7 @@
 // Motor joint: drives B's anchor and angle relative to A, with a bounded force and torque. An angular row and a point
 // block (joint_block.hpp), each with a bound on the accumulated impulse, h times max_torque and max_force.
-//   with a spring:     soft constraints, angle = reference angle and anchor = anchor, plus the wanted velocity
+//   with a spring:     soft constraints of the angle to the reference angle and of B's anchor to A's, plus the wanted
+//                      velocity
 //   without a spring:  the relative velocity equals the wanted velocity; with 0 this is dry friction
 #pragma once
 

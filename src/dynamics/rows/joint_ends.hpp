@@ -1,4 +1,4 @@
-// The two bodies of a joint definition of any kind.
+// The two bodies of a joint definition of any kind, and whether a gear can couple the joint.
 #pragma once
 
 #include <variant>

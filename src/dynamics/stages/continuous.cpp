@@ -70,7 +70,8 @@ private:
     }
 
     // Calls visit(own shape, other shape) for each pair that may touch, of a mover's shape and a shape of these layers
-    // near its path. Pairs with a sensor become candidates for a crossing; a mover's own sensor sees all layers.
+    // near its path. Pairs with a sensor become candidates for a crossing; a mover's own sensor is paired with shapes
+    // of all layers.
     template <class Visitor>
     void for_each_near(const Mover& mover, ProxyLayer first, ProxyLayer last, Visitor&& visit) {
         for (const ShapeId own : simulation_.bodies.records[mover.body].shapes) {

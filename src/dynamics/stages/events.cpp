@@ -135,7 +135,8 @@ void report_events(Simulation& simulation) {
     }
     simulation.contact_counts = counts;
     report_sensor_crossings(simulation);
-    // Events of removed contacts came first, and sensor events have the sensor first, whatever the order of the pair.
+    // The lists are not in order yet: events of removed contacts were added first, and a sensor event has the sensor
+    // first, whatever the order of the pair.
     StepEvents& events = simulation.events;
     const auto is_first = [](const auto& a, const auto& b) {
         return std::tie(a.shape_a, a.shape_b) < std::tie(b.shape_a, b.shape_b);

@@ -5,8 +5,8 @@
 
 namespace tumble {
 
-// A stage of the step, at the final poses: updates sensors, reports pairs that began or ended to touch and hits, and
-// counts contacts.
+// A stage of the step, at the final poses: updates sensors, reports hits and the pairs that began or ceased to touch,
+// and counts contacts.
 void report_events(Simulation& simulation);
 
 void clear(StepEvents& events);

@@ -1,9 +1,12 @@
 // Ground of several tiles, static or kinematic: shapes slide from one tile to the next without a ghost collision.
 //
 // A shape that slides over tiles overlaps them slightly, so that the narrow phase finds a contact with the side of the
-// next tile. But a shape that rests on the plane of one tile can touch another that does not rise above this plane only
-// on the plane itself. Its contact with that tile is removed for the step if it has another normal. Chains store their
-// neighbours and need no such rule. Of two faces that form a ridge, both may support a shape, if it is not the same.
+// next tile. But a tile that does not rise above the plane of another can touch a shape that rests on this plane only
+// on the plane itself. The contact with that tile is removed for the step if it has another normal. Chains store their
+// neighbours and need no such rule.
+//
+// Only contacts of the same shape are compared: at a ridge each face is below the plane of the other, and a body of two
+// shapes may rest on both faces.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"

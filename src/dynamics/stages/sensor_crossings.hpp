@@ -1,8 +1,8 @@
 // Sensors that a fast body crosses within a step: it overlaps them neither before the step nor after it.
 //
 // The candidates are the sensors near the path of a body that continuous collision sweeps. A body crosses a sensor if
-// their motions of the step, shortened by impacts, touch. Left out: two fast bodies neither of which was near the
-// other's path at the start of the step.
+// the two touch during their motions of the step, which impacts may have shortened. Crossings of two fast bodies are
+// left out if neither was near the other's path at the start of the step.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"

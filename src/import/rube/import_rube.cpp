@@ -92,7 +92,7 @@ private:
             if (const std::optional<RubeFixture> read = read_rube_fixture(fixture, notes_))
                 result.shapes.push_back(
                     {read->geometry, material_of(read->surface), read->custom, read->filter, read->sensor});
-        read_behaviour(body, result);
+        read_behavior(body, result);
         body.note_unread("body", notes_);
         scene_.bodies.push_back(std::move(result));
     }
@@ -107,7 +107,7 @@ private:
         result.custom = body.custom({"customProperties"});
     }
 
-    void read_behaviour(RubeObject& body, SceneBody& result) {
+    void read_behavior(RubeObject& body, SceneBody& result) {
         const bool awake = body.flag("awake"), may_sleep = body.flag("allowSleep", true);
         const bool bullet = body.flag("bullet"), fixed = body.flag("fixedRotation");
         result.enabled = body.flag("active", true);

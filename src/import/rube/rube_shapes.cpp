@@ -13,7 +13,7 @@ namespace tumble::scene {
 namespace {
 
 // Removes points that are equal in float to the one before.
-std::vector<DVec2> weld_neighbours(const std::vector<DVec2>& points, RubeNotes& notes) {
+std::vector<DVec2> weld_neighbors(const std::vector<DVec2>& points, RubeNotes& notes) {
     std::vector<DVec2> kept;
     for (const DVec2 point : points)
         if (kept.empty() || to_float(kept.back()) != to_float(point)) kept.push_back(point);
@@ -23,7 +23,7 @@ std::vector<DVec2> weld_neighbours(const std::vector<DVec2>& points, RubeNotes& 
 }
 
 ShapeGeometry make_rube_chain(const std::vector<DVec2>& points, bool loop, RubeNotes& notes) {
-    ChainGeometry chain{weld_neighbours(points, notes), loop, true};
+    ChainGeometry chain{weld_neighbors(points, notes), loop, true};
     const bool closed = chain.points.size() > 2 && to_float(chain.points.front()) == to_float(chain.points.back());
     if (closed) {
         chain.points.pop_back();
@@ -72,7 +72,7 @@ std::optional<ShapeGeometry> read_geometry(RubeObject& fixture, RubeNotes& notes
 }
 
 // The geometry, or empty if it is degenerate.
-std::optional<ShapeGeometry> read_sound_geometry(RubeObject& fixture, RubeNotes& notes) {
+std::optional<ShapeGeometry> read_valid_geometry(RubeObject& fixture, RubeNotes& notes) {
     try {
         std::optional<ShapeGeometry> geometry = read_geometry(fixture, notes);
         const CircleGeometry* circle = geometry ? std::get_if<CircleGeometry>(&*geometry) : nullptr;
@@ -103,7 +103,7 @@ std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, RubeNotes& note
     result.custom = fixture.custom({"name", "customProperties"});
     result.filter = read_filter(fixture);
     result.sensor = fixture.flag("sensor");
-    const std::optional<ShapeGeometry> geometry = read_sound_geometry(fixture, notes);
+    const std::optional<ShapeGeometry> geometry = read_valid_geometry(fixture, notes);
     fixture.note_unread("fixture", notes);
     if (!geometry) {
         notes.add("fixtures without a shape or with a degenerate one, left out");

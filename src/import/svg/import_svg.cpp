@@ -8,6 +8,7 @@
 
 #include "import/svg/svg_body.hpp"
 #include "import/svg/svg_text.hpp"
+#include "scene/format/field.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/json/input.hpp"
 #include "scene/json/json_text.hpp"
@@ -103,7 +104,7 @@ private:
             if (width.ends_with('%') || height.ends_with('%')) return;
             size = {parse_length(width, nan), parse_length(height, nan)};
         }
-        if (!(size.x > 0.0 && size.y > 0.0 && std::max(size.x, size.y) * scale <= 1e5)) return;
+        if (!(size.x > 0.0 && size.y > 0.0 && std::max(size.x, size.y) * scale <= kLargest)) return;
         viewport_.size = size;
         page_.origin = {-scale * corner.x, scale * (corner.y + size.y)};
         result_.scene.camera.center = 0.5 * scale * size;

@@ -84,7 +84,7 @@ std::size_t Flattener::chord_count(double chords) const {
 void Flattener::add(DVec2 world_point) {
     if (!(std::max(std::abs(world_point.x), std::abs(world_point.y)) <= kLargest))
         throw SvgError("a point is farther than " + number_text(kLargest) + " m from the origin");
-    if (++count_ > kMostPoints) throw SvgError("an element has at most " + std::to_string(kMostPoints) + " points");
+    if (++count_ > kMostPoints) throw SvgError("the element has more than " + std::to_string(kMostPoints) + " points");
     std::vector<DVec2>& points = contours_.back().points;
     if (points.empty() || length(world_point - points.back()) > kCoincident * tolerance_) points.push_back(world_point);
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::pair<std::string_view, BodyType>, 3> kTypeWords{
     {{"static", BodyType::static_body}, {"kinematic", BodyType::kinematic_body}, {"dynamic", BodyType::dynamic_body}}};
 
-// The page size for a stroke width in percent, which no drawing program writes: an error.
+// The size that a stroke width in percent refers to. Drawing programs do not write such widths, so they are an error.
 constexpr double kUnknownSize = std::numeric_limits<double>::quiet_NaN();
 
 // Calls visit(part) for the parts between separators, trimmed, empty ones left out.

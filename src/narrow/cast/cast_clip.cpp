@@ -12,7 +12,7 @@ namespace tumble {
 
 namespace {
 
-constexpr double kRound = 16.0;  // times E: the arcs of a larger reach have normals and brackets of their own
+constexpr double kRound = 16.0;  // times E: if the reach is larger, arcs have normals and brackets of their own
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // A face with the numbers that both its line and its ends need.
@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    // True if the rate is more than what rounding explains: of a distance over the motion, and of the rate itself.
+    // True if the rate exceeds rounding: that of a distance over the whole motion, and that of the rate itself.
     bool closes(double rate) const { return rate > path_.error && rate > 16.0 * kUnitRoundoff * path_.length; }
 
     void add_face_contact(const MeasuredFace& face) {

@@ -1,4 +1,4 @@
-// What casts have in common: the path with its error bound, and the answer for a clipped path.
+// Shared by the casts: the path with its error bound, and the result for a clipped path.
 #pragma once
 
 #include "narrow/cast/cast_clip.hpp"

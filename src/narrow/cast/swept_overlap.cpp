@@ -12,7 +12,8 @@ namespace tumble {
 
 namespace {
 
-constexpr int kStepCap = 128;  // about 30 observed for 65 535 vertices, 3 for boxes; at the cap: not decided
+// At the cap the status is `touching`. About 30 steps observed for 65 535 vertices, 3 for boxes.
+constexpr int kStepCap = 128;
 
 struct SweptSupport {
     DVec2 w;
@@ -110,7 +111,7 @@ DistanceStatus swept_overlap(const Shape& a, const Pose& world_from_a, const Sha
     const double reach = static_cast<double>(a.radius()) + b.radius();
     const double error = 16.0 * kUnitRoundoff * (pair.scale + length(translation) + reach);
     const DVec2 towards =
-        pair.offset == DVec2{} ? DVec2{1.0, 0.0} : pair.offset;  // in the direction zero no vertex is extreme
+        pair.offset == DVec2{} ? DVec2{1.0, 0.0} : pair.offset;  // a direction of zero has no support vertex
     return find_status({pair, translation}, towards, reach, error);
 }
 

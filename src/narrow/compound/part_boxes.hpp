@@ -13,7 +13,7 @@
 
 namespace tumble {
 
-// In the frame that the pose is relative to.
+// The boxes are in the frame that the pose is relative to.
 struct PartBoxes {
     std::pmr::vector<Aabb> boxes;  // [parts]
     Aabb all;
@@ -33,8 +33,8 @@ struct PartBoxes {
 };
 
 // A lower bound of the signed distance of the shapes in the boxes: the gap of the boxes or, if they overlap, minus the
-// shortest displacement that separates them (a part of a set is no nearer than the set). The boxes are rounded outwards
-// by 2^-23 of their coordinates, more than the roundings here.
+// shortest displacement that separates them (a subset is never nearer than the whole set). The boxes are rounded
+// outwards by 2^-23 of their coordinates, more than the roundings here.
 inline double separation(const Aabb& a, const Aabb& b) {
     const auto gap = [](double a_lower, double a_upper, double b_lower, double b_upper) {
         return std::max(a_lower - b_upper, b_lower - a_upper);

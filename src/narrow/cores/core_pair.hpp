@@ -46,7 +46,7 @@ struct Core {
         return {static_cast<double>(x[to]) - x[from], static_cast<double>(y[to]) - y[from]};
     }
 
-    // Without a branch, which a processor could not predict.
+    // The neighbours of a vertex. next() has no branch, since a processor could not predict it.
     int next(int index) const { return (index + 1) & -static_cast<int>(index + 1 != count); }
     int previous(int index) const { return index > 0 ? index - 1 : count - 1; }
 };
@@ -84,7 +84,7 @@ TUMBLE_LANE_FUNCTION Number turned_radius(const Number& c, const Number& s, cons
     return {make_core(a, world_from_a.rotation), make_core(b, world_from_b.rotation), offset, radii + length(offset)};
 }
 
-// Squares and their products must neither overflow nor vanish: 2^500 m, and 2^-480 m where nothing is larger.
+// The range of CorePair::scale, m, in which squares and their products neither overflow nor vanish.
 inline constexpr double kLargestScale = 0x1p500;
 inline constexpr double kSmallestScale = 0x1p-480;
 

@@ -27,15 +27,15 @@ std::size_t first_not_before(const LargePolygon& polygon, double angle, std::siz
     constexpr int kSteps = 4;
     const std::vector<double>& angles = polygon.edge_angles;
     for (int step = 0; step < kSteps; ++step) {
-        const bool is_after =
-            near < angles.size() && angles[near]<angle, is_before = near> 0 && !(angles[near - 1] < angle);
+        const bool is_after = near < angles.size() && angles[near] < angle;
+        const bool is_before = near > 0 && !(angles[near - 1] < angle);
         if (!is_after && !is_before) return near;
         near = is_after ? near + 1 : near - 1;
     }
     return first_not_before(polygon, angle);
 }
 
-// Steps to the higher neighbour until there is none: rises along edges round less than the angles of edges.
+// Steps to the higher neighbour until there is none, because a rise along an edge rounds less than the edge's angle.
 int climb(const LargePolygon& polygon, DVec2 direction, int from) {
     const int count = static_cast<int>(polygon.x.size());
     const auto next = [count](int i) { return i + 1 < count ? i + 1 : 0; };
@@ -60,7 +60,7 @@ int large_support(const LargePolygon& polygon, DVec2 direction, int near) {
     TUMBLE_CHECK(near >= 0);
     TUMBLE_CHECK(near < count);
     const int edge = near - polygon.first_edge;
-    // Edges rise until they point a quarter turn to the left of the direction.
+    // An edge rises as long as its angle is less than a quarter turn beyond that of the direction.
     const auto falling = static_cast<int>(first_not_before(polygon, square_angle(perp(direction)),
                                                            static_cast<std::size_t>(edge < 0 ? edge + count : edge)));
     const int at = polygon.first_edge + falling;

@@ -1,7 +1,7 @@
 // The support vertex of a large polygon: the start of the first edge that does not rise in the direction, found by the
-// edges' angular order. The search starts beside a vertex that is likely to be near, as in the hill climbing of
-// [Cam97]. After a few steps, which keeps it from walking around the polygon, it goes on by a table of sectors of the
-// circle (edges_before) and bisection within one.
+// edges' angular order. The search starts at a vertex that is likely to be near, as in the hill climbing of
+// [Cam97]. If a few steps do not find the edge, a table of sectors of the circle (edges_before) and bisection within
+// one sector find it, so that the search never walks around the polygon.
 #pragma once
 
 #include "narrow/cores/core_pair.hpp"

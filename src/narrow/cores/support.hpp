@@ -20,10 +20,10 @@ struct Support {
 
 [[gnu::always_inline]] inline bool has_edge_angles(const Core& core) { return core.large && core.is_convex; }
 
-// The support vertex in a direction. Ties go to the lowest index; those of large polygons to any. `near` is a vertex of
-// a large polygon that is likely to be near the support.
+// The support vertex in a direction. Of equally high vertices the one with the lowest index; of a large polygon any.
+// `near` is a vertex of a large polygon that is likely to be near the support.
 [[gnu::always_inline]] inline Support support(const Core& core, DVec2 direction, int near = 0) {
-    const DVec2 local = core.turned_back(direction);  // one rotation, instead of one for each vertex
+    const DVec2 local = core.turned_back(direction);  // turning the direction is cheaper than turning all vertices
     if (has_edge_angles(core)) return support_at(core, local, large_support(*core.large, local, near));
     Support best = support_at(core, local, 0);
     for (int i = 1; i < core.count; ++i) {

@@ -1,4 +1,4 @@
-// A small core with all its vertices turned into world axes at once, a vertex a lane.
+// A small core with all its vertices turned into world axes at once, a vertex in each lane.
 #pragma once
 
 #include "narrow/cores/core_pair.hpp"

@@ -77,7 +77,7 @@ CoreDistance unseparated_cores(const CorePair& pair, const GjkResult& gjk) {
     return result.overlap ? result : touching_cores(pair, gjk, result);
 }
 
-// For small cores, by the feature that the simplex is: the formulas by which all their queries end.
+// For small cores: measures the feature that the simplex spans, by the formulas with which all their queries end.
 bool measure_small_simplex(const CorePair& pair, const Simplex& simplex, CoreDistance& result) {
     TUMBLE_CHECK(simplex.count >= 1);
     if (simplex.count > 2 || !has_few_faces(pair)) return false;
@@ -109,8 +109,8 @@ void move_below_origin(const CorePair& pair, CoreDistance& core) {
     find_witness(pair, core);
 }
 
-// Of parallel faces of both cores, those that the origin does not project onto have the largest separation as well. If
-// the cores overlap, the walk along them finds the part that it projects onto.
+// Parallel faces of both cores may all have the largest separation, but the origin may project onto one of them only.
+// If the cores overlap, a walk along these faces finds the part that the origin projects onto.
 bool measure_parallel_faces(const CorePair& pair, CoreDistance& result) {
     const TurnedPair<8> turned = {turn<8>(pair.a), turn<8>(pair.b)};
     for (LeadingFaces<8> leading(pair, turned); leading.bits != 0; leading.bits &= leading.bits - 1) {

@@ -1,4 +1,4 @@
-// The signed distance of two cores, with its bounds: GJK where they are separated, the deepest face where they are not.
+// The signed distance of two cores, with its bounds: by GJK if they are separated, by the deepest face if they are not.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct CoreDistance {
     bool reached_cap = false;
 };
 
-// The result that the loop should have had, from the nearest of all simplices: for a loop that stopped early, or whose
+// The result of the loop replaced by that of the nearest simplex of all: for a loop that stopped early, or whose
 // triangle contains the origin by rounding alone.
 GjkResult exhaustive_search(const CorePair& pair, GjkResult stopped);
 
@@ -39,7 +39,7 @@ GjkResult exhaustive_search(const CorePair& pair, GjkResult stopped);
     return gap > 0.0 && gap * gap > bound * bound * length_sq(gjk.closest.direction);
 }
 
-// The core distance by GJK's last simplex.
+// The core distance that follows from GJK's last simplex.
 CoreDistance conclude(const CorePair& pair, GjkResult gjk);
 
 inline constexpr auto kUnobserved = [](const Simplex&, const Closest&, const MinkowskiSupport&) {};

@@ -1,4 +1,4 @@
-// Many queries at once: a pair a lane.
+// Many queries at once: one pair in each lane.
 //
 // Pairs of at most four, and of at most eight, vertices are collected until their lanes are full, and answered together
 // by the formulas of one pair (feature_formulas.hpp). No lane reads another, so each answer has the bits of distance()

@@ -40,7 +40,7 @@ private:
     double lower_ = -std::numeric_limits<double>::infinity();
 };
 
-// Chooses the subalgorithm outside the loop.
+// Chooses the subalgorithm once, outside the loop.
 template <typename Observer>
 CoreDistance measure_by(SubAlgorithm sub_algorithm, const CorePair& pair, SimplexCache* cache, Observer&& observe) {
     switch (sub_algorithm) {

@@ -1,5 +1,5 @@
-// Core distances of many pairs of small cores at once, a pair a lane, with the bits of measure_cores.hpp without a
-// cache.
+// Core distances of many pairs of small cores at once, one pair in each lane. They have the same bits as those of
+// measure_cores() without a cache.
 #pragma once
 
 #include "debug/check.hpp"

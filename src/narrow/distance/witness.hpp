@@ -1,4 +1,5 @@
-// Witness points of the cores from the closest feature: the vertex's side is copied, the other lies along the normal.
+// Witness points of the cores from the closest feature: on one core its vertex, on the other the point at the distance
+// along the normal.
 #pragma once
 
 #include "debug/check.hpp"

@@ -1,4 +1,4 @@
-// All faces of A - B at once: an edge of a small core a lane, without a branch.
+// All faces of A - B at once: an edge of a small core in each lane, without a branch.
 #pragma once
 
 #include <limits>
@@ -26,8 +26,8 @@ TUMBLE_LANE_FUNCTION LowestLanes<N> lowest_heights(const DoubleLanes<N>& x, cons
     return lowest;
 }
 
-// The formulas of a face, a face a lane: either the edges of one core, all turned by its rotation, or one edge of each
-// of many pairs, with a rotation a lane.
+// The formulas of a face, with a face in each lane: either the edges of one core, all turned by its rotation, or one
+// edge of each of many pairs, with a rotation in each lane.
 template <int N, typename Rotations>
 TUMBLE_LANE_FUNCTION DoubleLanes<N> outward_x_of(const Rotations& c, const Rotations& s, const DoubleLanes<N>& edge_x,
                                                  const DoubleLanes<N>& edge_y) {

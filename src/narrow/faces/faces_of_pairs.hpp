@@ -1,4 +1,5 @@
-// The faces of many pairs of small cores, a pair a lane: the formulas of face_lanes.hpp with lanes and loops exchanged.
+// The faces of many pairs of small cores, one pair in each lane: the formulas of face_lanes.hpp with lanes and loops
+// exchanged.
 #pragma once
 
 #include <limits>
@@ -65,7 +66,7 @@ struct CorePairs {
 // The face of largest separation of each pair, the first of equals: A's edges count from 0 on, B's from N on.
 template <int N>
 struct LeadingFaceOfPairs {
-    FaceNumbers<PairLanes> face;  // of separation minus infinity where no edge has a length
+    FaceNumbers<PairLanes> face;  // its separation is minus infinity if no edge of the pair has a length
     PairLanes edge;
     PairLanes nearest;  // the other core's vertex
     PairMask is_tied;   // another face has the same separation

@@ -1,5 +1,5 @@
-// The distance of A and B by one feature of A - B, a face or a vertex: the arithmetic that is the same for one pair and
-// for a pair a lane. The decisions by it are in measure_cores.hpp and, with masks, in measure_pairs.hpp.
+// The distance of A and B by one feature of A - B, a face or a vertex: the arithmetic that one pair and many pairs in
+// lanes share. The decisions that follow from it are in measure_cores.hpp and, with masks, in measure_pairs.hpp.
 #pragma once
 
 #include "narrow/cores/error_bound.hpp"
@@ -50,7 +50,7 @@ struct VertexMeasure {
     Number distance_sq;
     Number distance;
     Number height;  // of A - B in that direction
-    Number proved;  // no point of A - B is nearer
+    Number proved;  // a lower bound: no point of A - B is nearer
     Number normal_x, normal_y;
 };
 

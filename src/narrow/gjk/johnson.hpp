@@ -4,7 +4,7 @@
 // hull nearest to the origin, times the sum of all weights, which is positive:
 //   delta_i({i}) = 1,  delta_j(X + j) = sum over i in X of delta_i(X) (w_i . w_k - w_i . w_j),  k any one of X.
 // X contains the nearest point if all its own cofactors are positive and that of no vertex outside is. A cofactor of
-// three vertices is a product of four lengths, and for slivers its sign is the first to be lost by rounding. If no
+// three vertices is a product of four lengths, and for slivers rounding changes its sign first. If no
 // subset satisfies all conditions then, the backup takes the nearest of those whose own cofactors are positive
 // [vdB04, 4.3].
 #pragma once

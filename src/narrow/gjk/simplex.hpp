@@ -43,7 +43,7 @@ DVec2 short_edge_between(const CorePair& pair, VertexPair from, VertexPair to);
 
 [[gnu::always_inline]] inline DVec2 edge_between(const CorePair& pair, const MinkowskiVertex& from,
                                                  const MinkowskiVertex& to) {
-    constexpr double kShortEdge = 0x1p-4;  // of the scale; beyond it the turn is below 2^7 ulp
+    constexpr double kShortEdge = 0x1p-4;  // of the scale; the ends of a longer edge turn it by less than 2^7 ulp
     const DVec2 edge = to.w - from.w;
     if (length_sq(edge) >= kShortEdge * kShortEdge * pair.scale * pair.scale) return edge;
     return short_edge_between(pair, from.pair(), to.pair());

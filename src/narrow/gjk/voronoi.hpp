@@ -1,7 +1,8 @@
-// The distance subalgorithm by Voronoi regions [Eri04, 5.1.5]: in which region of the simplex does the origin lie?
+// The distance subalgorithm by Voronoi regions [Eri04, 5.1.5]: it finds the region of the simplex that contains the
+// origin.
 //
 // Vertex regions are tested before edge regions: their dot products are well conditioned also for slivers, so that
-// "inside" is never claimed by an origin that lies beyond a sharp tip.
+// an origin beyond a sharp tip is never taken as inside.
 #pragma once
 
 #include "narrow/gjk/simplex.hpp"

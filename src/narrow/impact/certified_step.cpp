@@ -42,7 +42,8 @@ double root_of(Bound bound, double gap, double window) {
     return std::min((std::sqrt(closing * closing + 4.0 * curvature * gap) - closing) / (2.0 * curvature), window);
 }
 
-// That root from its series in the curvature, with an error of third order [step 6].
+// About that root, for the choice of the window [step 6]: gap / closing, and for a negative curvature the next term of
+// the root's series in the curvature.
 double root_to_second_order(Bound bound, double gap) {
     if (!(bound.closing > 0.0)) return std::numeric_limits<double>::infinity();
     const double inverse = 1.0 / bound.closing, root = gap * inverse;

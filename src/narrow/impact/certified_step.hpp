@@ -1,4 +1,4 @@
-// How far two moving cores can go while the separation along a direction is proved to stay above a floor.
+// How far two moving cores can move while the separation along a direction is proved to stay above a floor.
 //
 // The direction n turns at a rate W: that of the face that it is normal to, or 0. Within a window in which nothing
 // turns by more than a radian, the Taylor series of sine and cosine bound the approach of the centres, and each core's

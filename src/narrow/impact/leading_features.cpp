@@ -34,7 +34,7 @@ bool follow_face(const CorePair& pair, LeadingFeature& feature) {
     feature.pairs[0] = pair_of_owner(feature.owner, from, nearest);
     feature.pairs[1] = pair_of_owner(feature.owner, to, nearest);
     return (foot > 0.0) & (foot < feature.edge_length) &
-           (feature.distance > 0.0);  // else the other is behind the owner
+           (feature.distance > 0.0);  // else the other core is not in front of the face
 }
 
 bool follow_vertices(const CorePair& pair, LeadingFeature& feature) {

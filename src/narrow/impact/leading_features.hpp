@@ -13,7 +13,7 @@ struct LeadingFeature {
 
     double distance = 0.0;  // signed, of the cores
     DVec2 normal;           // unit, from A to B
-    VertexPair pairs[2];    // of one kind: the second equals the first for two vertices
+    VertexPair pairs[2];    // the ends of the feature; equal for two vertices
     Kind kind = Kind::none;
     unsigned owner = 0;  // of a face: 0 is A, 1 is B
     DVec2 local_edge;    // of a face: the unit vector along its edge in the owner's coordinates

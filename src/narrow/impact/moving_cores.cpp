@@ -22,11 +22,12 @@ Motion::Body Motion::make_body(const Shape& shape, const Sweep& sweep) {
     return {make_core(shape, {}), local_center, extent, sweep.turn, sin_cos(sweep.start_angle)};
 }
 
-// The core distance of separated cores at given poses is within 9.5 u of the scale, by a face of small cores 15.8 u,
-// and of overlapping cores 13.4 u (cores/ERROR_BOUND.md, steps 3, 7 and 5). Here the rotations round too: sine and
-// cosine of the start by 4e-16 = 3.6 u each, a vertex by 5.1 u; during the motion by as much for the turn and 2.1 u for
-// its product with the start; the angles by u of their size twice; the centres by 2 u of the displacements. All worst
-// cases at once: 23.8 u where the distance is within 9.5 u, 28 u for overlap, 30 u for small faces.
+// At given poses a core distance is within 9.5 u of the scale for separated cores, 13.4 u for overlapping ones and
+// 15.8 u by a face of small cores (cores/ERROR_BOUND.md, steps 3, 5 and 7). Here the rotations round too: sine and
+// cosine of the start by 4e-16 = 3.6 u each, hence a vertex by 5.1 u; those of the turn by as much, and their product
+// with the start by 2.1 u; the angles by u of their size twice; the centres by 2 u of the displacements. All worst
+// cases at once: 23.8 u, 27.7 u and 30.1 u. The products of a vertex with a rotation in double are not exact: 1.4 u
+// more, which stays below 32 u.
 Motion::Motion(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep& sweep_b, double reach)
     : a_(make_body(a, sweep_a)),
       b_(make_body(b, sweep_b)),

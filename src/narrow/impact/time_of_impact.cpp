@@ -2,8 +2,8 @@
 //
 // Each step measures the distance, takes the axis of the closest features and advances as far as the separation along
 // it is proved to stay above the target. Steps aim at a gap of E, so that the part of the motion behind them is proved
-// free in exact arithmetic. At a gap below 2 E the motion either closes, which is the hit, or it slides, recedes or
-// turns away: then the step may use 3 E of the 4 E that are allowed, and the search goes on.
+// free in exact arithmetic. At a gap of at most 2 E the motion either closes, which is the hit, or slides, recedes or
+// turns away: then the step may use 3 E of the 4 E that are allowed, and the search continues.
 #include <algorithm>
 #include <limits>
 
@@ -62,7 +62,7 @@ private:
     void search() {
         const CorePair& pair = cores_.pair;
         const bool is_large =
-            pair.a.large || pair.b.large;  // a search of small cores is too short to gain from a cache
+            pair.a.large || pair.b.large;  // a search of small cores is so short that a cache does not pay
         measure_cores(pair, is_large ? &cache_ : nullptr,
                       [&](const CoreDistance& found) { take(feature_, pair, found); });
     }

@@ -1,9 +1,9 @@
-// The manifold of a chain's segment: that of the lone segment, admitted, replaced or dropped by the direction of its
+// The manifold of a chain's segment: that of the lone segment is admitted, replaced or dropped, by the direction of its
 // normal.
 //
-// A lone segment has an end face. If a body slides over a seam and its side is beyond the end by less than its bottom
-// overlaps, the end face pushes it back along the segment. A chain has no such surface: at a flat or hollow corner only
-// the segment's own normal exists, at a round one the normals up to the neighbour's; all others belong to the
+// A lone segment has an end face. If a body slides over a seam and its side is beyond the end by less than the overlap
+// at its bottom, the end face pushes it back along the segment. A chain has no such surface: at a flat or hollow corner
+// only the segment's own normal exists, at a round one the normals up to the neighbour's; all others belong to the
 // neighbour.
 #include <algorithm>
 

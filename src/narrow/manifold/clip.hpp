@@ -12,9 +12,9 @@ struct ClipInput {
     const Core& incident;
     DVec2 shift;       // from the reference's position to the incident's
     int edge;          // of the reference, by its first vertex
-    int nearest;       // vertex of the incident core to the reference edge's line, -1 if it is not known
-    DVec2 normal;      // of the reference edge, unit; if `nearest` is known
-    double tolerance;  // the nearest vertex is not cut off where that would lift the contact by more
+    int nearest;       // the incident core's vertex nearest to the reference edge's line; -1 if it is not known
+    DVec2 normal;      // of the reference edge, unit; set if `nearest` is known
+    double tolerance;  // the nearest vertex is not cut off if that would raise the separation by more (m)
 };
 
 struct ClippedPoint {

@@ -16,6 +16,7 @@ inline std::uint32_t contact_feature(int vertex_a, int vertex_b) {
     return static_cast<std::uint32_t>(vertex_a) << 16 | static_cast<std::uint32_t>(vertex_b);
 }
 
+// The radii of the two shapes: the distances from their cores to their surfaces (m).
 struct Skins {
     double reference;
     double incident;

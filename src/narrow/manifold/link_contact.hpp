@@ -16,7 +16,7 @@ struct LinkContact {
     LinkSide side = LinkSide::apart;
 };
 
-// find_link_contact() returns the manifold of this alone.
+// collide_link() returns the manifold of this alone.
 LinkContact find_link_contact(const Shape& a, const ChainLink& link, const Pose& world_from_a, const Shape& b,
                               const Pose& world_from_b, double speculative_distance, SimplexCache& cache) noexcept;
 

@@ -13,7 +13,7 @@ FoundFace face_of(const CorePair& pair, ReferenceEdge reference) {
     return reference.side == Side::a ? face_of_a(pair, reference.edge) : face_of_b(pair, reference.edge);
 }
 
-// The edge between two neighbours whose outward normal points along `outward`; none for vertices that are no
+// The edge between two neighbouring vertices whose outward normal points along `outward`; none if the vertices are not
 // neighbours.
 ReferenceEdge edge_between_vertices(const Core& core, Side side, int first, int second, DVec2 outward) {
     TUMBLE_CHECK(first < core.count);

@@ -19,7 +19,7 @@ Shape regular_polygon(std::size_t count, double radius) {
     return make_polygon(points);
 }
 
-// About a metre.
+// A shape of about a metre.
 Shape shape_of(BenchKind kind, Random& random) {
     static const Shape large = regular_polygon(kLargeVertices, 0.5);  // shared by all pairs: it stays in the cache
     const auto size = [&random] { return static_cast<float>(random.uniform(0.5, 1.5)); };

@@ -19,8 +19,8 @@ struct BenchPair {
     SimplexCache cache;
 };
 
-// `count` pairs anywhere within 10 m of the origin, with shapes of about a metre. Their surfaces are `gap` apart (m,
-// negative for overlap) in a random direction.
+// `count` pairs of shapes of about a metre. A is within 10 m of the origin on each axis, and B is `gap` (m, negative
+// for overlap) from A in a random direction.
 std::vector<BenchPair> random_pairs(BenchKind kind_a, BenchKind kind_b, double gap, int count, std::uint64_t seed);
 
 std::vector<b2Vec2> vertices_of(const Shape& shape);

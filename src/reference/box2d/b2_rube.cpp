@@ -39,17 +39,17 @@ b2Vec2 vector(const Json& object, const char* key) {
     return {number(object[key], "x"), number(object[key], "y")};
 }
 
-// From the first brace to the last: a JavaScript file has more around the scene.
+// Reads from the first brace to the last: a JavaScript file has other text around the scene.
 Json parse_export(const std::filesystem::path& file) {
     const std::string text = read_file(file);
     const std::size_t open = text.find('{'), close = text.rfind('}');
     if (open == std::string::npos || close == std::string::npos || close < open)
-        throw std::runtime_error(file.string() + ": is no R.U.B.E. export");
+        throw std::runtime_error(file.string() + ": is not a R.U.B.E. export");
     return Json::parse(text.begin() + static_cast<std::ptrdiff_t>(open),
                        text.begin() + static_cast<std::ptrdiff_t>(close) + 1);
 }
 
-// Its mass data replaces that of its fixtures, which are not needed then.
+// Makes a body with the exported mass data, which replaces the mass of fixtures: none are built.
 b2Body* add_body(b2World& world, const Json& json) {
     b2BodyDef def;
     def.type = static_cast<b2BodyType>(json.value("type", 0));
@@ -65,8 +65,8 @@ b2Body* add_body(b2World& world, const Json& json) {
     return body;
 }
 
-// A joint with the anchors of Box2D's, whose other kinds keep them as its revolute joint does; none for joints without
-// two points of their own.
+// Makes a revolute joint in place of any joint with two anchors: all kinds of Box2D keep their anchors alike. Null for
+// the other kinds.
 b2Joint* add_joint(const Json& json, b2Body& a, b2Body& b, b2World& world) {
     constexpr std::array<std::string_view, 8> kKinds = {"revolute", "distance", "prismatic", "wheel",
                                                         "weld",     "rope",     "friction",  "pulley"};
@@ -79,7 +79,7 @@ b2Joint* add_joint(const Json& json, b2Body& a, b2Body& b, b2World& world) {
     return world.CreateJoint(&def);
 }
 
-// Box2D has no gear between a body and itself.
+// Null for a gear between a body and itself, which Box2D lacks.
 b2Joint* add_gear(b2Joint* first, b2Joint* second, b2World& world) {
     if (first->GetBodyB() == second->GetBodyB()) return nullptr;
     b2GearJointDef def;

@@ -21,8 +21,8 @@ struct ImportDifferences {
     bool same_count = true;  // of bodies and of joints
 };
 
-// `imported` is the result of import_rube() for the file. Throws FileError, or std::runtime_error if the file is no
-// export.
+// `imported` is the result of import_rube() for the file. Throws FileError, or std::runtime_error if the file is not
+// an export.
 ImportDifferences compare_with_box2d(const std::filesystem::path& rube_file, const Scene& imported);
 
 }  // namespace tumble::reference

@@ -38,7 +38,8 @@ b2BodyDef body_def(const World& world, BodyId id, const SceneBody& source) {
     return def;
 }
 
-// Box2D takes the inertia about the body's origin, and aborts the process if that about the centre is not positive.
+// Box2D expects the inertia about the body's origin, and aborts the process if the inertia about the centre of mass is
+// not positive.
 void set_mass(b2Body& body, const BodyMass& mass) {
     if (!(mass.mass > 0.0f)) return;
     b2MassData data;
@@ -81,7 +82,7 @@ void B2World::Impl::add_body(const SceneWorld& built, const Scene& scene, const 
     }
     set_mass(*body, built.world.mass(instance.id));
     if (def.type != b2_staticBody)
-        body->SetLinearVelocity(def.linearVelocity);  // again: it is that of the centre of mass, which set_mass() moved
+        body->SetLinearVelocity(def.linearVelocity);  // of the centre of mass, which set_mass() has moved
 }
 
 void B2World::Impl::add(const RevoluteJointDef& joint) {

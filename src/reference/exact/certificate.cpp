@@ -40,8 +40,8 @@ ExactPoint exact_direction(DVec2 direction) {
     return {scaled(direction.x, exponent), scaled(direction.y, exponent)};
 }
 
-// The separation along the normal of the claimed face that points in the claimed direction. For a face of one point:
-// its distance from the origin, negative.
+// The separation along that normal of the claimed face that points in the claimed direction. For a face of one point,
+// the negative distance of the point from the origin.
 SignedRoot face_separation(const ExactPair& pair, const ExactPoint& w1, const ExactPoint& w2,
                            const ExactPoint& direction) {
     const ExactPoint edge = w2 - w1;

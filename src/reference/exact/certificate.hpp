@@ -17,7 +17,7 @@ namespace tumble::reference {
 
 enum class CertificateVerdict {
     accepted,
-    malformed,  // no or too many pairs, an index out of range, a direction or a bound that is not finite, or zero
+    malformed,  // no or too many pairs, an index out of range, a direction that is zero, a number that is not finite
     lower_not_proved,
     upper_not_proved,
     face_not_proved,    // overlapping: the claimed pairs span no face, or one whose separation is outside the bounds

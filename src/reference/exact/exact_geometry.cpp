@@ -8,10 +8,10 @@ namespace tumble::reference {
 
 namespace {
 
-constexpr std::size_t kSearchAll =
-    64;  // most vertices of an outline that is searched; in a larger one the support is followed
+// An outline of at most this many vertices is searched; in a larger one the support vertex is followed.
+constexpr std::size_t kSearchAll = 64;
 
-// By the C interface of GMP, whose target keeps its memory: twice as fast as expressions that allocate.
+// These use the C interface of GMP, in which the target keeps its memory: twice as fast as expressions that allocate.
 void set_dot(mpz_class& target, const ExactPoint& p, const ExactPoint& q) {
     mpz_mul(target.get_mpz_t(), p.x.get_mpz_t(), q.x.get_mpz_t());
     mpz_addmul(target.get_mpz_t(), p.y.get_mpz_t(), q.y.get_mpz_t());
@@ -37,7 +37,7 @@ struct ShapeUnits {
         vertex = lowest_bit_exponent(shape.y(), lowest_bit_exponent(shape.x()));
     }
 
-    // kZeroExponent or more if all products are zero.
+    // Of the products of both; about kZeroExponent if all of them are zero (vanishes()).
     int product() const { return std::min(kZeroExponent, rotation + vertex); }
     bool vanishes() const { return rotation == kZeroExponent || vertex == kZeroExponent; }
 };

@@ -37,7 +37,8 @@ ExactPoint minkowski_vertex(const ExactPair& pair, VertexPair indices);
 // h(direction): the maximum of direction . (a - b) over all vertices. O(n + m).
 mpz_class support_value(const ExactPair& pair, const ExactPoint& direction);
 
-// -h / |direction|: no signed core distance is below it. The direction must not be zero, and is in the pair's units.
+// -h / |direction|, a lower bound on the signed core distance. The direction must not be zero, and is in the pair's
+// units.
 SignedRoot separation(const ExactPair& pair, const ExactPoint& direction);
 
 // Computes the distance of the origin from segments between two points of the Minkowski difference, which may be equal.
@@ -61,7 +62,8 @@ void set_difference(ExactPoint& target, const ExactPoint& p, const ExactPoint& q
 
 // The largest separation over the faces of the Minkowski difference, which is the signed core distance if it is not
 // positive. False if both cores are points, which have no face. O((n + m)^2) for outlines of up to 64 vertices. For
-// larger ones the support vertex is followed around the outline, O(n + m), which requires convexity.
+// larger ones the support vertex is followed around the outline, O(n + m), which requires convexity. With
+// `stop_if_separated` the search ends at the first positive separation, which need not be the largest.
 bool find_deepest_face(const ExactPair& pair, SignedRoot& deepest, bool stop_if_separated);
 
 }  // namespace tumble::reference

@@ -77,7 +77,7 @@ MotionOracle::Body MotionOracle::body_of(const Shape& shape, const Sweep& sweep,
 
 // E: for a translation 16 u times the sum of sizes, offset and reach, as the narrow phase derives it. For a time of
 // impact 24 u times the sum of sizes, offset and displacements, plus 4 u times the angles times their levers, plus 16 u
-// times the reach; the worst cases of the narrow phase add up to more.
+// times the reach. The sum of all worst cases in the narrow phase is larger than this.
 MotionOracle::MotionOracle(const CastQuery& query) {
     const Real radii = static_cast<Real>(query.a.radius()) + query.b.radius();
     reach_ = radii + query.target;

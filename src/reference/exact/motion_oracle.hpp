@@ -28,8 +28,8 @@ public:
 
     bool is_straight() const { return a_.turn == 0 && b_.turn == 0; }
 
-    // The first fraction at which the gap is 0; none if it stays positive. For a straight motion with a positive gap at
-    // 0.
+    // The first fraction at which the gap is 0; none if it stays positive. The motion must be straight, and the gap at
+    // fraction 0 positive.
     std::optional<Real> first_contact() const { return first_within(reach_, 0); }
 
     // True if the gap is at least `floor` everywhere in [from, to].

@@ -3,7 +3,7 @@
 // Support mappings describe the sets [GJK88, GF90]; Johnson's distance subalgorithm finds the nearest point of the
 // simplex by recursive cofactors over all of its subsets, with the backup procedure for when rounding leaves no subset
 // that satisfies every sign condition [GJK88, section 5; vdB04, 4.3]. Written for clarity, not for speed: distance() is
-// the fast one.
+// the fast implementation.
 #pragma once
 
 #include <Eigen/Core>
@@ -109,8 +109,8 @@ struct GjkResult {
 };
 
 // The distance of A - B from the origin. `support(d)` returns a point of A - B farthest in direction d: s_A(d) -
-// s_B(-d). Stops when no support point lies nearer than `tolerance` times the distance (relative; for smooth sets the
-// convergence is gradual), when the simplex contains the origin in its interior, or after `max_iterations`.
+// s_B(-d). Stops when the bounds on the distance agree to the relative `tolerance` (for smooth sets the convergence is
+// gradual), when the simplex contains the origin in its interior, or after `max_iterations`.
 template <int Dim, class Support>
 GjkResult<Dim> reference_gjk(const Support& support, double tolerance = 1e-12, int max_iterations = 1000) {
     GjkResult<Dim> result;

@@ -15,7 +15,7 @@ PairQuery make_pair(Random& random, int exponent) {
             {{}, random.rotation()}};
 }
 
-void place_anyhow(PairQuery& query, Random& random, double gap) {
+void place_by_random_features(PairQuery& query, Random& random, double gap) {
     switch (random.integer(0, 2)) {
         case 0: return place_vertex_to_vertex(query, random, gap);
         case 1: return place_vertex_to_edge(query, random, gap);
@@ -27,13 +27,13 @@ double small_length(Random& random) { return random.magnitude(-40, -7); }
 
 PairQuery make_near_gap(Random& random) {
     PairQuery query = make_pair(random, 0);
-    place_anyhow(query, random, small_length(random));
+    place_by_random_features(query, random, small_length(random));
     return query;
 }
 
 PairQuery make_near_overlap(Random& random) {
     PairQuery query = make_pair(random, 0);
-    place_anyhow(query, random, -small_length(random));
+    place_by_random_features(query, random, -small_length(random));
     return query;
 }
 
@@ -62,7 +62,7 @@ PairQuery make_almost_parallel(Random& random) {
                     {}};
     const double gap = random.magnitude(-30, -1), angle = random.signed_magnitude(-27, -7);
     if (random.chance(0.5)) {
-        // (1, s) as it is: make_rotation() would round so small an angle.
+        // The rotation (1, s) itself: make_rotation() would round so small an angle.
         query.b = query.a;
         query.pose_b.rotation = {1.0f, static_cast<float>(angle)};
         const double height = 2.0 * query.a.vertex(2).y;

@@ -31,7 +31,7 @@ struct Triple {
 constexpr std::array kPythagoras{Triple{3, 4, 5},   Triple{5, 12, 13},  Triple{8, 15, 17},
                                  Triple{7, 24, 25}, Triple{20, 21, 29}, Triple{0, 1, 1}};
 
-// Circles whose centres are exactly rA + rB apart, or off that by a few ulps.
+// Circles whose centres are exactly rA + rB apart, or a few ulps more or less.
 PairQuery make_touching_circles(Random& random) {
     const Triple triple = kPythagoras[static_cast<std::size_t>(random.integer(0, 5))];
     const double multiple = random.integer(1, 1000), unit = std::ldexp(multiple, random.integer(-20, 0));

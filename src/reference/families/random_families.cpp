@@ -1,4 +1,4 @@
-// Ordinary pairs of every kind of shape: what most queries of a game look like.
+// Ordinary pairs of every kind of shape, like most queries of a game.
 #include <array>
 
 #include "reference/families/family_lists.hpp"

@@ -46,11 +46,11 @@ std::vector<RegressionCase> make_cases() {
                      {circle(0.5), circle(0.5), at(0.0, 0.0), at(1.0, 0.0)},
                      0});
     cases.push_back({"radii_just_overlapping",
-                     "Box2D 990, 883: overlapping by less than float can say",
+                     "Box2D 990, 883: overlapping by less than float resolves",
                      {circle(0.5), circle(0.5), at(0.0, 0.0), at(1.0 - 0x1p-53, 0.0)},
                      -1});
     cases.push_back({"rounded_boxes_just_apart",
-                     "Box2D 990, 883: the same between faces",
+                     "Box2D 990, 883: just apart with radii, between faces",
                      {box(0.5, 0.5, 0.25), box(0.5, 0.5, 0.25), at(0.0, 0.0), at(1.5 + 0x1p-51, 0.1)},
                      1});
     cases.push_back({"small_boxes_apart",
@@ -89,7 +89,7 @@ std::vector<RegressionCase> make_cases() {
                       {1.0000001 * rotate(make_rotation_degrees(33.0), DVec2{0.0, 1.0}), make_rotation_degrees(33.0)}},
                      1});
     cases.push_back({"iteration_limit",
-                     "parry, FCL 366: many iterations returned as no intersection",
+                     "parry, FCL 366: the iteration limit reported as no intersection",
                      {regular(64, 1.0), regular(64, 1.0), at(0.0, 0.0), at(1.999, 0.0)},
                      -1});
     cases.push_back({"kissing_faces",
@@ -105,7 +105,7 @@ std::vector<RegressionCase> make_cases() {
                      {regular(12, 1.0), circle(0.0), at(0.0, 0.0), at(0.0, -1.5)},
                      1});
     cases.push_back({"coincident_centres",
-                     "two circles in one point have no direction",
+                     "concentric circles: no normal is distinguished",
                      {circle(0.5), circle(0.25), at(3.0, 4.0), at(3.0, 4.0)},
                      -1});
     cases.push_back({"collinear_capsules",

@@ -37,7 +37,7 @@ PairQuery mutated(const PairQuery& query, Random& random) {
     return next;
 }
 
-// Of the GJK loop; distance() itself answers many small pairs without it.
+// Iterations of the GJK loop. distance() answers many small pairs without that loop.
 double iterations(const PairQuery& query) {
     return trace_distance(query.a, query.pose_a, query.b, query.pose_b).result.iterations;
 }

@@ -68,7 +68,7 @@ PairQuery make_touching_edges(Random& random) {
     return query;
 }
 
-// The origin exactly on a vertex of A - B, half way between two, or on the middle of a triangle's edge inside it.
+// The origin exactly on a difference of two vertices, or half way between two such differences.
 PairQuery make_origin_on_simplex(Random& random) {
     PairQuery query = grid_pair(random, random.integer(-20, 4));
     const auto difference = [&] {

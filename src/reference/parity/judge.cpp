@@ -142,18 +142,18 @@ void add_ours_error(ParityRow& row, const Comparison& comparison, double error) 
 }  // namespace
 
 GroundTruth GroundTruth::of_distance(ExactDistance exact) {
-    GroundTruth side;
-    side.exact_ = std::move(exact);
-    return side;
+    GroundTruth truth;
+    truth.exact_ = std::move(exact);
+    return truth;
 }
 
 GroundTruth GroundTruth::of_certificate(const PairQuery& query, const DistanceResult& ours) {
-    GroundTruth side;
-    side.proved_ =
+    GroundTruth truth;
+    truth.proved_ =
         ours.status != DistanceStatus::invalid && check_certificate(query, ours) == CertificateVerdict::accepted;
-    side.lower_ = ours.lower;
-    side.upper_ = ours.upper;
-    return side;
+    truth.lower_ = ours.lower;
+    truth.upper_ = ours.upper;
+    return truth;
 }
 
 bool GroundTruth::ours_is_wrong(const DistanceResult& ours) const {

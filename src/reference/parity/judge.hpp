@@ -39,12 +39,13 @@ struct Comparison {
 // decide.
 bool needs_exact_check(const Comparison& comparison);
 
-// Adds the comparison to the row. `exact` may be null if no exact check is needed. `id` identifies the pair in kept
-// cases.
+// Identifies a pair in the cases that a row keeps.
 struct CaseId {
     std::uint64_t seed = 0;
     std::uint64_t index = 0;
 };
+
+// Adds the comparison to the row. `exact` may be null if no exact check is needed.
 void add_comparison(ParityRow& row, const Comparison& comparison, const GroundTruth* exact, CaseId id);
 
 // For invalid input: tumble's answer is wrong unless its status is `invalid`.

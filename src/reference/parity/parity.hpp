@@ -5,9 +5,9 @@
 // would prove nothing), or if the certificate does not prove the bounds. An answer of Box2D is wrong if its distance is
 // more than 4 eps S from the exact one (clamped at 0), or if its overlap flag contradicts the exact sign; S is the
 // largest world coordinate, eps that of float. A pair is *ill-conditioned* if the answers differ by more than that
-// tolerance and neither is wrong. Checked exactly are all pairs over the tolerance, the first pairs of each family, and
-// a seeded share of the rest. Shapes with radii are compared twice, the bare cores first. Results do not depend on the
-// number of threads.
+// tolerance and neither is wrong. All pairs over the tolerance, the first pairs of each family, and a seeded share of
+// the rest are checked exactly. Shapes with radii are compared twice, the bare cores first. Results do not depend on
+// the number of threads.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct ParityCase {
     std::string family;
     std::uint64_t seed = 0;
     std::uint64_t index = 0;  // of the pair in its family; in a scene, of the comparison
-    PairQuery query;          // as compared: without radii where they were off
+    PairQuery query;          // as compared: the bare cores if the radii were left out
     DistanceResult ours;
     std::optional<B2Distance> box2d;
     double exact = 0.0;  // signed distance (m); for large cores the middle of the proved bounds
@@ -71,7 +71,7 @@ struct ParityRow {
     std::uint64_t box2d_wrong_flag = 0;      // of box2d_wrong: by the overlap flag
     std::uint64_t box2d_wrong_distance = 0;  // of box2d_wrong: by the distance
     std::uint64_t box2d_witness_wrong = 0;
-    std::uint64_t box2d_refused = 0;  // not passed to Box2D: the input does not fit float
+    std::uint64_t box2d_refused = 0;  // not passed to Box2D: input beyond float, or a query that Box2D lacks
     std::uint64_t ill_conditioned = 0;
     double max_error_ours_m = 0.0;      // over what was checked exactly
     double max_error_ours_units = 0.0;  // of u (RA + RB + |p| + radii)

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
+
+#include "debug/check.hpp"
 
 namespace tumble::reference {
 
@@ -60,9 +63,12 @@ std::vector<GridPoint> convex_hull(std::vector<GridPoint> points) {
 std::vector<Vec2> to_vertices(std::span<const GridPoint> points, int x_exponent, int y_exponent) {
     std::vector<Vec2> vertices;
     vertices.reserve(points.size());
-    for (const GridPoint point : points)
+    for (const GridPoint point : points) {
+        TUMBLE_CHECK(std::abs(point.x) < kGridLimit);
+        TUMBLE_CHECK(std::abs(point.y) < kGridLimit);
         vertices.push_back(
             {std::ldexp(static_cast<float>(point.x), x_exponent), std::ldexp(static_cast<float>(point.y), y_exponent)});
+    }
     return vertices;
 }
 

@@ -19,7 +19,8 @@ struct GridPoint {
     friend constexpr auto operator<=>(GridPoint, GridPoint) = default;
 };
 
-// Grid coordinates are below this limit: they are exact floats, and their cross products are exact integers.
+// Grid coordinates are smaller than this in magnitude: they are exact floats, and their cross products are exact
+// integers.
 inline constexpr std::int64_t kGridLimit = std::int64_t{1} << 24;
 
 // The convex hull, counter-clockwise from the lowest of the leftmost points, without repeated and collinear points
@@ -44,11 +45,11 @@ Shape random_shape(Random& random, int exponent);
 DVec2 support_point(const Shape& shape, Rotation q, DVec2 direction);
 
 // Moves B so that a vertex of each faces the other along the unit vector `normal` (from A to B): the signed distance
-// is `gap` up to the rounding of the position if it is positive, at most that if it is negative.
+// is `gap` up to the rounding of the position if `gap` is positive, and at most `gap` if it is negative.
 void place_vertex_to_vertex(PairQuery& query, DVec2 normal, double gap);
 void place_vertex_to_vertex(PairQuery& query, Random& random, double gap);  // along any direction
 
-// Moves B so that a vertex of B faces an edge of A, or A's vertex if it has one only; the same with edges of B.
+// Moves B so that a vertex of B faces a random edge of A (A's vertex if it has only one), or at random the reverse.
 void place_vertex_to_edge(PairQuery& query, Random& random, double gap);
 
 // Turns B so that an edge of each face each other, parallel up to the rounding of the rotation and then turned by

@@ -26,7 +26,7 @@ public:
     void draw(Color background, std::span<const Layer* const> layers, const GlyphAtlas& atlas, Image& image);
 
 private:
-    // Where a vertex attribute lies in an instance or a mesh vertex.
+    // The position of a vertex attribute in an instance or a mesh vertex.
     struct Attribute {
         GLint components;
         GLenum type;  // GL_FLOAT, or GL_UNSIGNED_BYTE for a colour

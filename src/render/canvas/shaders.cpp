@@ -3,7 +3,7 @@
 namespace tumble::render {
 namespace {
 
-// `to_clip` takes pixels from the middle of the frame to clip space; `outline_width` is in pixels.
+// `to_clip` scales pixels, counted from the middle of the frame, to clip space; `outline_width` is in pixels.
 const std::string kVertexHead = R"(#version 330 core
 uniform vec2 to_clip;
 uniform float outline_width;

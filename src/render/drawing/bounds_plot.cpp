@@ -37,8 +37,8 @@ void draw_bounds_panel(Drawing& drawing, PixelRect rect, const std::vector<Trace
     drawing.polyline(lower, 2.0, ink::kText);
     for (const DVec2 p : upper) drawing.disc(p, 4.0, ink::kAnswer);
     for (const DVec2 p : lower) drawing.disc(p, 4.0, ink::kText);
-    drawing.text({left, base + 37.0}, "below: the thin line", kCaptionSize, ink::kText);
-    drawing.text({right, base + 37.0}, "above: |v|", kCaptionSize, ink::kAnswer, TextAnchor::right);
+    drawing.text({left, base + 37.0}, "lower: the thin line", kCaptionSize, ink::kText);
+    drawing.text({right, base + 37.0}, "upper: |v|", kCaptionSize, ink::kAnswer, TextAnchor::right);
 }
 
 }  // namespace tumble::render

@@ -19,7 +19,7 @@ void draw_shape(Panel& panel, const std::vector<DVec2>& outline, const std::vect
     if (radius > 0.0) panel.fill(core, kTransparent, 1.0, line);
 }
 
-// In the middle of the shape, offset a little away from the contact.
+// Draws the letter in the middle of the shape, offset a little away from the contact.
 void draw_letter(Panel& panel, const std::vector<DVec2>& outline, DVec2 contact, const char* letter, Color color) {
     const auto farther = [contact](DVec2 p, DVec2 q) { return length_sq(p - contact) < length_sq(q - contact); };
     const DVec2 middle = mean(outline), farthest = *std::ranges::max_element(outline, farther);
@@ -85,7 +85,7 @@ DVec2 mean(const std::vector<DVec2>& points) {
 
 namespace {
 
-// The contact enlarged: a few times the distance wide, at least a thousandth of the smaller shape.
+// Draws the contact enlarged: a few times the distance wide, at least a thousandth of the smaller shape.
 void draw_contact_panel(Drawing& drawing, PixelRect rect, const PairDrawing& pair, const DistanceResult& result,
                         std::span<const DVec2> rings) {
     const double reach = std::max(4.0 * std::abs(result.distance), 1e-3 * pair.smaller_extent());

@@ -1,5 +1,5 @@
-// The two shapes of a distance query, in the coordinates of a drawing: world axes, relative to A's position. A pair 10
-// km from the origin gives the same picture as one at the origin.
+// The two shapes of a distance query, in the coordinates of a drawing: world axes, relative to A's position. A pair
+// 10 km from the origin gives the same picture as one at the origin.
 #pragma once
 
 #include <string>

@@ -51,12 +51,12 @@ Drawing draw_trace(const Shape& a, const Pose& world_from_a, const Shape& b, con
 
     drawing.text({kGap, steps_top - 30.0},
                  "Each iteration: the simplex (green), its point v nearest to the origin (red), the search direction "
-                 "(arrow), and "
-                 "the support vertex, farthest along it (ring).",
+                 "(arrow), and the support vertex, farthest along it (ring).",
                  13.0, ink::kText);
     drawing.text({kGap, steps_top - 12.0},
-                 std::string("Nothing of A - B lies beyond the thin line through it, which proves the lower bound.") +
-                     (figure.is_zoomed ? " Shown where it happens: the difference goes on outside." : ""),
+                 std::string("No point of A - B lies beyond the thin line through the support vertex, which proves the "
+                             "lower bound.") +
+                     (figure.is_zoomed ? " The panels show only the part of A - B near the origin." : ""),
                  13.0, ink::kText);
     const double width = (kWidth - (columns + 1) * kGap) / columns;
     for (int k = 0; k < panels; ++k) {

@@ -45,14 +45,14 @@ void draw_origin(Panel& panel, Drawing& drawing) {
     drawing.line(o - DVec2{0.0, 7.0}, o + DVec2{0.0, 7.0}, 2.0, ink::kText);
 }
 
-// Beside a point of the plane, in a direction of the plane of any length.
+// Draws a text beside a point of the plane, on the side that `direction` (of any length) points to.
 void draw_label_beside(Panel& panel, DVec2 at, DVec2 direction, const std::string& text, Color color) {
     constexpr double kAway = 16.0;
     const double reach = kAway + 3.0 * static_cast<double>(text.size() - 1), norm = std::max(length(direction), 1e-300);
     panel.label(at, {reach * direction.x / norm, 5.0 - kAway * direction.y / norm}, text, 13.0, color);
 }
 
-// A found vertex with its number outside of the difference, or inside if the line to the origin runs there.
+// Draws a found vertex with its number outside of the difference, or inside if the line to the origin is there.
 void draw_vertex(Panel& panel, const TraceFigure& figure, DVec2 w, const std::string& number) {
     constexpr double kInLine = 0.8;  // cosine
     panel.dot(w, 4.0, ink::kSimplex);
@@ -62,7 +62,7 @@ void draw_vertex(Panel& panel, const TraceFigure& figure, DVec2 w, const std::st
     draw_label_beside(panel, w, outwards, number, ink::kSimplex);
 }
 
-// Each vertex once. One too near to another has no number here; the panels of the iterations show it.
+// Draws each vertex once. A vertex too near to another one gets no number here; the panels of the iterations show it.
 void draw_found_vertices(Panel& panel, const TraceFigure& figure) {
     constexpr double kLegible = 16.0;  // px
     const std::vector<DVec2>& positions = figure.found.positions();
@@ -113,7 +113,7 @@ void draw_difference_panel(Drawing& drawing, PixelRect rect, const TraceFigure& 
     std::vector<DVec2> view = grown;
     view.push_back({});
     const std::string caption =
-        radius > 0.0 ? "GJK sees the cores; the thin outline adds both radii, " + short_number(radius) + " m" : "";
+        radius > 0.0 ? "GJK uses the cores; the thin outline adds both radii, " + short_number(radius) + " m" : "";
     Panel panel(drawing,
                 draw_frame(drawing, rect, "Minkowski difference A - B: as far from the origin as A is from B", caption),
                 view);
@@ -153,7 +153,7 @@ void draw_step_panel(Drawing& drawing, PixelRect rect, const TraceFigure& figure
 void draw_enclosing_panel(Drawing& drawing, PixelRect rect, const TraceFigure& figure) {
     const TraceStep& last = figure.trace.steps.back();
     const PixelRect inner =
-        draw_frame(drawing, rect, "The simplex holds the origin: overlap", "depth: to the nearest face of A - B");
+        draw_frame(drawing, rect, "The simplex contains the origin: overlap", "depth: to the nearest face of A - B");
     Panel panel(drawing, inner, figure.view);
     panel.fill(figure.core, ink::kDifferenceFill, 1.0, ink::kDifference);
     std::vector<DVec2> simplex(last.vertices.begin(), last.vertices.begin() + last.count);

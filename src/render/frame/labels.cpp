@@ -20,15 +20,15 @@ constexpr double kLineGap = 3.0;
 constexpr double kAscent = 0.93;      // of DejaVu Sans over the font's size
 constexpr double kLine = 1.17;        // height of a line over the font's size
 constexpr double kScaleBar = 70.0;    // the least length of the scale bar
+constexpr double kBarEnd = 6.0;       // height of the ends of the scale bar
 constexpr double kLegendMark = 18.0;  // width of the marks in a legend
-constexpr double kBarEnd = 6.0;       // height of its ends
 
 // Lengths in pixels from the frame's top left corner.
 struct Rectangle {
     double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
 };
 
-// Seconds with two decimals, whatever the locale.
+// Seconds with two decimals, independent of the locale.
 std::string seconds(double time) {
     char text[64];
     const auto [end, error] = std::to_chars(text, text + sizeof text, time, std::chars_format::fixed, 2);
@@ -74,7 +74,7 @@ private:
     const View& view_;
 };
 
-// The title, if need be cut and ended by an ellipsis so that it is at most `room` wide.
+// The title, cut and ended by an ellipsis if it is wider than `room`.
 std::string fitted(const Labels& labels, std::string_view title, double size, double room) {
     std::string text(title);
     while (!text.empty() && labels.width(text, size) > room) {

@@ -1,4 +1,4 @@
-// Dots, lines and arrows over the shapes, with a size in pixels whatever the scale of the view.
+// Dots, lines and arrows over the shapes. Their size in pixels does not depend on the scale of the view.
 #pragma once
 
 #include "render/canvas/primitives.hpp"

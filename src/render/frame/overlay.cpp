@@ -117,13 +117,13 @@ std::vector<LegendLine> legend_of(const Overlay& overlay, const World& world) {
     std::vector<LegendLine> lines;
     if (overlay.contacts) {
         lines.push_back({Mark::dot, kOverlapping, "contact, overlapping"});
-        lines.push_back({Mark::dot, kSeparated, "contact, a gap left"});
+        lines.push_back({Mark::dot, kSeparated, "contact, separated"});
     }
     if (overlay.normals) lines.push_back({Mark::line, kNormal, "normal, from A to B"});
     if (overlay.aabbs) lines.push_back({Mark::line, kBoxEdge, "bounding box"});
-    if (overlay.islands) lines.push_back({Mark::area, style::kBodies[0], "island: a colour each, pale asleep"});
+    if (overlay.islands) lines.push_back({Mark::area, style::kBodies[0], "island: one colour each, pale if asleep"});
     if (overlay.velocity) lines.push_back({Mark::line, kVelocity, kVelocityLegend});
-    if (overlay.joints) lines.push_back({Mark::line, kJointLine, "joint, to its bodies"});
+    if (overlay.joints) lines.push_back({Mark::line, kJointLine, "joint: lines to its bodies"});
     if (!lines.empty() && has_sensors(world))
         lines.push_back({Mark::area, faded(style::kStatic, style::kSensorOpacity), "sensor"});
     return lines;

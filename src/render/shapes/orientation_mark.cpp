@@ -10,7 +10,7 @@
 namespace tumble::render {
 namespace {
 
-constexpr double kTick = 0.45;  // length of a tick, of half the shape's smaller extent
+constexpr double kTick = 0.45;  // length of a tick, as a share of half the shape's smaller extent
 
 Vec2 middle(const Shape& shape) {
     Vec2 sum;

@@ -32,7 +32,7 @@ void add_circle(Layer& layer, const View& view, const Shape& shape, const Pose& 
     layer.circles.push_back({to_float(center.x), to_float(center.y), to_float(radius), paint});
 }
 
-// half and radius in metres.
+// `half` and `radius` in metres.
 void add_box(Layer& layer, const View& view, const Placement& at, Vec2 half, float radius, Paint paint) {
     if (!view.is_in_view(at.center, view.scale * (length(half) + radius))) return;
     layer.boxes.push_back({to_float(at.center.x), to_float(at.center.y), at.axis.x, at.axis.y,
@@ -85,7 +85,7 @@ struct Interval {
     float half() const { return 0.5f * (upper - lower); }
 };
 
-// Four right angles, to a ten-thousandth.
+// True for four right angles; the cosines may be off by 1e-4.
 bool is_rectangle(const Shape& shape) {
     if (shape.vertex_count() != 4) return false;
     for (int i = 0; i < 4; ++i) {

@@ -1,4 +1,4 @@
-// Axis-aligned boxes in world coordinates, in double: what a camera is fitted to.
+// Axis-aligned boxes in world coordinates, in double. Cameras are fitted to them.
 #pragma once
 
 #include <algorithm>

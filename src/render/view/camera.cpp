@@ -1,4 +1,5 @@
-// The camera of a scene: what the scene states is taken, the rest is fitted to the world.
+// The camera of a scene. Its center and its height are those of the scene; what the scene does not state is fitted to
+// the world.
 #include <algorithm>
 #include <string>
 

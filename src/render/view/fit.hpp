@@ -9,9 +9,9 @@
 namespace tumble::render {
 
 // A box around all bodies that are not static and the ground below them. Static shapes are included whole if the frame
-// grows little by that, else only near the moving bodies. The motions are included too, except of bodies that leave a
-// frame three times as high as one fitted to the start: a body that falls off the level does not shrink the rest. Empty
-// for a world without shapes.
+// becomes at most 1.75 times as high by that, else only near the moving bodies. The motions are included too, except of
+// bodies that leave a frame three times as high as one fitted to the start: a body that falls off the level does not
+// shrink the rest. Empty for a world without shapes.
 Box fitted_box(const World& world, const std::vector<MotionBounds>& motions, double aspect_ratio);
 
 // The height of a frame that contains a box of that size.

@@ -8,7 +8,7 @@ namespace tumble::render {
 namespace {
 
 constexpr std::size_t kBodyStepBudget = 50000;  // 0.06 s
-constexpr std::size_t kMostBodies = 2500;       // with more, the budget is less than 20 steps: not worth a world
+constexpr std::size_t kMostBodies = 2500;       // more would leave less than 20 steps in the budget
 constexpr std::uint64_t kStride = 4;            // steps between two records
 
 // Adds the present bounds of the bodies. The index into SceneWorld::bodies identifies a body: entries are only
@@ -44,7 +44,7 @@ void run(const Scene& scene, std::vector<MotionBounds>& motions) {
 std::vector<MotionBounds> preview_motion(const Scene& scene) {
     std::vector<MotionBounds> motions;
     if (count_bodies(scene) > kMostBodies) return motions;
-    // A preview that fails keeps what it has recorded. The run proper reports the error.
+    // A preview that fails keeps what it has recorded. The actual run reports the error.
     try {
         run(scene, motions);
     } catch (const SceneError&) {          // the world refuses a body of the timeline

@@ -1,4 +1,4 @@
-// A preview of where the bodies of a scene move, by a short run of it: a camera is fitted to that.
+// A short run of a scene that records where its bodies move. The camera is fitted to the result.
 #pragma once
 
 #include <vector>

@@ -12,7 +12,8 @@ void validate_joint_keys(const SceneJoint& joint, const std::string& pointer, Di
     refuse(is_distance && joint.anchor.has_value(), "anchor", "a distance joint needs 'anchors', one in each body");
     for (const JointKey& key : joint_keys(joint))
         refuse(key.is_present && !key.belongs_to(joint.type), std::string(key.name), key.owners());
-    refuse(is_distance && joint.limits && joint.limits->lower < 0.0, "limits", "of a distance must not be negative");
+    refuse(is_distance && joint.limits && joint.limits->lower < 0.0, "limits",
+           "the limits of a distance must not be negative");
     refuse(is_pulley && joint.ratio && !(*joint.ratio > 0.0), "ratio", "must be greater than 0");
     refuse(!is_pulley && joint.ratio && *joint.ratio == 0.0, "ratio", "must not be 0");
     if (is_pulley && !joint.ground_anchors)
@@ -27,8 +28,8 @@ void validate_joint_keys(const SceneJoint& joint, const std::string& pointer, Di
         diagnostics.error(pointer, "the key 'axis' is missing: the direction of the free motion");
     if (!joint.motor) return;
     const bool slides = is_distance || joint.type == SceneJointType::prismatic;
-    refuse(slides && !joint.motor->max_force, "motor", "of a joint that slides needs 'max_force', in N");
-    refuse(!slides && !joint.motor->max_torque, "motor", "of a joint that turns needs 'max_torque', in N m");
+    refuse(slides && !joint.motor->max_force, "motor", "the motor of a joint that slides needs 'max_force', in N");
+    refuse(!slides && !joint.motor->max_torque, "motor", "the motor of a joint that turns needs 'max_torque', in N m");
 }
 
 }  // namespace tumble::scene

@@ -23,10 +23,10 @@ public:
     // 0 if the claim holds in this state, which is the one that follow() saw last; else how far it is from holding.
     virtual double excess(const SceneWorld& built) = 0;
 
-    // What excess() found in the state that it evaluated last. margin() ranks states in which the claim holds: the
+    // What excess() found in the state that it evaluated last. severity() ranks states in which the claim holds: the
     // larger it is, the nearer the claim is to failing.
     virtual std::string finding(const SceneWorld& built) const = 0;
-    virtual double margin() const { return 0.0; }
+    virtual double severity() const { return 0.0; }
 };
 
 // A claim on the world or on bodies. `built` is the world at its start.

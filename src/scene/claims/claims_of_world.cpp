@@ -33,7 +33,7 @@ public:
         }
         return fastest_ < double{world_limits(built.world.def()).rest_speed} ? 0.0 : fastest_;
     }
-    double margin() const override { return fastest_; }
+    double severity() const override { return fastest_; }
     std::string finding(const SceneWorld& built) const override {
         return fastest_ > 0.0 ? display_name(built, body_) + " moves at " + brief(fastest_) + " m/s" : "nothing moves";
     }
@@ -60,13 +60,13 @@ public:
         deepest_ = {};
         for (const ContactPoint& contact : built.world.contacts())
             if (contact.separation < deepest_.separation) deepest_ = contact;
-        return std::max(0.0, margin() - limit_);
+        return std::max(0.0, severity() - limit_);
     }
-    double margin() const override { return -double{deepest_.separation}; }
+    double severity() const override { return -double{deepest_.separation}; }
     std::string finding(const SceneWorld& built) const override {
         if (!(deepest_.separation < 0.0f)) return "nothing overlaps";
         return display_name(built, deepest_.body_a) + " and " + display_name(built, deepest_.body_b) + " overlap by " +
-               brief(margin()) + " m at " + brief(deepest_.point);
+               brief(severity()) + " m at " + brief(deepest_.point);
     }
 
 private:
@@ -95,7 +95,7 @@ public:
         }
         return std::max(0.0, widest_ - limit_);
     }
-    double margin() const override { return widest_; }
+    double severity() const override { return widest_; }
     std::string finding(const SceneWorld&) const override {
         if (joints_.empty()) return "no such joint exists";
         return "the anchors of " + joints_[joint_].display_name + " are " + brief(widest_) + " m apart";
@@ -124,7 +124,7 @@ public:
         gain_ = energy_of(built.world) - *first_;
         return std::max(0.0, gain_ - limit_);
     }
-    double margin() const override { return gain_; }
+    double severity() const override { return gain_; }
     std::string finding(const SceneWorld&) const override {
         return gain_ > 0.0 ? "the energy is " + brief(gain_) + " J above that of the start" : "the energy never grew";
     }

@@ -34,7 +34,7 @@ struct Watched {
     bool reached = false;         // whether the run has had a step that counts
     bool seen = false;            // whether the claim applied to one of them
     double excess = 0.0;          // of the state that decides so far
-    double margin = 0.0;
+    double severity = 0.0;
     std::string finding;
     std::uint64_t step = 0;
 
@@ -44,9 +44,9 @@ struct Watched {
     }
 
     // Whether a new state decides in place of the one that decides so far.
-    bool decides(double new_excess, double new_margin) const {
+    bool decides(double new_excess, double new_severity) const {
         if (!seen || moment == SceneMoment::end) return true;
-        const bool is_worse = new_excess > excess || (new_excess == excess && new_margin > margin);
+        const bool is_worse = new_excess > excess || (new_excess == excess && new_severity > severity);
         const bool is_better = new_excess < excess;
         return moment == SceneMoment::always ? is_worse : is_better;
     }
@@ -89,11 +89,11 @@ void ExpectationWatch::observe(const SceneWorld& built) {
         if (step < watched.from || step > watched.to) continue;
         watched.reached = true;
         if (!watched.claim->applies()) continue;
-        const double excess = watched.claim->excess(built), margin = watched.claim->margin();
-        if (!watched.decides(excess, margin)) continue;
+        const double excess = watched.claim->excess(built), severity = watched.claim->severity();
+        if (!watched.decides(excess, severity)) continue;
         watched.seen = true;
         watched.excess = excess;
-        watched.margin = margin;
+        watched.severity = severity;
         watched.finding = watched.claim->finding(built);
         watched.step = step;
     }

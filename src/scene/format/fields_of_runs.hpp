@@ -59,7 +59,8 @@ void visit_fields(V& v, Type<SceneFrame>) {
 
 template <class V>
 void visit_fields(V& v, Type<SceneExpectation>) {
-    v.field({"at_rest_by", "Time from which every body must be at rest: asleep, or slower than 0.05 m/s.", "s", kTime},
+    v.field({"at_rest_by", "Time from which every dynamic body must be at rest: asleep, or slower than 0.05 m/s.", "s",
+             kTime},
             &SceneExpectation::at_rest_by);
     v.field({"max_penetration",
              "Greatest allowed depth of an overlap. Resting overlap stays below 0.01 m; a body that lands at v may "
@@ -106,7 +107,7 @@ void visit_fields(V& v, Type<SceneExpectation>) {
         &SceneExpectation::never_touches);
     v.field({"count",
              "Least and greatest allowed number of bodies whose position is in 'region': of the copies of 'body', or "
-             "of all.",
+             "of all. Static bodies do not count.",
              "",
              {0.0, 1e9}},
             &SceneExpectation::count);

@@ -146,7 +146,8 @@ private:
             wrong(location, (above_min ? "greater than " : "at least ") + number_text(range.min), value);
             return false;
         }
-        // 2^64, which as a double cannot be told from the largest seed, is too large.
+        // The largest seed, 2^64 - 1, is 2^64 as a double. The parser reads it as an unsigned integer, and any larger
+        // number as a float.
         if (number > range.max || (number == range.max && number == 0x1p64 && !value.is_number_unsigned())) {
             wrong(location, "at most " + number_text(range.max), value);
             return false;

@@ -1,5 +1,5 @@
-// A printer for readers: a value that fits on a line stays on it. Recursion is as deep as the value, which parse_json()
-// bounds.
+// Prints JSON to be read by people: a value that fits on a line stays on it. Recursion is as deep as the value, which
+// parse_json() bounds.
 #include "scene/json/json_text.hpp"
 
 #include <charconv>

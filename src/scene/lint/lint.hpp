@@ -21,7 +21,7 @@ void add_motion_lints(const Scene& scene, const SceneWorld& built, Diagnostics& 
 // Joints before the first step: large mass ratios, anchors apart or far away, springs too stiff for the steps.
 void add_joint_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics);
 
-// One-sided chains with a body on their open side, which falls through.
+// One-sided chains with a body on their solid side, which falls through.
 void add_chain_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics);
 
 // Events and claims after the end of the run, and events without effect.

@@ -1,5 +1,5 @@
 // A chain is solid on the left of its direction. Bodies fall through a ground whose points are in the wrong order. A
-// ray from the centre of a body along gravity finds the ground below it: if the ray hits the open side of a one-sided
+// ray from the centre of a body along gravity finds the ground below it: if the ray hits the solid side of a one-sided
 // chain, the body will fall through.
 #include <algorithm>
 #include <cstddef>
@@ -77,8 +77,8 @@ private:
         diagnostics_.warning(
             "/bodies/" + std::to_string(ground->source) + "/shapes/" + std::to_string(index) + "/chain/points",
             display_name(built_, body.id) +
-                " starts on the open side of the chain and falls through it: a chain is solid on the left of its "
-                "direction",
+                " starts on the solid side of the chain and falls through it: bodies collide with a chain only "
+                "from the right of its direction",
             R"(list the points in reverse order, those of a ground from right to left, or set "two_sided": true)");
     }
 

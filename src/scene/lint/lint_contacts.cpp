@@ -54,10 +54,10 @@ public:
         for (const ContactPoint& contact : built_.world.contacts()) {
             const std::size_t a = index_.at(contact.body_a.index), b = index_.at(contact.body_b.index);
             Touch& touch = touches.try_emplace({a, b}, Touch{a, b, HUGE_VAL, {}, 0.0}).first->second;
-            // The contact is a spring on the effective mass of the point; its frequency in rad/s.
+            // The contact is a spring on the effective mass of the point, of this frequency in rad/s.
             const double stiffening = is_dynamic(a) && is_dynamic(b) ? 1.0 : double{limits_.static_stiffening};
-            const double spring = 2.0 * kPi * stiffening * double{limits_.contact_hertz};
-            touch.stiffness += spring * spring / (mobility(a, contact) + mobility(b, contact));
+            const double frequency = 2.0 * kPi * stiffening * double{limits_.contact_hertz};
+            touch.stiffness += frequency * frequency / (mobility(a, contact) + mobility(b, contact));
             if (double{contact.separation} >= touch.separation) continue;
             touch.separation = double{contact.separation};
             touch.normal = DVec2(contact.normal);
@@ -141,7 +141,7 @@ private:
         std::vector<std::size_t> softest;  // the body below that adds most to it
     };
 
-    // Loads are handed down from body to body, displacements add up from the ground.
+    // Loads add up from the top body downwards, displacements from the ground upwards.
     Sinking find_sinking() const {
         std::vector<std::vector<Support>> below(built_.bodies.size());
         for (const Touch& touch : touches_) {
@@ -198,7 +198,7 @@ private:
     double mass(std::size_t body) const { return double{built_.world.mass(id(body)).mass}; }
     double height(std::size_t body) const { return dot(built_.world.state(id(body)).pose.position, up_); }
 
-    // How far a unit impulse at a contact point moves the body there (1/kg).
+    // The change of the normal velocity of the body at a contact point by a unit impulse there (1/kg).
     double mobility(std::size_t body, const ContactPoint& contact) const {
         if (!is_dynamic(body)) return 0.0;
         const BodyMass own = built_.world.mass(id(body));

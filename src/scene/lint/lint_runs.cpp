@@ -53,8 +53,8 @@ private:
             is_static ? R"(make it "dynamic")" : R"(set its "velocity", or make it "dynamic")");
     }
 
-    // Warns if the body or joint of that name is removed before the time. `removed` is the event's name of what it
-    // removes.
+    // Warns if the body or joint of that name is removed before the time. `removed` is the member of an event that
+    // names what it removes.
     void lint_removed(const std::string& name, double time, std::string SceneEvent::*removed,
                       const std::string& pointer) {
         for (const SceneEvent& end : scene_.timeline) {

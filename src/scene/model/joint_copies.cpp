@@ -20,7 +20,7 @@ SceneJoint moved(const SceneJoint& joint, const PlacedBody& from, const PlacedBo
     return copy;
 }
 
-// For each copy of the joint, how many copies of its bodies lie between its own and those of the first one.
+// For each copy of the joint: by how many copies its bodies follow those of the first copy.
 std::vector<std::size_t> steps_of(const SceneJoint& joint) {
     const JointRepeat repeat = joint.repeat.value_or(JointRepeat{});
     std::vector<std::size_t> steps;

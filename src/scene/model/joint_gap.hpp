@@ -7,7 +7,7 @@ namespace tumble::scene {
 
 // The distance of the anchors for joints that keep them together, their distance perpendicular to the axis for
 // prismatic and wheel joints, and the difference to an allowed length for distance joints and pulleys (m). 0 for soft
-// joints and gears.
+// joints, gears and filter joints.
 double joint_gap(const World& world, JointId id);
 
 }  // namespace tumble::scene

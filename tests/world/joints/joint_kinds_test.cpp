@@ -16,7 +16,7 @@ namespace {
 constexpr double kGravity = 10.0;
 constexpr double kH = 1.0 / 240.0;
 constexpr double kJointOmega = 2.0 * kPi * 60.0;  // joint softness, rad/s
-// How far a joint gives way to a weight that hangs on it, F / (m w^2) with F = m g: 0.07 mm.
+// How far a joint yields to a weight that hangs on it, F / (m w^2) with F = m g: 0.07 mm.
 constexpr double kSag = kGravity / (kJointOmega * kJointOmega);
 
 }  // namespace
@@ -31,13 +31,13 @@ TEST_CASE("a hinge stays inside its limits, and its reaction there is the moment
         lowest = std::min(lowest, rig.angle());
     }
     // It falls on the limit at w = sqrt(2 m g 0.5 sin 0.4 / I) = 2.4 rad/s, which is stopped within a sub-step, and
-    // rests there: the limit gives way by torque / (I w^2), with I about the centre of mass.
+    // rests there: the limit yields by torque / (I w^2), with I about the centre of mass.
     const BodyMass mass = rig.world.mass(rig.box);
     const double moment = double{mass.mass} * kGravity * 0.5 * std::cos(0.4);
-    const double give = moment / (double{mass.inertia} * kJointOmega * kJointOmega);
-    CHECK(lowest > -0.4 - 2.4 * kH - give);
-    CHECK(near(rig.angle(), -0.4 - give, absolute(1e-6)));
-    CHECK(near(rig.world.reaction(hinge).torque, moment, relative(give)));  // the cosine of an angle that gives way
+    const double excess = moment / (double{mass.inertia} * kJointOmega * kJointOmega);
+    CHECK(lowest > -0.4 - 2.4 * kH - excess);
+    CHECK(near(rig.angle(), -0.4 - excess, absolute(1e-6)));
+    CHECK(near(rig.world.reaction(hinge).torque, moment, relative(excess)));  // the cosine changes with the excess
     rig.world.set_velocity(rig.box, {}, 6.0f);
     double highest = -1.0;
     for (int step = 0; step < 60; ++step) {
@@ -107,19 +107,19 @@ TEST_CASE("a lift's motor raises its load at its speed up to the limit, or stall
                                                                       .limits = JointLimits{-1.0f, 2.0f},
                                                                       .motor = LinearMotor{1.0f, force}});
         run(rig.world, 60);
-        // A limit carries what the motor leaves of the weight, and gives way by that over m w^2.
-        const double give = 1.01 * std::abs(double{force} - 20.0) / (2.0 * kJointOmega * kJointOmega);
+        // A limit carries what the motor leaves of the weight, and yields by that over m w^2.
+        const double excess = 1.01 * std::abs(double{force} - 20.0) / (2.0 * kJointOmega * kJointOmega);
         if (force > 20.0f) {
-            // Accelerates by (25 - 20) / 2 = 2.5 m/s^2 for 0.4 s, then goes at 1 m/s: 0.2 + 0.6 m in the first second,
+            // Accelerates by (25 - 20) / 2 = 2.5 m/s^2 for 0.4 s, then moves at 1 m/s: 0.2 + 0.6 m in the first second,
             // and half a sub-step's motion more, as it moves with the velocity at the end of each.
             CHECK(near(rig.position().y, 0.8 + 0.5 * kH, float_sum(240)));
             CHECK(near(rig.world.state(rig.box).velocity.y, 1.0, kFloat));
             CHECK(near(rig.world.reaction(lift).force.y, 20.0, kFloat));
             run(rig.world, 120);
-            CHECK(near(rig.position().y, 2.0, absolute(give)));
+            CHECK(near(rig.position().y, 2.0, absolute(excess)));
         } else {
             run(rig.world, 240);
-            CHECK(near(rig.position().y, -1.0, absolute(give)));
+            CHECK(near(rig.position().y, -1.0, absolute(excess)));
         }
     }
 }
@@ -141,7 +141,7 @@ TEST_CASE("the rail of a slider with its weight beside the rail keeps it upright
     CHECK(near(reaction.torque, 6.0, kFloat));
 }
 
-// If the motor pushed against the limit, the limit would give way by F / (m w^2) = 500 / (2 w^2) = 1.8 mm, or T / (I
+// If the motor pushed against the limit, the limit would yield by F / (m w^2) = 500 / (2 w^2) = 1.8 mm, or T / (I
 // w^2).
 TEST_CASE("a strong motor stops at the limit, and keeps its load there") {
     Rig lift(true);
@@ -177,7 +177,7 @@ TEST_CASE("a slider tens of kilometres off its rail is still solved") {
     world.set_velocity(box, {322.0f, -237.0f}, -47.0f);
     const double torn = length(world.state(box).pose.position);
     CHECK_NOTHROW(run(world, 300));
-    // The box turns as its rail does, and comes nearer, no faster than bodies may.
+    // The box turns with its rail, and approaches it no faster than the speed limit.
     const BodyState state = world.state(box);
     CHECK(near(state.angular_velocity, 7.5, kFloat));
     CHECK(length(state.pose.position - world.state(rail).pose.position) < torn - 1000.0);
@@ -229,7 +229,7 @@ TEST_CASE("a wheel stays on the axis of its suspension, which turns with A") {
         across = std::max(across, std::abs(local.x - 3.0));
         along = std::max(along, std::abs(local.y));
     }
-    // The row across carries the centrifugal force, and gives way by v^2 / (r w^2) = 48 / w^2. A sub-step along the
+    // The row across carries the centrifugal force, and yields by v^2 / (r w^2) = 48 / w^2. A sub-step along the
     // tangent leaves the circle by (v h)^2 / (2 r) = 0.42 mm, of which the soft row, of damping ratio 2, takes back the
     // part (w h)^2 / (1 + 4 w h + (w h)^2) = 0.25 in each.
     constexpr double wh = kJointOmega * kH, taken_back = wh * wh / (1.0 + 4.0 * wh + wh * wh);

@@ -67,7 +67,7 @@ TEST_CASE("a pendulum on a revolute joint swings with the elliptic period") {
         // The ball rotates with the arm: L = I / (m d) with I = m r^2 / 2 + m d^2.
         const double length = (radius * radius / 2.0 + 4.0) / 2.0;
         // Passages are interpolated linearly in a step, to 1e-5; the scheme errs by (w h)^2 / 24, far less. The joint
-        // gives way to the centrifugal force by up to 4.5 g / (2 pi 60)^2 = 0.3 mm, and takes some of the swing's
+        // yields to the centrifugal force by up to 4.5 g / (2 pi 60)^2 = 0.3 mm, and takes some of the swing's
         // energy.
         CHECK(near(measured_period(p.world, p.bob), pendulum_period(length, amplitude), relative(5e-4)));
     }
@@ -77,7 +77,7 @@ TEST_CASE("a point mass on a distance joint swings with the elliptic period") {
     Pendulum p = make_pendulum(1.0, 0.05f);
     p.world.create_joint(DistanceJointDef{.body_a = p.pivot, .body_b = p.bob, .length = 2.0f});
     CHECK(near(measured_period(p.world, p.bob), pendulum_period(2.0, 1.0), relative(5e-4)));
-    // Taut by at most m (g + v^2 / L) < 3 m g: the soft joint gives way by 3 g / (2 pi 60)^2 = 0.2 mm. A sub-step along
+    // Taut by at most m (g + v^2 / L) < 3 m g: the soft joint yields by 3 g / (2 pi 60)^2 = 0.2 mm. A sub-step along
     // the tangent leaves the circle by (v h)^2 / (2 L) = 0.1 mm more, of which the next takes back a part.
     CHECK(near(length(p.world.state(p.bob).pose.position), 2.0, absolute(0.0005)));
 }
@@ -108,7 +108,7 @@ TEST_CASE("the reaction of a joint is the weight of the body that hangs on it") 
     CHECK(near(-p.world.state(p.bob).pose.position.y - 2.0, kGravity / (omega * omega), relative(1e-3)));
 }
 
-TEST_CASE("a dumbbell thrown with a spin keeps momentum and angular momentum") {
+TEST_CASE("a dumbbell that flies and spins keeps its momentum and angular momentum") {
     World world = weightless();
     const BodyId a = add_dynamic(world, {-1.0, 0.0}, make_circle(0.3f), {.density = 2.0f});
     const BodyId b = add_dynamic(world, {1.0, 0.0}, make_box({0.4f, 0.6f}), {.density = 5.0f});

@@ -13,9 +13,6 @@ namespace {
 
 const Shape kBox = make_box({1.0f, 1.0f});
 
-// Rounding of a step's sums, relative to the values: 60 steps of 4 sub-steps, half an ulp each.
-constexpr double kRounding = 240.0 * 0x1p-24;
-
 BodyId add_locked(World& world, DVec2 position, BodyLocks locks, const Shape& shape = kBox) {
     BodyDef def;
     def.pose.position = position;
@@ -108,9 +105,9 @@ TEST_CASE("a body stops when its axis is locked, and falls on when it is free ag
     run(world, 30);
     world.set_locks(body, {.x = true, .y = true, .rotation = true});
     CHECK(world.state(body).velocity == Vec2{});
-    const DVec2 held = world.state(body).pose.position;
+    const DVec2 locked_at = world.state(body).pose.position;
     run(world, 30);
-    CHECK(world.state(body).pose.position == held);
+    CHECK(world.state(body).pose.position == locked_at);
     world.set_locks(body, {});
     run(world, 6);
     CHECK(near(world.state(body).velocity.y, -1.0, float_sum(240)));

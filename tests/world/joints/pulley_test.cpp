@@ -52,7 +52,7 @@ struct Atwood {
 }  // namespace
 
 // The rope pulls A with T and B with r T, and v_A = -r v_B: B falls with a = g (m_B - r m_A) / (m_B + r^2 m_A), and
-// T = m_A m_B g (1 + r) / (m_B + r^2 m_A). The rope gives way by T K / w^2, K = 1 / m_A + r^2 / m_B. Velocities are
+// T = m_A m_B g (1 + r) / (m_B + r^2 m_A). The rope yields by T K / w^2, K = 1 / m_A + r^2 / m_B. Velocities are
 // exact but for roundings, some 10 of 2^-24 in each of 240 sub-steps.
 TEST_CASE("two weights on a pulley accelerate as Atwood's machine does, and as a block and tackle") {
     constexpr double kRounding = 240 * 10 * 0x1p-24;
@@ -106,7 +106,7 @@ TEST_CASE("the rope pushes where a real one would be slack") {
 }
 
 // Of the swinging Atwood machine, for which no closed form is known.
-TEST_CASE("weights that swing on a pulley gain no energy in a minute") {
+TEST_CASE("weights that swing on a pulley gain at most 1 % of energy in a minute") {
     Atwood machine(2.0f, 3.0f, 1.0f);
     machine.world.set_velocity(machine.a, {5.0f, 0.0f}, 0.0f);
     // Lowest with the heavier one on all of the rope, 10 m below its wheel, and the other one at its own.
