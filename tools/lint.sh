@@ -27,7 +27,7 @@ changed_files() {
     if [[ -z $base ]]; then
         git ls-files '*.cpp' '*.hpp'
     else
-        git diff --numstat --diff-filter=d "$base" -- '*.cpp' '*.hpp' | sort -rn | cut -f3
+        git diff --numstat --no-renames --diff-filter=d "$base" -- '*.cpp' '*.hpp' | sort -rn | cut -f3
     fi
 }
 

@@ -61,9 +61,14 @@ compare_parity() {
     say "parity: equal results over $1 pairs"
 }
 
-# check_golden_hashes INSTRUCTION_SET FLAG: FLAG is what /proc/cpuinfo calls it.
+# check_golden_hashes INSTRUCTION_SET FLAG: FLAG is what /proc/cpuinfo calls it. A processor without the instructions is an
+# error in continuous integration (CI=true), and elsewhere a part of the tests that is left out.
 check_golden_hashes() {
-    grep -q -w "$2" /proc/cpuinfo || { say "this processor has no $1, so the build for it cannot run"; return 1; }
+    if ! grep -q -w "$2" /proc/cpuinfo; then
+        say "not run: this processor has no $1"
+        [[ ${CI-} != true ]]
+        return
+    fi
     build "$1" golden
     "build/$1/tests/golden"
 }

@@ -320,7 +320,7 @@ public:
 
     // ---- Diagnostics ----
 
-    // Checks every invariant of the world's data structures. Throws std::logic_error, which names the first broken one,
+    // Walks all invariants of the world's data structures. Throws std::logic_error, which names the first broken one,
     // for a defect of this library.
     void audit() const;
 

@@ -68,7 +68,7 @@ public:
         for (const AabbTree& tree : trees_) tree.search(may_contain, visit);
     }
 
-    // Checks proxies against trees; throws std::logic_error that names the first broken invariant.
+    // Compares the proxies with the trees; throws std::logic_error that names the first broken invariant.
     void audit() const;
 
     // Bytes of the buffers that are kept from search to search.

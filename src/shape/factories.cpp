@@ -7,7 +7,7 @@
 #include "debug/check.hpp"
 #include "shape/hull.hpp"
 #include "shape/orientation.hpp"
-#include "shape/validate.hpp"
+#include "shape/arguments.hpp"
 #include "tumble/shape.hpp"
 
 namespace tumble {

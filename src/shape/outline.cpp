@@ -9,7 +9,7 @@
 #include "shape/convex_parts.hpp"
 #include "shape/crossing.hpp"
 #include "shape/triangulate.hpp"
-#include "shape/validate.hpp"
+#include "shape/arguments.hpp"
 
 namespace tumble {
 

@@ -7,7 +7,7 @@
 #include "debug/check.hpp"
 #include "shape/convexity.hpp"
 #include "shape/edge_angles.hpp"
-#include "shape/validate.hpp"
+#include "shape/arguments.hpp"
 
 namespace tumble {
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "dynamics/joints/gear_side.hpp"
 #include "dynamics/rows/joint_ends.hpp"
 #include "dynamics/state/collision_rules.hpp"
 
@@ -67,6 +68,7 @@ void audit_gear(const JointStore& joints, JointId id, const GearJointDef& gear) 
 }
 
 void audit_joints(const Simulation& simulation) {
+    ensure(simulation.joints.has_all_loads(), "the joints and their loads differ in number", 0);
     std::size_t ends = 0;
     for (const JointId id : simulation.joints.ids.live()) {
         if (const auto* gear = std::get_if<GearJointDef>(&simulation.joints.def(id)))

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "dynamics/joints/gear_side.hpp"
 #include "dynamics/rows/joint_ends.hpp"
 #include "dynamics/stages/sleep.hpp"
 #include "world/input_checks.hpp"

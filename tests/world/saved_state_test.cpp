@@ -265,7 +265,7 @@ constexpr const char* kUnnoticed[] = {
     ".82", ".83"};
 
 bool need_not_be_noticed(const std::string& member) {
-    return std::ranges::any_of(kUnnoticed, [&](const std::string name) {
+    return std::ranges::any_of(kUnnoticed, [&](const std::string& name) {
         const bool is_beginning = name.back() == '.' || name.back() == '#';
         return is_beginning ? member.starts_with(name) : member == name;
     });

@@ -5,7 +5,7 @@
 
 namespace tumble::tools {
 
-// "0.1.0"
+// "0.2.0"
 std::string version();
 
 // "g++ 12.2.0"

@@ -56,7 +56,7 @@ std::string parity_table(const ParityResult& result) {
         std::snprintf(line.data(), line.size(),
                       "%-22s %10llu %10llu %6llu %8llu %8llu %11.3g %6.2f %11.3g %6.2f %6.2f\n", row.name.c_str(),
                       static_cast<unsigned long long>(row.pairs), static_cast<unsigned long long>(row.checked_exactly),
-                      static_cast<unsigned long long>(row.ours_wrong + row.ours_witness_wrong),
+                      static_cast<unsigned long long>(row.ours_wrong) + row.ours_witness_wrong,
                       static_cast<unsigned long long>(row.box2d_wrong),
                       static_cast<unsigned long long>(row.ill_conditioned), row.max_error_ours_m,
                       row.max_error_ours_units, row.max_error_box2d_m, mean_iterations(row.iterations_ours, row),

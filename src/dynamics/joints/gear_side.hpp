@@ -6,11 +6,18 @@
 #pragma once
 
 #include <span>
+#include <variant>
 
 #include "dynamics/rows/joint_angle.hpp"
 #include "dynamics/rows/joint_row.hpp"
+#include "tumble/joint.hpp"
 
 namespace tumble {
+
+// True if the joint has one free motion, which a gear can transmit.
+inline bool can_be_geared(const JointDef& def) {
+    return std::holds_alternative<RevoluteJointDef>(def) || std::holds_alternative<PrismaticJointDef>(def);
+}
 
 class GearSide {
 public:

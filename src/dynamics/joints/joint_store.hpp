@@ -101,6 +101,9 @@ public:
         });
     }
 
+    // An invariant: each joint has its load.
+    bool has_all_loads() const { return loads_.size() == records_.size(); }
+
     IdPool<JointId> ids;
 
     template <class Self, class Visitor>

@@ -1,5 +1,5 @@
 // The links of a chain: for each segment the end points of its neighbours.
-#include "shape/validate.hpp"
+#include "shape/arguments.hpp"
 #include "tumble/chain.hpp"
 
 namespace tumble {

@@ -1,4 +1,4 @@
-#include "shape/validate.hpp"
+#include "shape/arguments.hpp"
 
 #include <algorithm>
 #include <cmath>
