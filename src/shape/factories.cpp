@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "debug/check.hpp"
+#include "shape/arguments.hpp"
 #include "shape/hull.hpp"
 #include "shape/orientation.hpp"
-#include "shape/arguments.hpp"
 #include "tumble/shape.hpp"
 
 namespace tumble {

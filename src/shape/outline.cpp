@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "debug/check.hpp"
+#include "shape/arguments.hpp"
 #include "shape/convex_parts.hpp"
 #include "shape/crossing.hpp"
 #include "shape/triangulate.hpp"
-#include "shape/arguments.hpp"
 
 namespace tumble {
 

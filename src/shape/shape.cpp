@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "debug/check.hpp"
+#include "shape/arguments.hpp"
 #include "shape/convexity.hpp"
 #include "shape/edge_angles.hpp"
-#include "shape/arguments.hpp"
 
 namespace tumble {
 

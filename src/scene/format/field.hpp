@@ -55,7 +55,7 @@ enum class Text { any, name, color };
 struct Field {
     std::string_view name;
     std::string_view description;
-    std::string_view unit;
+    std::string_view unit = {};
     Range range = kAny;
     bool required = false;
     std::size_t min_items = 0;
