@@ -41,7 +41,8 @@ inline RubeExport make_rube_export(int count) {
         const Vec2 half{draw(0.2f, 0.5f), draw(0.2f, 0.5f)};
         const float radius = draw(0.1f, 0.3f), side = draw(-0.5f, 0.5f), density = draw(0.5f, 4.0f);
         // In rows of 20: Box2D's floats round to 1e-6 m within 32 m of the origin.
-        const Vec2 position{1.5f * static_cast<float>(i % 20), draw(1.0f, 1.5f) + static_cast<float>(i / 20)};
+        const int column = i % 20, row = i / 20;
+        const Vec2 position{1.5f * static_cast<float>(column), draw(1.0f, 1.5f) + static_cast<float>(row)};
         // Of a box about the origin and a ball at (side, 0): I is about the origin.
         const double width = 2.0 * double{half.x}, height = 2.0 * double{half.y}, r = radius, x = side;
         const double box = double{density} * width * height, ball = double{density} * kPi * r * r;

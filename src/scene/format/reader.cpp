@@ -133,7 +133,7 @@ public:
 
     // The hint for a word that is not an enumerator: without the list of words, which the message has.
     static std::string did_you_mean(const std::string& text, const std::vector<std::string_view>& names) {
-        if (const std::string hint = hint_for_foreign_word(text, names); !hint.empty()) return hint;
+        if (std::string hint = hint_for_foreign_word(text, names); !hint.empty()) return hint;
         return nearest_word(text, names).empty() ? "" : suggestion(text, names);
     }
 
