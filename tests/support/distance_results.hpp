@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #include "narrow/cores/error_bound.hpp"
 #include "reference/exact/exact_distance.hpp"
@@ -53,7 +53,9 @@ inline BoundsFit fit_of(const tumble::reference::PairQuery& query, const tumble:
 }
 
 // Bit for bit, so that NaN equals itself and 0 is not -0.
-inline bool have_same_bits(double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; }
+inline bool have_same_bits(double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+}
 inline bool have_same_bits(tumble::DVec2 p, tumble::DVec2 q) {
     return have_same_bits(p.x, q.x) && have_same_bits(p.y, q.y);
 }
