@@ -38,11 +38,14 @@ ExitCode run_command(CLI::App& app, Command& command, int argument_count, const 
     add_import(app, command);
     add_parity(app, command);
     add_bench(app, command);
+    add_physics(app, command);
     app.require_subcommand(0, 1);
     std::vector<std::string> arguments = without_help_command({argument_texts + 1, argument_texts + argument_count});
     std::ranges::reverse(arguments);  // CLI11 takes them in reverse order
     app.parse(std::move(arguments));
     if (version) return print_version(command.json);
+    if (command.json && has_file_output())
+        throw CLI::ValidationError("--json", "writes to standard output, and so does another option");
     return command.action ? command.action() : print_usage();
 }
 

@@ -7,7 +7,7 @@
 #   tools/overview.sh            with build/release/tools/tumble
 #   tools/overview.sh TUMBLE     with that binary
 #
-# Needs ffmpeg, which no other script needs. The same binary and the same ffmpeg make the same files.
+# Needs ffmpeg, which setup.sh installs for the tests. The same binary and the same ffmpeg make the same files.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)

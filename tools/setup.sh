@@ -19,7 +19,7 @@ build_packages=(
     'libxxhash-dev:state and scene hashes'
     'libosmesa6-dev:draws frames without a display'
     'libgl-dev:types and constants of OpenGL'
-    'libstb-dev:writes PNG files and text in frames'
+    'libstb-dev:reads and writes PNG files, text in frames'
     'libdeflate-dev:compresses PNG files quickly'
     'fonts-dejavu-core:the font of the text in frames'
     'libpugixml-dev:reads SVG drawings'
@@ -34,6 +34,10 @@ test_packages=(
     'clang-format-14:checks the format of the sources'
     'clang-tidy-14:finds mistakes in the sources'
     'shellcheck:checks these scripts'
+    'ffmpeg:encodes the videos of runs, and decodes them for the tests'
+    'chromium:opens replay pages'
+    'chromium-driver:drives it'
+    'python3-selenium:drives it from a script'
 )
 
 say() { echo "setup: $*" >&2; }

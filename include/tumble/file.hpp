@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tumble {
 
@@ -23,7 +24,9 @@ std::string read_file(const std::filesystem::path& file,
                       std::size_t limit = std::numeric_limits<std::size_t>::max() - 1);
 
 // A file to be written. The bytes go to a temporary file in the same folder, with a name that no other thread or
-// process uses, and commit() renames it. All functions throw FileError with the system's reason, such as a full disk.
+// process uses, and commit() renames it. The path /dev/stdout stands for standard output: its bytes go there in order,
+// without a temporary file, and an error may leave a part of them written. All functions throw FileError with the
+// system's reason, such as a full disk.
 class OutputFile {
 public:
     explicit OutputFile(std::filesystem::path file);
@@ -32,9 +35,19 @@ public:
     OutputFile& operator=(OutputFile&&) = delete;
 
     const std::filesystem::path& path() const noexcept { return path_; }
+    const std::filesystem::path& temporary() const noexcept { return temporary_; }  // empty for standard output
 
     // Appends bytes. They are buffered.
     void write(std::string_view bytes);
+
+    // Writes the buffered bytes, so that the temporary file contains all so far. Returns their number.
+    std::uint64_t save_so_far();
+
+    // Closes the file and leaves the temporary file with what is written so far. To be called once, last.
+    void leave();
+
+    // Appends bytes `begin` to `end` of another file. Throws FileError, also if it is shorter.
+    void append_from(const std::filesystem::path& file, std::uint64_t begin, std::uint64_t end);
 
     // Writes the buffered bytes, closes the file, checks its size, and replaces the file at path(). Returns the size in
     // bytes. To be called once, last.
@@ -50,5 +63,16 @@ private:
     std::uint64_t size_ = 0;
     std::string buffer_;
 };
+
+// A temporary file of an OutputFile. That of a process that was killed remains.
+struct PartialFile {
+    std::filesystem::path path;
+    std::filesystem::path file;  // what its name was going to be
+    int process = 0;             // the process that made it
+    bool is_running = false;     // whether there is a process of that number
+};
+
+// The temporary files in a folder, but not in its folders; none if there is no such folder.
+std::vector<PartialFile> find_partial_files(const std::filesystem::path& folder);
 
 }  // namespace tumble

@@ -11,6 +11,7 @@
 // collide_connected false the shapes of the two bodies do not collide.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <variant>
@@ -19,6 +20,21 @@
 #include "tumble/math.hpp"
 
 namespace tumble {
+
+// How a world solves the equality constraints of its joints: coinciding anchors, rods, rails, rigid welds, ropes over
+// pulleys, gears. Limits, motors and springs are iterated in both cases.
+enum class JointSolver : std::uint8_t {
+    // One after the other, once or twice in a sub-step, with a softness of 60 Hz. O(joints). Joints open under load,
+    // and the more, the heavier the bodies at the end of a chain; mechanisms lose energy.
+    iterative,
+
+    // All at once, by a sparse factorization in each sub-step. Joints do not open, and pendulums and chains keep their
+    // energy. Links that are too light for their tension to be resolved by a sub-step turn as if they had more inertia,
+    // and such a whip loses energy.
+    // For chains, ragdolls and robots it takes several times as long as the iteration; grids of many joints, and bodies
+    // with hundreds of them, take far longer. Joints that contradict each other yield one after the other.
+    direct,
+};
 
 // The range of a free motion: rad or m, lower <= upper.
 struct JointLimits {

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "tumble/body.hpp"
+#include "tumble/impacts.hpp"
+#include "tumble/joint.hpp"
 #include "tumble/math.hpp"
 
 namespace tumble {
@@ -24,6 +26,8 @@ struct SceneSettings {
     std::uint64_t seed = 1;
     bool sleeping = true;
     bool continuous = true;
+    JointSolver joints = JointSolver::iterative;
+    ImpactModel impacts = ImpactModel::at_step_end;
     double scale = 1.0;  // m, the size of a typical body: see WorldDef
 };
 

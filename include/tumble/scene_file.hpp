@@ -75,6 +75,10 @@ std::string to_json(const Scene& scene);
 // Writes the canonical text to a temporary file and renames it. Throws as to_json(), and FileError.
 void save_scene(const Scene& scene, const std::filesystem::path& file);
 
+// The text of a scene file, read without error, with another string as the value at a JSON pointer. Comments and layout
+// stay. Throws std::invalid_argument if there is no string at the pointer.
+std::string replace_text(std::string_view scene_text, const std::string& pointer, std::string_view text);
+
 // The JSON schema (Draft-07) of format 1, as published in scenes/scene.schema.json.
 std::string scene_schema();
 

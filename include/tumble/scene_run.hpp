@@ -1,8 +1,10 @@
 // Running a scene: its world, the events of its timeline, and the evaluation of its claims.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,14 @@ public:
     // world refuses a spawned body.
     void step();
 
+    // The run of this scene as bytes. With the same scene, load() makes a run from them that takes the same steps, bit
+    // for bit. The format is that of one version of the library.
+    std::vector<std::byte> save(const Scene& scene) const;
+
+    // Throws SceneError as the constructor does, and SnapshotError for bytes that are no whole saved run, or one of a
+    // scene with another scene_hash().
+    static SceneRun load(const Scene& scene, std::span<const std::byte> saved);
+
     double time() const;  // s, of the current state
     const SceneWorld& built() const noexcept;
     const World& world() const noexcept { return built().world; }
@@ -43,10 +53,11 @@ private:
 // The result of one claim of a scene.
 struct ExpectationResult {
     bool passed = false;
-    std::string claim;       // "'crate' is inside [0, 0] to [2, 3] at 4 s"
-    std::string finding;     // the deciding state: "it is at [2.5, 0.5]"
-    std::uint64_t step = 0;  // that decided it; the last one if the run ended too early
-    double time = 0.0;       // s, of that step
+    std::string claim;         // "'crate' is inside [0, 0] to [2, 3] at 4 s"
+    std::string finding;       // the deciding state: "it is at [2.5, 0.5]"
+    std::uint64_t step = 0;    // that decided it; the last one if the run ended too early
+    double time = 0.0;         // s, of that step
+    std::string state_hash{};  // of a state_hash claim: the hash in that step, 16 hexadecimal digits
 };
 
 // Watches a run and decides the claims of its scene (Scene::expect).

@@ -25,6 +25,7 @@
 #include "tumble/counters.hpp"
 #include "tumble/events.hpp"
 #include "tumble/id.hpp"
+#include "tumble/impacts.hpp"
 #include "tumble/joint.hpp"
 #include "tumble/math.hpp"
 #include "tumble/query.hpp"
@@ -37,6 +38,8 @@ struct WorldDef {
     int substeps = 4;                // in each step, >= 1; more make joints and stacks stiffer
     bool sleeping = true;            // islands at rest fall asleep
     bool continuous = true;          // continuous collision keeps fast bodies from passing through thin ones
+    JointSolver joints = JointSolver::iterative;
+    ImpactModel impacts = ImpactModel::at_step_end;
 
     // The size of a typical body, m, > 0. The solver's own constants are for bodies of 1 m. For a scale s its lengths
     // are multiplied by s, its speeds by sqrt(s) and its frequencies by 1 / sqrt(s), as under equal gravity. A world of
@@ -337,7 +340,8 @@ class SnapshotError : public std::runtime_error {
 // A pose or a velocity is not finite. The world can be read, but not stepped.
 class SimulationDiverged : public std::runtime_error {
 public:
-    SimulationDiverged(BodyId body, std::uint64_t step);
+    // The message has the name of the body, by default its index.
+    SimulationDiverged(BodyId body, std::uint64_t step, const std::string& name = {});
     BodyId body;             // the one with the lowest id that is not finite
     std::uint64_t step = 0;  // step_count() after the step
 };

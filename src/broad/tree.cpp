@@ -38,6 +38,13 @@ AabbTree::Node AabbTree::insert(const Aabb& box, std::uint32_t key) {
     return leaf;
 }
 
+void AabbTree::clear() {
+    nodes_.clear();
+    free_.clear();
+    root_ = kNone;
+    leaf_count_ = 0;
+}
+
 void AabbTree::remove(Node leaf) {
     TUMBLE_CHECK(at(leaf).is_leaf());
     TUMBLE_CHECK(leaf_count_ > 0);

@@ -25,6 +25,7 @@ public:
     // Adds a leaf and returns its node, by which the caller moves and removes it. O(log n).
     Node insert(const Aabb& box, std::uint32_t key);
     void remove(Node leaf);
+    void clear();  // keeps the memory
 
     // Gives a leaf another box: refits it in place if the old and new boxes overlap, otherwise inserts it anew. The
     // node stays the same.

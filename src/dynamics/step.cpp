@@ -7,8 +7,12 @@
 #include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/integrate.hpp"
 #include "dynamics/contacts/collide_contact.hpp"
+#include "dynamics/contacts/contact_block.hpp"
+#include "dynamics/stages/bounces.hpp"
 #include "dynamics/stages/continuous.hpp"
 #include "dynamics/stages/events.hpp"
+#include "dynamics/stages/free_flight.hpp"
+#include "dynamics/stages/ordered_impacts.hpp"
 #include "dynamics/stages/seams.hpp"
 #include "dynamics/stages/sensor_crossings.hpp"
 #include "dynamics/stages/sleep.hpp"
@@ -37,14 +41,16 @@ private:
     Clock::time_point last_ = start_;
 };
 
-SpeedLimits speed_limits(const Simulation& simulation) {
-    return {simulation.settings.tuning.max_speed, kMaxRotation / simulation.settings.duration,
-            kMaxFastRotation / simulation.settings.substep_duration()};
+SpeedLimits speed_limits(const Simulation& simulation) { return simulation.settings.speed_limits(); }
+
+FrictionBound friction_bound(const Simulation& simulation) {
+    return simulation.settings.orders_impacts() ? FrictionBound::rigid : FrictionBound::biased;
 }
 
 JointContext joint_context(const Simulation& simulation) {
     const float h = simulation.settings.substep_duration();
-    return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h)};
+    const bool is_direct = simulation.settings.joints == JointSolver::direct;
+    return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h), !is_direct};
 }
 
 void collide_and_count(Simulation& simulation, Contact& contact) {
@@ -70,15 +76,17 @@ void step(Simulation& simulation) {
     collide_pairs(simulation);
     collide_woken(simulation);
     smooth_seams(simulation);
+    if (simulation.settings.orders_impacts()) find_bounces(simulation);
     clock.stop(ms.collide);
     prepare_constraints(simulation);
     clock.stop(ms.prepare);
+    if (simulation.settings.orders_impacts()) begin_flight(simulation);
     for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation);
-    bounce(simulation);
+    if (!simulation.settings.orders_impacts()) bounce(simulation);
     store_results(simulation);
     forget_clamped_impulses(simulation);
     clock.stop(ms.solve);
-    stop_at_impacts(simulation);
+    collide_continuously(simulation);
     find_sensor_crossings(simulation);
     finalize_poses(simulation.bodies, speed_limits(simulation));
     clock.stop(ms.continuous);
@@ -137,6 +145,9 @@ void prepare_constraints(Simulation& simulation) {
     simulation.scratch.contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
                                               settings.gravity, settings.substep_duration());
     simulation.joints.prepare(simulation.bodies);
+    if (settings.joints == JointSolver::direct)
+        simulation.scratch.joint_system.prepare(simulation.joints, simulation.bodies.solver_bodies,
+                                                settings.substep_duration(), settings.tuning.push_out_speed);
 }
 
 void run_substep(Simulation& simulation) {
@@ -145,13 +156,17 @@ void run_substep(Simulation& simulation) {
     const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
     ContactSolver& contacts = simulation.scratch.contact_solver;
     integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation));
+    JointSystem* system = context.iterates_equalities ? nullptr : &simulation.scratch.joint_system;
+    if (system) system->start_substep();
     simulation.joints.warm_start(bodies);
     contacts.warm_start(bodies);
     simulation.joints.solve(context, true, bodies);
+    if (system) system->solve_chord(simulation.joints, bodies);
     contacts.solve(bodies, context.inv_h, simulation.settings.tuning.push_out_speed);
     integrate_positions(simulation.bodies, context.h, speed_limits(simulation));
     simulation.joints.solve(context, false, bodies);
-    contacts.relax(bodies, context.inv_h);
+    if (system) system->project_velocities(simulation.joints, bodies);
+    contacts.relax(bodies, context.inv_h, friction_bound(simulation));
 }
 
 void bounce(Simulation& simulation) {
@@ -174,6 +189,13 @@ void forget_clamped_impulses(Simulation& simulation) {
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i)
         if (bodies.solver_bodies[i].flags & kClampedBody)
             for (const JointId id : bodies.records[bodies.moving[i].body].joints) simulation.joints.forget_impulses(id);
+}
+
+void collide_continuously(Simulation& simulation) {
+    if (!simulation.settings.orders_impacts()) return stop_at_impacts(simulation);
+    end_flight(simulation);
+    simulate_impacts(simulation);
+    show_impacts(simulation);
 }
 
 void update_proxies(Simulation& simulation) {

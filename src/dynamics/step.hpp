@@ -21,6 +21,7 @@ void run_substep(Simulation& simulation);
 void bounce(Simulation& simulation);
 void store_results(Simulation& simulation);
 void forget_clamped_impulses(Simulation& simulation);
+void collide_continuously(Simulation& simulation);
 void update_proxies(Simulation& simulation);
 
 }  // namespace tumble

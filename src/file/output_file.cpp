@@ -4,8 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <fstream>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -30,7 +33,13 @@ std::filesystem::path temporary_name(const std::filesystem::path& file) {
 FileError::FileError(const std::filesystem::path& path, std::string_view reason)
     : std::runtime_error(path.string() + ": " + std::string(reason)) {}
 
-OutputFile::OutputFile(std::filesystem::path file) : path_(std::move(file)), temporary_(temporary_name(path_)) {
+OutputFile::OutputFile(std::filesystem::path file) : path_(std::move(file)) {
+    if (path_ == "/dev/stdout") {
+        descriptor_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+        if (descriptor_ < 0) fail(errno);
+        return;
+    }
+    temporary_ = temporary_name(path_);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail(errno);
 }
@@ -64,12 +73,37 @@ void OutputFile::flush() {
     buffer_.clear();
 }
 
+std::uint64_t OutputFile::save_so_far() {
+    flush();
+    return size_;
+}
+
+void OutputFile::leave() {
+    temporary_.clear();
+    ::close(std::exchange(descriptor_, -1));
+}
+
+void OutputFile::append_from(const std::filesystem::path& file, std::uint64_t begin, std::uint64_t end) {
+    std::ifstream stream(file, std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(begin));
+    std::string block(kBufferSize, '\0');
+    for (std::uint64_t at = begin; at < end;) {
+        const std::uint64_t count = std::min<std::uint64_t>(block.size(), end - at);
+        if (!stream.read(block.data(), static_cast<std::streamsize>(count)))
+            throw FileError(file, "cannot read " + std::to_string(end) + " bytes of it");
+        write(std::string_view(block).substr(0, count));
+        at += count;
+    }
+}
+
 std::uint64_t OutputFile::commit() {
     flush();
+    const bool is_stream = temporary_.empty();
     struct stat status {};
     if (::fstat(descriptor_, &status) != 0) fail(errno);
-    if (static_cast<std::uint64_t>(status.st_size) != size_) fail(EIO);
+    if (!is_stream && static_cast<std::uint64_t>(status.st_size) != size_) fail(EIO);
     if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+    if (is_stream) return size_;
     if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
     temporary_.clear();
     return size_;

@@ -67,6 +67,13 @@ std::size_t scratch_bytes(const T& value) {
     return value.bytes();
 }
 
+std::size_t scratch_bytes(const AabbTree& tree) { return bytes_of(tree); }
+std::size_t scratch_bytes(const ImpactScratch& scratch) {
+    std::size_t bytes = 0;
+    visit_fields_of(scratch, [&](const auto&... member) { ((bytes += scratch_bytes(member)), ...); });
+    return bytes;
+}
+
 // The total that a member's memory belongs to: `other`, unless its type has a line here.
 std::size_t& total_of(WorldMemory& memory, const BodyStore&) { return memory.bodies; }
 std::size_t& total_of(WorldMemory& memory, const ShapeStore&) { return memory.shapes; }

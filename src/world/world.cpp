@@ -33,8 +33,9 @@ StepCounters World::Impl::count() const {
 }
 
 void World::Impl::apply_settings() {
-    simulation.settings = {def.gravity,    1.0f / def.steps_per_second, def.substeps, def.sleeping,
-                           def.continuous, make_tuning(def.scale)};
+    simulation.settings = {
+        def.gravity, 1.0f / def.steps_per_second, def.substeps, def.sleeping, def.continuous, def.joints,
+        def.impacts, make_tuning(def.scale)};
 }
 
 World::World(const WorldDef& def) {
@@ -109,9 +110,9 @@ World World::load(std::span<const std::byte> snapshot) {
 
 void World::audit() const { tumble::audit(impl_->simulation); }
 
-SimulationDiverged::SimulationDiverged(BodyId body_, std::uint64_t step_)
+SimulationDiverged::SimulationDiverged(BodyId body_, std::uint64_t step_, const std::string& name)
     : std::runtime_error("the simulation diverged in step " + std::to_string(step_) + ": body " +
-                         std::to_string(body_.index) + " is not finite"),
+                         (name.empty() ? std::to_string(body_.index) : name) + " is not finite"),
       body(body_),
       step(step_) {}
 

@@ -114,7 +114,7 @@ TEST_CASE("contacts without a colour are solved in blocks of their own") {
 
 TEST_CASE("the relax pass leaves the last contacts that it solves without approach") {
     Tangle tangle(2, 40, 30);
-    relax_contacts(tangle.blocks, tangle.bodies.solver_bodies, 1.0f / kH);
+    relax_contacts(tangle.blocks, tangle.bodies.solver_bodies, 1.0f / kH, FrictionBound::rigid);
     // Nothing is solved after the last block: there s / h + v >= 0, up to rounding of sums of a few m/s.
     int carried = 0;
     for (const std::uint32_t index : tangle.graph.block(tangle.graph.block_count() - 1)) {
@@ -178,7 +178,7 @@ TEST_CASE("unused lanes and absent points stay neutral through every pass") {
     for (int pass = 0; pass < 4; ++pass) {
         warm_start_contacts(tangle.blocks, tangle.bodies.solver_bodies);
         solve_contacts(tangle.blocks, tangle.bodies.solver_bodies, 1.0f / kH, kPushOutSpeed);
-        relax_contacts(tangle.blocks, tangle.bodies.solver_bodies, 1.0f / kH);
+        relax_contacts(tangle.blocks, tangle.bodies.solver_bodies, 1.0f / kH, FrictionBound::rigid);
     }
     for (std::size_t i = 0; i < tangle.blocks.size(); ++i)
         for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
@@ -205,7 +205,7 @@ TEST_CASE("two points share a centred push equally, and do not tip the box") {
     std::vector<ContactBlock> blocks;
     prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks);
     REQUIRE(blocks.size() == 1);
-    relax_contacts(blocks, bodies.solver_bodies, 1.0f / kH);
+    relax_contacts(blocks, bodies.solver_bodies, 1.0f / kH, FrictionBound::rigid);
     CHECK(near(blocks[0].points[0].normal_impulse[0], 0.5, kFloat));
     CHECK(blocks[0].points[1].normal_impulse[0] == blocks[0].points[0].normal_impulse[0]);
     CHECK(bodies.solver_bodies[1].angular_velocity == 0.0f);

@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <iterator>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -126,4 +128,47 @@ TEST_CASE("reading stops one byte after the limit, and an error names the file")
     CHECK(read_file(folder.path / "data.txt", 4) == "01234");
     CHECK_THROWS_WITH_AS(read_file("no/such/file", 10), "no/such/file: No such file or directory", FileError);
     CHECK_THROWS_WITH_AS(read_file("/", 10), "/: Is a directory", FileError);
+}
+
+TEST_CASE("a file continues with a part of another, and is an error if that is too short") {
+    const Folder folder;
+    write_whole(folder.path / "before.csv", "step\n0\n1\n2\n");
+    OutputFile output(folder.path / "data.csv");
+    output.write("step\n");
+    CHECK(output.save_so_far() == 5);
+    CHECK(read_file(output.temporary()) == "step\n");
+    output.append_from(folder.path / "before.csv", 5, 9);
+    CHECK_THROWS_AS(output.append_from(folder.path / "before.csv", 0, 12), FileError);
+    CHECK_THROWS_AS(output.append_from(folder.path / "none.csv", 0, 1), FileError);
+    OutputFile copy(folder.path / "copy.csv");
+    copy.write("step\n");
+    copy.append_from(folder.path / "before.csv", 5, 9);
+    CHECK(copy.commit() == 9);
+    CHECK(read_file(folder.path / "copy.csv") == "step\n0\n1\n");
+}
+
+TEST_CASE("a temporary file that is left can be found with its file and its process") {
+    const Folder folder;
+    fs::path temporary;
+    {
+        OutputFile output(folder.path / "data.csv");
+        output.write("0123");
+        output.save_so_far();
+        temporary = output.temporary();
+        output.leave();
+    }
+    CHECK(read_file(temporary) == "0123");
+    write_whole(folder.path / "data.csv.999999999-0.partial", "");  // more than any process has
+    for (const char* const other :
+         {"notes.partial", "a.b.partial", "a.1-.partial", "a.1.partial", ".1-0.partial", "a.1-0"})
+        write_whole(folder.path / other, "");
+    const std::vector<tumble::PartialFile> found = tumble::find_partial_files(folder.path);
+    REQUIRE(found.size() == 2);
+    for (const tumble::PartialFile& partial : found) {
+        CHECK(partial.file == folder.path / "data.csv");
+        const bool is_own = partial.path == temporary;
+        CHECK(partial.is_running == is_own);
+        CHECK(partial.process == (is_own ? ::getpid() : 999999999));
+    }
+    CHECK(tumble::find_partial_files(folder.path / "none").empty());
 }

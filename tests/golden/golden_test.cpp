@@ -1,5 +1,5 @@
-// Two worlds, one with shapes, surfaces and joints of many kinds, against hashes in this file: so the builds of all
-// compilers, optimisation levels and instruction sets are compared with each other.
+// Three worlds, one with shapes, surfaces and joints of many kinds and one with direct joints, against hashes in this
+// file: so the builds of all compilers, optimisation levels and instruction sets are compared with each other.
 //
 // After a deliberate change of results, replace the hashes by those of any build. The test is about all builds
 // agreeing.
@@ -141,7 +141,95 @@ World make_falling_hinges() {
     return world;
 }
 
+constexpr JointLimits kBend{-0.5f, 0.7f};
+constexpr int kLinks = 12;
+
+// Links of 0.5 m that start level, and a ball of some 300 times their mass. The fourth joint has limits, and a motor
+// drives the second one.
+void add_heavy_chain(World& world, DVec2 pivot) {
+    BodyId before = add_static(world, pivot, make_circle(0.05f));
+    Vec2 anchor{};
+    for (int i = 0; i < kLinks; ++i) {
+        RevoluteJointDef joint{.body_a = before, .anchor_a = anchor, .anchor_b = {-0.25f, 0.0f}};
+        joint.body_b = add_dynamic(world, pivot + DVec2{0.25 + 0.5 * i, 0.0}, make_box({0.5f, 0.1f}));
+        if (i == 1) joint.motor = AngularMotor{2.0f, 1.0f};
+        if (i == 3) joint.limits = kBend;
+        world.create_joint(joint);
+        before = joint.body_b;
+        anchor = {0.25f, 0.0f};
+    }
+    const BodyId ball =
+        add_dynamic(world, pivot + DVec2{0.5 * kLinks + 0.7, 0.0}, make_circle(0.7f), {.density = 10.0f});
+    world.create_joint(
+        RevoluteJointDef{.body_a = before, .body_b = ball, .anchor_a = anchor, .anchor_b = {-0.7f, 0.0f}});
+}
+
+// A trunk with a welded head and four limbs of two parts. All hinges have limits, one of them a motor.
+void add_ragdoll(World& world, DVec2 position) {
+    const BodyId trunk = add_dynamic(world, position, make_capsule({0.0f, -0.3f}, {0.0f, 0.3f}, 0.15f));
+    const BodyId head = add_dynamic(world, position + DVec2{0.0, 0.7}, make_circle(0.2f));
+    world.create_joint(
+        WeldJointDef{.body_a = trunk, .body_b = head, .anchor_a = {0.0f, 0.5f}, .anchor_b = {0.0f, -0.2f}});
+    const Shape part = make_capsule({0.0f, -0.2f}, {0.0f, 0.2f}, 0.07f);
+    for (int limb = 0; limb < 4; ++limb) {
+        const float side = limb % 2 == 0 ? 1.0f : -1.0f;
+        const Vec2 joint_at = limb < 2 ? Vec2{0.3f * side, 0.3f} : Vec2{0.1f * side, -0.4f};
+        RevoluteJointDef upper{.body_a = trunk, .anchor_a = joint_at, .anchor_b = {0.0f, 0.25f}, .limits = kBend};
+        upper.body_b = add_dynamic(world, position + DVec2(joint_at) - DVec2{0.0, 0.25}, part);
+        if (limb == 1) upper.motor = AngularMotor{-4.0f, 2.0f};
+        world.create_joint(upper);
+        const BodyId lower = add_dynamic(world, position + DVec2(joint_at) - DVec2{0.0, 0.75}, part);
+        world.create_joint(RevoluteJointDef{.body_a = upper.body_b,
+                                            .body_b = lower,
+                                            .anchor_a = {0.0f, -0.25f},
+                                            .anchor_b = {0.0f, 0.25f},
+                                            .limits = kBend});
+    }
+}
+
+// The ragdolls fall on to the floor, and the chain with its ball on to them.
+World make_direct_joints() {
+    WorldDef def;
+    def.joints = JointSolver::direct;
+    World world(def);
+    add_floor(world);
+    add_heavy_chain(world, {-6.0, 4.2});
+    for (int i = 0; i < 3; ++i) add_ragdoll(world, {-2.0 + 1.1 * i, 1.6 + 0.3 * i});
+    return world;
+}
+
+// Discs, boxes and capsules of several materials that fall into a pit with a paddle.
+World make_impacts() {
+    WorldDef def;
+    def.impacts = ImpactModel::in_order;
+    World world(def);
+    add_floor(world, {.restitution = 0.5f});
+    for (const double x : {-4.0, 4.0}) add_static(world, {x, 3.0}, make_box({1.0f, 6.0f}), {.restitution = 1.0f});
+    const BodyId paddle = add_body(world, BodyType::kinematic_body, {0.0, 1.0}, make_box({2.0f, 0.1f}));
+    world.set_velocity(paddle, {}, 20.0f);
+    const Shape shapes[] = {make_circle(0.2f), make_box({0.4f, 0.3f}), make_capsule({-0.2f, 0.0f}, {0.2f, 0.0f}, 0.1f)};
+    for (int i = 0; i < 24; ++i) {
+        const float restitution = 0.25f * static_cast<float>(i % 5);
+        const BodyId body = add_dynamic(world, {-2.4 + 0.9 * (i % 6), 3.0 + 0.8 * (i / 6)}, shapes[i % 3],
+                                        {.friction = 0.3f, .restitution = restitution}, 0.3 * i);
+        world.set_velocity(body, {static_cast<float>(i % 7 - 3), -8.0f}, 0.5f * static_cast<float>(i % 4));
+    }
+    return world;
+}
+
 }  // namespace
+
+TEST_CASE("impacts in order have the same hash in every build, in every step") {
+    World world = make_impacts();
+    std::uint64_t all_steps = 0;
+    for (int step = 0; step < 120; ++step) {
+        world.step();
+        all_steps = 31 * all_steps + world.state_hash();
+    }
+    CHECK(all_steps == 1u);
+    CHECK(world.counters().contacts > 5);
+    world.audit();
+}
 
 TEST_CASE("falling hinges have the same hash in every build, in every step") {
     World world = make_falling_hinges();
@@ -161,4 +249,16 @@ TEST_CASE("every build computes the same bits") {
     run(world, 540);
     CHECK(world.state_hash() == 9147743189822970278u);
     CHECK(world.counters().contacts > 20);
+}
+
+TEST_CASE("direct joints have the same hash in every build, in every step") {
+    World world = make_direct_joints();
+    std::uint64_t all_steps = 0;
+    for (int step = 0; step < 60; ++step) {
+        world.step();
+        all_steps = 31 * all_steps + world.state_hash();
+    }
+    CHECK(all_steps == 4812525613292012214u);
+    CHECK(world.counters().contacts > 10);
+    world.audit();
 }

@@ -75,17 +75,18 @@ const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"broad", {"math.hpp"}},
     {"dynamics",
      {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
-      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "events.hpp", "counters.hpp"}},
+      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "impacts.hpp", "events.hpp", "counters.hpp"}},
 };
 
 // Third-party headers by their first folder or whole name, and the rooms that may include them.
 const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"Eigen", {"simd", "dynamics", "reference", "include"}},
     {"GL", {"render"}},
+    {"stb_image.h", {"tools"}},
     {"stb_image_write.h", {"render"}},
     {"stb_truetype.h", {"render"}},
     {"libdeflate.h", {"render"}},
-    {"nlohmann", {"scene", "import", "tools", "reference"}},
+    {"nlohmann", {"scene", "import", "render", "tools", "reference"}},
     {"rapidjson", {"tools"}},
     {"libfccp", {"tools"}},
     {"CLI", {"tools"}},

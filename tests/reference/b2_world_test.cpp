@@ -89,6 +89,28 @@ TEST_CASE("distance and revolute joints keep their constraints") {
     CHECK(length(transform_point(world.pose(2), Vec2{-1.0f, 0.0f}) - DVec2{0.0, 9.0}) < 0.02);
 }
 
+TEST_CASE("a spring oscillates about its rest length at its frequency") {
+    B2World world(scene_of(
+        R"({"name": "post", "type": "static", "shapes": [{"circle": {"radius": 0.1}}]},
+           {"name": "bob", "position": [3.5, 0], "shapes": [{"circle": {"radius": 0.2}}]})",
+        R"(, "world": {"gravity": [0, 0]}, "joints": [{"type": "distance", "bodies": ["post", "bob"],
+            "anchors": [[0, 0], [0, 0]], "length": 3, "spring": {"hertz": 1}}])"));
+    run(world, 30);  // half a period; Box2D integrates springs implicitly, which damps them
+    CHECK(near(world.pose(1).position.x, 2.5, absolute(0.15)));
+}
+
+TEST_CASE("bodies keep their filters, spin and sleep") {
+    const std::string bodies = std::string(kGround) + R"(
+        {"name": "ghost", "position": [0, 1], "angular_velocity": 90, "shapes": [{"circle": {"radius": 0.2}, "filter": {"mask": 0}}]},
+        {"name": "ball", "position": [3, 0.2], "shapes": [{"circle": {"radius": 0.2}}]})";
+    B2World world(scene_of(bodies.c_str()));
+    CHECK(near(world.angular_velocity(1), 0.5 * kPi, kFloat));
+    run(world, 120);
+    CHECK(world.pose(1).position.y < -5.0);
+    CHECK(world.is_awake(1));
+    CHECK(!world.is_awake(2));
+}
+
 TEST_CASE("features that Box2D lacks are in the notes") {
     B2World world(
         scene_of(R"({"name": "belt", "type": "static", "shapes": [{"box": {"size": [4, 1]}, "material": "belt"}]})",

@@ -201,6 +201,43 @@ TEST_CASE("hints contain the names of copies and of what the timeline spawns") {
         "the timeline spawns it: it does not exist at the start");
 }
 
+TEST_CASE("hints answer what newcomers write") {
+    const auto hint_of = [](const std::string& text) {
+        for (const Diagnostic& error : errors_of(text))  // a key may be missing too
+            if (!error.hint.empty()) return error.hint;
+        return std::string();
+    };
+    const std::string before = R"({"format": 1, "bodies": [{"name": "ball", )", after = "}]}";
+    CHECK(hint_of(before + R"("static": true)" + after) == R"("type": "static")");
+    CHECK(hint_of(before + R"("mass": 5)" + after) == R"("mass": {"mass": 5})");
+    CHECK(hint_of(before + R"("repeat": 5)" + after).starts_with(R"(of a body: "repeat": {"grid": {"columns": 5}})"));
+    CHECK(hint_of(test::with_shape(R"({"circle": 0.5})")) == R"("circle": {"radius": 0.5})");
+    CHECK(hint_of(test::with_shape(R"({"box": 2})")) == R"("box": {"size": [width, height]})");
+
+    const std::string joint = R"("type": "distance", "bodies": ["a", "b"], "anchors": [[0, 0], [0, 0]], )";
+    CHECK(hint_of(test::with_joint(joint + R"("stiffness": 100)")) ==
+          R"("spring": {"hertz": 4, "damping_ratio": 0.5})");
+    CHECK(hint_of(test::with_joint(joint + R"("spring": {"hertz": 1, "stiffness": 100})")).starts_with("\"hertz\""));
+    CHECK(hint_of(test::with_joint(joint + R"("spring": 3)")) == R"("spring": {"hertz": 3})");
+    CHECK(hint_of(test::with_joint(joint + R"("repeat": 5)")).ends_with(R"(of a joint: "repeat": {"columns": 5})"));
+    const auto hint_of_body = [&](const std::string& name) {
+        return hint_of(test::with_joint(R"("type": "weld", "bodies": [")" + name + R"(", "b"], "anchor": [0, 0])"));
+    };
+    CHECK(hint_of_body("world") ==
+          R"(a joint needs two bodies; one that never moves is {"name": "world", "type": "static"})");
+    CHECK(hint_of_body("ground").ends_with(R"({"name": "ground", "type": "static"})"));
+    CHECK(!hint_of_body("sky").starts_with("a joint needs"));
+
+    const auto hint_of_claim = [&](const std::string& key) {
+        return hint_of(before + R"("angle": 0}], "expect": [{"body": "ball", )" + key + after);
+    };
+    CHECK(hint_of_claim(R"("y": 3)") == R"("height": [lower, upper])");
+    CHECK(hint_of_claim(R"("x": 3)").starts_with("\"inside\""));
+    CHECK(hint_of_claim(R"("height": [0, 1], "time": 3)") == R"("at": seconds)");
+    CHECK(hint_of(before + R"("angle": 0}], "timeline": [{"time": 3, "body": "ball", "impulse": [1, 0])" + after) ==
+          R"("at": seconds)");
+}
+
 TEST_CASE("hints translate the habits of other engines") {
     const auto hint_of = [](const std::string& text) { return error_of(text).hint; };
     const std::string before = R"({"format": 1, "bodies": [{)", after = "}]}";
@@ -217,7 +254,8 @@ TEST_CASE("hints translate the habits of other engines") {
     CHECK(hint_of(test::with_joint(R"("type": "hinge", "bodies": ["a", "b"], "anchor": [0, 0])")) ==
           "this format calls it 'revolute'");
     CHECK(hint_of(R"({"format": 1, "world": {"gravity": -10}})") == "a number for x and one for y: [0, -10]");
-    CHECK(hint_of(R"({"format": 1, "materials": {"m": {"color": "red"}}})") == "for example \"#d33\"");
+    CHECK(hint_of(R"({"format": 1, "materials": {"m": {"color": "red"}}})") == "red is \"#f00\"");
+    CHECK(hint_of(R"({"format": 1, "materials": {"m": {"color": "puce"}}})") == "for example \"#d33\"");
     CHECK(hint_of(R"({"format": 1, "expect": [{"count": 3, "region": [[0, 0], [1, 1]]}]})") == "[3, 3] for exactly 3");
     CHECK(hint_of(
               R"({"format": 1, "bodies": [{"name": "a"}], "expect": [{"body": "a", "height": [0, 1], "from": 1}]})") ==

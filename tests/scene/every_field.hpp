@@ -20,7 +20,7 @@ inline std::vector<std::string> scenes_with_every_field() {
     const std::string shape = R"("bodies": [{"shapes": [{)";
     std::vector<std::string> scenes = {
         R"("$schema": "scene.schema.json", "name": "all", "description": "Everything.",
-           "world": {"gravity": [0, -10], "steps_per_second": 60, "substeps": 4, "duration": 5, "seed": 1, "sleeping": true, "continuous": true, "scale": 1},
+           "world": {"gravity": [0, -10], "steps_per_second": 60, "substeps": 4, "duration": 5, "seed": 1, "sleeping": true, "continuous": true, "joints": "direct", "impacts": "in_order", "scale": 1},
            "camera": {"center": [0, 4], "height": 12, "follow": "a"},
            "materials": {"ice": {"density": 1, "friction": 0.1, "restitution": 0.2, "rolling_resistance": 0.1, "tangent_speed": 1, "color": "#9bd"}},
            "bodies": [{"name": "a", "type": "dynamic", "position": [0, 1], "angle": 1, "velocity": [1, 2], "angular_velocity": 3, "linear_damping": 0.1,

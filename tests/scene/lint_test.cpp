@@ -175,6 +175,36 @@ TEST_CASE("joints that start apart or act far away, and springs too stiff for th
     CHECK(warnings_of(bodies, joined(rod + R"(, "spring": {"hertz": 36})")).empty());
 }
 
+TEST_CASE("copies of a rod that all end at one point of a body cause a warning, unless they are spokes") {
+    // Rods from the middle of the beam, at [0, 4], to balls at x = 0, 1 and 2 on the line y = 0: the longest sqrt(20)
+    // m.
+    const std::string beam =
+        R"({"name": "beam", "type": "static", "position": [0, 4], "shapes": [{"box": {"size": [9, 1]}}]}, )";
+    const std::string balls =
+        R"({"name": "ball", "repeat": {"grid": {"columns": 3}}, "shapes": [{"circle": {"radius": 0.4}}]})";
+    const auto joint = [](const std::string& from, const std::string& to, const std::string& more) {
+        return R"(, "joints": [{"type": "distance", "bodies": [")" + from + "\", \"" + to +
+               R"("], "anchors": [[0, 0], [0, 0]]})" + more + "]";
+    };
+    const auto repeated = [&](const std::string& from, const std::string& to) {
+        std::string text = joint(from, to, "");
+        return text.replace(text.rfind('}'), 1, R"(, "repeat": {"columns": 3}})");
+    };
+    for (const std::string& rods : {repeated("beam", "ball[0]"), repeated("ball[0]", "beam")}) {
+        const Diagnostic shared = warning_of(beam + balls, rods);
+        CHECK(shared.pointer == "/joints/0/repeat");
+        CHECK(says(shared, "one point of 'beam', which is not repeated: they are from 4 to 4.47 m long"));
+    }
+    CHECK(warnings_of(beam + balls, joint("beam", "ball[0]", "")).empty());
+    // One hook for each ball, and spokes of equal length.
+    const std::string hooks =
+        R"({"name": "hook", "type": "static", "position": [0, 4], "repeat": {"grid": {"columns": 3}}}, )";
+    CHECK(warnings_of(hooks + balls, repeated("hook[0]", "ball[0]")).empty());
+    const std::string ring =
+        R"({"name": "ball", "position": [0, 4], "repeat": {"ring": {"count": 3, "radius": 7}}, "shapes": [{"circle": {"radius": 0.4}}]})";
+    CHECK(warnings_of(beam + ring, repeated("beam", "ball[0]")).empty());
+}
+
 TEST_CASE("events and claims after the end of the run, and events without effect, cause a warning") {
     const std::string bodies =
         R"({"name": "ball", "shapes": [{"circle": {"radius": 0.5}}]}, {"name": "wall", "type": "static", "position": [9, 0]},

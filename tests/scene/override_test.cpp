@@ -78,3 +78,13 @@ TEST_CASE("a deeply nested override value is an error, not a crash") {
     CHECK(error_of("/custom/a/b=1").message == "step 2, 'a', does not exist");
     CHECK(error_of("/world/gravity=" + std::string(100000, '[')).pointer == "/world/gravity");
 }
+
+TEST_CASE("replace_text changes one string and leaves the rest of the text") {
+    const std::string text =
+        "\xEF\xBB\xBF{ // note\n \"format\": 1, \"name\": \"a \\\"b\\\"\", \"custom\": [\"x\", 2]}";
+    CHECK(replace_text(text, "/name", "c") ==
+          "\xEF\xBB\xBF{ // note\n \"format\": 1, \"name\": \"c\", \"custom\": [\"x\", 2]}");
+    CHECK(replace_text(text, "/custom/0", "y\"").find("[\"y\\\"\", 2]") != std::string::npos);
+    CHECK_THROWS_AS(replace_text(text, "/custom/1", "y"), std::invalid_argument);
+    CHECK_THROWS_AS(replace_text(text, "/format", "y"), std::invalid_argument);
+}

@@ -128,6 +128,8 @@ private:
         def.substeps = integer(1, 6);
         def.sleeping = integer(0, 3) > 0;
         def.continuous = integer(0, 3) > 0;
+        def.impacts = coin() ? ImpactModel::in_order : ImpactModel::at_step_end;
+        def.joints = integer(0, 3) > 0 ? JointSolver::iterative : JointSolver::direct;
         return def;
     }
 

@@ -149,8 +149,8 @@ inline void add_last_things(World& world) {
 }
 
 // All kinds of things in motion, after 41 steps.
-inline World make_world_of_all_kinds() {
-    World world;
+inline World make_world_of_all_kinds(const WorldDef& def = {}) {
+    World world(def);
     add_rolling_things(world);
     add_stacks(world);
     add_one_sided_chain(world);

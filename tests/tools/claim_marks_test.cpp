@@ -1,5 +1,5 @@
 // The marks in the picture of a claim: its region in world coordinates, and its bodies.
-#include "tools/scene/claim_marks.hpp"
+#include "tools/claims/claim_marks.hpp"
 
 #include <doctest/doctest.h>
 

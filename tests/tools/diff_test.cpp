@@ -1,4 +1,4 @@
-// `tumble diff`: where two runs first differ, on hand-written files.
+// `tumble diff` of states and hashes, mostly on hand-written files.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -110,7 +110,107 @@ TEST_CASE("a run that ends early or has other bodies differs") {
     CHECK(ended.out.find("step 1 (0.5 s): B ends before this step") != std::string::npos);
     const Answer other = run_tumble({"diff", a, renamed});
     CHECK(other.code == 7);
-    CHECK(other.out.find("'ball': the body is in A only") != std::string::npos);
+    CHECK(other.out.find("renamed: 'ball' to 'box'\n") != std::string::npos);
+}
+
+TEST_CASE("a scene with one body inserted differs from itself by that body") {
+    const Folder folder;
+    const std::string before = R"({"format": 1, "world": {"duration": 0.5}, "bodies": [
+        {"name": "floor", "type": "static", "shapes": [{"box": {"size": [10, 1]}}]},)",
+                      after = R"({"name": "crate", "position": [0, 1], "repeat": {"grid": {"rows": 3}}, "shapes": [
+        {"box": {"size": [1, 1]}}]}, {"position": [3, 2], "shapes": [{"circle": {"radius": 0.5}}]}]})";
+    const std::string inserted = R"({"name": "new", "position": [-40, 9], "shapes": [{"circle": {"radius": 0.5}}]},)",
+                      nameless = R"({"position": [-40, 9], "shapes": [{"circle": {"radius": 0.5}}]},)";
+    const std::string a = folder.write("a.json", before + after), b = folder.write("b.json", before + inserted + after),
+                      c = folder.write("c.json", before + nameless + after);
+
+    const Answer added = run_tumble({"diff", a, b});
+    CHECK(added.code == 7);
+    CHECK(added.out == "added, only B has: 'new'\nequal bit for bit: 31 steps of 5 bodies that both have\n");
+    CHECK(run_tumble({"diff", b, a}).out ==
+          "removed, only A has: 'new'\nequal bit for bit: 31 steps of 5 bodies that both have\n");
+    const json document = compare(run_tumble({"diff", a, b, "--json"}));
+    CHECK(document["equal"] == false);
+    CHECK(document["added"] == json{"new"});
+    CHECK(document["removed"].empty());
+    CHECK(document["renamed"].empty());
+    CHECK(!document.contains("first"));
+
+    // The body without a name was the fifth and is now the sixth; 'body[1]' is the inserted one.
+    CHECK(run_tumble({"diff", a, c}).out ==
+          "added, only B has: 'body[1]'\nequal bit for bit: 31 steps of 5 bodies that both have\n");
+    const auto trajectory = [&](const std::string& scene, const std::string& name) {
+        const std::string run = (folder / name).string();
+        REQUIRE(run_tumble({"run", scene, "--no-frames", "-o", run, "--trajectory", run + "/trajectory.csv"}).code ==
+                0);
+        return run;
+    };
+    CHECK(run_tumble({"diff", trajectory(a, "run_a"), trajectory(c, "run_c")}).out == run_tumble({"diff", a, c}).out);
+    CHECK(run_tumble({"diff", (folder / "run_a").string(), c}).out == run_tumble({"diff", a, c}).out);
+
+    // The common bodies part too, and diff says by how much.
+    const json moved = compare(run_tumble({"diff", a, b, "--set", "/bodies/crate/position/1=1.5", "--json"}));
+    CHECK(moved["added"] == json{"new"});
+    CHECK(moved["first"]["body"] == "crate[0]");
+    CHECK(moved["first"]["apart"] == 0.5);
+    CHECK(moved["first"]["differing_bodies"] == 3);
+}
+
+TEST_CASE("a body of another name with the shapes and the place of one that is gone is renamed") {
+    const Folder folder;
+    const auto scene = [&](const std::string& file, const std::string& name, const std::string& radius) {
+        return folder.write(file, R"({"format": 1, "world": {"duration": 0.1}, "bodies": [
+            {"name": "other", "position": [5, 0], "shapes": [{"circle": {"radius": 1}}]},
+            {"name": ")" + name + R"(", "shapes": [{"circle": {"radius": )" +
+                                      radius + "}}]}]}");
+    };
+    const std::string ball = scene("ball.json", "ball", "1"), box = scene("box.json", "box", "1"),
+                      larger = scene("larger.json", "box", "2");
+    const Answer renamed = run_tumble({"diff", ball, box});
+    CHECK(renamed.code == 7);
+    CHECK(renamed.out == "renamed: 'ball' to 'box'\nequal bit for bit: 7 steps of 2 bodies that both have\n");
+    CHECK(compare(run_tumble({"diff", ball, box, "--json"}))["renamed"] ==
+          json::parse(R"([{"a": "ball", "b": "box"}])"));
+    const json parted = compare(run_tumble({"diff", ball, box, "--set", "/bodies/box/gravity_scale=0", "--json"}));
+    CHECK(parted["first"]["body"] == "ball");
+    CHECK(parted["first"]["body_b"] == "box");
+    const json replaced = compare(run_tumble({"diff", ball, larger, "--json"}));  // in the same place
+    CHECK(replaced["renamed"].empty());
+    CHECK(replaced["added"] == json{"box"});
+    CHECK(replaced["removed"] == json{"ball"});
+}
+
+TEST_CASE("a body that appears later in one run, or is gone earlier, differs in that step") {
+    const Folder folder;
+    const std::string ball = "ball,1,2,0,0,0,0\n", drop = "drop,5,5,0,0,0,0\n";
+    const std::string a = folder.write(
+        "a.csv", kHeader + ("0,0," + ball) + "1,0.5," + ball + "1,0.5," + drop + "2,1," + ball + "2,1," + drop);
+    const std::string late =
+        folder.write("late.csv", kHeader + ("0,0," + ball) + "1,0.5," + ball + "2,1," + drop + "2,1," + ball);
+    const json first = compare(run_tumble({"diff", a, late, "--json"}));
+    CHECK(first["added"].empty());
+    CHECK(first["first"]["step"] == 1);
+    CHECK(first["first"]["body"] == "drop");
+    CHECK(first["first"]["what"] == "in this step only A has the body");
+    CHECK(first["equal_steps"] == 1);
+    const std::string gone =
+        folder.write("gone.csv", kHeader + ("0,0," + ball) + "1,0.5," + ball + "1,0.5," + drop + "2,1," + ball);
+    const Answer left = run_tumble({"diff", gone, a});
+    CHECK(left.out.find("at step 2 (1 s), body 'drop': in this step only B has the body") != std::string::npos);
+    // Rows in another order are no difference.
+    const std::string turned = folder.write(
+        "turned.csv", kHeader + ("0,0," + ball) + "1,0.5," + drop + "1,0.5," + ball + "2,1," + drop + "2,1," + ball);
+    CHECK(run_tumble({"diff", a, turned}).code == 0);
+}
+
+TEST_CASE("a long list of names is cut in the text and whole in JSON") {
+    const Folder folder;
+    const std::string row = "0,0,ball,1,2,0,0,0,0\n";
+    std::string many = kHeader + row;
+    for (int i = 0; i < 12; ++i) many += "0,0,new" + std::to_string(i) + "," + std::to_string(i) + ",0,0,0,0,0\n";
+    const std::string a = folder.write("a.csv", kHeader + row), b = folder.write("b.csv", many);
+    CHECK(run_tumble({"diff", a, b}).out.find("'new9' and 2 more\n") != std::string::npos);
+    CHECK(compare(run_tumble({"diff", a, b, "--json"}))["added"].size() == 12);
 }
 
 TEST_CASE("a scene agrees with its own trajectory, and diff lists the contacts of a difference") {

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "process.hpp"
 
@@ -47,7 +48,7 @@ void wait_for(const fs::path& file, const Process& process) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
-void check_interruption(int signal) {
+void check_interruption(int signal, int code) {
     const Folder folder;
     const std::string scene = folder.write("small.json", tumble::test::small_scene());
     const fs::path out = folder / "out";
@@ -56,7 +57,7 @@ void check_interruption(int signal) {
     wait_for(out / "frames/frame_000003.png", process);
     process.send_signal(signal);
     const Answer answer = process.wait();
-    CHECK_MESSAGE(answer.code == 130, answer.err);
+    CHECK_MESSAGE(answer.code == code, answer.err);
     const nlohmann::json summary = nlohmann::json::parse(read_text(out / "summary.json"));
     CHECK(summary["complete"] == false);
     CHECK(check_frames(out / "frames") == summary["files"][0]["count"].get<int>());
@@ -88,8 +89,75 @@ private:
 }  // namespace
 
 TEST_CASE("Ctrl-C finishes the current frame, and the summary is not complete") {
-    check_interruption(SIGINT);
-    check_interruption(SIGTERM);
+    check_interruption(SIGINT, 130);
+    check_interruption(SIGHUP, 130);
+    check_interruption(SIGTERM, 143);
+}
+
+TEST_CASE("a run that was started to ignore SIGHUP ignores it") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", tumble::test::small_scene());
+    std::vector<std::string> command = tumble::test::tumble_command(
+        {"run", scene, "--duration", "100000", "--size", "320x180", "-o", (folder / "out").string()});
+    command.insert(command.begin(), "nohup");
+    Process process(command, folder.path());
+    wait_for(folder / "out/frames/frame_000003.png", process);
+    process.send_signal(SIGHUP);
+    wait_for(folder / "out/frames/frame_000020.png", process);
+    CHECK(fs::exists(folder / "out/frames/frame_000020.png"));
+    CHECK(process.is_running());
+    process.send_signal(SIGTERM);
+    CHECK(process.wait().code == 143);
+}
+
+TEST_CASE("check ends with 143 after SIGTERM") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", tumble::test::small_scene());
+    Process process(tumble::test::tumble_command({"check", scene, "--set", "/world/duration=100000"}));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    process.send_signal(SIGTERM);
+    const Answer answer = process.wait();
+    CHECK(answer.code == 143);
+    CHECK(answer.out.find("interrupted at step") != std::string::npos);
+}
+
+TEST_CASE("a second run into the folder of a running one is refused, and a killed one leaves nothing that blocks") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", tumble::test::small_scene());
+    const fs::path out = folder / "out", tables = folder / "tables";
+    const std::vector<std::string> run{"run",     scene,        "--size",       "320x180",
+                                       "-o",      out.string(), "--trajectory", (tables / "t.csv").string(),
+                                       "--force", "--duration"};
+    const auto lasting = [&run](const std::string& duration) {
+        std::vector<std::string> arguments = run;
+        arguments.push_back(duration);
+        return tumble::test::tumble_command(arguments);
+    };
+    Process first(lasting("100000"));
+    wait_for(out / "frames/frame_000003.png", first);
+    const Answer second = tumble::test::run(lasting("0.1"));
+    CHECK(second.code == 4);
+    CHECK_MESSAGE(second.err.find("process " + std::to_string(first.id()) + " (") != std::string::npos, second.err);
+    CHECK(first.is_running());
+
+    first.send_signal(SIGKILL);
+    CHECK(first.wait().code == 128 + SIGKILL);
+    const auto partial_count = [&] {
+        int count = 0;
+        for (const fs::path& place : {out, tables})
+            for (const fs::directory_entry& entry : fs::recursive_directory_iterator(place))
+                if (entry.path().extension() == ".partial") ++count;
+        return count;
+    };
+    CHECK(partial_count() >= 3);  // summary, events, trajectory, and frames that were being written
+    std::vector<std::string> unforced = lasting("0.1");
+    std::erase(unforced, "--force");
+    CHECK(tumble::test::run(unforced).code == 4);
+    const std::string of_another = folder.write("tables/notes.1-0.partial", "");
+    CHECK(tumble::test::run(lasting("0.1")).code == 0);
+    CHECK(partial_count() == 1);  // not of this run
+    CHECK(fs::exists(of_another));
+    CHECK(check_frames(out / "frames") == 7);
 }
 
 TEST_CASE("a full disk ends a run with exit code 4 and leaves no partial file") {

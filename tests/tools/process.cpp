@@ -102,6 +102,13 @@ std::string read_text(const fs::path& file) {
     return text.str();
 }
 
+std::size_t case_stride() {
+    const char* const every = std::getenv("TUMBLE_ONE_OF");
+    const std::size_t stride = every ? std::strtoull(every, nullptr, 10) : 1;
+    if (stride == 0) throw std::runtime_error("TUMBLE_ONE_OF is not a positive number");
+    return stride;
+}
+
 std::string small_scene() {
     return R"({
   "format": 1,

@@ -23,6 +23,7 @@ public:
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
+    int id() const { return id_; }
     void send_signal(int signal) const;
     bool is_running() const;
     Answer wait();
@@ -56,6 +57,10 @@ private:
 };
 
 std::string read_text(const std::filesystem::path& file);
+
+// Which of many slow cases a test runs: with the environment variable TUMBLE_ONE_OF=n each n-th, otherwise all. With
+// sanitizers all would take minutes.
+std::size_t case_stride();
 
 // A scene of a few bodies over a ground.
 std::string small_scene();

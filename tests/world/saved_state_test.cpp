@@ -30,8 +30,9 @@ struct Parts {
 
     explicit Parts(const std::vector<std::byte>& bytes) {
         read_snapshot(bytes, snapshot());
-        simulation.settings = {def.gravity,    1.0f / def.steps_per_second, def.substeps, def.sleeping,
-                               def.continuous, make_tuning(def.scale)};
+        simulation.settings = {
+            def.gravity, 1.0f / def.steps_per_second, def.substeps, def.sleeping, def.continuous, def.joints,
+            def.impacts, make_tuning(def.scale)};
     }
 
     SnapshotParts snapshot() { return {def, simulation, step_count, diverged_body}; }
@@ -257,10 +258,15 @@ constexpr const char* kUnnoticed[] = {
     ".19",
     // Working data of the kinds of joints, which prepare() derives from definitions and poses.
     ".20[].", ".23[].", ".26[].", ".29[].", ".32[].", ".35[].", ".38[].", ".41[].", ".44[].",
-    // Contacts, awake and asleep: anchors, is_new, is_touching, was_hit and the approach are set before they are read.
-    ".66[].9", ".66[].10", ".66[].15", ".66[].16", ".66[].30", ".66[].31", ".66[].34", ".66[].35", ".66[].36",
-    ".66[].37", ".66[].44", ".66[].50", ".68[].1[].9", ".68[].1[].10", ".68[].1[].15", ".68[].1[].16", ".68[].1[].30",
-    ".68[].1[].31", ".68[].1[].34", ".68[].1[].35", ".68[].1[].36", ".68[].1[].37", ".68[].1[].50", ".68[].1[].71",
+    // The rest of a velocity: zero unless impacts are in order.
+    ".6[].8", ".6[].9",
+    // Contacts, awake and asleep: anchors, is_new, is_bouncing, is_struck, is_touching, was_hit and the approach are
+    // set
+    // before they are read.
+    ".66[].9", ".66[].10", ".66[].15", ".66[].16", ".66[].30", ".66[].31", ".66[].32", ".66[].33", ".66[].36",
+    ".66[].37", ".66[].38", ".66[].39", ".66[].40", ".66[].41", ".66[].48", ".66[].54", ".68[].1[].9", ".68[].1[].10",
+    ".68[].1[].15", ".68[].1[].16", ".68[].1[].30", ".68[].1[].31", ".68[].1[].32", ".68[].1[].33", ".68[].1[].36",
+    ".68[].1[].37", ".68[].1[].38", ".68[].1[].39", ".68[].1[].40", ".68[].1[].41", ".68[].1[].54", ".68[].1[].75",
     // Chain crossings before and in the step: they only skip a search that would find nothing.
     ".82", ".83"};
 

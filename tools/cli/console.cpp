@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "tumble/file.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kRedraw{100};
 
+bool output_is_file = false;
 int output_error = 0;  // errno of the first write to standard output that failed
 
 bool has_terminal() { return isatty(STDERR_FILENO) == 1; }
@@ -35,7 +37,12 @@ void report(std::string_view kind, std::string_view color, std::string_view mess
 
 }  // namespace
 
+bool give_output_to_file() { return !std::exchange(output_is_file, true); }
+
+bool has_file_output() { return output_is_file; }
+
 void write_output(std::string_view text) {
+    if (output_is_file) return narrate(text);
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() && output_error == 0) output_error = errno;
 }
 

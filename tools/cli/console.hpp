@@ -7,8 +7,13 @@
 
 namespace tumble::tools {
 
-// Writes data to standard output. finish_output() reports a failure, such as a full disk behind a redirection.
+// Writes data to standard output, or to standard error if a file has standard output. finish_output() reports a
+// failure, such as a full disk behind a redirection.
 void write_output(std::string_view text);
+
+// Gives standard output to a file that the command writes. False if a file has it already.
+bool give_output_to_file();
+bool has_file_output();
 
 // Flushes standard output. Throws FileError if any data could not be written.
 void finish_output();

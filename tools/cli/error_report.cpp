@@ -1,5 +1,6 @@
 #include "tools/cli/error_report.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 #include <string>
@@ -12,11 +13,19 @@
 
 namespace tumble::tools {
 
+ExitCode code_of(const SceneError& error) {
+    const bool is_of_arguments = std::ranges::all_of(error.diagnostics, [](const Diagnostic& diagnostic) {
+        return diagnostic.line == 0 &&
+               (diagnostic.file.starts_with("--set ") || diagnostic.file.starts_with("--seed "));
+    });
+    return is_of_arguments && !error.diagnostics.empty() ? ExitCode::usage : ExitCode::invalid_input;
+}
+
 Problem explain(const std::exception_ptr& exception) {
     try {
         std::rethrow_exception(exception);
     } catch (const SceneError& error) {
-        return {ExitCode::invalid_input, error.what(), error.diagnostics};
+        return {code_of(error), error.what(), error.diagnostics};
     } catch (const InputError& error) {
         return {ExitCode::invalid_input, error.what(), {}};
     } catch (const FileError& error) {

@@ -18,6 +18,9 @@ struct Problem {
     std::vector<Diagnostic> diagnostics;
 };
 
+// Wrong arguments if all errors are in --set and --seed, else invalid input.
+ExitCode code_of(const SceneError& error);
+
 Problem explain(const std::exception_ptr& exception);
 
 // Writes the error to standard error and, with --json, as {"error": {...}} to standard output.

@@ -6,9 +6,14 @@ namespace tumble::tools {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interrupted = 0;  // the signal
 
-void set_interrupted(int) { interrupted = 1; }
+void set_interrupted(int signal) { interrupted = signal; }
+
+bool is_ignored(int signal) {
+    struct sigaction action {};
+    return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
 
 }  // namespace
 
@@ -18,8 +23,12 @@ void catch_interrupts() {
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool is_interrupted() noexcept { return interrupted != 0; }
+
+ExitCode interruption_code() noexcept { return interrupted == SIGTERM ? ExitCode::terminated : ExitCode::interrupted; }
 
 }  // namespace tumble::tools

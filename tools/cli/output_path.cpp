@@ -1,12 +1,28 @@
 #include "tools/cli/output_path.hpp"
 
+#include <string>
 #include <system_error>
+
+#include "tools/cli/console.hpp"
 
 namespace tumble::tools {
 
 namespace fs = std::filesystem;
 
+bool is_standard_output(const fs::path& file) { return file == "/dev/stdout"; }
+
+CLI::Option& allow_standard_output(CLI::Option& option) {
+    option.transform([name = option.get_name()](const std::string& file) {
+        if (file != "-" && !is_standard_output(file)) return file;
+        if (!give_output_to_file())
+            throw CLI::ValidationError(name, "names standard output, which another option names too");
+        return std::string("/dev/stdout");
+    });
+    return option;
+}
+
 void refuse_to_overwrite(const fs::path& file, bool force) {
+    if (is_standard_output(file)) return;
     std::error_code ignored;
     const fs::file_status target = fs::status(file, ignored);
     if (fs::is_directory(target)) throw FileError(file, "is a folder; choose the name of a file");
@@ -17,7 +33,7 @@ void refuse_to_overwrite(const fs::path& file, bool force) {
 }
 
 void create_folder_of(const fs::path& file) {
-    if (!file.has_parent_path()) return;
+    if (!file.has_parent_path() || is_standard_output(file)) return;
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
     if (error) throw FileError(file.parent_path(), "cannot create the folder: " + error.message());

@@ -1,5 +1,7 @@
-// Creates output files: refuses to overwrite, and creates missing folders.
+// Creates output files: refuses to overwrite, creates missing folders, and lets "-" stand for standard output.
 #pragma once
+
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <string_view>
@@ -7,6 +9,13 @@
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
+
+// Whether the path is that of standard output, /dev/stdout. It is never refused.
+bool is_standard_output(const std::filesystem::path& file);
+
+// Lets "-" stand for standard output in an option that names a file to write. The texts of the command then go to
+// standard error. Two files on standard output are wrong arguments.
+CLI::Option& allow_standard_output(CLI::Option& option);
 
 // Throws FileError if the file exists and `force` is false, and always for a folder, a device or a pipe.
 void refuse_to_overwrite(const std::filesystem::path& file, bool force);

@@ -1,5 +1,6 @@
 // `tumble check`: simulates scenes without drawing them, and evaluates their claims ("expect").
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "tools/claims/claim_marks.hpp"
 #include "tools/cli/console.hpp"
 #include "tools/cli/error_report.hpp"
 #include "tools/cli/interrupt.hpp"
@@ -15,7 +17,8 @@
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
-#include "tools/scene/claim_marks.hpp"
+#include "tools/output/standard_input.hpp"
+#include "tools/scene/hash_update.hpp"
 #include "tools/scene/junit.hpp"
 #include "tools/scene/scene_check.hpp"
 #include "tools/scene/scene_options.hpp"
@@ -28,19 +31,30 @@ namespace {
 
 struct CheckArguments {
     std::vector<std::string> files;
-    LoadOptions changes;
+    CheckOptions check{.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))};
     std::filesystem::path junit;
     std::filesystem::path shots;
-    int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    bool update = false;
     bool force = false;
 };
 
 std::string verdict_line(const SceneCheck& check) {
-    const auto passed = std::ranges::count(check.expectations, true, &ExpectationResult::passed);
+    if (check.was_skipped) return check.file + ": skipped after a failure\n";
     if (!check.error.empty()) return check.file + ": could not be checked\n";
-    if (check.expectations.empty()) return check.file + ": simulated, has no claims\n";
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, " (%.2f s)\n", check.seconds);
+    if (check.expectations.empty()) return check.file + ": simulated, has no claims" + seconds;
+    const auto passed = std::ranges::count(check.expectations, true, &ExpectationResult::passed);
     return check.file + ": " + std::to_string(passed) + " of " + std::to_string(check.expectations.size()) +
-           " claims hold\n";
+           " claims hold" + seconds;
+}
+
+// A scene without claims passes whatever happens in it, which its author may not know.
+void warn_of_no_claims(const SceneCheck& check) {
+    if (check.was_skipped || !check.error.empty() || !check.expectations.empty()) return;
+    report_warning(check.file +
+                   ": the scene has no claims: it passes if it runs to its end. List what must be true in \"expect\"; "
+                   "--require-claims refuses such scenes");
 }
 
 // Writes everything to one stream, so that a log keeps the order. Each failure names its file, so that it can be
@@ -48,6 +62,8 @@ std::string verdict_line(const SceneCheck& check) {
 void print(const SceneCheck& check) {
     std::string text = verdict_line(check);
     if (!check.error.empty()) text += "  " + check.error + (check.error.ends_with('\n') ? "" : "\n");
+    for (const UpdatedHash& hash : check.updated)
+        text += "  " + check.file + ": " + hash.pointer + " updated from " + hash.before + " to " + hash.after + "\n";
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
         const ExpectationResult& result = check.expectations[i];
         if (result.passed) continue;
@@ -59,7 +75,8 @@ void print(const SceneCheck& check) {
 }
 
 void write(JsonWriter& json, const SceneCheck& check) {
-    json.open_object().member("file", check.file).member("passed", check.code == ExitCode::ok);
+    json.open_object().member("file", check.file).member("passed", check.code == ExitCode::ok && !check.was_skipped);
+    json.member("skipped", check.was_skipped);
     if (!check.error.empty()) json.member("error", check.error);
     json.member("steps", check.steps).member("state_hash", to_hex(check.state_hash)).member("seconds", check.seconds);
     json.key("expectations").open_array();
@@ -71,7 +88,18 @@ void write(JsonWriter& json, const SceneCheck& check) {
         if (!check.shots.empty() && !check.shots[i].empty()) json.member("shot", check.shots[i].string());
         json.close_object();
     }
-    json.close_array().close_object();
+    json.close_array();
+    if (!check.updated.empty()) {
+        json.key("updated").open_array();
+        for (const UpdatedHash& hash : check.updated)
+            json.open_object()
+                .member("pointer", hash.pointer)
+                .member("before", hash.before)
+                .member("after", hash.after)
+                .close_object();
+        json.close_array();
+    }
+    json.close_object();
 }
 
 // Scenes of equal names get a number: x, x-2, x-3.
@@ -93,7 +121,7 @@ void draw_failures(SceneCheck& check, const CheckArguments& options) {
         const std::filesystem::path file = options.shots / (check.name + "-expect-" + std::to_string(i) + ".png");
         try {
             refuse_to_overwrite(file, options.force);
-            const Scene scene = load_named_scene(check.file, options.changes);
+            const Scene scene = load_named_scene(check.file, options.check.changes);
             draw_scene_at(scene, result.step, {}, file, {},
                           [&](const SceneWorld& built) { return marks_of(scene.expect.at(i), result, built); });
             check.shots[i] = file;
@@ -103,10 +131,21 @@ void draw_failures(SceneCheck& check, const CheckArguments& options) {
     }
 }
 
+// --update writes files: those of a changed scene, or of standard input, would get hashes that are not theirs.
+void refuse_wrong_update(const CheckArguments& options) {
+    if (!options.update) return;
+    if (!options.check.changes.overrides.empty() || options.check.changes.seed)
+        throw CLI::ValidationError("--update",
+                                   "writes the hashes of the scenes as they are; leave out --set and --seed");
+    if (std::ranges::any_of(options.files, [](const std::string& file) { return is_standard_input(file); }))
+        throw CLI::ValidationError("--update", "writes into the scene files, and standard input is none");
+}
+
 ExitCode check_all(const Command& command, const CheckArguments& options) {
+    refuse_wrong_update(options);
     if (!options.junit.empty()) refuse_to_overwrite(options.junit, options.force);
     catch_interrupts();
-    std::vector<SceneCheck> checks = check_scene_files(without_schemas(options.files), options.changes, options.jobs);
+    std::vector<SceneCheck> checks = check_scene_files(without_schemas(options.files), options.check);
     // The exit code reports an interruption first, then a scene that could not be checked, then a claim that does not
     // hold.
     const auto weight = [](ExitCode code) { return code == ExitCode::failed ? 1 : static_cast<int>(code) * 10; };
@@ -115,6 +154,8 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
     json.open_object().key("scenes").open_array();
     if (!options.shots.empty()) make_names_unique(checks);
     for (SceneCheck& check : checks) {
+        warn_of_no_claims(check);
+        if (options.update) update_hashes(check);
         if (weight(check.code) > weight(code)) code = check.code;
         if (!options.shots.empty()) draw_failures(check, options);
         command.json ? write(json, check) : print(check);
@@ -131,12 +172,16 @@ void add_check(CLI::App& app, Command& command) {
     const auto options = std::make_shared<CheckArguments>();
     CLI::App& check = add_subcommand(
         app, command, "check", "Simulate scenes and evaluate their claims (\"expect\"); exit code 7 if one fails");
-    check.add_option("SCENE", options->files, "Scene files")->required();
-    add_change_options(check, options->changes);
-    check.add_option("--junit", options->junit, "Write the results as JUnit XML")->type_name("F.xml");
+    check.add_option("SCENE", options->files, "Scene files; - is standard input")->required();
+    add_change_options(check, options->check.changes);
+    allow_standard_output(
+        *check.add_option("--junit", options->junit, "Write the results as JUnit XML")->type_name("F.xml"));
     check.add_option("--shots", options->shots, "Draw the deciding step of each failed claim into this folder")
         ->type_name("DIR");
-    check.add_option("-j,--jobs", options->jobs, "Scenes to simulate in parallel")
+    check.add_flag("--require-claims", options->check.require_claims, "A scene without claims fails");
+    check.add_flag("--fail-fast", options->check.stop_at_failure, "Begin no other scene after one that fails");
+    check.add_flag("--update", options->update, "Write the hashes that were found into failed state_hash claims");
+    check.add_option("-j,--jobs", options->check.threads, "Scenes to simulate in parallel")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 256));
     check.add_flag("--force", options->force, "Replace existing files");

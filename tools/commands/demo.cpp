@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/cli/console.hpp"
+#include "tools/cli/interrupt.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/run/run_report.hpp"
@@ -96,7 +97,7 @@ ExitCode run_demo(const Command& command, const DemoArguments& options) {
         write_output("  next        " + tumble + " demo --list, or draw one frame of another scene:\n              " +
                      tumble + " shot " + find_scene("bridge").string() + " --at 2 -o bridge.png\n");
     }
-    return report.complete ? ExitCode::ok : ExitCode::interrupted;
+    return report.complete ? ExitCode::ok : interruption_code();
 }
 
 }  // namespace

@@ -1,14 +1,20 @@
-// `tumble diff`: reports where two runs first differ.
+// `tumble diff`: reports how two runs differ: their bodies, hashes, events, summaries or frames.
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "tools/cli/console.hpp"
+#include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/diff/diff_report.hpp"
+#include "tools/diff/event_diff.hpp"
+#include "tools/diff/frame_diff.hpp"
 #include "tools/diff/hash_diff.hpp"
-#include "tools/output/input_error.hpp"
+#include "tools/diff/input_kind.hpp"
+#include "tools/diff/summary_diff.hpp"
 #include "tools/scene/scene_options.hpp"
+#include "tumble/render.hpp"
 
 namespace tumble::tools {
 
@@ -20,31 +26,70 @@ struct DiffArguments {
     std::string a, b;
     double tolerance = 0.0;
     LoadOptions changes;  // of B
+    std::filesystem::path heat_map;
+    bool force = false;
 };
+
+ExitCode code_of(bool is_equal) { return is_equal ? ExitCode::ok : ExitCode::failed; }
 
 ExitCode diff_hashes(const Command& command, const DiffArguments& options) {
     if (options.tolerance > 0.0) report_warning("--tolerance has no effect on hashes");
     const HashComparison comparison = compare_hash_files(options.a, options.b);
     write_output(command.json ? to_json(comparison) : to_text(comparison));
-    return comparison.first ? ExitCode::failed : ExitCode::ok;
+    return code_of(!comparison.first);
 }
 
 ExitCode diff_states(const Command& command, const DiffArguments& options) {
     const std::unique_ptr<StateSource> a = open_states(options.a), b = open_states(options.b, options.changes);
     const Comparison comparison = compare_states(*a, *b, options.tolerance);
     write_output(command.json ? to_json(comparison) : to_text(comparison, options.tolerance));
-    return comparison.first ? ExitCode::failed : ExitCode::ok;
+    return code_of(comparison.is_equal());
+}
+
+ExitCode diff_events(const Command& command, const DiffArguments& options) {
+    const EventComparison comparison = compare_event_files(options.a, options.b, options.tolerance);
+    write_output(command.json ? to_json(comparison) : to_text(comparison));
+    return code_of(!comparison.first);
+}
+
+ExitCode diff_summaries(const Command& command, const DiffArguments& options) {
+    const SummaryComparison comparison = compare_summaries(options.a, options.b, options.tolerance);
+    write_output(command.json ? to_json(comparison) : to_text(comparison));
+    return code_of(comparison.different.empty());
+}
+
+ExitCode diff_frames(const Command& command, const DiffArguments& options) {
+    const bool wants_map = !options.heat_map.empty();
+    if (wants_map) refuse_to_overwrite(options.heat_map, options.force);
+    const FrameComparison comparison = compare_frames(options.a, options.b, options.tolerance);
+    const std::filesystem::path map = wants_map && comparison.worst ? options.heat_map : "";
+    if (!map.empty()) {
+        create_folder_of(map);
+        write_png(comparison.heat_map, map);
+    }
+    write_output(command.json ? to_json(comparison, map) : to_text(comparison));
+    if (!command.json && !map.empty()) write_output("  heat map: " + map.string() + "\n");
+    return code_of(comparison.is_equal());
 }
 
 ExitCode run_diff(const Command& command, const DiffArguments& options) {
     const bool is_changed = !options.changes.overrides.empty() || options.changes.seed;
     if (is_changed && !is_scene_file(options.b))
         throw CLI::ValidationError("--set and --seed", "change the scene B, and B is not a scene: " + options.b);
-    const bool has_hashes_a = is_hash_file(options.a), has_hashes_b = is_hash_file(options.b);
-    if (has_hashes_a != has_hashes_b)
-        throw InputError((has_hashes_a ? options.a : options.b) +
-                         ": a list of hashes can only be compared with another list of hashes");
-    return has_hashes_a ? diff_hashes(command, options) : diff_states(command, options);
+    const InputKind kind = kind_of(options.a), kind_b = kind_of(options.b);
+    if (kind != kind_b)
+        throw CLI::ValidationError("A and B", "only two of a kind can be compared: " + options.a + " is " +
+                                                  std::string(name_of(kind)) + ", " + options.b + " is " +
+                                                  std::string(name_of(kind_b)));
+    if (kind != InputKind::frames && !options.heat_map.empty())
+        report_warning("--heat-map has no effect: A and B are no frames");
+    switch (kind) {
+        case InputKind::hashes: return diff_hashes(command, options);
+        case InputKind::events: return diff_events(command, options);
+        case InputKind::summary: return diff_summaries(command, options);
+        case InputKind::frames: return diff_frames(command, options);
+        default: return diff_states(command, options);
+    }
 }
 
 }  // namespace
@@ -52,17 +97,23 @@ ExitCode run_diff(const Command& command, const DiffArguments& options) {
 void add_diff(CLI::App& app, Command& command) {
     const auto options = std::make_shared<DiffArguments>();
     CLI::App& diff =
-        add_subcommand(app, command, "diff", "Report where two runs first differ; exit code 7 if they differ");
+        add_subcommand(app, command, "diff", "Report how two runs differ, and where first; exit code 7 if they do");
     diff.add_option("A", options->a,
-                    "A trajectory (.csv), a run's folder with trajectory.csv, a scene to simulate, or a list of hashes "
-                    "(.csv)")
+                    "A trajectory (.csv), a run's folder with trajectory.csv, a scene to simulate, a list of hashes or "
+                    "of events (.csv), a summary (.json), a folder of frames, or one frame (.png); - is standard input")
         ->required();
     diff.add_option("B", options->b, "What to compare A with: the same kinds")->required();
     add_change_options(diff, options->changes, "the scene B");
-    diff.add_option("--tolerance", options->tolerance, "Ignore differences up to this (m, rad, m/s, rad/s)")
+    diff.add_option("--tolerance", options->tolerance,
+                    "Ignore differences up to this (m, rad, m/s, rad/s; of frames: levels of 255)")
         ->type_name("D")
         ->capture_default_str()
         ->check(number_from_to(0.0, kMaxTolerance));
+    allow_standard_output(
+        *diff.add_option("--heat-map", options->heat_map,
+                         "Of frames: draw the frame with the most different pixels, each from yellow (slightly) to red")
+             ->type_name("F.png"));
+    diff.add_flag("--force", options->force, "Replace the heat map if it exists");
     diff.callback(
         [&command, options] { command.action = [&command, options] { return run_diff(command, *options); }; });
 }

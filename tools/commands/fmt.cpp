@@ -6,6 +6,7 @@
 #include "tools/cli/console.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/standard_input.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
@@ -42,11 +43,13 @@ int count_comments(std::string_view text) {
 }
 
 ExitCode format(const Command& command, const FmtArguments& options) {
+    if (options.write && is_standard_input(options.file))
+        throw CLI::ValidationError("--write", "replaces a file, and standard input is none");
     LoadOptions as_written;
     as_written.keep_includes = !options.flat;
-    const Scene scene = load_scene(options.file, as_written);
+    const Scene scene = load_scene_input(options.file, as_written);
     const std::string text = to_json(scene);
-    const std::string before = read_file(options.file);
+    const std::string before = read_input(options.file);
     const bool changes = before != text;
     const int comments = count_comments(before);
     if (options.write && changes && comments > 0 && !options.force)
@@ -74,7 +77,7 @@ void add_fmt(CLI::App& app, Command& command) {
     const auto options = std::make_shared<FmtArguments>();
     CLI::App& fmt =
         add_subcommand(app, command, "fmt", "Print a scene in its canonical form: keys in one order, without defaults");
-    fmt.add_option("SCENE", options->file, "Scene file")->required();
+    fmt.add_option("SCENE", options->file, "Scene file; - is standard input")->required();
     fmt.add_flag("-w,--write", options->write, "Replace the file instead of printing");
     fmt.add_flag("--force", options->force, "With --write: also replace a file with comments, which are lost");
     fmt.add_flag("--flat", options->flat, "Resolve includes: print a scene that needs no other file");

@@ -12,6 +12,7 @@
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/standard_input.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_import.hpp"
@@ -35,9 +36,20 @@ bool agrees(const reference::ImportDifferences& found) {
 }
 
 bool is_svg(const std::filesystem::path& file) {
+    if (is_standard_input(file)) {  // a drawing is XML, an export is JSON
+        const std::size_t start = standard_input().find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+        return start != std::string::npos && standard_input()[start] == '<';
+    }
     std::string extension = file.extension().string();
     for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     return extension == ".svg";
+}
+
+ImportedScene read_source(const ImportArguments& options) {
+    const bool is_drawing = is_svg(options.source);
+    if (!is_standard_input(options.source))
+        return is_drawing ? import_svg(options.source, options.svg) : import_rube(options.source);
+    return is_drawing ? parse_svg(standard_input(), "<stdin>", options.svg) : parse_rube(standard_input(), "<stdin>");
 }
 
 std::ptrdiff_t count_of(const ImportedScene& imported, BodyType type) {
@@ -93,9 +105,10 @@ ExitCode import_scene(const Command& command, const ImportArguments& options) {
         throw CLI::ValidationError(
             "--check",
             "compares R.U.B.E. exports with Box2D; it has no meaning for a drawing: " + options.source.string());
+    if (options.check && is_standard_input(options.source))
+        throw CLI::ValidationError("--check", "reads the export a second time: it needs a file, not standard input");
     refuse_to_overwrite(options.scene, options.force);
-    const ImportedScene imported =
-        is_svg(options.source) ? import_svg(options.source, options.svg) : import_rube(options.source);
+    const ImportedScene imported = read_source(options);
     create_folder_of(options.scene);
     save_scene(imported.scene, options.scene);
     std::optional<reference::ImportDifferences> check;
@@ -114,7 +127,9 @@ void add_import(CLI::App& app, Command& command) {
     CLI::App& app_import =
         add_subcommand(app, command, "import", "Convert a R.U.B.E. (b2dJson) export or an SVG drawing into a scene");
     app_import.footer(kSvgRule);
-    app_import.add_option("FILE", options->source, "R.U.B.E. export (.json, .js) or drawing (.svg)")->required();
+    app_import
+        .add_option("FILE", options->source, "R.U.B.E. export (.json, .js) or drawing (.svg); - is standard input")
+        ->required();
     app_import.add_option("--scale", options->svg.metres_per_unit, "Metres per user unit of an SVG drawing")
         ->type_name("M")
         ->capture_default_str()
@@ -124,7 +139,10 @@ void add_import(CLI::App& app, Command& command) {
         ->type_name("M")
         ->capture_default_str()
         ->check(number_from_to(1e-9, 1e6));
-    app_import.add_option("-o,--output", options->scene, "Scene file to write")->type_name("SCENE")->required();
+    allow_standard_output(
+        *app_import.add_option("-o,--output", options->scene, "Scene file to write; - is standard output")
+             ->type_name("SCENE")
+             ->required());
     app_import.add_flag(
         "--check", options->check,
         "Compare masses, inertias and anchors with Box2D, built from the same export; exit code 7 if they differ");

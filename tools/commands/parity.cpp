@@ -109,8 +109,9 @@ void add_parity(CLI::App& app, Command& command) {
     parity.add_option("--threads", options->parity.threads, "Threads; 0: one per processor")
         ->capture_default_str()
         ->check(whole_number_from_to(0, 256));
-    parity.add_option("--report", options->report, "Write an HTML page with plots and the worst cases")
-        ->type_name("F.html");
+    allow_standard_output(
+        *parity.add_option("--report", options->report, "Write an HTML page with plots and the worst cases")
+             ->type_name("F.html"));
     parity.add_flag("--force", options->force, "Replace an existing report");
     parity.add_flag("--list", options->list, "List the families");
     parity.parse_complete_callback([&parity] { warn_of_unused(parity, {"--pairs", "--seed", "--family"}, "--scene"); });

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "tools/cli/console.hpp"
+#include "tools/cli/interrupt.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/run/run_report.hpp"
@@ -29,7 +30,7 @@ ExitCode run(const Command& command, const RunArguments& options) {
     if (settings.folder.empty()) settings.folder = std::filesystem::path("out") / file_name_of(scene.name);
     const RunReport report = simulate(scene, settings);
     write_output(command.json ? to_json(report) : to_text(report));
-    return report.complete ? ExitCode::ok : ExitCode::interrupted;
+    return report.complete ? ExitCode::ok : interruption_code();
 }
 
 }  // namespace

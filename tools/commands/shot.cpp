@@ -37,7 +37,7 @@ void report_shot(const Command& command, const ShotArguments& options, const Sce
 }
 
 ExitCode shoot(const Command& command, const ShotArguments& options) {
-    if (options.file.extension() != ".png")
+    if (!is_standard_output(options.file) && options.file.extension() != ".png")
         throw CLI::ValidationError("--output", "expected a file name that ends in .png, got " + options.file.string());
     const Scene scene = read_scene(options.scene);
     if (options.time > scene.world.duration)
@@ -58,7 +58,9 @@ void add_shot(CLI::App& app, Command& command) {
         ->type_name("T")
         ->capture_default_str()
         ->check(number_from_to(0.0, kMaxDuration));
-    shot.add_option("-o,--output", options->file, "PNG file to write")->type_name("F.png")->required();
+    allow_standard_output(*shot.add_option("-o,--output", options->file, "PNG file to write; - is standard output")
+                               ->type_name("F.png")
+                               ->required());
     add_size_option(shot, options->size);
     add_overlay_option(shot, options->overlay);
     shot.add_flag("--force", options->force, "Replace the file if it exists");

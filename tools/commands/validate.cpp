@@ -8,6 +8,7 @@
 #include "tools/cli/error_report.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/standard_input.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_world.hpp"
@@ -43,12 +44,12 @@ Validation validate_file(const std::string& file, const ValidateArguments& optio
     try {
         LoadOptions changes = options.changes;
         changes.lint = true;
-        const Scene scene = load_scene(file, changes, &validation.diagnostics);
+        const Scene scene = load_scene_input(file, changes, &validation.diagnostics);
         validation.bodies = count_bodies(scene);
         validation.joints = count_joints(scene);
         if (options.strict && !validation.diagnostics.empty()) validation.code = ExitCode::invalid_input;
     } catch (const SceneError& error) {
-        validation.code = ExitCode::invalid_input;
+        validation.code = code_of(error);
         validation.error = error.what();
         validation.diagnostics.insert(validation.diagnostics.begin(), error.diagnostics.begin(),
                                       error.diagnostics.end());
@@ -100,7 +101,7 @@ ExitCode validate(const Command& command, const ValidateArguments& options) {
 void add_validate(CLI::App& app, Command& command) {
     const auto options = std::make_shared<ValidateArguments>();
     CLI::App& app_validate = add_subcommand(app, command, "validate", "Report all errors and warnings of scene files");
-    app_validate.add_option("SCENE", options->files, "Scene files")->required();
+    app_validate.add_option("SCENE", options->files, "Scene files; - is standard input")->required();
     add_change_options(app_validate, options->changes);
     app_validate.add_flag("--strict", options->strict, "Exit code 3 for warnings too");
     app_validate.callback(

@@ -25,12 +25,6 @@ std::string join(const std::vector<std::string>& words) {
     return text.empty() ? "none beyond the baseline" : text;
 }
 
-void write_names(JsonWriter& json, const char* key, const std::vector<std::string>& names) {
-    json.key(key).open_array();
-    for (const std::string& name : names) json.value(name);
-    json.close_array();
-}
-
 }  // namespace
 
 ExitCode print_version(bool json) {
@@ -46,8 +40,8 @@ ExitCode print_version(bool json) {
     JsonWriter document;
     document.open_object().member("version", version()).member("compiler", compiler_name());
     document.member("build_type", build_type()).member("simd", simd_name());
-    write_names(document, "instruction_sets", used);
-    write_names(document, "processor_has", present);
+    document.member("instruction_sets", used);
+    document.member("processor_has", present);
     document.close_object();
     write_output(document.text() + "\n");
     return ExitCode::ok;

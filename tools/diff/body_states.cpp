@@ -1,10 +1,12 @@
 #include "tools/diff/body_states.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "tools/output/csv_file.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/standard_input.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
 #include "tumble/scene_world.hpp"
@@ -58,6 +60,14 @@ private:
     bool at_end_ = false;
 };
 
+// Whether the text is "body[" and digits and "]", the output name of a body without a name.
+bool is_automatic(std::string_view name) {
+    constexpr std::string_view kStart = "body[";
+    if (!name.starts_with(kStart) || !name.ends_with(']')) return false;
+    const std::string_view digits = name.substr(kStart.size(), name.size() - kStart.size() - 1);
+    return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 class TrajectoryStates final : public StateSource {
 public:
     explicit TrajectoryStates(const std::filesystem::path& file)
@@ -91,6 +101,7 @@ private:
         next_step_ = csv_.number<std::uint64_t>(fields[0]);
         next_time_ = csv_.number<double>(fields[1]);
         next_.body = fields[2];
+        next_.has_name = !is_automatic(next_.body);
         for (std::size_t i = 0; i < kComponents.size(); ++i) {
             const char* const text = fields[3 + i];
             next_.values[i] = i < kDoubleComponents ? csv_.number<double>(text) : double{csv_.number<float>(text)};
@@ -110,7 +121,7 @@ private:
 class RunningStates final : public StateSource {
 public:
     RunningStates(const std::filesystem::path& file, const LoadOptions& changes)
-        : scene_(load_scene(file, changes)), run_(scene_), last_step_(count_steps(scene_)) {}
+        : scene_(load_scene_input(file, changes)), run_(scene_), last_step_(count_steps(scene_)) {}
 
     bool next(StepStates& states) override {
         if (started_ && run_.world().step_count() >= last_step_) return false;
@@ -126,7 +137,9 @@ public:
             const DVec2 position = state.pose.position;
             states.bodies.push_back({output_name(bodies[i], i),
                                      {position.x, position.y, angle(state.pose.rotation), double{state.velocity.x},
-                                      double{state.velocity.y}, double{state.angular_velocity}}});
+                                      double{state.velocity.y}, double{state.angular_velocity}},
+                                     !bodies[i].name.empty(),
+                                     shapes_of(bodies[i])});
         }
         return true;
     }
@@ -141,6 +154,18 @@ public:
     }
 
 private:
+    // A hash of the geometry of the entry that the body came from.
+    std::uint64_t shapes_of(const SceneInstance& body) {
+        const auto [known, is_new] = shapes_.try_emplace(body.source);
+        if (!is_new) return known->second;
+        Scene alone;
+        for (const SceneShape& shape : source_of(scene_, body).shapes) {
+            if (alone.bodies.empty()) alone.bodies.emplace_back();
+            alone.bodies.back().shapes.push_back({shape.geometry, "", ""});
+        }
+        return known->second = scene_hash(alone);
+    }
+
     std::string name_of(BodyId id) const {
         const auto& bodies = run_.built().bodies;
         const auto found = std::ranges::find(bodies, id, &SceneInstance::id);
@@ -162,11 +187,13 @@ private:
     SceneRun run_;
     std::uint64_t last_step_ = 0;
     bool started_ = false;
+    std::map<std::size_t, std::uint64_t> shapes_;  // by SceneInstance::source
 };
 
 }  // namespace
 
 bool is_scene_file(const std::filesystem::path& path) {
+    if (is_standard_input(path)) return !standard_input().starts_with("step,");
     return !std::filesystem::is_directory(path) && path.extension() != ".csv";
 }
 

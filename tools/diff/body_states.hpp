@@ -23,8 +23,8 @@ inline constexpr std::size_t kDoubleComponents = 3;
 struct NamedState {
     std::string body;
     std::array<double, kComponents.size()> values{};  // in the order of kComponents
-
-    friend bool operator==(const NamedState&, const NamedState&) = default;
+    bool has_name = true;  // false: `body` is body[i], by the index of the body, which other runs may count otherwise
+    std::uint64_t shapes = 0;  // a hash of its shapes; 0: unknown, as in a trajectory
 };
 
 struct StepStates {
@@ -49,7 +49,7 @@ public:
 // InputError or SceneError.
 std::unique_ptr<StateSource> open_states(const std::filesystem::path& path, const LoadOptions& changes = {});
 
-// Whether open_states() simulates this path: it is neither a folder nor a .csv file.
+// Whether open_states() simulates this path: it is neither a folder nor a table (.csv, or from standard input).
 bool is_scene_file(const std::filesystem::path& path);
 
 }  // namespace tumble::tools

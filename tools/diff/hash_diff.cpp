@@ -1,19 +1,12 @@
 #include "tools/diff/hash_diff.hpp"
 
 #include <array>
-#include <fstream>
 #include <string_view>
 
 #include "tools/output/csv_file.hpp"
 #include "tools/output/json_writer.hpp"
 
 namespace tumble::tools {
-
-bool is_hash_file(const std::string& file) {
-    std::ifstream stream(file);
-    std::string header;
-    return std::getline(stream, header) && header.starts_with("step,hash");
-}
 
 HashComparison compare_hash_files(const std::string& file_a, const std::string& file_b) {
     CsvFile<2> csv_a(file_a, "step", "hash"), csv_b(file_b, "step", "hash");

@@ -17,9 +17,6 @@ struct HashComparison {
     std::optional<HashDifference> first;
 };
 
-// Whether the file begins with the header of a list of hashes.
-bool is_hash_file(const std::string& file);
-
 // Throws FileError or InputError.
 HashComparison compare_hash_files(const std::string& file_a, const std::string& file_b);
 

@@ -1,4 +1,5 @@
-// Compares the states of two runs step by step: where they first differ, and how far they differ at most.
+// Compares the states of two runs step by step: which bodies only one of them has, where the bodies of both first
+// differ, and how far they differ at most.
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/diff/body_pairs.hpp"
 #include "tools/diff/body_states.hpp"
 
 namespace tumble::tools {
@@ -23,12 +25,13 @@ inline constexpr std::array<ComponentKind, 4> kKinds{
 // Index into kKinds, by component.
 inline constexpr std::array<std::size_t, kComponents.size()> kKindOf{0, 0, 1, 2, 2, 3};
 
-// The first difference of two runs.
+// The first difference of the bodies that both runs have.
 struct StateDifference {
     std::uint64_t step = 0;
     double time = 0.0;  // s
     std::string what;   // of a difference other than of numbers: "B ends before this step"; else empty
-    std::string body;
+    std::string body;   // its name in A
+    std::string body_b;
     std::size_t component = 0;                        // index into kComponents
     double a = 0.0, b = 0.0;                          // the values of the component
     std::size_t differing_bodies = 0;                 // in this step
@@ -42,11 +45,21 @@ struct LargestDifference {
     std::uint64_t step = 0;
 };
 
+// A body whose name in A is not that in B.
+struct RenamedBody {
+    std::string a, b;
+};
+
 struct Comparison {
-    std::uint64_t steps = 0;  // equal steps before the first difference
-    std::size_t bodies = 0;   // largest number in a step
+    std::uint64_t steps = 0;           // equal steps before the first difference
+    std::size_t bodies = 0;            // that both runs have
+    std::vector<std::string> added;    // bodies that only B has
+    std::vector<std::string> removed;  // bodies that only A has
+    std::vector<RenamedBody> renamed;
     std::optional<StateDifference> first;
-    std::array<LargestDifference, kKinds.size()> largest;  // by kind, over all steps that have the same bodies
+    std::array<LargestDifference, kKinds.size()> largest;  // by kind, over all steps
+
+    bool is_equal() const { return !first && added.empty() && removed.empty() && renamed.empty(); }
 };
 
 // Components differ if they are farther apart than the tolerance (m, rad, m/s, rad/s); NaN equals NaN only. Throws as

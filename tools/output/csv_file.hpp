@@ -1,4 +1,4 @@
-// Reads a CSV file with known columns. Errors name the file and the line.
+// Reads a CSV file, or standard input, with known columns. Errors name the file and the line.
 #pragma once
 
 #define CSV_IO_NO_THREAD
@@ -7,16 +7,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <charconv>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <istream>
+#include <memory>
 #include <string>
 #include <tuple>
 
 #include "tools/output/input_error.hpp"
-#include "tumble/file.hpp"
+#include "tools/output/standard_input.hpp"
 
 namespace tumble::tools {
 
@@ -26,7 +26,7 @@ public:
     // The names must be columns of the header line. Throws FileError or InputError, as all functions do.
     template <class... Names>
     CsvFile(const std::filesystem::path& file, Names... names)
-        : name_(file.string()), stream_(opened(file)), csv_(name_, stream_) {
+        : name_(file.string()), stream_(open_input(file)), csv_(name_, *stream_) {
         with_input_errors([&] { csv_.read_header(io::ignore_no_column, names...); });
     }
 
@@ -63,14 +63,8 @@ private:
         }
     }
 
-    static std::ifstream opened(const std::filesystem::path& file) {
-        std::ifstream stream(file);
-        if (!stream) throw FileError(file, std::strerror(errno));
-        return stream;
-    }
-
     std::string name_;
-    std::ifstream stream_;
+    std::unique_ptr<std::istream> stream_;
     io::CSVReader<Columns, io::trim_chars<>, io::double_quote_escape<',', '"'>> csv_;
 };
 

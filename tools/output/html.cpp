@@ -1,23 +1,38 @@
 #include "tools/output/html.hpp"
 
+#include <utility>
+
 namespace tumble::tools {
 
 namespace {
 
+// Colours are variables, in a light and a dark scheme. Drawings of shapes keep their white ground in both.
 constexpr std::string_view kStyle = R"(
-body { font: 15px/1.5 "DejaVu Sans", Verdana, sans-serif; color: #263238; background: #fff; margin: 2.5rem auto; max-width: 1280px; padding: 0 1.5rem; }
+:root { color-scheme: light dark; --ground: #fff; --text: #263238; --faint: #546e7a; --rule: #e0e6ea; --head: #b0bec5;
+  --code: #f5f7f8; --tumble: #1e6cb5; --box2d: #d66e14; --exact: #37474f; --limit: #c62828; --band: #2e7d3226;
+  --good: #2e7d32; }
+@media (prefers-color-scheme: dark) { :root { --ground: #14191d; --text: #dde4e8; --faint: #9fb0ba; --rule: #2b353b;
+  --head: #4a5a63; --code: #1d252a; --tumble: #63aef0; --box2d: #f39a4c; --exact: #cfd8dc; --limit: #ff6e66;
+  --band: #66bb6a33; --good: #7cc980; } }
+body { font: 15px/1.5 "DejaVu Sans", Verdana, sans-serif; color: var(--text); background: var(--ground); margin: 2.5rem auto; max-width: 1280px; padding: 0 1.5rem; }
 h1 { font-size: 1.7rem; margin: 0 0 1rem; } h2 { font-size: 1.25rem; margin: 2.2rem 0 .6rem; }
 p { max-width: 62rem; }
 table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; margin: .8rem 0; }
-th { text-align: left; border-bottom: 2px solid #b0bec5; padding: .3rem .9rem .3rem 0; vertical-align: bottom; }
-td { border-bottom: 1px solid #e0e6ea; padding: .25rem .9rem .25rem 0; }
+th { text-align: left; border-bottom: 2px solid var(--head); padding: .3rem .9rem .3rem 0; vertical-align: bottom; }
+td { border-bottom: 1px solid var(--rule); padding: .25rem .9rem .25rem 0; vertical-align: top; }
 td.number { white-space: nowrap; }
-th.number, td.number { text-align: right; } .alarm { color: #c62828; font-weight: bold; }
+th.number, td.number { text-align: right; } .alarm { color: var(--limit); font-weight: bold; } .good { color: var(--good); font-weight: bold; }
 .scroll { overflow-x: auto; }
-figure { margin: 1rem 0; } figure svg { max-width: 100%; height: auto; border: 1px solid #e0e6ea; }
-figcaption { font-size: 13px; color: #546e7a; }
-pre { background: #f5f7f8; padding: .6rem .8rem; overflow-x: auto; font-size: 12px; }
+figure { margin: 1rem 0; } figure svg { max-width: 100%; height: auto; border: 1px solid var(--rule); }
+.figures { display: flex; flex-wrap: wrap; gap: 1rem; } .figures figure { margin: 0; }
+figcaption { font-size: 13px; color: var(--faint); max-width: 62rem; }
+pre { background: var(--code); padding: .6rem .8rem; overflow-x: auto; font-size: 12px; }
 details { margin: .6rem 0; } summary { cursor: pointer; }
+.plot { font: 12px "DejaVu Sans", Verdana, sans-serif; } .plot text { fill: var(--text); } .plot .heading { font-weight: bold; font-size: 13px; }
+.plot .grid { stroke: var(--rule); } .plot .frame { fill: none; stroke: var(--head); } .plot .band { fill: var(--band); }
+.plot .line { fill: none; stroke: var(--ink); stroke-width: 1.8; stroke-linejoin: round; } .plot .dashed { stroke-dasharray: 6 4; }
+.plot .point { fill: var(--ink); fill-opacity: .8; } .plot .bar { fill: var(--ink); }
+.plot .tumble { --ink: var(--tumble); } .plot .box2d { --ink: var(--box2d); } .plot .exact { --ink: var(--exact); } .plot .limit { --ink: var(--limit); }
 )";
 
 std::string element(std::string_view tag, std::string_view text) {
@@ -27,8 +42,10 @@ std::string element(std::string_view tag, std::string_view text) {
 
 std::string cell(std::string_view tag, const HtmlCell& cell) {
     const std::string name(tag);
-    std::string classes = cell.is_number ? "number" : "";
-    if (cell.is_alarm) classes += classes.empty() ? "alarm" : " alarm";
+    std::string classes;
+    for (const auto& [has, word] :
+         {std::pair(cell.is_number, "number"), std::pair(cell.is_alarm, "alarm"), std::pair(cell.is_good, "good")})
+        if (has) classes += (classes.empty() ? "" : " ") + std::string(word);
     const std::string open = classes.empty() ? "<" + name + ">" : "<" + name + " class=\"" + classes + "\">";
     return open + escape_markup(cell.text) + "</" + name + ">";
 }
@@ -59,6 +76,15 @@ void HtmlPage::table(std::span<const std::string> header, std::span<const std::v
 void HtmlPage::figure(const Drawing& drawing, std::string_view caption) {
     body_ += "<figure>\n" + to_svg(drawing) + element("figcaption", caption) + "</figure>\n";
 }
+
+void HtmlPage::figure(const Plot& plot, std::string_view caption) {
+    body_ += "<figure>\n" + to_svg(plot);
+    if (!caption.empty()) body_ += element("figcaption", caption);
+    body_ += "</figure>\n";
+}
+
+void HtmlPage::begin_figures() { body_ += "<div class=\"figures\">\n"; }
+void HtmlPage::end_figures() { body_ += "</div>\n"; }
 
 void HtmlPage::begin_details(std::string_view summary) { body_ += "<details>" + element("summary", summary); }
 void HtmlPage::end_details() { body_ += "</details>\n"; }

@@ -1,5 +1,5 @@
-// Writes HTML reports: self-contained documents with headings, text, tables and drawings. Text is escaped, and the page
-// loads no external resources.
+// Writes HTML reports: self-contained documents with headings, text, tables, plots and drawings, in light or dark
+// colours as the reader's browser prefers. Text is escaped, and the page loads no external resources.
 #pragma once
 
 #include <span>
@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/output/plot.hpp"
 #include "tumble/drawing.hpp"
 
 namespace tumble::tools {
@@ -15,6 +16,7 @@ struct HtmlCell {
     std::string text;
     bool is_number = false;  // aligned to the right
     bool is_alarm = false;   // drawn in red
+    bool is_good = false;    // drawn in green
 };
 
 class HtmlPage {
@@ -25,7 +27,12 @@ public:
     void paragraph(std::string_view text);
     void table(std::span<const std::string> header, std::span<const std::vector<HtmlCell>> rows);
     void figure(const Drawing& drawing, std::string_view caption);
+    void figure(const Plot& plot, std::string_view caption = {});
     void preformatted(std::string_view text);
+
+    // The figures between the two calls stand side by side where there is room.
+    void begin_figures();
+    void end_figures();
 
     // Everything between the two calls is collapsed under the summary until the reader opens it.
     void begin_details(std::string_view summary);

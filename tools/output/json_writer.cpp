@@ -60,6 +60,12 @@ JsonWriter& JsonWriter::value(float number) {
     return *this;
 }
 
+JsonWriter& JsonWriter::value(const std::vector<std::string>& strings) {
+    open_array();
+    for (const std::string& string : strings) value(string);
+    return close_array();
+}
+
 JsonWriter& JsonWriter::value(std::string_view string) {
     separate(false);
     append_string(string);

@@ -41,6 +41,7 @@ public:
     JsonWriter& value(std::string_view string);
     JsonWriter& value(const char* string) { return value(std::string_view(string)); }
     JsonWriter& value(const std::string& string) { return value(std::string_view(string)); }
+    JsonWriter& value(const std::vector<std::string>& strings);
 
     template <class Value>
     JsonWriter& member(std::string_view name, const Value& of) {

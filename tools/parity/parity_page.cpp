@@ -192,8 +192,8 @@ void add_worst_cases(HtmlPage& page, const ParityResult& result) {
 std::string parity_page(const ParityResult& result, const std::string& what) {
     HtmlPage page("Parity with Box2D");
     add_summary(page, result, what);
-    page.figure(draw_error_histograms(result.families),
-                "Errors of both engines by family, on one axis. The errors of tumble are those of the comparisons that "
+    page.figure(plot_error_histograms(result.families),
+                "The errors of all families on one axis. Those of tumble are those of the comparisons that "
                 "exact arithmetic checked. The height of a bar is the square root of its count.");
     add_failures(page, result);
     add_definitions(page);

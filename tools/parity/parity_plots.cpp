@@ -11,67 +11,64 @@ namespace {
 using reference::ErrorHistogram;
 using reference::ParityRow;
 
-constexpr Color kText{38, 50, 56};
-constexpr Color kGrid{224, 230, 234};
-constexpr Color kOurs{30, 108, 181};
-constexpr Color kBox2d{214, 110, 20};
-constexpr Color kLimit{198, 40, 40};
+constexpr int kFirstDecade = -20;  // at the first of two bins per decade; errors of 0 are counted there too
+constexpr int kStrip = 44;         // px, height of a family's strip, both halves
+constexpr int kFrame = 102;        // px, title, legend, ticks and label
+constexpr double kHalf = 0.42;     // the longest bar, as a part of a strip
+constexpr double kGap = 0.08;      // between bars, as a part of a bin
 
-constexpr double kLeft = 210.0, kRight = 1250.0;  // ends of the axis, px
-constexpr double kTop = 64.0;
-constexpr double kStrip = 44.0;  // height of a family's strip, both halves
-constexpr int kFirstDecade = -20;
-
-double x_of_bin(double bin) { return kLeft + (kRight - kLeft) * bin / ErrorHistogram::kBins; }
-double x_of(double relative_error) { return x_of_bin(2.0 * (std::log10(relative_error) - kFirstDecade)); }
+double decade_of(double bin) { return kFirstDecade + 0.5 * bin; }
 
 // The square root keeps a few bad pairs visible among thousands of good ones.
-double bar(std::uint64_t count, std::uint64_t largest) {
-    if (count == 0) return 0.0;
+double bar_length(std::uint64_t count, std::uint64_t largest) {
     const double share = std::sqrt(static_cast<double>(count) / static_cast<double>(largest));
-    return std::max(1.5, share * (0.5 * kStrip - 4.0));
+    return std::max(0.03, share * kHalf);
 }
 
-void draw_bars(Drawing& drawing, const ErrorHistogram& histogram, double base, double sign, Color color) {
+void add_bars(PlotSeries& series, const ErrorHistogram& histogram, double base, double sign) {
     const std::uint64_t largest = *std::max_element(histogram.counts.begin(), histogram.counts.end());
     for (int bin = 0; bin < ErrorHistogram::kBins; ++bin) {
-        const double height = bar(histogram.counts[static_cast<std::size_t>(bin)], largest);
-        if (height == 0.0) continue;
-        const double left = x_of_bin(bin) + 0.5, right = x_of_bin(bin + 1) - 0.5, end = base - sign * height;
-        drawing.polygon({{left, base}, {right, base}, {right, end}, {left, end}}, color, 0.0, color);
+        const std::uint64_t count = histogram.counts[static_cast<std::size_t>(bin)];
+        if (count == 0) continue;
+        series.bars.push_back({.left = decade_of(bin + kGap),
+                               .right = decade_of(bin + 1 - kGap),
+                               .base = base,
+                               .top = base + sign * bar_length(count, largest)});
     }
+}
+
+PlotAxis error_axis() {
+    PlotAxis axis{.label = "|error of the distance| / S",
+                  .range = PlotRange{decade_of(0), decade_of(ErrorHistogram::kBins)}};
+    axis.ticks.push_back({kFirstDecade, "0"});
+    for (int decade = kFirstDecade + 2; decade <= 2; decade += 2)
+        axis.ticks.push_back({static_cast<double>(decade), "1e" + std::to_string(decade)});
+    return axis;
 }
 
 }  // namespace
 
-Drawing draw_error_histograms(std::span<const ParityRow> families) {
-    Drawing drawing;
-    drawing.width = 1280;
-    const double bottom = kTop + kStrip * static_cast<double>(families.size());
-    drawing.height = static_cast<int>(bottom + 44.0);
-    for (int decade = kFirstDecade; decade <= 2; decade += 2) {
-        const double x = x_of_bin(2.0 * (decade - kFirstDecade));
-        drawing.line({x, kTop - 6.0}, {x, bottom}, 1.0, kGrid);
-        const std::string label = decade == kFirstDecade ? "0" : "1e" + std::to_string(decade);
-        drawing.text({x, bottom + 18.0}, label, 12.0, kText, TextAnchor::middle);
-        if (families.size() > 10) drawing.text({x, kTop - 10.0}, label, 12.0, kText, TextAnchor::middle);
-    }
-    drawing.text({0.5 * (kLeft + kRight), bottom + 38.0}, "|error of the distance| / S", 13.0, kText,
-                 TextAnchor::middle);
-    drawing.text({kLeft, 20.0}, "tumble, upwards", 13.0, kOurs);
-    drawing.text({kLeft + 140.0, 20.0}, "Box2D, downwards", 13.0, kBox2d);
-    const double limit = x_of(reference::kParityTolerance * reference::kFloatEpsilon);
-    drawing.dashed_line({limit, kTop - 24.0}, {limit, bottom}, 1.5, kLimit);
-    drawing.text({limit, kTop - 28.0}, "4 eps S", 12.0, kLimit, TextAnchor::middle);
-    double base = kTop + 0.5 * kStrip;
+Plot plot_error_histograms(std::span<const ParityRow> families) {
+    const double count = static_cast<double>(families.size());
+    PlotSeries ours{.name = "tumble, upwards", .ink = Ink::tumble};
+    PlotSeries box2d{.name = "Box2D, downwards", .ink = Ink::box2d};
+    PlotAxis strips{.label = "", .range = PlotRange{0.0, count}};
+    double base = count - 0.5;
     for (const ParityRow& family : families) {
-        drawing.line({kLeft, base}, {kRight, base}, 1.0, kGrid);
-        drawing.text({kLeft - 12.0, base + 5.0}, family.name, 12.0, kText, TextAnchor::right);
-        draw_bars(drawing, family.histogram_ours, base, 1.0, kOurs);
-        draw_bars(drawing, family.histogram_box2d, base, -1.0, kBox2d);
-        base += kStrip;
+        strips.ticks.push_back({base, family.name});
+        add_bars(ours, family.histogram_ours, base, 1.0);
+        add_bars(box2d, family.histogram_box2d, base, -1.0);
+        base -= 1.0;
     }
-    return drawing;
+    const double limit = std::log10(reference::kParityTolerance * reference::kFloatEpsilon);
+    PlotSeries line{.name = "4 eps S", .ink = Ink::limit, .mark = Mark::dashed};
+    line.points = {{limit, 0.0}, {limit, count}};
+    return {.title = "Errors of both engines by family",
+            .x = error_axis(),
+            .y = strips,
+            .series = {ours, box2d, line},
+            .width = 1280,
+            .height = kFrame + kStrip * static_cast<int>(families.size())};
 }
 
 }  // namespace tumble::tools

@@ -1,13 +1,16 @@
-// Draws the frames of a run and passes them to the encoder threads.
+// Draws the frames of a run and passes them to the encoder threads, to the video, or to both.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "tools/run/frame_schedule.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/run/run_report.hpp"
 #include "tumble/render.hpp"
+#include "tumble/video.hpp"
 
 namespace tumble::tools {
 
@@ -20,22 +23,34 @@ public:
     // the camera follows the bodies.
     void draw_due(const SceneWorld& world);
 
-    // Waits until all frames are written. Throws the first FileError.
-    WrittenFiles finish();
+    // Waits until all frames are written, and ends the video. Throws the first FileError or RenderError.
+    std::vector<WrittenFiles> finish();
 
+    // Waits until the PNG files of all frames so far are written; more may follow.
+    WrittenFiles finish_frames();
+
+    // Continues after the frames that an earlier run has drawn and written.
+    void continue_from(const Camera& camera, std::uint64_t frames, std::uint64_t bytes);
+
+    const Camera& camera() const noexcept { return camera_; }
     std::uint64_t drawn() const noexcept { return next_frame_; }
     double render_seconds() const noexcept { return render_seconds_; }
     double encode_seconds() const noexcept { return encode_seconds_; }
 
 private:
+    void write_frame(Image image);
+
     const Scene& scene_;
-    std::filesystem::path folder_;
+    const RunOptions& options_;
     FrameSchedule schedule_;
     Renderer renderer_;
     Camera camera_;
+    std::optional<VideoWriter> video_;
     FrameWriter writer_;
     Overlay overlay_;
+    Image image_;  // without PNG files, the one that is drawn into
     std::uint64_t next_frame_ = 0;
+    std::uint64_t earlier_frames_ = 0, earlier_bytes_ = 0;
     double render_seconds_ = 0.0;
     double encode_seconds_ = 0.0;
 };

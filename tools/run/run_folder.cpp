@@ -21,8 +21,10 @@ void remove_earlier_run(const fs::path& folder) {
     if (fs::is_directory(frames))
         for (const fs::directory_entry& entry : fs::directory_iterator(frames))
             if (is_frame(entry.path())) fs::remove(entry.path());
+    remove_partial_files(folder);
     fs::remove(summary_file(folder));
     fs::remove(events_file(folder));
+    fs::remove(checkpoint_file(folder));
 }
 
 }  // namespace
@@ -35,7 +37,22 @@ fs::path frame_file(const fs::path& folder, std::uint64_t frame) {
 
 fs::path summary_file(const fs::path& folder) { return folder / "summary.json"; }
 
+fs::path checkpoint_file(const fs::path& folder) { return folder / "checkpoint"; }
+
 fs::path events_file(const fs::path& folder) { return folder / "events.csv"; }
+
+void remove_partial_files(const fs::path& folder) {
+    for (const PartialFile& partial : find_partial_files(folder))
+        for (const fs::path& file : {summary_file(folder), events_file(folder), checkpoint_file(folder)})
+            if (partial.file == file) fs::remove(partial.path);
+    for (const PartialFile& partial : find_partial_files(folder / "frames"))
+        if (is_frame(partial.file)) fs::remove(partial.path);
+}
+
+void remove_dead_parts_of(const fs::path& file) {
+    for (const PartialFile& partial : find_partial_files(file.has_parent_path() ? file.parent_path() : "."))
+        if (partial.file.filename() == file.filename() && !partial.is_running) fs::remove(partial.path);
+}
 
 void prepare_run_folder(const fs::path& folder, bool with_frames, bool force) {
     std::error_code error;

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "tools/cli/command.hpp"
+#include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
 
 namespace tumble::tools {
@@ -81,15 +82,33 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     add_size_option(subcommand, options.size);
     subcommand.add_flag("--no-frames", options.no_frames, "Simulate without drawing frames");
     add_overlay_option(subcommand, options.overlay);
+    const auto add_table = [&](const char* name, std::filesystem::path& file, const char* description) {
+        allow_standard_output(*subcommand.add_option(name, file, description)->type_name("F.csv"));
+    };
+    add_table("--trajectory", options.trajectory, "Write the pose and velocity of each body after each step");
+    add_table("--contacts", options.contacts, "Write every contact point after each step");
+    add_table("--hashes", options.hashes, "Write the state hash after each step");
+    CLI::Option* const replay =
+        subcommand.add_option("--replay", options.replay, "Write a page that plays the run in a browser")
+            ->type_name("F.html");
+    subcommand.add_flag("--no-replay-contacts", options.no_replay_contacts,
+                        "Leave the contact points out of the replay: a page of half the size");
+    CLI::Option* const video =
+        subcommand.add_option("--video", options.video, "Write a video: .mp4, .webm, .gif or .apng; needs ffmpeg")
+            ->type_name("F");
     subcommand
-        .add_option("--trajectory", options.trajectory, "Write the pose and velocity of each body after each step")
-        ->type_name("F.csv");
-    subcommand.add_option("--contacts", options.contacts, "Write every contact point after each step")
-        ->type_name("F.csv");
-    subcommand.add_option("--hashes", options.hashes, "Write the state hash after each step")->type_name("F.csv");
-    subcommand.add_flag("--force", options.force, "Replace the results of an earlier run");
+        .add_option("--checkpoint", options.checkpoint,
+                    "Save the run after each S seconds of wall clock, and when it is interrupted")
+        ->type_name("S")
+        ->check(number_from_to(0.0, kMaxDuration))
+        ->excludes(replay, video);
+    CLI::Option* const resume =
+        subcommand.add_flag("--resume", options.resume, "Continue the run in the folder from its checkpoint")
+            ->excludes(replay, video);
+    subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
-        warn_of_unused(subcommand, {"--fps", "--size", "--overlay"}, "--no-frames");
+        if (subcommand.count("--video") == 0)
+            warn_of_unused(subcommand, {"--fps", "--size", "--overlay"}, "--no-frames");
     });
 }
 

@@ -16,6 +16,7 @@ struct FrameSize {
     int width = 1280;
     int height = 720;
 
+    bool is_even() const { return width % 2 == 0 && height % 2 == 0; }
     double aspect_ratio() const { return static_cast<double>(width) / height; }
 };
 
@@ -26,9 +27,14 @@ struct RunOptions {
     FrameSize size;
     bool no_frames = false;
     bool force = false;                // replace the results of an earlier run
+    std::optional<double> checkpoint;  // s of wall clock between checkpoints, 0: after each step; without it none
+    bool resume = false;               // continue the run in the folder from its checkpoint
     std::filesystem::path trajectory;  // empty: not written
     std::filesystem::path contacts;    // empty: not written
     std::filesystem::path hashes;      // empty: not written
+    std::filesystem::path replay;      // empty: not written
+    std::filesystem::path video;       // empty: not written
+    bool no_replay_contacts = false;   // leave the contact points out of the replay
     Overlay overlay;                   // drawn over the shapes
 };
 
@@ -38,7 +44,8 @@ void add_size_option(CLI::App& subcommand, FrameSize& size);
 // --overlay LIST
 void add_overlay_option(CLI::App& subcommand, Overlay& overlay);
 
-// -o, --duration, --fps, --size, --no-frames, --overlay, --trajectory, --contacts, --hashes, --force
+// -o, --duration, --fps, --size, --no-frames, --overlay, --trajectory, --contacts, --hashes, --replay, --video,
+// --checkpoint, --resume, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 
 }  // namespace tumble::tools

@@ -47,7 +47,7 @@ void add_counters(JsonWriter& json, const RunReport& report) {
         .member("gjk_iterations", last.gjk_iterations)
         .close_object();
     json.key("ms_per_step").open_object();
-    const double steps = static_cast<double>(std::max<std::uint64_t>(report.steps, 1));
+    const double steps = static_cast<double>(std::max<std::uint64_t>(report.timed_steps, 1));
     for (const Stage& stage : kStages) json.member(stage.name, report.stages.*stage.ms / steps);
     json.close_object();
     const WorldMemory& memory = report.memory;

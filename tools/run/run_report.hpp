@@ -12,7 +12,7 @@ namespace tumble::tools {
 
 // Files that a run wrote, all of one kind.
 struct WrittenFiles {
-    std::string kind;            // "frames", "events", "trajectory", "contacts", "hashes"
+    std::string kind;            // "frames", "events", "trajectory", "contacts", "hashes", "replay", "video"
     std::filesystem::path path;  // of the first
     std::uint64_t count = 0;
     std::uint64_t bytes = 0;  // of all
@@ -24,6 +24,7 @@ struct RunReport {
     std::uint64_t seed = 0;
     double dt = 0.0;                // s per step
     std::uint64_t steps = 0;        // done
+    std::uint64_t timed_steps = 0;  // of them, by this process: those of `stages`
     double simulate_seconds = 0.0;  // wall clock
     double render_seconds = 0.0;    // drawing, and waiting for the encoder threads
     double encode_seconds = 0.0;    // summed over the encoder's threads

@@ -1,26 +1,39 @@
 #include "tools/run/simulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/measure/stopwatch.hpp"
+#include "tools/run/checkpoint.hpp"
+#include "tools/run/folder_lock.hpp"
 #include "tools/run/frame_output.hpp"
 #include "tools/run/frame_schedule.hpp"
 #include "tools/run/lost_bodies.hpp"
+#include "tools/run/replay_output.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/run/step_files.hpp"
+#include "tools/run/video_output.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {
 
 namespace {
+
+// A table that the run is writing.
+struct OpenTable {
+    const char* kind;
+    OutputFile& file;
+};
 
 // One run, from its open files to its report.
 class Simulation {
@@ -29,24 +42,36 @@ public:
 
     void run();
     void write_summary();
+
+    // After an error: leaves the tables as far as they are written if there is a checkpoint that refers to them.
+    void leave_tables();
     const RunReport& report() const noexcept { return report_; }
     const SceneWorld& built() const noexcept { return run_.built(); }
 
 private:
     void record_step();
-    void close_files();
+    void resume(const Scene& scene, const Checkpoint& saved);
+    void save_checkpoint();
+    std::vector<OpenTable> open_tables();
+    void close_files(bool is_complete);
     void update_report();
 
+    const Scene& scene_;
     const RunOptions& options_;
     FrameSchedule schedule_;
     SceneRun run_;
+    std::optional<FolderLock> lock_;
     std::optional<EventsFile> events_;
     std::optional<TrajectoryFile> trajectory_;
     std::optional<ContactsFile> contacts_;
     std::optional<HashFile> hashes_;
     std::optional<OutputFile> summary_;
+    std::optional<ReplayOutput> replay_;
     std::optional<FrameOutput> frames_;
     Stopwatch watch_;
+    Stopwatch since_checkpoint_;
+    std::optional<Checkpoint> resumed_;
+    std::uint64_t first_step_ = 0;  // of this process
     RunReport report_;
 };
 
@@ -54,50 +79,117 @@ FrameSchedule make_schedule(const Scene& scene, const RunOptions& options) {
     return {options.duration.value_or(scene.world.duration), options.frames_per_second, scene.world.steps_per_second};
 }
 
+// The files that options name, if they are wanted.
+std::array<const std::filesystem::path*, 5> named_files(const RunOptions& options) {
+    return {&options.contacts, &options.trajectory, &options.hashes, &options.replay, &options.video};
+}
+
 // Of two files with the same name, the second would replace the first.
 void require_different_files(const RunOptions& options) {
     std::set<std::filesystem::path> names{std::filesystem::absolute(summary_file(options.folder)).lexically_normal(),
                                           std::filesystem::absolute(events_file(options.folder)).lexically_normal()};
-    for (const std::filesystem::path* const file : {&options.contacts, &options.trajectory, &options.hashes})
+    for (const std::filesystem::path* const file : named_files(options))
         if (!file->empty() && !names.insert(std::filesystem::absolute(*file).lexically_normal()).second)
             throw CLI::ValidationError(file->string(), "names two output files of the run; give each its own name");
 }
 
+// Standard output cannot be read again.
+void require_files_to_continue(const RunOptions& options) {
+    if (!options.checkpoint && !options.resume) return;
+    for (const std::filesystem::path* const file : {&options.contacts, &options.trajectory, &options.hashes})
+        if (is_standard_output(*file))
+            throw CLI::ValidationError("--checkpoint and --resume", "need tables in files, not on standard output");
+}
+
 Simulation::Simulation(const Scene& scene, const RunOptions& options)
-    : options_(options), schedule_(make_schedule(scene, options)), run_(scene) {
+    : scene_(scene), options_(options), schedule_(make_schedule(scene, options)), run_(scene) {
     report_.scene_name = scene.name;
     report_.scene_hash = scene_hash(scene);
     report_.seed = scene.world.seed;
     report_.dt = 1.0 / scene.world.steps_per_second;
-    const bool with_frames = !options.no_frames;
-    if (with_frames && schedule_.repeats_frames())
+    const bool draws = !options.no_frames || !options.video.empty();
+    if (!options.video.empty()) require_video(options, schedule_);
+    if (draws && schedule_.repeats_frames())
         report_warning("--fps exceeds the steps per second of the scene: some frames repeat the previous one");
     require_different_files(options);
-    for (const std::filesystem::path* const file : {&options.contacts, &options.trajectory, &options.hashes})
-        if (!file->empty()) refuse_to_overwrite(*file, options.force);  // before any file is created
-    prepare_run_folder(options.folder, with_frames, options.force);
-    summary_.emplace(open_output(summary_file(options.folder), options.force));
-    events_.emplace(events_file(options.folder), options.force, run_.built());
-    if (!options.contacts.empty()) contacts_.emplace(options.contacts, options.force);
-    if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, options.force);
-    if (!options.hashes.empty()) hashes_.emplace(options.hashes, options.force);
-    if (with_frames) frames_.emplace(scene, run_.built(), options, schedule_);
+    require_files_to_continue(options);
+    const bool force = options.force || options.resume;
+    if (options.resume) resumed_ = read_checkpoint(options.folder, settings_of(options));
+    for (const std::filesystem::path* const file : named_files(options))
+        if (!file->empty()) refuse_to_overwrite(*file, force);  // before any file is created
+    for (const std::filesystem::path* const file : named_files(options))
+        if (!file->empty() && options.force) remove_dead_parts_of(*file);
+    lock_.emplace(options.folder);
+    if (resumed_)
+        keep_tables(*resumed_, options.folder);
+    else
+        prepare_run_folder(options.folder, !options.no_frames, options.force);
+    summary_.emplace(open_output(summary_file(options.folder), force));
+    events_.emplace(events_file(options.folder), force, run_.built());
+    if (!options.contacts.empty()) contacts_.emplace(options.contacts, force);
+    if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, force);
+    if (!options.hashes.empty()) hashes_.emplace(options.hashes, force);
+    if (!options.replay.empty()) replay_.emplace(scene, run_.built(), options, schedule_.step_count());
+    if (draws) frames_.emplace(scene, run_.built(), options, schedule_);
+    if (resumed_) resume(scene, *resumed_);
+}
+
+// The state of the run, the tables and the camera as they were at the checkpoint.
+void Simulation::resume(const Scene& scene, const Checkpoint& saved) {
+    run_ = load_run(scene, saved, options_.folder);
+    first_step_ = run_.world().step_count();
+    for (const OpenTable& table : open_tables()) continue_table(saved, table.kind, table.file);
+    if (frames_) frames_->continue_from(saved.camera, saved.frames, saved.frame_bytes);
+    report_.simulate_seconds = saved.simulate_seconds;
+}
+
+std::vector<OpenTable> Simulation::open_tables() {
+    std::vector<OpenTable> tables{{"events", events_->file()}};
+    if (contacts_) tables.push_back({"contacts", contacts_->file()});
+    if (trajectory_) tables.push_back({"trajectory", trajectory_->file()});
+    if (hashes_) tables.push_back({"hashes", hashes_->file()});
+    return tables;
+}
+
+void Simulation::save_checkpoint() {
+    Checkpoint checkpoint;
+    checkpoint.settings = settings_of(options_);
+    if (frames_) {
+        checkpoint.frame_bytes = frames_->finish_frames().bytes;
+        checkpoint.frames = frames_->drawn();
+        checkpoint.camera = frames_->camera();
+    }
+    for (const OpenTable& table : open_tables())
+        checkpoint.tables.push_back({table.kind, table.file.temporary(), table.file.path(), table.file.save_so_far()});
+    update_report();
+    checkpoint.simulate_seconds = report_.simulate_seconds;
+    checkpoint.render_seconds = report_.render_seconds;
+    checkpoint.encode_seconds = report_.encode_seconds;
+    checkpoint.total_seconds = report_.total_seconds;
+    checkpoint.run = run_.save(scene_);
+    write_checkpoint(options_.folder, checkpoint);
+    if (resumed_) remove_kept_tables(*resumed_);
+    since_checkpoint_ = {};
 }
 
 void Simulation::run() {
     const std::uint64_t step_count = schedule_.step_count();
     Progress progress("step", step_count);
-    record_step();
-    for (std::uint64_t step = 0; step < step_count && !is_interrupted(); ++step) {
+    if (!resumed_) record_step();
+    for (std::uint64_t step = first_step_; step < step_count && !is_interrupted(); ++step) {
         const Stopwatch watch;
         run_.step();
         report_.simulate_seconds += watch.seconds();
         add_times(report_.stages, run_.world().counters().ms);
         record_step();
         progress.show(step + 1);
+        if (options_.checkpoint && since_checkpoint_.seconds() >= *options_.checkpoint) save_checkpoint();
     }
-    close_files();
-    report_.complete = run_.world().step_count() == step_count;
+    const bool is_complete = run_.world().step_count() == step_count;
+    if (options_.checkpoint && is_interrupted()) save_checkpoint();
+    close_files(is_complete);
+    if (resumed_) remove_kept_tables(*resumed_);
+    report_.complete = is_complete;
 }
 
 void Simulation::record_step() {
@@ -105,19 +197,23 @@ void Simulation::record_step() {
     if (trajectory_) trajectory_->record(run_.built());
     if (contacts_) contacts_->record(run_.built());
     if (hashes_) hashes_->record(run_.world());
+    if (replay_) replay_->record(run_.built());
     if (frames_) frames_->draw_due(run_.built());
 }
 
-void Simulation::close_files() {
-    if (frames_) report_.files.push_back(frames_->finish());
+void Simulation::close_files(bool is_complete) {
+    if (frames_)
+        for (WrittenFiles& files : frames_->finish()) report_.files.push_back(std::move(files));
     report_.files.push_back({"events", events_file(options_.folder), 1, events_->file().commit()});
     if (contacts_) report_.files.push_back({"contacts", options_.contacts, 1, contacts_->file().commit()});
     if (trajectory_) report_.files.push_back({"trajectory", options_.trajectory, 1, trajectory_->file().commit()});
     if (hashes_) report_.files.push_back({"hashes", options_.hashes, 1, hashes_->file().commit()});
+    if (replay_) report_.files.push_back({"replay", options_.replay, 1, replay_->finish(run_.built(), is_complete)});
 }
 
 void Simulation::update_report() {
     report_.steps = run_.world().step_count();
+    report_.timed_steps = report_.steps - first_step_;
     report_.bodies = run_.world().bodies().size();
     report_.counters = run_.world().counters();
     const std::vector<int> islands = run_.world().islands();
@@ -129,12 +225,23 @@ void Simulation::update_report() {
         report_.encode_seconds = frames_->encode_seconds();
     }
     report_.total_seconds = watch_.seconds();
+    if (!resumed_) return;
+    report_.render_seconds += resumed_->render_seconds;
+    report_.encode_seconds += resumed_->encode_seconds;
+    report_.total_seconds += resumed_->total_seconds;
+}
+
+void Simulation::leave_tables() {
+    if (!options_.checkpoint || !std::filesystem::exists(checkpoint_file(options_.folder))) return;
+    for (const OpenTable& table : open_tables()) table.file.leave();
 }
 
 void Simulation::write_summary() {
     update_report();
     summary_->write(to_json(report_));
     summary_->commit();
+    const bool has_checkpoint = options_.checkpoint || options_.resume;
+    if (report_.complete && has_checkpoint) std::filesystem::remove(checkpoint_file(options_.folder));
 }
 
 }  // namespace
@@ -145,6 +252,7 @@ RunReport simulate(const Scene& scene, const RunOptions& options) {
     try {
         simulation.run();
     } catch (...) {
+        simulation.leave_tables();
         try {
             simulation.write_summary();
         } catch (const FileError&) {

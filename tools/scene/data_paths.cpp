@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "tools/output/standard_input.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -44,6 +45,7 @@ std::vector<fs::path> find_scenes() {
 }
 
 fs::path find_scene(const std::string& name) {
+    if (is_standard_input(name)) return name;
     for (const fs::path& file : find_scenes())
         if (file.stem() == name) return file;
     if (!fs::exists(name) && fs::path(name).filename() == name && !fs::path(name).has_extension())

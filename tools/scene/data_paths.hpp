@@ -13,8 +13,8 @@ std::filesystem::path find_scenes_folder();
 // All shipped scenes, sorted by name.
 std::vector<std::filesystem::path> find_scenes();
 
-// The file of the shipped scene with this name; any other name is returned as a path. Throws FileError for a word that
-// is neither a shipped scene nor a file.
+// The file of the shipped scene with this name; any other name is returned as a path, as is "-". Throws FileError for a
+// word that is neither a shipped scene nor a file.
 std::filesystem::path find_scene(const std::string& name);
 
 // The folder that `demo` replaces: in the build folder, or ./out/demo for an installed binary.

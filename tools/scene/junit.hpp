@@ -8,7 +8,8 @@
 
 namespace tumble::tools {
 
-// One suite per scene, one case per claim. A scene that could not be simulated has one more case, in error.
+// One suite per scene, one case per claim, the first with the time of the scene. A scene that could not be simulated
+// has one more case, in error; a scene without claims, or one that was skipped, has that case alone.
 std::string to_junit(const std::vector<SceneCheck>& checks);
 
 }  // namespace tumble::tools

@@ -9,14 +9,21 @@
 #include "tools/cli/error_report.hpp"
 #include "tools/cli/interrupt.hpp"
 #include "tools/measure/stopwatch.hpp"
+#include "tools/output/standard_input.hpp"
 #include "tools/scene/scene_options.hpp"
 
 namespace tumble::tools {
 
 namespace {
 
-void simulate_and_check(const Scene& scene, SceneCheck& check) {
+void simulate_and_check(const Scene& scene, const CheckOptions& options, SceneCheck& check) {
     check.name = file_name_of(scene.name);
+    if (options.require_claims && scene.expect.empty()) {
+        check.code = ExitCode::failed;
+        check.error = "has no claims, and --require-claims is given: list what must be true in \"expect\"";
+        return;
+    }
+    for (const SceneExpectation& claim : scene.expect) check.claimed_hashes.push_back(claim.state_hash);
     SceneRun run(scene);
     ExpectationWatch watch(scene, run.built());
     watch.observe(run.built());
@@ -29,7 +36,7 @@ void simulate_and_check(const Scene& scene, SceneCheck& check) {
     check.state_hash = run.world().state_hash();
     check.expectations = watch.results();
     if (check.steps < step_count) {
-        check.code = ExitCode::interrupted;
+        check.code = interruption_code();
         check.error = "interrupted at step " + std::to_string(check.steps) + " of " + std::to_string(step_count);
         return;
     }
@@ -37,15 +44,21 @@ void simulate_and_check(const Scene& scene, SceneCheck& check) {
         if (!result.passed) check.code = ExitCode::failed;
 }
 
-}  // namespace
-
-SceneCheck check_scene_file(const std::string& file, const LoadOptions& changes) {
+// The result of a file before it is read.
+SceneCheck unread(const std::string& file) {
     SceneCheck check;
     check.file = file;
-    check.name = file_name_of(std::filesystem::path(file).stem().string());
+    check.name = is_standard_input(file) ? "stdin" : file_name_of(std::filesystem::path(file).stem().string());
+    return check;
+}
+
+}  // namespace
+
+SceneCheck check_scene_file(const std::string& file, const CheckOptions& options) {
+    SceneCheck check = unread(file);
     const Stopwatch watch;
     try {
-        simulate_and_check(load_named_scene(file, changes), check);
+        simulate_and_check(load_named_scene(file, options.changes), options, check);
     } catch (...) {
         const Problem problem = explain(std::current_exception());
         check.code = problem.code;
@@ -55,16 +68,24 @@ SceneCheck check_scene_file(const std::string& file, const LoadOptions& changes)
     return check;
 }
 
-std::vector<SceneCheck> check_scene_files(const std::vector<std::string>& files, const LoadOptions& changes,
-                                          int threads) {
+std::vector<SceneCheck> check_scene_files(const std::vector<std::string>& files, const CheckOptions& options) {
     std::vector<SceneCheck> checks(files.size());
     std::atomic<std::size_t> next{0};
+    std::atomic<bool> has_failed{false};
     const auto work = [&] {
-        for (std::size_t i = next++; i < files.size(); i = next++) checks[i] = check_scene_file(files[i], changes);
+        for (std::size_t i = next++; i < files.size(); i = next++) {
+            if (options.stop_at_failure && has_failed) {
+                checks[i] = unread(files[i]);
+                checks[i].was_skipped = true;
+                continue;
+            }
+            checks[i] = check_scene_file(files[i], options);
+            if (checks[i].code != ExitCode::ok) has_failed = true;
+        }
     };
     {
         std::vector<std::jthread> others;
-        for (int i = 1; i < threads; ++i) others.emplace_back(work);
+        for (int i = 1; i < options.threads; ++i) others.emplace_back(work);
         work();
     }
     return checks;

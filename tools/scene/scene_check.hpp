@@ -12,6 +12,12 @@
 
 namespace tumble::tools {
 
+// A `state_hash` claim whose hash was replaced.
+struct UpdatedHash {
+    std::string pointer;
+    std::string before, after;
+};
+
 // The result of one scene file.
 struct SceneCheck {
     std::string file;
@@ -20,17 +26,27 @@ struct SceneCheck {
     std::string name;              // of the scene, as a file name; of the file if the scene cannot be read
     std::vector<ExpectationResult> expectations;
     std::vector<std::filesystem::path> shots;  // [expectations.size()] or empty: a picture of each failed claim
+    std::vector<std::string> claimed_hashes;   // [expectations.size()]: of `state_hash` claims, else empty
+    std::vector<UpdatedHash> updated;
     std::uint64_t steps = 0;
     std::uint64_t state_hash = 0;
-    double seconds = 0.0;  // wall clock
+    double seconds = 0.0;      // wall clock
+    bool was_skipped = false;  // after a failure, with stop_at_failure
 };
 
-// An error of the scene is part of the result, not an exception. On SIGINT or SIGTERM it stops with `interrupted`.
-SceneCheck check_scene_file(const std::string& file, const LoadOptions& changes);
+struct CheckOptions {
+    LoadOptions changes{};
+    int threads = 1;
+    bool require_claims = false;   // a scene without claims fails
+    bool stop_at_failure = false;  // begin no other scene after one that fails
+};
 
-// The same for each file, on `threads` threads. The results are in the order of the files.
-std::vector<SceneCheck> check_scene_files(const std::vector<std::string>& files, const LoadOptions& changes,
-                                          int threads);
+// An error of the scene is part of the result, not an exception. On SIGINT, SIGHUP or SIGTERM it stops with
+// interruption_code().
+SceneCheck check_scene_file(const std::string& file, const CheckOptions& options);
+
+// The same for each file. The results are in the order of the files.
+std::vector<SceneCheck> check_scene_files(const std::vector<std::string>& files, const CheckOptions& options);
 
 // "at 1.5 s (step 90)": when a claim was decided.
 std::string moment_text(const ExpectationResult& result);

@@ -5,6 +5,7 @@
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/validators.hpp"
+#include "tools/output/standard_input.hpp"
 
 namespace tumble::tools {
 
@@ -18,13 +19,14 @@ void add_change_options(CLI::App& subcommand, LoadOptions& changes, const std::s
 }
 
 void add_scene_options(CLI::App& subcommand, SceneOptions& options) {
-    subcommand.add_option("SCENE", options.file, "Scene file")->required();
+    subcommand.add_option("SCENE", options.file, "Scene file; - is standard input")->required();
     add_change_options(subcommand, options.changes);
 }
 
 Scene load_named_scene(const std::string& file, const LoadOptions& changes, std::vector<Diagnostic>* warnings) {
-    Scene scene = load_scene(file, changes, warnings);
-    if (scene.name.empty()) scene.name = std::filesystem::path(file).stem().string();
+    Scene scene = load_scene_input(file, changes, warnings);
+    if (scene.name.empty())
+        scene.name = is_standard_input(file) ? "stdin" : std::filesystem::path(file).stem().string();
     return scene;
 }
 

@@ -59,6 +59,7 @@ struct MovingBody {
     std::uint32_t body = 0;  // index
     BodyMotion motion;
     float still_time = 0.0f;  // how long it has been slow enough to sleep, s
+    Vec2 velocity_rest;       // the part of its velocity below float precision, after free flight, m/s
     // From the forces and torques applied since the last step; they act during the next one.
     Vec2 acceleration;                  // m/s^2
     float angular_acceleration = 0.0f;  // rad/s^2
@@ -96,6 +97,12 @@ public:
     }
     // True if the body can push others in this step: dynamic and awake, or kinematic and moving.
     bool is_active(std::uint32_t body) const;
+    // Of the centre of mass without constraints, as far as locks allow, m/s^2; zero for a solver body that is not
+    // dynamic.
+    Vec2 free_acceleration(std::uint32_t solver_body, Vec2 gravity) const {
+        const std::uint32_t flags = solver_bodies[solver_body].flags;
+        return flags & kDynamicBody ? allowed(flags, moving[solver_body].free_acceleration(gravity)) : Vec2{};
+    }
     // The joints of the body that has fewer: the ground may have thousands.
     const std::vector<JointId>& fewer_joints(std::uint32_t body_a, std::uint32_t body_b) const {
         const std::vector<JointId>&a = records[body_a].joints, &b = records[body_b].joints;

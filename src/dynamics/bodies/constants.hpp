@@ -89,6 +89,25 @@ inline constexpr float kContinuousPart = 0.5f;
 // shapes whose larger ones overlap already: they sink in no farther.
 inline constexpr float kContinuousCores[] = {0.75f, 0.5f, 0.25f, 0.0f};
 
+// Continuous collision sweeps bodies that move farther than this in a step (m), or by more than kContinuousPart of
+// their smallest extent. Smaller: more sweeps. Larger: deeper overlap.
+inline constexpr float kSweptDistance = 0.03f;
+
+// Continuous collision decides with a core that is smaller than the shape by this part of the speculative distance on
+// each side: 8 mm for bodies of 1 m. Larger: deeper overlap. Smaller: bodies stop when they slide over seams.
+inline constexpr float kContinuousInset = 0.4f;
+
+// Shapes touch during an impact if they are at most this part of the speculative distance apart: 1 mm for bodies of 1
+// m. Larger: bodies bounce off before they touch. Smaller: a flat box lands on one corner first.
+inline constexpr float kTouchingPart = 0.05f;
+
+// Two bodies that touch after an impact are left alone for at most this part of the step. Smaller: a ball that a
+// turning paddle drives has more impacts. Larger: it sinks in deeper.
+inline constexpr double kLongestRest = 1.0 / 16.0;
+
+// Impacts of a body in a step. A ball at 200 m/s between walls 10 cm apart has 33.
+inline constexpr int kMaxImpactsPerBody = 64;
+
 // Rotation limit per step, rad: an eighth of a turn. More breaks the linearisation of contacts within the step, and
 // continuous collision. Bodies with kFastSpin (wheels, projectiles: round ones) may turn up to half a turn per
 // sub-step; beyond that the direction of the rotation is ambiguous.
@@ -112,6 +131,7 @@ inline constexpr int kStaticColors = 8;
 struct Tuning {
     float max_speculative_distance = kSpeculativeDistance;
     float max_aabb_margin = kAabbMargin;
+    float max_swept_distance = kSweptDistance;
     float push_out_speed = kPushOutSpeed;
     float restitution_threshold = kRestitutionThreshold;
     float hit_speed = kHitSpeed;
@@ -124,6 +144,9 @@ struct Tuning {
     float speculative_distance(float smaller_extent) const {
         return std::min(max_speculative_distance, kSpeculativePart * smaller_extent);
     }
+    float swept_distance(float smaller_extent) const {
+        return std::min(max_swept_distance, kContinuousPart * smaller_extent);
+    }
     float aabb_margin(float smaller_extent) const {
         return std::min(max_aabb_margin, kAabbMarginPart * smaller_extent);
     }
@@ -134,6 +157,7 @@ inline Tuning make_tuning(float scale) {
     const float root = std::sqrt(scale), inverse = 1.0f / root;
     return {.max_speculative_distance = scale * kSpeculativeDistance,
             .max_aabb_margin = scale * kAabbMargin,
+            .max_swept_distance = scale * kSweptDistance,
             .push_out_speed = root * kPushOutSpeed,
             .restitution_threshold = root * kRestitutionThreshold,
             .hit_speed = root * kHitSpeed,

@@ -63,7 +63,7 @@ void finalize_poses(BodyStore& bodies, const SpeedLimits& limits) {
             frame.center_offset = rotate(frame.pose.rotation, bodies.records[index].mass.center);
         }
         frame.pose.position = frame.center - DVec2(frame.center_offset);
-        body.flags &= ~std::uint32_t{kClampedBody};
+        body.flags &= ~std::uint32_t{kClampedBody | kPushedBody};
         if (body.flags & kDynamicBody) clamp_speed(body, limits);
         body.delta_position = {};
         body.delta_rotation = {};

@@ -28,6 +28,13 @@ struct ShapeRecord {
     std::optional<ChainLink> link;  // if the shape is a chain's segment
 };
 
+// The extent that scales the contact of two shapes, m. A segment has the extent 0 and leaves the scale to the other
+// one.
+inline float smaller_extent(const ShapeRecord& a, const ShapeRecord& b) {
+    const float smaller = std::min(a.smaller_extent, b.smaller_extent);
+    return smaller > 0.0f ? smaller : std::max(a.smaller_extent, b.smaller_extent);
+}
+
 class ShapeStore {
 public:
     // Creates a shape without a proxy.

@@ -19,6 +19,7 @@ enum BodyFlag : std::uint32_t {
     kLockY = 1u << 4,         // has no velocity along the world's y axis
     kLockRotation = 1u << 5,  // has no angular velocity
     kClampedBody = 1u << 6,   // exceeded a speed limit since the last step ended: see clamp_speed()
+    kPushedBody = 1u << 7,    // a contact or joint acted on it in this step
 };
 
 struct alignas(32) SolverBody {

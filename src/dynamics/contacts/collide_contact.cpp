@@ -47,11 +47,8 @@ void update_touch(Contact& contact, const BodyStore& bodies) {
     TUMBLE_CHECK(watched < contact.manifold.point_count);
     contact.watched = static_cast<std::int8_t>(watched);
     const ManifoldPoint& point = contact.manifold.points[watched];
-    const BodyFrame& a = bodies.frames[contact.body_a];
-    const BodyFrame& b = bodies.frames[contact.body_b];
-    const Vec2 velocity_a = velocity_at(bodies.solver_bodies[a.solver_body], point.anchor_a - a.center_offset);
-    const Vec2 velocity_b = velocity_at(bodies.solver_bodies[b.solver_body], point.anchor_b - b.center_offset);
-    contact.approach = {a.pose.position + DVec2(point.anchor_a), dot(velocity_a - velocity_b, contact.manifold.normal)};
+    contact.approach = {bodies.frames[contact.body_a].pose.position + DVec2(point.anchor_a), contact.manifold.normal,
+                        approach_speed(contact, point, bodies)};
 }
 
 // The same manifold from B to A.
@@ -96,6 +93,18 @@ Vec2 displacement_in_step(const Contact& contact, const BodyStore& bodies, float
 }
 
 }  // namespace
+
+float approach_speed(const Contact& contact, const ManifoldPoint& point, const BodyStore& bodies) {
+    const BodyFrame& a = bodies.frames[contact.body_a];
+    const BodyFrame& b = bodies.frames[contact.body_b];
+    const Vec2 velocity_a = velocity_at(bodies.solver_bodies[a.solver_body], point.anchor_a - a.center_offset);
+    const Vec2 velocity_b = velocity_at(bodies.solver_bodies[b.solver_body], point.anchor_b - b.center_offset);
+    return dot(velocity_a - velocity_b, contact.manifold.normal);
+}
+
+Manifold collide_posed(const PosedShape& a, const PosedShape& b, Contact& contact) {
+    return collide_shapes(a, b, {}, contact);
+}
 
 bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, float duration) {
     TUMBLE_CHECK(contact.kind == ContactKind::solid);

@@ -22,7 +22,8 @@ enum class ContactKind : std::uint8_t { solid, sensor_a, sensor_b };
 
 // How two shapes approach each other at a point.
 struct Approach {
-    DVec2 point;         // world, at the start of the step
+    DVec2 point;         // world, at the start of the step, or at the impact
+    Vec2 normal;         // unit, from A to B, world axes
     float speed = 0.0f;  // m/s, positive if the shapes approach
 };
 
@@ -37,6 +38,8 @@ struct Contact {
     ContactKind kind = ContactKind::solid;
     ChainState chain_state = ChainState::apart;  // of a chain's segment
     bool is_new = true;                          // not collided since the pair was found or woken
+    bool is_bouncing = false;                    // the solver leaves it to continuous collision in this step
+    bool is_struck = false;                      // if it bounces: at a point where the shapes touch already
     bool is_touching = false;                    // in this step: the surfaces touched, or an impulse kept them apart
     bool was_touching = false;                   // when events were last reported
     // The manifold point that may report a hit, or -1: the deepest point of a contact that begins, or the deepest one
@@ -58,9 +61,10 @@ struct Contact {
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
         visit(self.shapes, self.body_a, self.body_b, self.manifold, self.impulses, self.applied, self.rolling_impulse,
-              self.kind, self.chain_state, self.is_new, self.is_touching, self.was_touching, self.watched, self.was_hit,
-              self.approach, self.reference, self.cache, self.speculative_distance, self.radius_a, self.radius_b,
-              self.friction, self.restitution, self.rolling_resistance, self.tangent_speed);
+              self.kind, self.chain_state, self.is_new, self.is_bouncing, self.is_struck, self.is_touching,
+              self.was_touching, self.watched, self.was_hit, self.approach, self.reference, self.cache,
+              self.speculative_distance, self.radius_a, self.radius_b, self.friction, self.restitution,
+              self.rolling_resistance, self.tangent_speed);
     }
 };
 

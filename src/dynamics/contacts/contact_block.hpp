@@ -68,6 +68,10 @@ struct ContactBlock {
     Lanes rolling_impulse;     // N m s
 };
 
+// The normal impulse that bounds friction in the pass without bias: that of the pass with bias, which also pushes
+// overlap out, or the one that the rigid rows ask for.
+enum class FrictionBound : std::uint8_t { biased, rigid };
+
 // Fills the blocks, one for each block of the graph, from manifolds and bodies. `h` is the sub-step, s.
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
                       const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks);
@@ -84,7 +88,7 @@ void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
 
 // The pass without bias: friction, rolling resistance, and rigid normal impulses, which remove the velocity of the
 // bias.
-void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h);
+void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, FrictionBound bound);
 
 // Bounces: once after the sub-steps, for points where an impulse stopped an approach faster than `threshold` (m/s).
 // `returned_work` is scratch memory: see RESTITUTION.md, step 10.

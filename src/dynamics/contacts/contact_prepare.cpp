@@ -135,11 +135,6 @@ void set_masses(ContactBlock& block) {
     block.rolling_mass = select_less(zero, inertia, one / inertia, zero);
 }
 
-Vec2 free_acceleration(const BodyStore& bodies, std::uint32_t body, Vec2 gravity) {
-    const std::uint32_t flags = bodies.solver_bodies[body].flags;
-    return flags & kDynamicBody ? allowed(flags, bodies.moving[body].free_acceleration(gravity)) : Vec2{};
-}
-
 // The normal velocities with which points reach separation 0, from those before the step (RESTITUTION.md, step 2).
 void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, float h) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
@@ -148,8 +143,7 @@ void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, 
         const SolverBody& b = bodies.solver_bodies[body_b];
         const Vec2 normal{block.normal_x[lane], block.normal_y[lane]};
         const float linear = dot(b.velocity - a.velocity, normal);
-        const Vec2 acceleration =
-            free_acceleration(bodies, body_b, gravity) - free_acceleration(bodies, body_a, gravity);
+        const Vec2 acceleration = bodies.free_acceleration(body_b, gravity) - bodies.free_acceleration(body_a, gravity);
         const float along = dot(acceleration, normal);
         block.acceleration[lane] = along;
         for (int i = 0; i < 2; ++i) {

@@ -44,7 +44,9 @@ void ContactSolver::solve(std::span<SolverBody> bodies, float inv_h, float push_
     solve_contacts(blocks_, bodies, inv_h, push_out_speed);
 }
 
-void ContactSolver::relax(std::span<SolverBody> bodies, float inv_h) { relax_contacts(blocks_, bodies, inv_h); }
+void ContactSolver::relax(std::span<SolverBody> bodies, float inv_h, FrictionBound bound) {
+    relax_contacts(blocks_, bodies, inv_h, bound);
+}
 
 void ContactSolver::apply_restitution(std::span<SolverBody> bodies, float threshold, float h) {
     TUMBLE_CHECK(threshold >= 0.0f);

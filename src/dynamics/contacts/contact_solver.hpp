@@ -12,6 +12,7 @@
 namespace tumble {
 
 struct ContactBlock;
+enum class FrictionBound : std::uint8_t;
 
 class ContactSolver {
 public:
@@ -27,7 +28,7 @@ public:
     // In each sub-step, in this order: see contact_block.hpp.
     void warm_start(std::span<SolverBody> bodies);
     void solve(std::span<SolverBody> bodies, float inv_h, float push_out_speed);
-    void relax(std::span<SolverBody> bodies, float inv_h);
+    void relax(std::span<SolverBody> bodies, float inv_h, FrictionBound bound);
 
     // After the last sub-step.
     void apply_restitution(std::span<SolverBody> bodies, float threshold, float h);

@@ -9,15 +9,7 @@
 
 namespace tumble {
 
-namespace {
-
-// The smaller one. A segment has the extent 0 and leaves the scale to the other shape.
-float extent_of_pair(float a, float b) {
-    const float smaller = std::min(a, b);
-    return smaller > 0.0f ? smaller : std::max(a, b);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void mix_surfaces(Contact& contact, const ShapeStore& shapes) {
     const ShapeRecord& a = shapes[contact.shapes.a];
@@ -42,7 +34,7 @@ Contact make_contact(ProxyPair pair, const ShapeStore& shapes, const Tuning& tun
     contact.shapes = pair;
     contact.body_a = a.body;
     contact.body_b = b.body;
-    contact.speculative_distance = tuning.speculative_distance(extent_of_pair(a.smaller_extent, b.smaller_extent));
+    contact.speculative_distance = tuning.speculative_distance(smaller_extent(a, b));
     if (a.is_sensor) contact.kind = ContactKind::sensor_a;
     if (b.is_sensor) contact.kind = ContactKind::sensor_b;
     mix_surfaces(contact, shapes);

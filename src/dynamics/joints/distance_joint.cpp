@@ -18,7 +18,7 @@ void DistanceJoint::solve(const JointContext& context, bool use_bias, std::span<
     const JointLine line = JointLine::now(bodies_, bodies);
     const JointRow row = line.row(bodies_, bodies);
     drive_.solve(bodies_, row, line.length, def_.length, context, use_bias, bodies);
-    if (is_rod())
+    if (is_rod() && context.iterates_equalities)
         solve_equality(bodies_, row, context.equality_softness(use_bias), line.length - def_.length, rod_impulse_,
                        bodies);
 }

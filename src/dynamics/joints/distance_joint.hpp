@@ -7,6 +7,7 @@
 
 #include <span>
 
+#include "dynamics/rows/equality_row.hpp"
 #include "dynamics/rows/joint_drive.hpp"
 #include "dynamics/rows/joint_line.hpp"
 
@@ -21,6 +22,14 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+
+    // Calls visit(EqualityRow) for each equality constraint, at the present deltas of the bodies.
+    template <class Visitor>
+    void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
+        if (!is_rod()) return;
+        const JointLine line = JointLine::now(bodies_, bodies);
+        visit(make_equality(bodies_, line.row(bodies_, bodies), line.length - def_.length, rod_impulse_));
+    }
     JointReaction reaction(float inv_h) const { return {inv_h * impulse() * line_.axis, 0.0f}; }
     float position() const { return line_.length; }
     void take_over(const DistanceJoint& old);

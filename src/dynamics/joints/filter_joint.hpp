@@ -15,6 +15,10 @@ public:
     void prepare(const BodyStore&) {}
     void warm_start(std::span<SolverBody>) const {}
     void solve(const JointContext&, bool, std::span<SolverBody>) {}
+
+    // It has no equality constraints.
+    template <class Visitor>
+    void visit_equalities(std::span<const SolverBody>, Visitor&&) {}
     JointReaction reaction(float) const { return {}; }
     float position() const { return 0.0f; }
     void take_over(const FilterJoint&) {}

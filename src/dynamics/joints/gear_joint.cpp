@@ -14,6 +14,7 @@ CoupledRow GearJoint::row(std::span<const SolverBody> bodies) const {
 void GearJoint::warm_start(std::span<SolverBody> bodies) const { apply_row(bodies_, row(bodies), impulse_, bodies); }
 
 void GearJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    if (!context.iterates_equalities) return;
     const float moved =
         side_a_.change_in_step(bodies_.first, bodies) + bodies_.ratio * side_b_.change_in_step(bodies_.second, bodies);
     solve_equality(bodies_, row(bodies), context.equality_softness(use_bias), static_cast<float>(slip_) + moved,

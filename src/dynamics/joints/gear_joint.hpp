@@ -7,6 +7,7 @@
 
 #include "dynamics/joints/gear_side.hpp"
 #include "dynamics/rows/coupled_row.hpp"
+#include "dynamics/rows/equality_row.hpp"
 
 namespace tumble {
 
@@ -21,6 +22,14 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+
+    // Calls visit(EqualityRow) for each equality constraint, at the present deltas of the bodies.
+    template <class Visitor>
+    void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
+        const float moved = side_a_.change_in_step(bodies_.first, bodies) +
+                            bodies_.ratio * side_b_.change_in_step(bodies_.second, bodies);
+        visit(make_equality(bodies_, row(bodies), static_cast<float>(slip_) + moved, impulse_));
+    }
     JointReaction reaction(float inv_h) const { return side_b_.reaction(inv_h * bodies_.ratio * impulse_); }
     float position() const { return static_cast<float>(slip_); }
     void take_over(const GearJoint& old);

@@ -87,6 +87,12 @@ public:
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
+    // Calls visit(EqualityRow) for each equality constraint of the awake joints, at the given deltas of the bodies.
+    template <class Visitor>
+    void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
+        for_each_awake(*this, [&](auto& joint) { joint.visit_equalities(bodies, visit); });
+    }
+
     // Stores the reactions of the awake joints, and lists those that break.
     void store(const JointContext& context);
 

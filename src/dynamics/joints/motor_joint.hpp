@@ -20,6 +20,10 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+
+    // It has no equality constraints.
+    template <class Visitor>
+    void visit_equalities(std::span<const SolverBody>, Visitor&&) {}
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * angular_impulse_}; }
     float position() const { return angle_.at_start(); }
     void take_over(const MotorJoint& old);

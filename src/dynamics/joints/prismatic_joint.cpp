@@ -23,6 +23,10 @@ PrismaticJoint::Rail PrismaticJoint::rail(std::span<const SolverBody> bodies) co
             along + compensation.x * constrained.first + compensation.y * constrained.second};
 }
 
+Vec2 PrismaticJoint::constrained_error(const Rail& now, std::span<const SolverBody> bodies) const {
+    return {dot(perp(now.axis), now.separation), angle_.now(bodies_, bodies)};
+}
+
 void PrismaticJoint::warm_start(std::span<SolverBody> bodies) const {
     const Rail now = rail(bodies);
     apply_row(bodies_, now.free, drive_.impulse(), bodies);
@@ -32,8 +36,9 @@ void PrismaticJoint::warm_start(std::span<SolverBody> bodies) const {
 void PrismaticJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     const Rail now = rail(bodies);
     drive_.solve(bodies_, now.free, dot(now.axis, now.separation), 0.0f, context, use_bias, bodies);
-    const Vec2 error{dot(perp(now.axis), now.separation), angle_.now(bodies_, bodies)};
-    solve_block(bodies_, now.constrained, context.equality_softness(use_bias), error, impulse_, bodies);
+    if (context.iterates_equalities)
+        solve_block(bodies_, now.constrained, context.equality_softness(use_bias), constrained_error(now, bodies),
+                    impulse_, bodies);
     compensation_ = now.compensation;
 }
 

@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "dynamics/rows/equality_row.hpp"
 #include "dynamics/rows/joint_angle.hpp"
 #include "dynamics/rows/joint_block.hpp"
 #include "dynamics/rows/joint_drive.hpp"
@@ -20,6 +21,13 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+
+    // Calls visit(EqualityRow) for each equality constraint, at the present deltas of the bodies.
+    template <class Visitor>
+    void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
+        const Rail now = rail(bodies);
+        visit_block(bodies_, now.constrained, constrained_error(now, bodies), impulse_, visit);
+    }
     JointReaction reaction(float inv_h) const;
     float position() const { return dot(axis_, bodies_.separation_at_start()); }
     void take_over(const PrismaticJoint& old);
@@ -43,6 +51,7 @@ private:
         JointRow free;         // along the axis, with that compensation
     };
     Rail rail(std::span<const SolverBody> bodies) const;
+    Vec2 constrained_error(const Rail& now, std::span<const SolverBody> bodies) const;
 
     PrismaticJointDef def_;
     JointBodies bodies_;

@@ -28,6 +28,7 @@ void PulleyJoint::warm_start(std::span<SolverBody> bodies) const {
 }
 
 void PulleyJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
+    if (!context.iterates_equalities) return;
     const JointLine a = JointLine::now(bodies_.first, bodies), b = JointLine::now(bodies_.second, bodies);
     const CoupledRow row{a.row(bodies_.first, bodies), b.row(bodies_.second, bodies)};
     solve_equality(bodies_, row, context.equality_softness(use_bias), a.length + def_.ratio * b.length - def_.length,

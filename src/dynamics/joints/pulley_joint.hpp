@@ -6,6 +6,7 @@
 #include <span>
 
 #include "dynamics/rows/coupled_row.hpp"
+#include "dynamics/rows/equality_row.hpp"
 #include "dynamics/rows/joint_line.hpp"
 
 namespace tumble {
@@ -18,6 +19,14 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+
+    // Calls visit(EqualityRow) for each equality constraint, at the present deltas of the bodies.
+    template <class Visitor>
+    void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
+        const JointLine a = JointLine::now(bodies_.first, bodies), b = JointLine::now(bodies_.second, bodies);
+        const CoupledRow row{a.row(bodies_.first, bodies), b.row(bodies_.second, bodies)};
+        visit(make_equality(bodies_, row, a.length + def_.ratio * b.length - def_.length, impulse_));
+    }
     JointReaction reaction(float inv_h) const { return {inv_h * def_.ratio * impulse_ * line_b_.axis, 0.0f}; }
     float position() const { return line_a_.length; }
     void take_over(const PulleyJoint& old) { impulse_ = old.impulse_; }

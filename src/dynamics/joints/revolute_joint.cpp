@@ -21,6 +21,7 @@ void RevoluteJoint::solve(const JointContext& context, bool use_bias, std::span<
         const float angle = drive_.needs_value() ? angle_.now(bodies_, bodies) : 0.0f;
         drive_.solve(bodies_, kAngularRow, angle, 0.0f, context, use_bias, bodies);
     }
+    if (!context.iterates_equalities) return;
     solve_block(bodies_, PointBlock::make(bodies_, bodies), context.equality_softness(use_bias),
                 bodies_.current_separation(bodies), impulse_, bodies);
 }

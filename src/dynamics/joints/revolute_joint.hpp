@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "dynamics/rows/equality_row.hpp"
 #include "dynamics/rows/joint_angle.hpp"
 #include "dynamics/rows/joint_block.hpp"
 #include "dynamics/rows/joint_drive.hpp"
@@ -25,6 +26,12 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+
+    // Calls visit(EqualityRow) for each equality constraint, at the present deltas of the bodies.
+    template <class Visitor>
+    void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
+        visit_block(bodies_, PointBlock::make(bodies_, bodies), bodies_.current_separation(bodies), impulse_, visit);
+    }
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * drive_.impulse()}; }
     float position() const { return angle_.at_start(); }
     void take_over(const RevoluteJoint& old);

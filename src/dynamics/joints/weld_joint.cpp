@@ -9,7 +9,9 @@ Softness softness_of(const std::optional<JointSpring>& spring, const JointContex
 }
 
 // Springs are solved in the pass with bias only, as in JointDrive.
-bool is_solved(const std::optional<JointSpring>& spring, bool use_bias) { return use_bias || !spring; }
+bool is_solved(const std::optional<JointSpring>& spring, const JointContext& context, bool use_bias) {
+    return spring ? use_bias : context.iterates_equalities;
+}
 
 }  // namespace
 
@@ -28,10 +30,10 @@ void WeldJoint::warm_start(std::span<SolverBody> bodies) const {
 }
 
 void WeldJoint::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
-    if (is_solved(def_.angular_spring, use_bias))
+    if (is_solved(def_.angular_spring, context, use_bias))
         solve_equality(bodies_, kAngularRow, softness_of(def_.angular_spring, context, use_bias),
                        angle_.now(bodies_, bodies), angular_impulse_, bodies);
-    if (is_solved(def_.linear_spring, use_bias))
+    if (is_solved(def_.linear_spring, context, use_bias))
         solve_block(bodies_, PointBlock::make(bodies_, bodies), softness_of(def_.linear_spring, context, use_bias),
                     bodies_.current_separation(bodies), impulse_, bodies);
 }

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "dynamics/rows/equality_row.hpp"
 #include "dynamics/rows/joint_angle.hpp"
 #include "dynamics/rows/joint_block.hpp"
 
@@ -17,6 +18,16 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+
+    // Calls visit(EqualityRow) for each equality constraint, at the present deltas of the bodies.
+    template <class Visitor>
+    void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
+        if (!def_.angular_spring)
+            visit(make_equality(bodies_, kAngularRow, angle_.now(bodies_, bodies), angular_impulse_));
+        if (!def_.linear_spring)
+            visit_block(bodies_, PointBlock::make(bodies_, bodies), bodies_.current_separation(bodies), impulse_,
+                        visit);
+    }
     JointReaction reaction(float inv_h) const { return {inv_h * impulse_, inv_h * angular_impulse_}; }
     float position() const { return angle_.at_start(); }
     void take_over(const WeldJoint& old);

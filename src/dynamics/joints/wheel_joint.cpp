@@ -29,6 +29,7 @@ void WheelJoint::solve(const JointContext& context, bool use_bias, std::span<Sol
     const Strut now = strut(bodies);
     axle_.solve(bodies_, kAngularRow, 0.0f, 0.0f, context, use_bias, bodies);
     suspension_.solve(bodies_, now.along, dot(now.axis, now.separation), 0.0f, context, use_bias, bodies);
+    if (!context.iterates_equalities) return;
     solve_equality(bodies_, now.across, context.equality_softness(use_bias), dot(perp(now.axis), now.separation),
                    across_impulse_, bodies);
 }

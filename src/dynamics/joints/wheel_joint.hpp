@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "dynamics/rows/equality_row.hpp"
 #include "dynamics/rows/joint_drive.hpp"
 
 namespace tumble {
@@ -20,6 +21,13 @@ public:
     void prepare(const BodyStore& bodies);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
+
+    // Calls visit(EqualityRow) for each equality constraint, at the present deltas of the bodies.
+    template <class Visitor>
+    void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
+        const Strut now = strut(bodies);
+        visit(make_equality(bodies_, now.across, dot(perp(now.axis), now.separation), across_impulse_));
+    }
     JointReaction reaction(float inv_h) const {
         return {inv_h * (suspension_.impulse() * axis_ + across_impulse_ * perp(axis_)), inv_h * axle_.impulse()};
     }

@@ -38,10 +38,11 @@ struct RowEnd {
     float inv_inertia = 0.0f;
     Vec2 axis;
     float angular = 0.0f;
+    Vec2 arm;  // from the centre of mass to where the row acts, m
 };
 inline std::array<RowEnd, 2> row_ends(const JointBodies& joint, const JointRow& row) {
-    return {{{joint.a, joint.inv_mass_a, joint.inv_inertia_a, -row.axis, -row.angular_a},
-             {joint.b, joint.inv_mass_b, joint.inv_inertia_b, row.axis, row.angular_b}}};
+    return {{{joint.a, joint.inv_mass_a, joint.inv_inertia_a, -row.axis, -row.angular_a, row.arm_a},
+             {joint.b, joint.inv_mass_b, joint.inv_inertia_b, row.axis, row.angular_b, row.arm_b}}};
 }
 
 // K_12: the change of the second row's velocity by a unit impulse along the first. It is not 0 if the two rows share a

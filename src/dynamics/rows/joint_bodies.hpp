@@ -15,6 +15,7 @@ struct JointContext {
     float h = 0.0f;  // sub-step, s
     float inv_h = 0.0f;
     Softness softness;
+    bool iterates_equalities = true;  // false: the direct solver solves them
 
     // Of the equality constraints of joints: soft in the pass with bias, rigid in the relaxing pass without.
     Softness equality_softness(bool use_bias) const { return use_bias ? softness : Softness{}; }

@@ -18,20 +18,23 @@ struct JointRow {
     Vec2 axis;  // world, unit or a sum of such; zero for a pure rotation
     float angular_a = 0.0f;
     float angular_b = 0.0f;
+    Vec2 arm_a, arm_b;  // from the centres of mass to where the impulse acts, m; the direct solver alone uses them
 };
 
 inline JointRow operator+(const JointRow& a, const JointRow& b) {
-    return {a.axis + b.axis, a.angular_a + b.angular_a, a.angular_b + b.angular_b};
+    return {a.axis + b.axis, a.angular_a + b.angular_a, a.angular_b + b.angular_b, a.arm_a, a.arm_b};
 }
 inline JointRow operator*(float factor, const JointRow& row) {
-    return {factor * row.axis, factor * row.angular_a, factor * row.angular_b};
+    return {factor * row.axis, factor * row.angular_a, factor * row.angular_b, row.arm_a, row.arm_b};
 }
 
 // The relative rotation of the bodies: w_B - w_A.
-inline constexpr JointRow kAngularRow{{}, 1.0f, 1.0f};
+inline constexpr JointRow kAngularRow{{}, 1.0f, 1.0f, {}, {}};
 
 // The velocity of B's anchor relative to A's along an axis that does not rotate.
-inline JointRow point_row(Vec2 axis, Vec2 arm_a, Vec2 arm_b) { return {axis, cross(arm_a, axis), cross(arm_b, axis)}; }
+inline JointRow point_row(Vec2 axis, Vec2 arm_a, Vec2 arm_b) {
+    return {axis, cross(arm_a, axis), cross(arm_b, axis), arm_a, arm_b};
+}
 
 // The velocity of B's anchor along an axis that rotates with A: relative to the point of A where B's anchor is, which
 // is A's anchor plus the separation.

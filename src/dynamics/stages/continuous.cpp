@@ -8,25 +8,12 @@
 #include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/sweeps.hpp"
 #include "dynamics/stages/impact.hpp"
+#include "dynamics/stages/swept_bodies.hpp"
 #include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {
 
 namespace {
-
-// The part of a sweep between two fractions; a body at rest if they are equal.
-Sweep part_of(const Sweep& sweep, double from, double to) {
-    TUMBLE_CHECK(!(to < from));
-    const DVec2 path = sweep.end - sweep.start;
-    return {sweep.local_center, sweep.start + from * path, sweep.start + to * path,
-            sweep.start_angle + from * sweep.turn, (to - from) * sweep.turn};
-}
-
-// A box that covers a shape during its whole sweep, for any rotation.
-Aabb box_of_sweep(const Shape& shape, const Sweep& sweep) {
-    const Shape disc = make_circle(farthest_distance(shape, sweep.local_center));
-    return merge(bounds(disc, {sweep.start, {}}), bounds(disc, {sweep.end, {}}));
-}
 
 class ImpactFinder {
 public:
@@ -209,6 +196,7 @@ private:
 
 void stop_at_impacts(Simulation& simulation) {
     simulation.scratch.impacts.clear();
+    simulation.scratch.ordered_impacts.impacts.clear();
     simulation.scratch.sensor_crossings.clear();
     if (simulation.settings.continuous) ImpactFinder(simulation).run();
 }

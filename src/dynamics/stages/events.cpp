@@ -31,13 +31,14 @@ SensorEvent sensor_event(const Simulation& simulation, const Contact& contact) {
 
 ContactBegin contact_begin(const Simulation& simulation, const Contact& contact) {
     return {id_of(simulation.shapes, contact.shapes.a), id_of(simulation.shapes, contact.shapes.b),
-            contact.approach.point, contact.manifold.normal, contact.approach.speed};
+            contact.approach.point, contact.approach.normal, contact.approach.speed};
 }
 
 // True if the solver applied an impulse at the watched point, or continuous collision stopped a body at it.
 bool is_struck(const Contact& contact) {
-    if (contact.watched < 0 || contact.watched >= contact.manifold.point_count) return false;
-    return contact.applied[contact.watched].normal > 0.0f || (contact.is_touching && !contact.was_touching);
+    if (contact.watched < 0) return false;
+    if (contact.is_touching && !contact.was_touching) return true;
+    return contact.watched < contact.manifold.point_count && contact.applied[contact.watched].normal > 0.0f;
 }
 
 // At most once per collision: afterwards no point is watched.
@@ -88,6 +89,37 @@ void begin_impacts(Simulation& simulation) {
     }
 }
 
+// Two shapes that had an impact but have no contact: they were apart before the step, and are apart after it.
+void report_passing(Simulation& simulation, const Impact& impact) {
+    const ShapeId a = id_of(simulation.shapes, impact.shapes.a), b = id_of(simulation.shapes, impact.shapes.b);
+    const Approach& approach = impact.approach;
+    StepEvents& events = simulation.events;
+    events.contact_begins.push_back({a, b, approach.point, approach.normal, approach.speed});
+    if (approach.speed >= simulation.settings.tuning.hit_speed)
+        events.contact_hits.push_back({a, b, approach.point, approach.normal, approach.speed});
+    events.contact_ends.push_back({a, b});
+}
+
+// What a contact shows of an impact: it touches in this step, although its shapes may part again. Of several impacts
+// the first counts for its approach, and all for its impulses.
+void show_impact(Contact& contact, Impact& impact) {
+    TUMBLE_CHECK(contact.kind == ContactKind::solid);
+    impact.is_reported = true;
+    if (impact.manifold.point_count == 0) return;
+    if (contact.manifold.point_count == 0) {
+        contact.manifold = impact.manifold;
+        contact.reference.is_valid = false;
+    }
+    const int last = contact.manifold.point_count - 1;
+    for (int i = 0; i < impact.manifold.point_count; ++i) {
+        contact.applied[std::min(i, last)].normal += impact.applied[i].normal;
+        contact.applied[std::min(i, last)].tangent += impact.applied[i].tangent;
+    }
+    contact.is_touching = true;
+    contact.watched = 0;
+    if (impact.approach.speed > contact.approach.speed) contact.approach = impact.approach;
+}
+
 // A body that touched a sensor during the step and does not overlap it at the end has entered and left it.
 void report_sensor_crossings(Simulation& simulation) {
     for (const ProxyPair pair : simulation.scratch.sensor_crossings) {
@@ -100,7 +132,30 @@ void report_sensor_crossings(Simulation& simulation) {
     }
 }
 
+// A contact that the impact has brought about begins with it.
+void report_late(Simulation& simulation, Impact& impact) {
+    if (Contact* const contact = simulation.contacts.find(impact.shapes))
+        show_impact(*contact, impact);
+    else
+        report_passing(simulation, impact);
+}
+
+void report_late_impacts(Simulation& simulation) {
+    std::vector<Impact>& impacts = simulation.scratch.ordered_impacts.impacts;
+    std::erase_if(impacts, [](const Impact& impact) { return impact.is_reported; });
+    std::sort(impacts.begin(), impacts.end(), [](const Impact& a, const Impact& b) {
+        return a.shapes != b.shapes ? a.shapes < b.shapes : a.approach.speed > b.approach.speed;
+    });
+    for (std::size_t i = 0; i < impacts.size(); ++i)
+        if (i == 0 || impacts[i].shapes != impacts[i - 1].shapes) report_late(simulation, impacts[i]);
+}
+
 }  // namespace
+
+void show_impacts(Simulation& simulation) {
+    for (Impact& impact : simulation.scratch.ordered_impacts.impacts)
+        if (Contact* const contact = simulation.contacts.find(impact.shapes)) show_impact(*contact, impact);
+}
 
 void clear(StepEvents& events) {
     events.contact_begins.clear();
@@ -120,6 +175,7 @@ void report_removal(Simulation& simulation, Contact& contact) {
 
 void report_events(Simulation& simulation) {
     begin_impacts(simulation);
+    report_late_impacts(simulation);
     ContactCounts counts{simulation.sleeping.contact_count(), simulation.sleeping.point_count()};
     for (Contact& contact : simulation.contacts.all()) {
         if (contact.kind != ContactKind::solid) update_sensor(simulation, contact);

@@ -9,6 +9,9 @@ namespace tumble {
 // and counts contacts.
 void report_events(Simulation& simulation);
 
+// A stage of the step, after impacts in order: gives contacts the impulses and approaches of their impacts.
+void show_impacts(Simulation& simulation);
+
 void clear(StepEvents& events);
 
 // Reports the events of a contact before it is removed: its end if it touched, and its beginning too if it began within

@@ -8,12 +8,15 @@
 #include "broad/broad_phase.hpp"
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/shape_store.hpp"
+#include "dynamics/bodies/speed_limits.hpp"
 #include "dynamics/contacts/contact_store.hpp"
 #include "dynamics/joints/joint_store.hpp"
 #include "dynamics/state/sleeping_islands.hpp"
 #include "dynamics/state/step_scratch.hpp"
 #include "tumble/counters.hpp"
 #include "tumble/events.hpp"
+#include "tumble/impacts.hpp"
+#include "tumble/joint.hpp"
 
 namespace tumble {
 
@@ -24,9 +27,15 @@ struct StepSettings {
     int substeps = 4;
     bool sleeping = true;
     bool continuous = true;
+    JointSolver joints = JointSolver::iterative;
+    ImpactModel impacts = ImpactModel::at_step_end;
     Tuning tuning;
 
     float substep_duration() const { return duration / static_cast<float>(substeps); }
+    SpeedLimits speed_limits() const {
+        return {tuning.max_speed, kMaxRotation / duration, kMaxFastRotation / substep_duration()};
+    }
+    bool orders_impacts() const { return impacts == ImpactModel::in_order; }
 };
 
 // Contacts with at least one manifold point after a step, awake and asleep.

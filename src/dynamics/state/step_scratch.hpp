@@ -6,7 +6,12 @@
 #include <vector>
 
 #include "broad/pair_set.hpp"
+#include "broad/tree.hpp"
+#include "dynamics/contacts/contact.hpp"
 #include "dynamics/contacts/contact_solver.hpp"
+#include "dynamics/direct/joint_system.hpp"
+#include "dynamics/impacts/impact_group.hpp"
+#include "dynamics/impacts/swept_body.hpp"
 #include "dynamics/state/island_finder.hpp"
 #include "tumble/cast.hpp"
 #include "tumble/id.hpp"
@@ -44,10 +49,65 @@ struct Mover {
     bool is_bullet = false;
 };
 
+// The velocity of a body before the step.
+struct StartVelocity {
+    DVec2 linear;          // m/s
+    float angular = 0.0f;  // rad/s
+};
+
+// In place of the index of a swept body.
+inline constexpr std::uint32_t kNotSwept = 0xffffffffu;
+
+// The first impact ahead of a swept body.
+struct NextImpact {
+    double time = 1.0;          // fraction of the step; 1 if there is none
+    ProxyPair shapes{};         // whose impact it is
+    DVec2 point;                // where they touch, world, m
+    DVec2 normal;               // unit, from the first shape of the pair to the second; zero if not known
+    int partner_impacts = 0;    // how many the other body had had
+    std::uint32_t version = 0;  // counts the searches: an entry of the queue with another version is out of date
+};
+
+struct QueuedImpact {
+    double time = 0.0;
+    ProxyPair shapes{};
+    std::uint32_t swept = 0;  // index among the swept bodies
+    std::uint32_t version = 0;
+
+    friend constexpr auto operator<=>(const QueuedImpact&, const QueuedImpact&) = default;
+};
+
+// An impact that has happened in this step, for events and for what contacts report.
+struct Impact {
+    ProxyPair shapes{};
+    Approach approach;
+    Manifold manifold;  // of the points that took part
+    PointImpulse applied[2];
+    bool is_reported = false;
+};
+
+// What continuous collision works on.
+struct ImpactScratch {
+    std::vector<SweptBody> swept;
+    std::vector<NextImpact> next;            // by swept body
+    std::vector<AabbTree::Node> leaves;      // by swept body, in the tree
+    std::vector<std::uint32_t> swept_of;     // by solver body: index of a swept body, or kNotSwept
+    AabbTree tree;                           // boxes of the motions ahead
+    std::vector<QueuedImpact> queue;         // a heap, the earliest on top
+    std::vector<std::uint32_t> near_shapes;  // indices
+    ImpactGroup group;
+    std::vector<std::uint32_t> members;        // by body of the group: index of a swept body, or kNotSwept
+    std::vector<ProxyPair> group_shapes;       // by point of the group
+    std::vector<std::uint32_t> first_contact;  // by solver body: its range in `contacts`; empty before the first impact
+    std::vector<std::uint32_t> contacts;       // indices
+    std::vector<Impact> impacts;
+};
+
 // A plain aggregate: count_memory() finds its members through the compiler, so none can be left out.
 struct StepScratch {
     // Constraints.
     ContactSolver contact_solver;
+    JointSystem joint_system;
     std::vector<GroundContact> ground_contacts;  // of seams
 
     // Falling asleep.
@@ -57,9 +117,11 @@ struct StepScratch {
     std::vector<JointId> sleeping_joints;
 
     // Continuous collision.
-    std::vector<Mover> movers;                // by body index
-    std::vector<std::uint32_t> near_shapes;   // indices
-    std::vector<ProxyPair> impacts;           // pairs whose impact stopped a body in this step, sorted
+    std::vector<Mover> movers;                    // by body index
+    std::vector<std::uint32_t> near_shapes;       // indices
+    std::vector<ProxyPair> impacts;               // pairs whose impact stopped a body in this step, sorted
+    std::vector<StartVelocity> start_velocities;  // by solver body, if impacts are in order
+    ImpactScratch ordered_impacts;
     std::vector<ProxyPair> sensor_crossings;  // candidates during the sweep, then those that were crossed, sorted
 };
 

@@ -12,12 +12,12 @@ namespace tumble {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // The first of all casts so far.
 class FirstCast {
 public:
-    double limit() const { return is_decided_ ? -kNever : result_.first.fraction; }
+    double limit() const { return is_decided_ ? -kInfinite : result_.first.fraction; }
 
     void add(const CastResult& found, std::int32_t part_a, std::int32_t part_b) {
         ++result_.queries;
@@ -51,12 +51,12 @@ private:
 // The fraction at which two boxes first come within `margin` of each other along both axes, B moving by `motion`;
 // infinite if they never do.
 double first_touch_of_boxes(const Aabb& a, const Aabb& b, DVec2 motion, double margin) {
-    double enter = 0.0, leave = kNever;
+    double enter = 0.0, leave = kInfinite;
     const auto cut = [&](double a_lower, double a_upper, double b_lower, double b_upper, double path) {
         const double from = (a_lower - margin) - b_upper,
                      to = (a_upper + margin) - b_lower;  // displacements of B at which they touch
         if (path == 0.0) {
-            if (from > 0.0 || to < 0.0) leave = -kNever;
+            if (from > 0.0 || to < 0.0) leave = -kInfinite;
             return;
         }
         enter = std::max(enter, (path > 0.0 ? from : to) / path);
@@ -64,7 +64,7 @@ double first_touch_of_boxes(const Aabb& a, const Aabb& b, DVec2 motion, double m
     };
     cut(a.lower.x, a.upper.x, b.lower.x, b.upper.x, motion.x);
     cut(a.lower.y, a.upper.y, b.lower.y, b.upper.y, motion.y);
-    return enter <= leave ? enter : kNever;
+    return enter <= leave ? enter : kInfinite;
 }
 
 // The first hit of all pairs; casts only the pairs whose bound lies before it.

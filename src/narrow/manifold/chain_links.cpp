@@ -11,8 +11,8 @@ std::vector<ChainLink> make_chain_links(std::span<const Vec2> points, bool loop,
     for (std::size_t i = 0; i < segments; ++i) {
         links[i].has_before = loop || i > 0;
         links[i].has_after = loop || i + 2 < count;
-        if (links[i].has_before) links[i].before = points[(i + count - 1) % count];
-        if (links[i].has_after) links[i].after = points[(i + 2) % count];
+        if (links[i].has_before) links[i].before = points[i > 0 ? i - 1 : count - 1];
+        if (links[i].has_after) links[i].after = points[i + 2 < count ? i + 2 : i + 2 - count];
         links[i].one_sided = one_sided;
     }
     return links;

@@ -3,6 +3,7 @@
 #include <box2d/box2d.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <map>
 
@@ -35,6 +36,9 @@ b2BodyDef body_def(const World& world, BodyId id, const SceneBody& source) {
     def.angularDamping = static_cast<float>(source.angular_damping);
     def.gravityScale = static_cast<float>(source.gravity_scale);
     def.awake = world.is_awake(id);
+    def.bullet = source.bullet;
+    def.fixedRotation = source.fixed_rotation;
+    def.allowSleep = source.allow_sleep;
     return def;
 }
 
@@ -47,6 +51,22 @@ void set_mass(b2Body& body, const BodyMass& mass) {
     data.center = to_b2(mass.center);
     data.I = mass.inertia + mass.mass * length_sq(mass.center);
     if (data.I - data.mass * b2Dot(data.center, data.center) > 0.0f || data.I == 0.0f) body.SetMassData(&data);
+}
+
+// Box2D has 16 bits of categories: the lowest ones of the filter.
+b2Filter b2_filter(const CollisionFilter& filter) {
+    b2Filter data;
+    data.categoryBits = static_cast<uint16>(filter.category);
+    data.maskBits = static_cast<uint16>(filter.mask);
+    data.groupIndex = static_cast<int16>(filter.group);
+    return data;
+}
+
+// With a spring the distance is free, as in tumble.
+void set_spring(b2DistanceJointDef& def, const JointSpring& spring) {
+    b2LinearStiffness(def.stiffness, def.damping, spring.hertz, spring.damping_ratio, def.bodyA, def.bodyB);
+    def.minLength = 0.0f;
+    def.maxLength = FLT_MAX;
 }
 
 }  // namespace
@@ -78,7 +98,10 @@ void B2World::Impl::add_body(const SceneWorld& built, const Scene& scene, const 
         const SurfaceMaterial& material = built.world.material(id);
         if (material.rolling_resistance != 0.0f) note_once("rolling resistance is left out");
         if (material.tangent_speed != 0.0f) note_once("tangent speed is left out");
+        const b2Fixture* const earlier = body->GetFixtureList();  // new ones are put before it
         if (!add_fixtures(*body, built.world.shape(id), material)) note_once("shapes without area are left out");
+        for (b2Fixture* fixture = body->GetFixtureList(); fixture != earlier; fixture = fixture->GetNext())
+            fixture->SetFilterData(b2_filter(built.world.filter(id)));
     }
     set_mass(*body, built.world.mass(instance.id));
     if (def.type != b2_staticBody)
@@ -114,6 +137,8 @@ void B2World::Impl::add(const DistanceJointDef& joint) {
     def.localAnchorA = to_b2(joint.anchor_a);
     def.localAnchorB = to_b2(joint.anchor_b);
     def.length = def.minLength = def.maxLength = joint.length;
+    if (joint.spring) set_spring(def, *joint.spring);
+    if (joint.limits || joint.motor) note_once("limits and motors of distance joints are left out");
     def.collideConnected = joint.collide_connected;
     world.CreateJoint(&def);
 }
@@ -147,6 +172,12 @@ Vec2 B2World::velocity(int body) const {
     const b2Vec2& velocity = impl_->bodies.at(static_cast<std::size_t>(body))->GetLinearVelocity();
     return {velocity.x, velocity.y};
 }
+
+float B2World::angular_velocity(int body) const {
+    return impl_->bodies.at(static_cast<std::size_t>(body))->GetAngularVelocity();
+}
+
+bool B2World::is_awake(int body) const { return impl_->bodies.at(static_cast<std::size_t>(body))->IsAwake(); }
 
 int B2World::contact_count() const {
     int count = 0;

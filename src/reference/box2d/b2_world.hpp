@@ -30,7 +30,9 @@ public:
     // Bodies in the order of SceneWorld::bodies.
     int body_count() const;
     Pose pose(int body) const;
-    Vec2 velocity(int body) const;  // of the centre of mass, m/s
+    Vec2 velocity(int body) const;           // of the centre of mass, m/s
+    float angular_velocity(int body) const;  // rad/s
+    bool is_awake(int body) const;
 
     int contact_count() const;      // touching pairs of fixtures
     float deepest_overlap() const;  // m, at least 0: the most negative separation of a contact point, skins included

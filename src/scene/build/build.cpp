@@ -22,6 +22,8 @@ WorldDef make_world_def(const SceneSettings& settings) {
     def.substeps = settings.substeps;
     def.sleeping = settings.sleeping;
     def.continuous = settings.continuous;
+    def.joints = settings.joints;
+    def.impacts = settings.impacts;
     def.scale = static_cast<float>(settings.scale);
     return def;
 }

@@ -4,6 +4,18 @@
 
 namespace tumble::scene {
 
+namespace {
+
+// The hint for a body that does not exist. A joint to the world is a joint to a body that never moves.
+std::string hint_for_body(const BodyNames& names, const std::string& name, const std::string& pointer) {
+    const std::string hint = names.hint(name);
+    const bool means_world = name == "world" || name == "ground" || name == "background";
+    if (!means_world || !pointer.starts_with("/joints") || hint.starts_with("did you mean")) return hint;
+    return "a joint needs two bodies; one that never moves is {\"name\": " + quoted(name) + R"(, "type": "static"})";
+}
+
+}  // namespace
+
 std::optional<std::size_t> References::body(const std::string& name, const std::string& pointer,
                                             const std::string& key) const {
     const BodyNames& names = resolved_.body_names;
@@ -12,7 +24,8 @@ std::optional<std::size_t> References::body(const std::string& name, const std::
     if (name.empty())
         diagnostics_.error(pointer, "the key " + quoted(key) + " is missing: the name of a body");
     else
-        diagnostics_.error(pointer + '/' + key, "there is no body " + quoted(name), names.hint(name));
+        diagnostics_.error(pointer + '/' + key, "there is no body " + quoted(name),
+                           hint_for_body(names, name, pointer));
     return std::nullopt;
 }
 

@@ -27,6 +27,9 @@ public:
     // larger it is, the nearer the claim is to failing.
     virtual std::string finding(const SceneWorld& built) const = 0;
     virtual double severity() const { return 0.0; }
+
+    // Of a claim on the state hash: the hash that excess() found.
+    virtual std::string state_hash() const { return {}; }
 };
 
 // A claim on the world or on bodies. `built` is the world at its start.

@@ -157,17 +157,16 @@ public:
 
     double excess(const SceneWorld& built) override {
         hash_ = built.world.state_hash();
-        return text() == wanted_ ? 0.0 : 1.0;
+        return state_hash() == wanted_ ? 0.0 : 1.0;
     }
-    std::string finding(const SceneWorld&) const override { return "it is " + text(); }
-
-private:
-    std::string text() const {
+    std::string finding(const SceneWorld&) const override { return "it is " + state_hash(); }
+    std::string state_hash() const override {
         char digits[17];
         std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash_));
         return digits;
     }
 
+private:
     std::string wanted_;
     std::uint64_t hash_ = 0;
 };

@@ -36,6 +36,7 @@ struct Watched {
     double excess = 0.0;          // of the state that decides so far
     double severity = 0.0;
     std::string finding;
+    std::string state_hash;
     std::uint64_t step = 0;
 
     std::string finding_text() const {
@@ -95,6 +96,7 @@ void ExpectationWatch::observe(const SceneWorld& built) {
         watched.excess = excess;
         watched.severity = severity;
         watched.finding = watched.claim->finding(built);
+        watched.state_hash = watched.claim->state_hash();
         watched.step = step;
     }
 }
@@ -104,8 +106,8 @@ std::vector<ExpectationResult> ExpectationWatch::results() const {
     for (const Watched& watched : impl_->watched) {
         const bool passed = watched.seen && watched.excess == 0.0;
         const std::uint64_t step = watched.seen ? watched.step : impl_->last_step;
-        results.push_back(
-            {passed, watched.text, watched.finding_text(), step, static_cast<double>(step) / impl_->rate});
+        results.push_back({passed, watched.text, watched.finding_text(), step, static_cast<double>(step) / impl_->rate,
+                           watched.state_hash});
     }
     return results;
 }

@@ -18,6 +18,14 @@
 
 namespace tumble::scene {
 
+template <>
+inline constexpr std::array<std::pair<JointSolver, std::string_view>, 2> kEnumNames<JointSolver>{
+    {{JointSolver::iterative, "iterative"}, {JointSolver::direct, "direct"}}};
+
+template <>
+inline constexpr std::array<std::pair<ImpactModel, std::string_view>, 2> kEnumNames<ImpactModel>{
+    {{ImpactModel::at_step_end, "at_step_end"}, {ImpactModel::in_order, "in_order"}}};
+
 template <class V>
 void visit_fields(V& v, Type<SceneSettings>) {
     v.field({"gravity", "Gravitational acceleration of dynamic bodies.", "m/s^2"}, &SceneSettings::gravity);
@@ -33,6 +41,14 @@ void visit_fields(V& v, Type<SceneSettings>) {
              "Whether fast bodies are swept against static and kinematic bodies, so that they do not pass through thin "
              "ones."},
             &SceneSettings::continuous);
+    v.field({"joints",
+             "How joints are solved: 'iterative', one after the other, or 'direct', all at once. Direct joints do not "
+             "open under load and keep the energy of pendulums and chains, but take longer."},
+            &SceneSettings::joints);
+    v.field({"impacts",
+             "When impacts happen: 'at_step_end', or 'in_order', each at its time within the step. In order, bounces "
+             "keep their energy and their times, and fast bodies collide with all others."},
+            &SceneSettings::impacts);
     v.field({"scale",
              "Size of a typical body: 1 for human scale, 0.02 for marbles. The lengths, speeds and frequencies inside "
              "the solver scale with it. Multiply 'steps_per_second' by 1 / sqrt(scale).",

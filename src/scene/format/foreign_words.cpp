@@ -1,6 +1,7 @@
 #include "scene/format/foreign_words.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace tumble::scene {
@@ -25,6 +26,40 @@ constexpr ForeignKey kKeys[] = {
     {"vertices", "polygon", R"({"polygon": {"vertices": [[0, 0], [1, 0], [0, 1]]}})"},
     {"width", "size", R"("size": [width, height])"},
     {"height", "size", R"("size": [width, height])"},
+    {"static", "shapes", R"("type": "static")"},
+    {"kinematic", "shapes", R"("type": "kinematic")"},
+    {"dynamic", "shapes", R"("type": "dynamic", the default)"},
+    {"stiffness", "hertz", R"("hertz", the frequency of the spring: 1 is soft, 10 is stiff)"},
+    {"damping", "hertz", R"("damping_ratio": 0 oscillates on, 1 does not overshoot)"},
+    {"stiffness", "spring", R"("spring": {"hertz": 4, "damping_ratio": 0.5})"},
+    {"damping", "spring", R"("spring": {"hertz": 4, "damping_ratio": 0.5})"},
+    {"x", "touches", R"("inside": [[left, bottom], [right, top]])"},
+    {"y", "touches", R"("height": [lower, upper])"},
+    {"position", "touches", R"("inside": [[left, bottom], [right, top]])"},
+    {"velocity", "touches", R"("speed": [lower, upper])"},
+    {"time", "touches", R"("at": seconds)"},
+    {"time", "despawn", R"("at": seconds)"},
+    {"when", "despawn", R"("at": seconds)"},
+};
+
+// Objects that are often written as a number: the key, and what is around the number in this format.
+struct PlainNumber {
+    std::string_view key, before, after;
+};
+constexpr PlainNumber kPlainNumbers[] = {
+    {"mass", R"("mass": {"mass": )", "}"},
+    {"repeat", R"(of a body: "repeat": {"grid": {"columns": 5}}; of a joint: "repeat": {"columns": 5})", ""},
+    {"spring", R"("spring": {"hertz": )", "}"},
+    {"angular_spring", R"("angular_spring": {"hertz": )", "}"},
+    {"motor", R"("motor": {"speed": )", R"(, "max_torque": 10}, or "max_force" if it slides)"},
+    {"circle", R"("circle": {"radius": )", "}"},
+    {"box", R"("box": {"size": [width, height]})", ""},
+};
+
+constexpr std::pair<std::string_view, std::string_view> kColors[] = {
+    {"black", "#000"}, {"white", "#fff"}, {"gray", "#888"},   {"grey", "#888"},    {"red", "#f00"},
+    {"green", "#080"}, {"blue", "#00f"},  {"yellow", "#ff0"}, {"orange", "#fa0"},  {"purple", "#808"},
+    {"pink", "#fbc"},  {"brown", "#a52"}, {"cyan", "#0ff"},   {"magenta", "#f0f"},
 };
 
 // Types of joints: the foreign word, and that of this format.
@@ -43,6 +78,19 @@ std::string_view hint_for_foreign_key(std::string_view key, std::span<const std:
     for (const ForeignKey& foreign : kKeys)
         if (foreign.key == key && contains(known, foreign.beside)) return foreign.hint;
     return {};
+}
+
+std::string hint_for_number(std::string_view key, const std::string& number) {
+    for (const PlainNumber& plain : kPlainNumbers)
+        if (plain.key == key)
+            return std::string(plain.before) + (plain.before.ends_with(": ") ? number : "") + std::string(plain.after);
+    return {};
+}
+
+std::string hint_for_color(std::string_view name) {
+    const auto found = std::ranges::find(kColors, name, &std::pair<std::string_view, std::string_view>::first);
+    return found == std::end(kColors) ? R"(for example "#d33")"
+                                      : std::string(name) + " is \"" + std::string(found->second) + "\"";
 }
 
 std::string hint_for_foreign_word(std::string_view word, std::span<const std::string_view> names) {

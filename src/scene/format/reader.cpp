@@ -60,7 +60,7 @@ public:
         if (field.text == Text::name && (out.empty() || out.size() > kMaxNameBytes))
             wrong(location, "a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes", value);
         if (field.text == Text::color && !is_color(out))
-            wrong(location, "a colour, \"#rgb\" or \"#rrggbb\"", value, "for example \"#d33\"");
+            wrong(location, "a colour, \"#rgb\" or \"#rrggbb\"", value, hint_for_color(out));
     }
 
     template <class Enum>
@@ -129,6 +129,11 @@ public:
         if (!value.is_array() || value.size() != 2) return wrong(location, wanted, value, hint);
         read(value[0], child(location, 0), field, first);
         read(value[1], child(location, 1), field, second);
+    }
+
+    // The hint for a number in place of an object.
+    static std::string hint_for_plain(const Json& value, const Location& location) {
+        return value.is_number() ? hint_for_number(location.key, compact_text(value)) : "";
     }
 
     // The hint for a word that is not an enumerator: without the list of words, which the message has.
@@ -309,14 +314,14 @@ private:
 
 template <class... T>
 void Reader::read(const Json& value, const Location& location, const Field&, std::variant<T...>& out) {
-    if (!value.is_object()) return wrong(location, "an object", value);
+    if (!value.is_object()) return wrong(location, "an object", value, hint_for_plain(value, location));
     ObjectReader<Scene>::read_variant(*this, value, location, out);
 }
 
 template <class T>
 requires std::is_class_v<T>
 void Reader::read(const Json& value, const Location& location, const Field&, T& out) {
-    if (!value.is_object()) return wrong(location, "an object", value);
+    if (!value.is_object()) return wrong(location, "an object", value, hint_for_plain(value, location));
     ObjectReader<T> object(*this, value, location, out);
     visit_fields(object, Type<T>{});
     object.finish();

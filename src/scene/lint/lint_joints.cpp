@@ -1,5 +1,7 @@
 // Lints of joints before the first step.
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,6 +19,7 @@ namespace tumble::scene {
 namespace {
 
 constexpr double kWideGap = 0.1;     // of the size of the smaller body
+constexpr double kOneLength = 0.01;  // of the longest: copies whose lengths differ by less are spokes of one hub
 constexpr double kFarAnchor = 10.0;  // times the size of a body: a longer lever arm is taken for an error
 
 class JointLinter {
@@ -110,11 +113,48 @@ private:
     std::set<std::size_t> reported_, reported_springs_;  // joints of the scene
 };
 
+// The copies of one rod whose anchors on one body are all the same point.
+struct RodCopies {
+    std::set<BodyId> bodies_a, bodies_b;
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;  // m
+
+    void add(const World& world, JointId id) {
+        const std::optional<JointAnchors> anchors = world.joint_anchors(id);
+        if (!anchors) return;
+        std::visit([this](const auto& def) { bodies_a.insert(def.body_a), bodies_b.insert(def.body_b); },
+                   world.joint(id));
+        shortest = std::min(shortest, length(anchors->b - anchors->a));
+        longest = std::max(longest, length(anchors->b - anchors->a));
+    }
+
+    // The body that all copies join at one point, though they are not the spokes of a hub.
+    std::optional<BodyId> shared_body() const {
+        if ((bodies_a.size() == 1) == (bodies_b.size() == 1) || longest - shortest <= kOneLength * longest)
+            return std::nullopt;
+        return bodies_a.size() == 1 ? *bodies_a.begin() : *bodies_b.begin();
+    }
+};
+
+void lint_rods(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics) {
+    std::map<std::size_t, RodCopies> rods;  // by the joint of the scene
+    for (const SceneJointInstance& joint : built.joints)
+        if (scene.joints[joint.source].repeat && scene.joints[joint.source].type == SceneJointType::distance)
+            rods[joint.source].add(built.world, joint.id);
+    for (const auto& [source, copies] : rods)
+        if (const std::optional<BodyId> body = copies.shared_body())
+            diagnostics.warning("/joints/" + std::to_string(source) + "/repeat",
+                                "all copies of the joint act at one point of " + display_name(built, *body) +
+                                    ", which is not repeated: they are from " + brief(copies.shortest) + " to " +
+                                    brief(copies.longest) + " m long",
+                                "repeat that body too, or write one joint for each copy, with its own anchor");
+}
+
 }  // namespace
 
 void add_joint_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics) {
     JointLinter linter(scene, built, diagnostics);
     for (const SceneJointInstance& joint : built.joints) linter.lint(joint);
+    lint_rods(scene, built, diagnostics);
 }
 
 }  // namespace tumble::scene

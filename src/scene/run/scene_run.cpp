@@ -10,10 +10,13 @@
 #include "scene/model/body_lookup.hpp"
 #include "scene/model/body_plan.hpp"
 #include "scene/model/degrees.hpp"
+#include "scene/model/display.hpp"
 #include "scene/model/names.hpp"
 #include "scene/model/place_copies.hpp"
 #include "scene/model/repeat.hpp"
 #include "scene/model/step_time.hpp"
+#include "scene/run/saved_run.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble {
 
@@ -159,7 +162,32 @@ SceneRun& SceneRun::operator=(SceneRun&&) noexcept = default;
 void SceneRun::step() {
     for (ScheduledEvent& scheduled : impl_->events)
         if (impl_->is_due(scheduled)) impl_->apply(scheduled);
-    impl_->built.world.step();
+    try {
+        impl_->built.world.step();
+    } catch (const SimulationDiverged& error) {
+        throw SimulationDiverged(error.body, error.step, scene::display_name(impl_->built, error.body));
+    }
+}
+
+std::vector<std::byte> SceneRun::save(const Scene& scene) const {
+    scene::SavedRun saved{scene_hash(scene), impl_->built.bodies, {}, impl_->built.world.save()};
+    for (const ScheduledEvent& event : impl_->events) saved.events.push_back({event.count, event.spawned});
+    return scene::to_bytes(saved);
+}
+
+SceneRun SceneRun::load(const Scene& scene, std::span<const std::byte> saved) {
+    scene::SavedRun read = scene::read_saved_run(saved);
+    SceneRun run(scene);
+    Impl& impl = *run.impl_;
+    if (read.scene_hash != scene_hash(scene) || read.events.size() != impl.events.size())
+        throw SnapshotError("the saved run is that of another scene");
+    impl.built.world = World::load(read.world);
+    impl.built.bodies = std::move(read.bodies);
+    for (std::size_t i = 0; i < impl.events.size(); ++i) {
+        impl.events[i].count = read.events[i].count;
+        impl.events[i].spawned = read.events[i].spawned;
+    }
+    return run;
 }
 
 double SceneRun::time() const { return impl_->built.world.time(); }

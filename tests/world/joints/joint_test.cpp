@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/near.hpp"
+#include "support/pendulum.hpp"
 #include "support/worlds.hpp"
 
 using namespace tumble;
@@ -12,17 +13,6 @@ using namespace tumble::test;
 namespace {
 
 constexpr double kGravity = 10.0;
-
-// The period of a pendulum of any amplitude: 2 pi sqrt(L / g) / agm(1, cos(amplitude / 2)).
-double pendulum_period(double length, double amplitude) {
-    double a = 1.0, b = std::cos(amplitude / 2.0);
-    for (int i = 0; i < 8; ++i) {
-        const double mean = (a + b) / 2.0;
-        b = std::sqrt(a * b);
-        a = mean;
-    }
-    return 2.0 * kPi * std::sqrt(length / kGravity) / a;
-}
 
 // The time between the first and the third crossing of x = 0, interpolated.
 double measured_period(World& world, BodyId bob) {

@@ -1,4 +1,4 @@
-#include "tools/scene/claim_marks.hpp"
+#include "tools/claims/claim_marks.hpp"
 
 #include <algorithm>
 #include <array>

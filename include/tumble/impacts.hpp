@@ -1,0 +1,24 @@
+// When impacts happen within a step.
+#pragma once
+
+#include <cstdint>
+
+namespace tumble {
+
+enum class ImpactModel : std::uint8_t {
+    // A body bounces at the end of the step in which it lands. A fast body stops at its first impact, and goes on in
+    // the next step.
+    at_step_end,
+
+    // Each impact happens at its time, with its bounce and its friction, and the bodies go on from there. Impacts at
+    // one time are solved together, through rows of touching bodies [Smith, Kaufman, Vouga, Tamstorf, Grinspun 2012,
+    // "Reflections on simultaneous impact"]. Fast bodies collide with all others, as bullets do. Friction is bounded by
+    // the impulse that stops the bodies, without the part that pushes overlap out. A body that nothing touches follows
+    // its exact parabola. A contact bounces if the approach speed exceeds twice the speed that gravity adds in a step.
+    //
+    // Joints do not take part in impacts: a joined body that is struck goes on in the next step. A pile in which fast
+    // bodies land takes many times as long as with at_step_end.
+    in_order,
+};
+
+}  // namespace tumble

@@ -1,0 +1,16 @@
+// Bodies that nothing touches move exactly: along the parabola of a constant acceleration, or with damping along its
+// closed form, at any length of step.
+#pragma once
+
+#include "dynamics/state/simulation.hpp"
+
+namespace tumble {
+
+// A stage of the step, before the sub-steps: keeps the velocities, and marks no body as pushed.
+void begin_flight(Simulation& simulation);
+
+// A stage of the step, after the sub-steps: marks the bodies that contacts have pushed, and replaces the motion of the
+// bodies that no contact or joint has pushed.
+void end_flight(Simulation& simulation);
+
+}  // namespace tumble

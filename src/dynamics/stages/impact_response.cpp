@@ -1,0 +1,347 @@
+#include "dynamics/stages/impact_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "debug/check.hpp"
+#include "dynamics/bodies/constants.hpp"
+#include "dynamics/contacts/collide_contact.hpp"
+#include "dynamics/contacts/make_contact.hpp"
+#include "dynamics/stages/bounces.hpp"
+#include "dynamics/stages/swept_bodies.hpp"
+
+namespace tumble {
+
+namespace {
+
+// Points of a group, at most.
+constexpr std::size_t kMaxGroupPoints = 128;
+
+// An impact goes on through a touching contact if it gives it an approach above the threshold of bounces, and at least
+// this part of its own approach speed.
+constexpr double kPassedOn = 0.01;
+
+// The contacts of each body as ranges of one list, in the order of contacts.
+void list_contacts(Simulation& simulation) {
+    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    const BodyStore& bodies = simulation.bodies;
+    const auto for_each_end = [&](auto&& visit) {
+        const std::vector<Contact>& contacts = simulation.contacts.all();
+        for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+            if (contacts[i].kind != ContactKind::solid || contacts[i].manifold.point_count == 0) continue;
+            for (const std::uint32_t body : {contacts[i].body_a, contacts[i].body_b})
+                if (bodies.frames[body].solver_body != kStaticSolverBody) visit(bodies.frames[body].solver_body, i);
+        }
+    };
+    std::vector<std::uint32_t>& first = scratch.first_contact;
+    first.assign(bodies.solver_bodies.size() + 2, 0);
+    for_each_end([&](std::uint32_t body, std::uint32_t) { ++first[body + 2]; });
+    for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
+    scratch.contacts.resize(first.back());
+    for_each_end([&](std::uint32_t body, std::uint32_t contact) { scratch.contacts[first[body + 1]++] = contact; });
+}
+
+std::span<const std::uint32_t> contacts_of(Simulation& simulation, std::uint32_t body) {
+    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    if (scratch.first_contact.empty()) list_contacts(simulation);
+    const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
+    if (solver_body + 1 >= scratch.first_contact.size()) return {};  // it woke in this step
+    const std::uint32_t first = scratch.first_contact[solver_body], last = scratch.first_contact[solver_body + 1];
+    return {scratch.contacts.data() + first, last - first};
+}
+
+class ImpactResponse {
+public:
+    ImpactResponse(Simulation& simulation, const NextImpact& impact)
+        : simulation_(simulation),
+          scratch_(simulation.scratch.ordered_impacts),
+          group_(scratch_.group),
+          impact_(impact),
+          duration_(simulation.settings.duration) {}
+
+    void run() {
+        scratch_.impacts.emplace_back();
+        scratch_.impacts.back().shapes = impact_.shapes;
+        clear();
+        add_manifold();
+        solve();
+        if (!has_changed() && impact_.normal != DVec2{}) {
+            clear();
+            add_touching_point();
+            solve();
+        }
+        for (std::size_t i = 0; i < scratch_.members.size(); ++i) apply(i);
+        store_impulses();
+    }
+
+private:
+    void clear() {
+        group_.clear();
+        scratch_.members.clear();
+        scratch_.group_shapes.clear();
+    }
+
+    void solve() {
+        double fastest = 0.0;
+        for (const ImpactPoint& point : group_.points) fastest = std::max(fastest, -approach_at_impact(group_, point));
+        record_approach();
+        do {
+            solve_impacts(group_);
+        } while (grow(kPassedOn * fastest));
+    }
+
+    // The index in the group of a body; bodies that no impact moves share none.
+    std::size_t member(std::uint32_t body) {
+        const BodyFrame& frame = simulation_.bodies.frames[body];
+        const bool moves = frame.type != BodyType::static_body &&
+                           (frame.solver_body != kStaticSolverBody || simulation_.bodies.is_asleep(body));
+        const std::uint32_t swept = moves ? sweep_body(simulation_, body) : kNotSwept;
+        const auto found = std::find(scratch_.members.begin(), scratch_.members.end(), swept);
+        if (found != scratch_.members.end()) return static_cast<std::size_t>(found - scratch_.members.begin());
+        scratch_.members.push_back(swept);
+        group_.bodies.push_back(swept == kNotSwept ? ImpactBody{} : make_body(scratch_.swept[swept]));
+        return scratch_.members.size() - 1;
+    }
+
+    ImpactBody make_body(SweptBody& swept) {
+        const BodyFrame& frame = simulation_.bodies.frames[swept.body];
+        swept.advance(impact_.time, duration_);
+        const float reach = simulation_.bodies.records[swept.body].motion.reach;
+        return {DVec2(frame.inv_masses()),
+                frame.inv_inertia,
+                swept.velocity,
+                swept.mean_velocity(duration_),
+                swept.acceleration.linear,
+                static_cast<double>(reach),
+                {},
+                {}};
+    }
+
+    Pose pose(std::uint32_t body, std::size_t index) const {
+        const std::uint32_t swept = scratch_.members[index];
+        return swept == kNotSwept ? simulation_.bodies.frames[body].pose : pose_at(scratch_.swept[swept].sweep, 0.0);
+    }
+
+    // The points at which the two shapes touch now.
+    void add_manifold() {
+        Contact contact = make_contact(impact_.shapes, simulation_.shapes, simulation_.settings.tuning);
+        const std::size_t a = member(contact.body_a), b = member(contact.body_b);
+        const Pose pose_a = pose(contact.body_a, a), pose_b = pose(contact.body_b, b);
+        const PosedShape shape_a{simulation_.shapes[impact_.shapes.a], pose_a};
+        const PosedShape shape_b{simulation_.shapes[impact_.shapes.b], pose_b};
+        contact.manifold = collide_posed(shape_a, shape_b, contact);
+        const float depth = std::max(deepest(contact.manifold), 0.0f) + touching_distance(contact);
+        Manifold& taking_part = scratch_.impacts.back().manifold = {};
+        taking_part.normal = contact.manifold.normal;
+        for (int i = 0; i < contact.manifold.point_count; ++i) {
+            const ManifoldPoint& point = contact.manifold.points[i];
+            if (point.separation > depth) continue;
+            taking_part.points[taking_part.point_count++] = point;
+            add_point(contact, a, b, DVec2(contact.manifold.normal), pose_a.position + DVec2(point.anchor_a),
+                      point.separation);
+        }
+    }
+
+    // The point that the search has found: a manifold of shapes that overlap deeply may have another normal.
+    void add_touching_point() {
+        const Contact contact = make_contact(impact_.shapes, simulation_.shapes, simulation_.settings.tuning);
+        const std::size_t a = member(contact.body_a), b = member(contact.body_b);
+        add_point(contact, a, b, impact_.normal, impact_.point, 0.0);
+        const DVec2 from_a = impact_.point - pose(contact.body_a, a).position;
+        const DVec2 from_b = impact_.point - pose(contact.body_b, b).position;
+        Manifold& manifold = scratch_.impacts.back().manifold = {};
+        manifold.normal = to_float(impact_.normal);
+        manifold.point_count = 1;
+        manifold.points[0] = {to_float(from_a), to_float(from_b), 0.0f, 0};
+    }
+
+    DVec2 center_now(std::size_t index, std::uint32_t body) const {
+        const std::uint32_t swept = scratch_.members[index];
+        return swept == kNotSwept ? simulation_.bodies.frames[body].center : scratch_.swept[swept].sweep.start;
+    }
+
+    void add_point(const Contact& contact, std::size_t a, std::size_t b, DVec2 normal, DVec2 at, double separation) {
+        add_point(contact, a, b, normal, at - center_now(a, contact.body_a), at - center_now(b, contact.body_b),
+                  separation);
+    }
+
+    static float deepest(const Manifold& manifold) {
+        float least = 0.0f;
+        for (int i = 0; i < manifold.point_count; ++i)
+            least = i == 0 ? manifold.points[i].separation : std::min(least, manifold.points[i].separation);
+        return least;
+    }
+
+    static float touching_distance(const Contact& contact) { return kTouchingPart * contact.speculative_distance; }
+
+    void add_point(const Contact& contact, std::size_t a, std::size_t b, DVec2 normal, DVec2 arm_a, DVec2 arm_b,
+                   double separation) {
+        ImpactPoint point;
+        point.separation = separation;
+        point.a = a;
+        point.b = b;
+        point.normal = normal;
+        point.arm_a = arm_a;
+        point.arm_b = arm_b;
+        point.friction = contact.friction;
+        point.restitution = contact.restitution;
+        point.threshold = bounce_threshold(contact, normal);
+        point.least_response = static_cast<double>(kDeadPoint * (inv_mass(contact.body_a) + inv_mass(contact.body_b)));
+        point.tangent_speed = contact.tangent_speed;
+        group_.points.push_back(point);
+        scratch_.group_shapes.push_back(contact.shapes);
+    }
+
+    // Without locks, 1/kg.
+    float inv_mass(std::uint32_t body) const { return simulation_.bodies.frames[body].inv_mass; }
+
+    double bounce_threshold(const Contact& contact, DVec2 normal) const {
+        return tumble::bounce_threshold(simulation_, contact.body_a, contact.body_b, to_float(normal));
+    }
+
+    // Adds the contacts that the bodies now press together by more than `least` (m/s). False if there are none.
+    bool grow(double least) {
+        const std::size_t before = group_.points.size();
+        const std::size_t member_count = scratch_.members.size();
+        for (std::size_t i = 0; i < member_count; ++i) {
+            if (scratch_.members[i] == kNotSwept || group_.bodies[i].change == Twist{}) continue;
+            for (const std::uint32_t contact : contacts_of(simulation_, scratch_.swept[scratch_.members[i]].body))
+                if (group_.points.size() < kMaxGroupPoints) add_touching(simulation_.contacts.all()[contact], least);
+        }
+        return group_.points.size() > before;
+    }
+
+    void add_touching(const Contact& contact, double least) {
+        const double threshold = std::max(least, bounce_threshold(contact, DVec2(contact.manifold.normal)));
+        if (!may_be_approached(contact, threshold)) return;
+        if (std::find(scratch_.group_shapes.begin(), scratch_.group_shapes.end(), contact.shapes) !=
+            scratch_.group_shapes.end())
+            return;
+        const std::size_t a = member(contact.body_a), b = member(contact.body_b);
+        const std::size_t before = group_.points.size();
+        bool is_approached = false;
+        for (int i = 0; i < contact.manifold.point_count; ++i)
+            if (add_touching_point(contact, contact.manifold.points[i], a, b))
+                is_approached |= approach_at_impact(group_, group_.points.back()) < -threshold;
+        if (is_approached) return;
+        group_.points.resize(before);
+        scratch_.group_shapes.resize(before);
+    }
+
+    // A quick test, which adds no members. The arms are those of the start of the step.
+    bool may_be_approached(const Contact& contact, double threshold) const {
+        const Twist a = velocity_now(contact.body_a), b = velocity_now(contact.body_b);
+        const DVec2 normal(contact.manifold.normal);
+        for (int i = 0; i < contact.manifold.point_count; ++i) {
+            const ManifoldPoint& point = contact.manifold.points[i];
+            const DVec2 arm_a(point.anchor_a - simulation_.bodies.frames[contact.body_a].center_offset);
+            const DVec2 arm_b(point.anchor_b - simulation_.bodies.frames[contact.body_b].center_offset);
+            const DVec2 speed = b.linear + b.angular * perp(arm_b) - a.linear - a.angular * perp(arm_a);
+            if (dot(speed, normal) < -0.5 * threshold) return true;
+        }
+        return false;
+    }
+
+    Twist velocity_now(std::uint32_t body) const {
+        const std::uint32_t swept = find_swept(simulation_, body);
+        if (swept == kNotSwept) {
+            const SolverBody& moved = simulation_.bodies.solver_bodies[simulation_.bodies.frames[body].solver_body];
+            return {DVec2(moved.velocity), moved.angular_velocity};
+        }
+        const auto found = std::find(scratch_.members.begin(), scratch_.members.end(), swept);
+        if (found == scratch_.members.end()) return scratch_.swept[swept].velocity;
+        const ImpactBody& member = group_.bodies[static_cast<std::size_t>(found - scratch_.members.begin())];
+        return member.velocity + member.change;
+    }
+
+    // From the manifold that the contact had when the step began, with anchors that moved with the bodies.
+    bool add_touching_point(const Contact& contact, const ManifoldPoint& point, std::size_t a, std::size_t b) {
+        const DVec2 normal(contact.manifold.normal);
+        const Arm arm_a = arm(contact.body_a, a, point.anchor_a), arm_b = arm(contact.body_b, b, point.anchor_b);
+        const DVec2 shift = (arm_b.shift - arm_a.shift);
+        const double separation = static_cast<double>(point.separation) + dot(shift, normal);
+        if (separation > static_cast<double>(touching_distance(contact))) return false;
+        add_point(contact, a, b, normal, arm_a.now, arm_b.now, separation);
+        return true;
+    }
+
+    struct Arm {
+        DVec2 now;    // from the centre of mass, m
+        DVec2 shift;  // of its end since the step began, m
+    };
+    Arm arm(std::uint32_t body, std::size_t index, Vec2 anchor) const {
+        const BodyFrame& frame = simulation_.bodies.frames[body];
+        const DVec2 before = DVec2(anchor) - DVec2(frame.center_offset);
+        const std::uint32_t swept = scratch_.members[index];
+        if (swept == kNotSwept) return {before, {}};
+        const Sweep& sweep = scratch_.swept[swept].sweep;
+        const SinCos turn = sin_cos(sweep.start_angle - angle(frame.pose.rotation));
+        const DVec2 now{turn.cos * before.x - turn.sin * before.y, turn.sin * before.x + turn.cos * before.y};
+        return {now, (sweep.start - frame.center) + (now - before)};
+    }
+
+    // Of the impact itself, for events.
+    void record_approach() {
+        if (group_.points.empty()) return;
+        const ImpactPoint& point = group_.points.front();
+        const DVec2 at = center_now(point.a, simulation_.shapes[impact_.shapes.a].body) + point.arm_a;
+        scratch_.impacts.back().approach = {at, to_float(point.normal),
+                                            static_cast<float>(-approach_at_impact(group_, point))};
+    }
+
+    bool has_changed() const {
+        return std::any_of(group_.bodies.begin(), group_.bodies.end(),
+                           [](const ImpactBody& body) { return body.change != Twist{} || body.hold != Twist{}; });
+    }
+
+    // The impact counts for its two bodies even if they part without an impulse. Other members may have no part in it.
+    void apply(std::size_t index) {
+        if (scratch_.members[index] == kNotSwept) return;
+        if (index >= 2 && group_.bodies[index].change == Twist{} && group_.bodies[index].hold == Twist{}) return;
+        SweptBody& swept = scratch_.swept[scratch_.members[index]];
+        if (!simulation_.bodies.is_dynamic(swept.body)) return;
+        const ImpactBody& body = group_.bodies[index];
+        swept.push(body.change, duration_);
+        swept.hold(body.hold, duration_);
+        if (++swept.impact_count >= kMaxImpactsPerBody || has_joints(swept.body)) swept.stop();
+    }
+
+    // Joints do not take part in impacts: a joined body goes on in the next step.
+    bool has_joints(std::uint32_t body) const { return !simulation_.bodies.records[body].joints.empty(); }
+
+    // What contacts report: the impulses of impacts count as applied in this step.
+    void store_impulses() {
+        Impact& impact = scratch_.impacts.back();
+        int own = 0;
+        for (std::size_t i = 0; i < group_.points.size(); ++i) {
+            const PointImpulse applied{static_cast<float>(group_.points[i].normal_impulse),
+                                       static_cast<float>(group_.points[i].tangent_impulse)};
+            if (scratch_.group_shapes[i] == impact_.shapes) {
+                impact.applied[own++] = applied;
+                continue;
+            }
+            Contact& contact = *simulation_.contacts.find(scratch_.group_shapes[i]);
+            const bool is_second = scratch_.group_shapes[i - 1] == contact.shapes && contact.manifold.point_count > 1;
+            add(contact.applied[is_second ? 1 : 0], applied);
+            contact.is_bouncing = false;
+        }
+        if (Contact* const contact = simulation_.contacts.find(impact_.shapes)) contact->is_bouncing = false;
+    }
+
+    static void add(PointImpulse& sum, const PointImpulse& impulse) {
+        sum.normal += impulse.normal;
+        sum.tangent += impulse.tangent;
+    }
+
+    Simulation& simulation_;
+    ImpactScratch& scratch_;
+    ImpactGroup& group_;
+    NextImpact impact_;
+    double duration_;  // of the step, s
+};
+
+}  // namespace
+
+void respond(Simulation& simulation, const NextImpact& impact) { ImpactResponse(simulation, impact).run(); }
+
+}  // namespace tumble

@@ -1,0 +1,213 @@
+#include "dynamics/stages/impact_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "debug/check.hpp"
+#include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/stages/swept_bodies.hpp"
+#include "dynamics/stages/swept_pair.hpp"
+#include "dynamics/state/collision_rules.hpp"
+
+namespace tumble {
+
+namespace {
+
+// An angle below an eighth of a turn, over its sine, is at most this.
+constexpr double kAnglePerSine = 1.12;
+
+// How far the farthest point of a body moves in the step, m.
+float displacement(const SolverBody& body, const BodyMotion& motion) {
+    return length(body.delta_position) + std::abs(body.delta_rotation.s) * motion.reach;
+}
+
+// True if two points that move along straight lines come as near as `distance`.
+bool come_near(DVec2 offset, DVec2 path, double distance) {
+    const double square = length_sq(path);
+    const double nearest = square > 0.0 ? std::clamp(-dot(offset, path) / square, 0.0, 1.0) : 0.0;
+    return length_sq(offset + nearest * path) <= distance * distance;
+}
+
+// One of the two bodies of a pair, from the time at which both have their motion ahead.
+struct Side {
+    const ShapeRecord& shape;
+    Sweep sweep;
+    double reach;  // of the shape from the centre of mass, m
+};
+
+// The motion of a body from a time until the step ends.
+struct MotionAhead {
+    DVec2 path;        // of the centre of mass, m
+    double arc = 0.0;  // a bound of the arc of the farthest point, m
+};
+
+class ImpactSearch {
+public:
+    ImpactSearch(Simulation& simulation, std::uint32_t swept)
+        : simulation_(simulation), scratch_(simulation.scratch.ordered_impacts), index_(swept) {}
+
+    void run() {
+        NextImpact& next = scratch_.next[index_];
+        const std::uint32_t version = next.version + 1;
+        next = {};
+        next.version = version;
+        if (mover().has_stopped || !(mover().time < 1.0)) return;
+        for (const ShapeId own : simulation_.bodies.records[mover().body].shapes) search(own.index);
+        if (next.time >= 1.0) return;
+        scratch_.queue.push_back({next.time, next.shapes, index_, next.version});
+        std::push_heap(scratch_.queue.begin(), scratch_.queue.end(), std::greater<>{});
+    }
+
+private:
+    const SweptBody& mover() const { return scratch_.swept[index_]; }
+
+    void search(std::uint32_t own) {
+        const ShapeRecord& shape = simulation_.shapes[own];
+        const Aabb box = box_of_sweep(shape.shape, mover().sweep);
+        std::vector<std::uint32_t>& near = scratch_.near_shapes;
+        near.clear();
+        simulation_.broad.query(box, [&](std::uint32_t other) { near.push_back(other); });
+        for (const std::uint32_t other : near)
+            if (find_swept(simulation_, simulation_.shapes[other].body) == kNotSwept) consider(own, other, nullptr);
+        near.clear();
+        scratch_.tree.query(box, [&](std::uint32_t swept) { near.push_back(swept); });
+        for (const std::uint32_t swept : near)
+            if (swept != index_ && comes_near(scratch_.swept[swept]))
+                for (const ShapeId other : simulation_.bodies.records[scratch_.swept[swept].body].shapes)
+                    consider(own, other.index, &scratch_.swept[swept]);
+    }
+
+    // The discs around the two bodies meet.
+    bool comes_near(const SweptBody& other) const {
+        const double from = std::max(mover().time, other.time);
+        const Sweep a = mover().sweep_from(from), b = other.sweep_from(from);
+        const double distance = static_cast<double>(reach(mover().body)) + static_cast<double>(reach(other.body));
+        return come_near(b.start - a.start, (b.end - b.start) - (a.end - a.start), distance);
+    }
+    float reach(std::uint32_t body) const { return simulation_.bodies.records[body].motion.reach; }
+
+    // `partner` is the body of the other shape, if it is swept.
+    void consider(std::uint32_t own, std::uint32_t other, const SweptBody* partner) {
+        const ProxyPair pair = make_pair_of(own, other);
+        if (is_sensor(own) != is_sensor(other)) {
+            if (mover().impact_count == 0) simulation_.scratch.sensor_crossings.push_back(pair);
+            return;
+        }
+        if (!may_have_impact(pair)) return;
+        const Contact* const contact = simulation_.contacts.find(pair);
+        const bool bounces = contact && contact->is_bouncing;
+        const double from = partner ? std::max(mover().time, partner->time) : mover().time;
+        if (!bounces && !move_far(simulation_.shapes[own], simulation_.shapes[other], partner, from)) return;
+        const Side a = side(own, from), b = side(other, from);
+        const DVec2 path = (b.sweep.end - b.sweep.start) - (a.sweep.end - a.sweep.start);
+        if (!come_near(b.sweep.start - a.sweep.start, path, a.reach + b.reach)) return;
+        if (crosses_chain(simulation_.chain_contacts(), pair)) return;
+        if (bounces && contact->is_struck) return take(from, pair, partner, {});
+        PairImpact impact = bounces ? find_bounce(a.shape, a.sweep, b.shape, b.sweep, inset(a, b))
+                                    : find_impact(a.shape, a.sweep, b.shape, b.sweep, inset(a, b), is_pushed(contact));
+        if (own == pair.a) impact.normal = -impact.normal;
+        if (!(impact.fraction < 1.0)) return;
+        double time = from + impact.fraction * (1.0 - from);
+        if (impact.touched && mover().impact_count > 0) time = std::max(time, from + rest_after_impact(a, b, path));
+        if (time < 1.0) take(time, pair, partner, impact);
+    }
+
+    bool is_sensor(std::uint32_t shape) const { return simulation_.shapes[shape].is_sensor; }
+
+    // For how long two shapes that touch after an impact are left alone, as a fraction of the step: until they may have
+    // sunk in by the inset. Each further impact of the body makes it longer, so that a ball driven by a turning paddle
+    // has few of them.
+    double rest_after_impact(const Side& a, const Side& b, DVec2 path) const {
+        const double moved = length(path) + std::abs(a.sweep.turn) * a.reach + std::abs(b.sweep.turn) * b.reach;
+        const double ahead = 1.0 - mover().time;
+        const double sink = static_cast<double>(inset(a, b)) * (1 << std::min(mover().impact_count / 4, 16));
+        return moved > 0.0 ? std::min(kLongestRest, ahead * sink / moved) : kLongestRest;
+    }
+
+    // At least one of the bodies can be pushed.
+    bool may_have_impact(ProxyPair pair) const {
+        return (can_be_pushed(simulation_.shapes[pair.a].body) || can_be_pushed(simulation_.shapes[pair.b].body)) &&
+               may_touch(simulation_, pair);
+    }
+    bool can_be_pushed(std::uint32_t body) const {
+        if (!simulation_.bodies.is_dynamic(body)) return false;
+        const std::uint32_t swept = find_swept(simulation_, body);
+        return swept == kNotSwept || !scratch_.swept[swept].has_stopped;
+    }
+
+    Side side(std::uint32_t shape, double from) const {
+        const ShapeRecord& record = simulation_.shapes[shape];
+        const std::uint32_t swept = find_swept(simulation_, record.body);
+        const Sweep sweep = swept == kNotSwept ? part_of(sweep_of(simulation_.bodies, record.body), from, 1.0)
+                                               : scratch_.swept[swept].sweep_from(from);
+        return {record, sweep, farthest_distance(record.shape, sweep.local_center)};
+    }
+
+    // Two dynamic bodies that move by less against each other overlap at most to the middle of the smaller shape, and
+    // the solver parts them in the next step.
+    bool move_far(const ShapeRecord& own, const ShapeRecord& other, const SweptBody* partner, double from) const {
+        if (!simulation_.bodies.is_dynamic(own.body) || !simulation_.bodies.is_dynamic(other.body)) return true;
+        const MotionAhead a = motion_ahead(mover(), from);
+        const MotionAhead b = partner ? motion_ahead(*partner, from) : motion_ahead(other.body, from);
+        return length(b.path - a.path) + a.arc + b.arc >
+               static_cast<double>(kContinuousPart * smaller_extent(own, other));
+    }
+
+    MotionAhead motion_ahead(const SweptBody& swept, double from) const {
+        const double part = swept.time < 1.0 ? (1.0 - from) / (1.0 - swept.time) : 0.0;
+        return {part * (swept.sweep.end - swept.sweep.start),
+                part * std::abs(swept.sweep.turn) * static_cast<double>(reach(swept.body))};
+    }
+    MotionAhead motion_ahead(std::uint32_t body, double from) const {
+        const SolverBody& moved = simulation_.bodies.solver_bodies[simulation_.bodies.frames[body].solver_body];
+        const double turn = kAnglePerSine * std::abs(static_cast<double>(moved.delta_rotation.s));
+        return {(1.0 - from) * DVec2(moved.delta_position), (1.0 - from) * turn * static_cast<double>(reach(body))};
+    }
+
+    float inset(const Side& a, const Side& b) const {
+        return kContinuousInset * simulation_.settings.tuning.speculative_distance(smaller_extent(a.shape, b.shape));
+    }
+
+    // True if the solver pushed the two shapes apart in this step.
+    static bool is_pushed(const Contact* contact) {
+        return contact && (contact->applied[0].normal > 0.0f || contact->applied[1].normal > 0.0f);
+    }
+
+    // The first impact counts; of two at one time that of the first pair.
+    void take(double time, ProxyPair pair, const SweptBody* partner, const PairImpact& impact) {
+        NextImpact& next = scratch_.next[index_];
+        if (time > next.time || (time == next.time && !(pair < next.shapes))) return;
+        next.time = time;
+        next.shapes = pair;
+        next.partner_impacts = partner ? partner->impact_count : 0;
+        next.point = impact.point;
+        next.normal = impact.normal;
+    }
+
+    Simulation& simulation_;
+    ImpactScratch& scratch_;
+    std::uint32_t index_;
+};
+
+}  // namespace
+
+void find_fast_bodies(Simulation& simulation) {
+    const BodyStore& bodies = simulation.bodies;
+    if (simulation.settings.continuous) {
+        for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
+            const BodyMotion& motion = bodies.moving[i].motion;
+            const float least = simulation.settings.tuning.swept_distance(motion.smallest_extent);
+            if (displacement(bodies.solver_bodies[i], motion) > least) sweep_body(simulation, bodies.moving[i].body);
+        }
+    }
+    for (const Contact& contact : simulation.contacts.all()) {
+        if (!contact.is_bouncing) continue;
+        for (const std::uint32_t body : {contact.body_a, contact.body_b})
+            if (bodies.frames[body].solver_body != kStaticSolverBody) sweep_body(simulation, body);
+    }
+}
+
+void find_next_impact(Simulation& simulation, std::uint32_t swept) { ImpactSearch(simulation, swept).run(); }
+
+}  // namespace tumble

@@ -1,0 +1,14 @@
+// Which impacts are ahead: for each swept body the first one.
+#pragma once
+
+#include "dynamics/state/simulation.hpp"
+
+namespace tumble {
+
+// Sweeps the bodies that move far in this step, and those of contacts that bounce.
+void find_fast_bodies(Simulation& simulation);
+
+// Finds the first impact ahead of a swept body, and puts it into the queue. Collects the sensors near its path.
+void find_next_impact(Simulation& simulation, std::uint32_t swept);
+
+}  // namespace tumble

@@ -1,0 +1,57 @@
+#include "dynamics/stages/ordered_impacts.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "debug/check.hpp"
+#include "dynamics/stages/impact_response.hpp"
+#include "dynamics/stages/impact_search.hpp"
+#include "dynamics/stages/swept_bodies.hpp"
+
+namespace tumble {
+
+namespace {
+
+// The bodies of an impact have a new motion.
+void search_again(Simulation& simulation) {
+    const ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    for (const std::uint32_t swept : scratch.members)
+        if (swept != kNotSwept) update_box(simulation, swept);
+    for (const std::uint32_t swept : scratch.members)
+        if (swept != kNotSwept) find_next_impact(simulation, swept);
+}
+
+// True if the other body of a swept body's next impact has had an impact since that was found.
+bool has_changed_partner(const Simulation& simulation, std::uint32_t swept) {
+    const ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    const NextImpact& next = scratch.next[swept];
+    const std::uint32_t a = simulation.shapes[next.shapes.a].body, b = simulation.shapes[next.shapes.b].body;
+    const std::uint32_t partner = find_swept(simulation, scratch.swept[swept].body == a ? b : a);
+    return partner != kNotSwept && scratch.swept[partner].impact_count != next.partner_impacts;
+}
+
+}  // namespace
+
+void simulate_impacts(Simulation& simulation) {
+    simulation.scratch.impacts.clear();
+    simulation.scratch.sensor_crossings.clear();
+    clear_swept_bodies(simulation);
+    find_fast_bodies(simulation);
+    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    for (std::uint32_t i = 0; i < scratch.swept.size(); ++i) find_next_impact(simulation, i);
+    while (!scratch.queue.empty()) {
+        std::pop_heap(scratch.queue.begin(), scratch.queue.end(), std::greater<>{});
+        const QueuedImpact first = scratch.queue.back();
+        scratch.queue.pop_back();
+        if (first.version != scratch.next[first.swept].version) continue;
+        if (has_changed_partner(simulation, first.swept)) {
+            find_next_impact(simulation, first.swept);
+            continue;
+        }
+        respond(simulation, NextImpact(scratch.next[first.swept]));
+        search_again(simulation);
+    }
+    store_swept_bodies(simulation);
+}
+
+}  // namespace tumble

@@ -1,0 +1,12 @@
+// Smaller shapes inside a shape, with which continuous collision decides.
+#pragma once
+
+#include "dynamics/bodies/shape_store.hpp"
+
+namespace tumble {
+
+// The shape shrunk about its middle to a part of its thickness, and by the same length along its long axis: the tip of
+// a bar sinks in as far as its side. The part 0 is the middle point.
+Shape core_of(const ShapeRecord& record, float part);
+
+}  // namespace tumble

@@ -1,0 +1,101 @@
+#include "dynamics/stages/swept_bodies.hpp"
+
+#include "debug/check.hpp"
+#include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/stages/sleep.hpp"
+
+namespace tumble {
+
+namespace {
+
+SweptBody make_swept(const Simulation& simulation, std::uint32_t index) {
+    const BodyStore& bodies = simulation.bodies;
+    const std::uint32_t solver_body = bodies.frames[index].solver_body;
+    const SolverBody& body = bodies.solver_bodies[solver_body];
+    SweptBody swept;
+    swept.body = index;
+    swept.sweep = sweep_of(bodies, index);
+    swept.velocity = {DVec2(body.velocity), body.angular_velocity};
+    const bool has_flown = solver_body < simulation.scratch.start_velocities.size();
+    swept.is_free = has_flown && (body.flags & kDynamicBody) && !(body.flags & kPushedBody);
+    if (!swept.is_free) return swept;
+    const StartVelocity& start = simulation.scratch.start_velocities[solver_body];
+    const double per_time = 1.0 / static_cast<double>(simulation.settings.duration);
+    swept.acceleration = {per_time * (swept.velocity.linear - start.linear),
+                          per_time * (swept.velocity.angular - static_cast<double>(start.angular))};
+    swept.velocity = {start.linear, start.angular};
+    return swept;
+}
+
+Aabb box_of(const Simulation& simulation, const SweptBody& swept) {
+    Aabb box;
+    for (const ShapeId shape : simulation.bodies.records[swept.body].shapes)
+        box = merge(box, box_of_sweep(simulation.shapes[shape.index].shape, swept.sweep));
+    return box;
+}
+
+// Contacts of the island that wakes are solved from the next step on.
+void wake_for_impact(Simulation& simulation, std::uint32_t body) {
+    if (!simulation.bodies.is_asleep(body)) return;
+    wake(simulation, body);
+    simulation.scratch.ordered_impacts.swept_of.resize(simulation.bodies.solver_bodies.size(), kNotSwept);
+}
+
+}  // namespace
+
+Aabb box_of_sweep(const Shape& shape, const Sweep& sweep) {
+    const Shape disc = make_circle(farthest_distance(shape, sweep.local_center));
+    return merge(bounds(disc, {sweep.start, {}}), bounds(disc, {sweep.end, {}}));
+}
+
+void clear_swept_bodies(Simulation& simulation) {
+    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    scratch.swept.clear();
+    scratch.next.clear();
+    scratch.leaves.clear();
+    scratch.tree.clear();
+    scratch.queue.clear();
+    scratch.first_contact.clear();
+    scratch.impacts.clear();
+    scratch.swept_of.assign(simulation.bodies.solver_bodies.size(), kNotSwept);
+}
+
+std::uint32_t find_swept(const Simulation& simulation, std::uint32_t body) {
+    const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
+    return solver_body == kStaticSolverBody ? kNotSwept : simulation.scratch.ordered_impacts.swept_of[solver_body];
+}
+
+std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body) {
+    wake_for_impact(simulation, body);
+    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
+    TUMBLE_CHECK(solver_body != kStaticSolverBody);
+    std::uint32_t& index = scratch.swept_of[solver_body];
+    if (index != kNotSwept) return index;
+    index = static_cast<std::uint32_t>(scratch.swept.size());
+    scratch.swept.push_back(make_swept(simulation, body));
+    scratch.next.emplace_back();
+    scratch.leaves.push_back(scratch.tree.insert(box_of(simulation, scratch.swept.back()), index));
+    return index;
+}
+
+void update_box(Simulation& simulation, std::uint32_t swept) {
+    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    scratch.tree.move(scratch.leaves[swept], box_of(simulation, scratch.swept[swept]));
+}
+
+void store_swept_bodies(Simulation& simulation) {
+    for (const SweptBody& swept : simulation.scratch.ordered_impacts.swept) {
+        if (swept.impact_count == 0) continue;
+        const BodyFrame& frame = simulation.bodies.frames[swept.body];
+        SolverBody& body = simulation.bodies.solver_bodies[frame.solver_body];
+        if (!(body.flags & kDynamicBody)) continue;
+        const Twist velocity = swept.final_velocity(simulation.settings.duration);
+        body.velocity = to_float(velocity.linear);
+        body.angular_velocity = static_cast<float>(velocity.angular);
+        body.delta_position = to_float(swept.sweep.end - frame.center);
+        body.delta_rotation = make_rotation(swept.sweep.start_angle + swept.sweep.turn - angle(frame.pose.rotation));
+    }
+}
+
+}  // namespace tumble

@@ -1,0 +1,26 @@
+// The bodies whose motion continuous collision follows in this step.
+#pragma once
+
+#include "dynamics/state/simulation.hpp"
+
+namespace tumble {
+
+// Forgets the swept bodies of the last step.
+void clear_swept_bodies(Simulation& simulation);
+
+// The index of a body among the swept ones; kNotSwept if it is not one of them.
+std::uint32_t find_swept(const Simulation& simulation, std::uint32_t body);
+
+// The same for a body that may move; makes it a swept one if it is none. Wakes it if it sleeps.
+std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body);
+
+// Gives a swept body the box of its motion ahead.
+void update_box(Simulation& simulation, std::uint32_t swept);
+
+// A box that covers a shape during its whole sweep, for any rotation.
+Aabb box_of_sweep(const Shape& shape, const Sweep& sweep);
+
+// Writes the motions that impacts have changed into the solver bodies.
+void store_swept_bodies(Simulation& simulation);
+
+}  // namespace tumble

@@ -1,0 +1,33 @@
+// The events of a run as marks on the scrubber: those of the scene's timeline, and joints that broke.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tumble/scene.hpp"
+#include "tumble/scene_world.hpp"
+
+namespace tumble::render {
+
+struct EventMark {
+    std::uint64_t step = 0;  // whose state is the first with the effect
+    std::string text;        // "impulse on 'ball'"
+};
+
+// The marks of the timeline in the steps up to `last_step`, in the order of time. An event that repeats has at most
+// kMostRepetitions marks.
+std::vector<EventMark> timeline_marks(const Scene& scene, std::uint64_t last_step);
+inline constexpr int kMostRepetitions = 500;
+
+// Collects the joints that break.
+class BrokenJoints {
+public:
+    void record(const SceneWorld& built);
+    const std::vector<EventMark>& marks() const noexcept { return marks_; }
+
+private:
+    std::vector<EventMark> marks_;
+};
+
+}  // namespace tumble::render

@@ -1,0 +1,130 @@
+// What is asked of the states: poses, velocities, contacts at a step. Positions in m, angles in rad.
+
+const TURN = 2 * Math.PI;
+
+class Run {
+  constructor(states, contacts) {
+    Object.assign(this, states);
+    this.contacts = contacts;
+    this.byName = new Map(this.bodies.map((body, number) => [body.name, number]));
+  }
+
+  exists(number, step) {
+    const body = this.bodies[number];
+    return step >= body.from && step < body.from + body.count;
+  }
+
+  // The pose at a step; between two steps on the straight line between theirs.
+  pose(number, step) {
+    const body = this.bodies[number], whole = Math.floor(step), part = step - whole;
+    const i = body.first + whole - body.from;
+    const j = part > 0 && whole + 1 < body.from + body.count ? i + 1 : i;
+    const between = (sequence) => sequence[i] + part * (sequence[j] - sequence[i]);
+    return { x: body.base[0] + this.quantum * between(this.x), y: body.base[1] + this.quantum * between(this.y),
+             angle: between(this.angle) / this.angles_per_turn * TURN };
+  }
+
+  center(number, step) {
+    const pose = this.pose(number, step);
+    return worldPoint(pose, this.bodies[number].center);
+  }
+
+  // From the step before, or at the first step to the one after: the quantum of positions times the steps per second
+  // is its resolution.
+  velocity(number, step) {
+    const body = this.bodies[number];
+    const to = Math.max(Math.floor(step), Math.min(body.from + 1, body.from + body.count - 1));
+    const from = Math.max(to - 1, body.from), i = body.first - body.from;
+    const a = this.center(number, from), b = this.center(number, to), rate = this.steps_per_second;
+    const turned = (this.angle[i + to] - this.angle[i + from]) / this.angles_per_turn * TURN;
+    return { x: (b[0] - a[0]) * rate, y: (b[1] - a[1]) * rate, angular: turned * rate };
+  }
+
+  isAsleep(number, step) {
+    let asleep = false;
+    for (const toggle of this.bodies[number].asleep) if (toggle <= step) asleep = !asleep;
+    return asleep;
+  }
+
+  // Calls visit(a, b, x, y, normal x, normal y, impulse) for each contact point of a step.
+  eachContact(step, visit) {
+    const tracks = this.contacts;
+    if (!tracks) return;
+    const [xs, ys, normals, impulses] = tracks.points;
+    for (let i = 0; i < tracks.tracks && tracks.from[i] <= step; i++) {
+      if (step >= tracks.from[i] + tracks.count[i]) continue;
+      const k = tracks.first[i] + step - tracks.from[i];
+      const pose = this.pose(tracks.a[i], step);
+      const at = worldPoint(pose, [xs[k] * this.contact_quantum, ys[k] * this.contact_quantum]);
+      const angle = pose.angle + normals[k] / this.normals_per_turn * TURN;
+      const impulse = impulses[k] === 0 ? 0 : this.least_impulse * 2 ** ((impulses[k] - 1) / this.impulses_per_octave);
+      visit(tracks.a[i], tracks.b[i], at[0], at[1], Math.cos(angle), Math.sin(angle), impulse);
+    }
+  }
+
+  // For each dynamic body the lowest number in its island: of the bodies that touch it or are joined to it.
+  islands(step) {
+    const root = Int32Array.from(this.bodies, (_, i) => i);
+    const find = (i) => { while (root[i] !== i) i = root[i] = root[root[i]]; return i; };
+    const join = (a, b) => {
+      if (this.bodies[a].type !== 2 || this.bodies[b].type !== 2) return;
+      const [low, high] = [find(a), find(b)].sort((p, q) => p - q);
+      root[high] = low;
+    };
+    this.eachContact(step, join);
+    for (const joint of this.joints) if (spanAt(joint, step)) join(joint.a, joint.b);
+    return root.map((_, i) => find(i));
+  }
+}
+
+function worldPoint(pose, local) {
+  const c = Math.cos(pose.angle), s = Math.sin(pose.angle);
+  return [pose.x + c * local[0] - s * local[1], pose.y + s * local[0] + c * local[1]];
+}
+
+function localPoint(pose, world) {
+  const c = Math.cos(pose.angle), s = Math.sin(pose.angle), x = world[0] - pose.x, y = world[1] - pose.y;
+  return [c * x + s * y, c * y - s * x];
+}
+
+function spanAt(joint, step) {
+  return joint.spans.find((span) => step >= span[0] && step < span[1]);
+}
+
+// The part of the world in the canvas. Pixels are those of CSS, y down.
+class Camera {
+  constructor(start) { this.start = start; this.x = start.center[0]; this.y = start.center[1]; this.scale = 1; this.width = 1; this.height = 1; this.following = -1; }
+
+  resize(width, height) {
+    if (this.width === 1) this.fitScale(width, height);
+    this.width = width;
+    this.height = height;
+  }
+
+  // The height of the first view, for a frame of 16 : 9, fits into any canvas.
+  fitScale(width, height) { this.scale = Math.min(height / this.start.height, width / (this.start.height * 16 / 9)); }
+
+  fit() {
+    [this.x, this.y] = this.start.center;
+    this.following = -1;
+    this.fitScale(this.width, this.height);
+  }
+
+  pixels(x, y) { return [this.width / 2 + (x - this.x) * this.scale, this.height / 2 - (y - this.y) * this.scale]; }
+  world(px, py) { return [this.x + (px - this.width / 2) / this.scale, this.y - (py - this.height / 2) / this.scale]; }
+
+  zoom(factor, px = this.width / 2, py = this.height / 2) {
+    const [x, y] = this.world(px, py);
+    const least = 1e-6, most = 1e6;  // pixels per metre
+    this.scale = Math.min(most, Math.max(least, this.scale * factor));
+    const [movedX, movedY] = this.world(px, py);
+    this.x += x - movedX;
+    this.y += y - movedY;
+  }
+
+  pan(dx, dy) {
+    this.x -= dx / this.scale;
+    this.y += dy / this.scale;
+    this.following = -1;
+  }
+}

@@ -1,0 +1,39 @@
+// A child process that reads bytes from its standard input.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tumble::render {
+
+class EncoderProcess {
+public:
+    // Starts a program of the search path. Throws RenderError if there is none, or no process can be started.
+    explicit EncoderProcess(const std::vector<std::string>& command);
+    ~EncoderProcess();  // kills it
+    EncoderProcess(const EncoderProcess&) = delete;
+    EncoderProcess& operator=(const EncoderProcess&) = delete;
+
+    // False if the process does not read any more.
+    bool send(std::span<const std::uint8_t> bytes);
+
+    struct End {
+        int exit_code = -1;  // -1 if a signal ended it
+        int signal = 0;
+        std::string words;  // what it wrote to standard error
+    };
+
+    // Ends its input and waits for it.
+    End wait();
+
+private:
+    pid_t id_ = -1;
+    int input_ = -1;
+    int words_ = -1;
+};
+
+}  // namespace tumble::render

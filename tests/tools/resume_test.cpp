@@ -1,0 +1,146 @@
+// `run --checkpoint` and `run --resume`: a run that was interrupted ends with the bytes of one that was not.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "process.hpp"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using tumble::test::Answer;
+using tumble::test::Folder;
+using tumble::test::Process;
+using tumble::test::read_text;
+using tumble::test::tumble_command;
+
+namespace {
+
+// The camera follows a body that the timeline spawns; others appear all the time.
+constexpr const char* kScene = R"({"format": 1, "world": {"duration": 8}, "camera": {"follow": "car"}, "bodies": [
+    {"name": "floor", "type": "static", "position": [0, -1], "shapes": [{"box": {"size": [200, 1]}}]}],
+    "timeline": [
+      {"at": 0.1, "spawn": {"name": "car", "velocity": [5, 0], "shapes": [{"circle": {"radius": 0.5}}]}},
+      {"every": 0.5, "spawn": {"name": "drop", "position": [3, 8], "shapes": [{"box": {"size": [0.6, 0.6]}}]}}]})";
+
+// Run in a folder of its own, with relative paths, so that two runs can have equal settings.
+std::vector<std::string> run_of(const Folder& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"run",          (folder / "scene.json").string(),
+                                       "-o",           "out",
+                                       "--size",       "64x64",
+                                       "--trajectory", "tables/t.csv",
+                                       "--contacts",   "tables/c.csv",
+                                       "--hashes",     "out/h.csv"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return tumble_command(arguments);
+}
+
+// All files below the folder but the summary, by their names.
+std::map<std::string, std::string> files_of(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file() && entry.path().filename() != "summary.json")
+            files[fs::relative(entry.path(), folder).string()] = read_text(entry.path());
+    return files;
+}
+
+void wait_for(const fs::path& file, const Process& process) {
+    for (int tries = 0; tries < 12000 && !fs::exists(file) && process.is_running(); ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+// Two folders: one for the run that is not interrupted.
+struct TwoRuns {
+    Folder whole, parted;
+    std::map<std::string, std::string> expected;
+
+    TwoRuns() {
+        whole.write("scene.json", kScene);
+        parted.write("scene.json", kScene);
+        const Answer answer = tumble::test::run(run_of(whole, {}), whole.path());
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        expected = files_of(whole.path());
+        REQUIRE(expected.size() > 400);  // 481 frames, and the tables
+    }
+
+    // Starts the run or continues it, and sends the signal when the frame exists.
+    Answer run_until(const std::string& frame, int signal, std::vector<std::string> more) const {
+        more.insert(more.end(), {"--checkpoint", "0"});
+        Process process(run_of(parted, more), parted.path());
+        wait_for(parted / ("out/frames/frame_" + frame + ".png"), process);
+        REQUIRE(process.is_running());
+        process.send_signal(signal);
+        return process.wait();
+    }
+
+    void check_equal() const {
+        const std::map<std::string, std::string> found = files_of(parted.path());
+        CHECK(found.size() == expected.size());
+        for (const auto& file : expected)
+            CHECK_MESSAGE((found.contains(file.first) && found.at(file.first) == file.second), file.first);
+        const json a = json::parse(read_text(whole / "out/summary.json")),
+                   b = json::parse(read_text(parted / "out/summary.json"));
+        for (const char* key : {"steps", "state_hash", "files", "complete", "contacts", "bodies", "counters"})
+            CHECK_MESSAGE(a[key] == b[key], key);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a run that is killed twice and continued has the bytes of one that was not") {
+    const TwoRuns runs;
+    CHECK(runs.run_until("000060", SIGKILL, {}).code == 128 + SIGKILL);
+    CHECK(runs.run_until("000200", SIGKILL, {"--resume"}).code == 128 + SIGKILL);
+    const Answer last = tumble::test::run(run_of(runs.parted, {"--resume"}), runs.parted.path());
+    CHECK_MESSAGE(last.code == 0, last.err);
+    runs.check_equal();
+}
+
+TEST_CASE("a run that ends by SIGTERM saves its last step and continues after it") {
+    const TwoRuns runs;
+    CHECK(runs.run_until("000030", SIGTERM, {}).code == 143);
+    CHECK(json::parse(read_text(runs.parted / "out/summary.json"))["complete"] == false);
+    CHECK(tumble::test::run(run_of(runs.parted, {"--resume"}), runs.parted.path()).code == 0);
+    runs.check_equal();
+    CHECK(tumble::test::run(run_of(runs.parted, {"--resume"}), runs.parted.path()).code == 4);  // no checkpoint is left
+}
+
+TEST_CASE("--resume refuses another scene, other options, a damaged checkpoint and none") {
+    const Folder folder;
+    folder.write("scene.json", kScene);
+    const auto run = [&](const std::vector<std::string>& more) {
+        return tumble::test::run(run_of(folder, more), folder.path());
+    };
+    const Answer none = run({"--resume"});
+    CHECK(none.code == 4);
+    CHECK(none.err.find("no checkpoint") != std::string::npos);
+    Process process(run_of(folder, {"--checkpoint", "0", "--force"}), folder.path());
+    wait_for(folder / "out/frames/frame_000020.png", process);
+    process.send_signal(SIGTERM);
+    REQUIRE(process.wait().code == 143);
+    CHECK(run({"--resume", "--fps", "30"}).code == 2);
+    CHECK(run({"--resume", "--no-frames"}).code == 2);
+    CHECK(run({"--resume", "--force"}).code == 2);
+    const Answer other = run({"--resume", "--set", "/world/gravity/1=-9"});
+    CHECK(other.code == 3);
+    CHECK(other.err.find("another scene") != std::string::npos);
+    CHECK(tumble::test::run(
+              tumble_command({"run", (folder / "scene.json").string(), "--checkpoint", "1", "--hashes", "-"}),
+              folder.path())
+              .code == 2);
+
+    const std::string saved = read_text(folder / "out/checkpoint");
+    folder.write("out/checkpoint", saved.substr(0, saved.size() / 2));
+    CHECK(run({"--resume"}).code == 3);
+    folder.write("out/checkpoint", "");
+    CHECK(run({"--resume"}).code == 3);
+    folder.write("out/checkpoint", saved);
+    CHECK(run({"--resume"}).code == 0);
+}

@@ -1,0 +1,241 @@
+// Videos of runs: what ffprobe and the frames say of them, and how failures end.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <sys/mount.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "process.hpp"
+#include "support/near.hpp"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using tumble::test::absolute;
+using tumble::test::Answer;
+using tumble::test::Folder;
+using tumble::test::near;
+using tumble::test::Process;
+using tumble::test::read_text;
+using tumble::test::run_tumble;
+
+namespace {
+
+std::vector<std::string> arguments_of(const Folder& folder, const std::string& video,
+                                      const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"run",     folder.write("small.json", tumble::test::small_scene()),
+                                       "-o",      (folder / "out").string(),
+                                       "--video", (folder / video).string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+// The stream of a video as ffprobe counts and describes it.
+json probe(const fs::path& file) {
+    const Answer answer = tumble::test::run(
+        {"ffprobe", "-v", "error", "-count_frames", "-show_streams", "-show_format", "-of", "json", file.string()});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    REQUIRE_MESSAGE(answer.err.empty(), answer.err);
+    return json::parse(answer.out);
+}
+
+double number(const json& text) { return std::stod(text.get<std::string>()); }
+
+// The lowest signal-to-noise ratio (dB) of a frame of the video against the PNG file of that frame.
+double lowest_psnr(const Folder& folder, const std::string& video, const std::string& fps) {
+    const fs::path statistics = folder / "psnr.txt";
+    const Answer answer = tumble::test::run(
+        {"ffmpeg", "-v", "error", "-framerate", fps, "-i", (folder / "out/frames/frame_%06d.png").string(), "-i",
+         (folder / video).string(), "-lavfi",
+         "[0]scale=out_color_matrix=bt709:out_range=tv,format=yuv420p,setpts=N/TB[a];[1]format=yuv420p,setpts=N/TB[b];"
+         "[a][b]psnr=stats_file=" +
+             statistics.string(),
+         "-f", "null", "-"});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    double lowest = 1000.0;
+    const std::string text = read_text(statistics), key = "psnr_avg:";
+    for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
+        const std::string value = text.substr(at + key.size(), 8);
+        if (!value.starts_with("inf")) lowest = std::min(lowest, std::stod(value));
+    }
+    return lowest;
+}
+
+bool has_partial_file(const fs::path& folder) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".partial") return true;
+    return false;
+}
+
+// The child processes of a process.
+std::vector<int> children_of(const std::string& name, const fs::path& video) {
+    std::vector<int> ids;
+    for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
+        const std::string words = read_text(entry.path() / "cmdline");
+        if (words.starts_with(name) && words.find(video.string()) != std::string::npos)
+            ids.push_back(std::stoi(entry.path().filename().string()));
+    }
+    return ids;
+}
+
+// Waits until ffmpeg encodes this video, and returns its id; 0 if that never happens.
+int wait_for_encoder(const fs::path& video, const Process& process) {
+    for (int tries = 0; tries < 6000 && process.is_running(); ++tries) {
+        if (const std::vector<int> ids = children_of("ffmpeg", video); !ids.empty()) return ids.front();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return 0;
+}
+
+const std::vector<std::string> kLong{"--no-frames", "--duration", "100000", "--size", "320x180"};
+
+}  // namespace
+
+TEST_CASE("MP4 and WebM have the frames of the run, their exact duration, and tagged colours") {
+    for (const std::string name : {"run.mp4", "run.webm"}) {
+        CAPTURE(name);
+        const Folder folder;
+        const Answer answer =
+            run_tumble(arguments_of(folder, name, {"--duration", "1.5", "--fps", "30", "--size", "320x180", "--json"}));
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        const json found = probe(folder / name), stream = found["streams"].at(0);
+        CHECK(stream["codec_name"] == (name == "run.mp4" ? "h264" : "vp9"));
+        CHECK(stream["nb_read_frames"] == "46");  // 1.5 x 30 + 1
+        CHECK(stream["r_frame_rate"] == "30/1");
+        CHECK(stream["avg_frame_rate"] == "30/1");
+        CHECK(near(number(found["format"]["duration"]), 46.0 / 30.0, absolute(1e-3)));
+        CHECK(stream["pix_fmt"] == "yuv420p");
+        CHECK(stream["color_range"] == "tv");
+        for (const char* key : {"color_space", "color_transfer", "color_primaries"}) CHECK(stream[key] == "bt709");
+        CHECK(lowest_psnr(folder, name, "30") > 38.0);
+        const json summary = json::parse(answer.out);
+        CHECK(summary["files"][1]["kind"] == "video");
+        CHECK(summary["files"][1]["bytes"] == fs::file_size(folder / name));
+        CHECK(!has_partial_file(folder.path()));
+    }
+}
+
+TEST_CASE("GIF and APNG have the duration of the run, without PNG files") {
+    for (const std::string name : {"run.gif", "run.apng"}) {
+        CAPTURE(name);
+        const Folder folder;
+        const Answer answer = run_tumble(
+            arguments_of(folder, name, {"--duration", "1", "--fps", "25", "--size", "161x91", "--no-frames"}));
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        const json stream = probe(folder / name)["streams"].at(0);
+        CHECK(stream["nb_read_frames"] == "26");
+        CHECK(stream["width"] == 161);
+        CHECK(stream["r_frame_rate"] == "25/1");
+        CHECK(!fs::exists(folder / "out/frames"));
+    }
+}
+
+TEST_CASE("a GIF leaves out frames above 50 a second, and keeps its duration") {
+    const Folder folder;
+    REQUIRE(run_tumble(
+                arguments_of(folder, "run.gif", {"--duration", "1", "--fps", "60", "--size", "160x90", "--no-frames"}))
+                .code == 0);
+    const json found = probe(folder / "run.gif");
+    CHECK(near(number(found["format"]["duration"]), 61.0 / 60.0, absolute(0.02)));
+    CHECK(near(number(found["streams"][0]["nb_read_frames"]), 51.0, absolute(1.0)));
+}
+
+TEST_CASE("one processor and several give the same bytes") {
+    const Folder folder;
+    const std::vector<std::string> more{"--duration", "1", "--size", "320x180", "--no-frames", "--force"};
+    for (const std::string extension : {".mp4", ".webm"}) {
+        CAPTURE(extension);
+        REQUIRE(run_tumble(arguments_of(folder, "a" + extension, more)).code == 0);
+        std::vector<std::string> alone = tumble::test::tumble_command(arguments_of(folder, "b" + extension, more));
+        alone.insert(alone.begin(), {"taskset", "1"});
+        REQUIRE(tumble::test::run(alone).code == 0);
+        CHECK(read_text(folder / ("a" + extension)) == read_text(folder / ("b" + extension)));
+    }
+}
+
+TEST_CASE("Ctrl-C leaves a video of the frames done, and exit code 130") {
+    const Folder folder;
+    Process process(tumble::test::tumble_command(arguments_of(folder, "run.mp4", kLong)));
+    REQUIRE(wait_for_encoder(folder / "run.mp4", process) > 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    process.send_signal(SIGINT);
+    const Answer answer = process.wait();
+    CHECK_MESSAGE(answer.code == 130, answer.err);
+    const json summary = json::parse(read_text(folder / "out/summary.json"));
+    CHECK(summary["complete"] == false);
+    CHECK(number(probe(folder / "run.mp4")["streams"][0]["nb_read_frames"]) == summary["steps"].get<double>() + 1.0);
+    CHECK(!has_partial_file(folder.path()));
+}
+
+TEST_CASE("an encoder that is killed ends the run with exit code 5 and without a video") {
+    const Folder folder;
+    Process process(tumble::test::tumble_command(arguments_of(folder, "run.mp4", kLong)));
+    const int encoder = wait_for_encoder(folder / "run.mp4", process);
+    REQUIRE(encoder > 0);
+    kill(encoder, SIGKILL);
+    const Answer answer = process.wait();
+    CHECK(answer.code == 5);
+    CHECK_MESSAGE(answer.err.find("ffmpeg was ended by signal 9") != std::string::npos, answer.err);
+    CHECK(!fs::exists(folder / "run.mp4"));
+    CHECK(!has_partial_file(folder.path()));
+}
+
+TEST_CASE("without ffmpeg, --video ends with exit code 5 and says what to install") {
+    const Folder folder;
+    std::vector<std::string> command = tumble::test::tumble_command(arguments_of(folder, "run.mp4", {"--no-frames"}));
+    command.insert(command.begin(), {"env", "PATH=" + folder.path().string()});
+    const Answer answer = tumble::test::run(command);
+    CHECK(answer.code == 5);
+    CHECK_MESSAGE(answer.err.find("apt-get install") != std::string::npos, answer.err);
+    CHECK(!fs::exists(folder / "run.mp4"));
+    CHECK(!has_partial_file(folder.path()));
+    std::vector<std::string> without =
+        tumble::test::tumble_command({"run", (folder / "small.json").string(), "-o", (folder / "png").string(),
+                                      "--duration", "0.1", "--size", "64x36"});
+    without.insert(without.begin(), {"env", "PATH=" + folder.path().string()});
+    CHECK(tumble::test::run(without).code == 0);
+}
+
+TEST_CASE("a full disk ends a video with exit code 4 and leaves no partial file") {
+    const Folder folder;
+    const fs::path disk = folder / "disk";
+    fs::create_directories(disk);
+    if (mount("tmpfs", disk.c_str(), "tmpfs", MS_NOSUID | MS_NODEV, "size=32k") != 0) {
+        MESSAGE("not tested: this user may not mount a small file system: " << std::strerror(errno));
+        return;
+    }
+    for (const std::string name : {"run.mp4", "run.webm", "run.gif"}) {
+        CAPTURE(name);
+        const Answer answer = run_tumble(
+            arguments_of(folder, "disk/" + name, {"--no-frames", "--force", "--duration", "5", "--size", "640x360"}));
+        CHECK_MESSAGE(answer.code == 4, answer.err);
+        CHECK_MESSAGE(answer.err.find("No space left on device") != std::string::npos, answer.err);
+        CHECK(fs::is_empty(disk));
+    }
+    umount(disk.c_str());
+}
+
+TEST_CASE("videos that cannot be made are refused before the first step") {
+    const Folder folder;
+    const auto code_of = [&folder](const std::string& name, const std::vector<std::string>& more) {
+        const int code = run_tumble(arguments_of(folder, name, more)).code;
+        CHECK(!fs::exists(folder / "out"));
+        return code;
+    };
+    CHECK(code_of("run.avi", {}) == 2);
+    CHECK(code_of("run", {}) == 2);
+    CHECK(code_of("run.mp4", {"--size", "321x180"}) == 2);
+    CHECK(code_of("run.gif", {"--duration", "1000"}) == 2);
+    folder.write("mine.mp4", "mine");
+    CHECK(code_of("mine.mp4", {}) == 4);
+    CHECK(read_text(folder / "mine.mp4") == "mine");
+}

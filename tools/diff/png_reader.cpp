@@ -1,0 +1,44 @@
+#include "tools/diff/png_reader.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "tools/output/input_error.hpp"
+#include "tumble/file.hpp"
+
+// Not more than a frame of the largest size: stb refuses larger sides before it takes memory.
+#ifndef __clang_analyzer__  // it would report what it finds in stb
+#define STB_IMAGE_IMPLEMENTATION
+#endif
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#define STBI_MAX_DIMENSIONS 8192
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace tumble::tools {
+
+static_assert(kLargestFrame == STBI_MAX_DIMENSIONS);
+
+Image read_png(const std::filesystem::path& file) {
+    constexpr std::size_t kMaxBytes = std::size_t{1} << 29;  // more than the pixels of the largest frame
+    const std::string bytes = read_file(file, kMaxBytes);
+    if (bytes.size() > kMaxBytes) throw InputError(file.string() + ": the picture is too large");
+    Image image;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
+                              &image.width, &image.height, nullptr, 4),
+        &stbi_image_free);
+    if (!pixels) throw InputError(file.string() + ": is not a PNG file, or not complete: " + stbi_failure_reason());
+    const std::size_t size = 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    image.rgba.assign(pixels.get(), pixels.get() + size);
+    return image;
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,75 @@
+// Plots for reports: points, lines and bars over two axes, as SVG.
+//
+// The plot takes its colours from the variables of the page (html.cpp), so that it follows the reader's light or dark
+// scheme. Values that are not finite are left out, and a line is interrupted there. Whatever lies outside the axes is
+// clipped.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tumble/math.hpp"
+
+namespace tumble::tools {
+
+// What a series shows; each has one colour on every page.
+enum class Ink { tumble, box2d, exact, limit };
+
+enum class Mark { points, line, dashed };
+
+// A bar from (left, base) to (right, top), data coordinates.
+struct PlotBar {
+    double left = 0.0, right = 0.0, base = 0.0, top = 0.0;
+};
+
+struct PlotSeries {
+    std::string name;  // in the legend; empty: not in the legend
+    Ink ink = Ink::tumble;
+    Mark mark = Mark::points;
+    std::vector<DVec2> points{};
+    std::vector<PlotBar> bars{};
+};
+
+struct PlotTick {
+    double at = 0.0;
+    std::string label;
+};
+
+struct PlotRange {
+    double lower = 0.0, upper = 1.0;
+};
+
+struct PlotAxis {
+    std::string label;
+    bool logarithmic = false;          // values of 0 or less are left out
+    std::optional<PlotRange> range{};  // default: that of the data, with a margin
+    std::vector<PlotTick> ticks{};     // default: at round numbers
+};
+
+// The values of y between which a result passes, drawn as a band behind the series.
+struct PlotBand {
+    std::string name;
+    double lower = 0.0, upper = 0.0;
+};
+
+struct Plot {
+    std::string title;  // also what a screen reader says
+    PlotAxis x, y;
+    std::vector<PlotSeries> series;
+    std::optional<PlotBand> band{};
+    int width = 620;  // px
+    int height = 330;
+};
+
+// Ticks of a linear axis at multiples of 1, 2 or 5 times a power of ten, at most `most` + 1 of them.
+std::vector<PlotTick> round_ticks(PlotRange range, int most);
+
+// Ticks of a logarithmic axis: at powers of ten, also at 2 and 5 times them if the range has less than two of them.
+std::vector<PlotTick> decade_ticks(PlotRange range, int most);
+
+// One <svg> element for a page of HtmlPage.
+std::string to_svg(const Plot& plot);
+
+}  // namespace tumble::tools

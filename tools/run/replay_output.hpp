@@ -1,0 +1,36 @@
+// Records a run for its replay page, and evaluates the scene's claims for the marks on it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/run/run_options.hpp"
+#include "tumble/file.hpp"
+#include "tumble/replay.hpp"
+#include "tumble/scene_run.hpp"
+
+namespace tumble::tools {
+
+class ReplayOutput {
+public:
+    // The world must be in its initial state: the camera is computed from it. Throws CLI::ValidationError if the bodies
+    // of that state would have more than kMostReplayPoses poses in `steps` steps, and FileError.
+    ReplayOutput(const Scene& scene, const SceneWorld& built, const RunOptions& options, std::uint64_t steps);
+
+    // To be called for the initial state and after each step.
+    void record(const SceneWorld& built);
+
+    // Writes the page and returns its size in bytes. `complete` is false for a run that was interrupted.
+    std::uint64_t finish(const SceneWorld& built, bool complete);
+
+private:
+    std::vector<ReplayClaim> claims(const SceneWorld& built) const;
+
+    const Scene& scene_;
+    OutputFile file_;
+    ReplayRecorder recorder_;
+    ExpectationWatch watch_;
+};
+
+}  // namespace tumble::tools
