@@ -71,7 +71,7 @@ std::string unknown_argument_text(const CLI::App& app) {
 }
 
 std::string parse_error_text(const CLI::App& app, const CLI::ParseError& error) {
-    const std::string text = error.what();
+    std::string text = error.what();
     switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
         case CLI::ExitCodes::ExtrasError: return unknown_argument_text(app);
         case CLI::ExitCodes::ArgumentMismatch: return text.substr(0, text.find(':')) + ": the value is missing";
@@ -92,21 +92,25 @@ ExitCode answer_parse_error(CLI::App& app, const CLI::ParseError& error) {
     return ExitCode::usage;
 }
 
-}  // namespace
-
-int main(int argument_count, char** arguments) {
+ExitCode answer_command_line(int argument_count, char** arguments) {
     CLI::App app("Simulates 2D physics scenes, renders their frames off-screen, computes distances with proof",
                  "tumble");
     Command command;
+    try {
+        return run_command(app, command, argument_count, arguments);
+    } catch (const CLI::ParseError& error) {
+        return answer_parse_error(app, error);
+    } catch (...) {
+        return report_exception(std::current_exception(), command.json);
+    }
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
     ExitCode code = ExitCode::internal_error;
     try {
-        code = run_command(app, command, argument_count, arguments);
-    } catch (const CLI::ParseError& error) {
-        code = answer_parse_error(app, error);
-    } catch (...) {
-        code = report_exception(std::current_exception(), command.json);
-    }
-    try {
+        code = answer_command_line(argument_count, arguments);
         finish_output();
     } catch (...) {
         code = report_exception(std::current_exception(), false);

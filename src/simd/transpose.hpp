@@ -32,8 +32,8 @@ TUMBLE_LANE_FUNCTION void scatter_rows(const Lanes fields[4], float* const rows[
     for (int lane = 0; lane < kLaneCount; lane += simd::kPacketSize) {
         for (int i = 0; i < 4; ++i) tile.packet[i] = ploadu<simd::Packet>(fields[i].data() + lane);
         ptranspose(tile);  // for 8 floats a packet: two rows of four in each packet
-        float* const rows_of_tile = table[lane];
-        for (int i = 0; i < 4; ++i) pstoreu(&rows_of_tile[i * simd::kPacketSize], tile.packet[i]);
+        float* target = table[lane];
+        for (int i = 0; i < 4; ++i, target += simd::kPacketSize) pstoreu(target, tile.packet[i]);
     }
     for (int row = 0; row < kLaneCount; ++row) pstoreu(rows[row], ploadu<Packet4f>(table[row]));
 }

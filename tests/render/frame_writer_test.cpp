@@ -16,7 +16,8 @@ namespace {
 
 void fill(Image& image, int size, int value) {
     image.width = image.height = size;
-    image.rgba.assign(static_cast<std::size_t>(4 * size * size), static_cast<std::uint8_t>(value));
+    image.rgba.assign(std::size_t{4} * static_cast<std::size_t>(size) * static_cast<std::size_t>(size),
+                      static_cast<std::uint8_t>(value));
 }
 
 }  // namespace

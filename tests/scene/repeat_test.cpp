@@ -23,7 +23,7 @@ SceneBody repeated(SceneRepeat repeat) {
 
 std::vector<CopyPose> poses_of(SceneRepeat repeat, std::uint64_t seed = 1, std::uint64_t stream = 0) {
     const SceneBody body = repeated(repeat);
-    const std::vector<CopyPose> poses = scene::copy_poses(body, seed, stream);
+    std::vector<CopyPose> poses = scene::copy_poses(body, seed, stream);
     CHECK(scene::copy_count(body) == std::ssize(poses));
     return poses;
 }

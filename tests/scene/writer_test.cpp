@@ -17,7 +17,7 @@ using namespace tumble;
 namespace {
 
 std::filesystem::path temporary_folder() {
-    const std::filesystem::path folder = std::filesystem::path(TUMBLE_BINARY_DIR) / "scene_test";
+    std::filesystem::path folder = std::filesystem::path(TUMBLE_BINARY_DIR) / "scene_test";
     std::filesystem::create_directories(folder);
     return folder;
 }

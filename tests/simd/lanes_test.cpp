@@ -3,8 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -21,6 +22,8 @@ Lanes random_lanes(std::mt19937& random) {
     for (int i = 0; i < kLaneCount; ++i) lanes[i] = value(random);
     return lanes;
 }
+
+std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 }  // namespace
 
@@ -69,14 +72,14 @@ TEST_CASE("rows that are gathered into lanes and scattered again keep their bits
     gather_rows(rows, fields);
     for (int lane = 0; lane < kLaneCount; ++lane)
         for (int field = 0; field < 8; ++field)
-            CHECK(std::memcmp(fields[field].data() + lane, &records[order[lane]][field], sizeof(float)) == 0);
+            CHECK(bits(fields[field].data()[lane]) == bits(records[order[lane]][field]));
 
     alignas(32) float copies[kLaneCount][8] = {};
     float* targets[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) targets[lane] = copies[order[lane]];
     scatter_rows(fields, targets);
     for (int row = 0; row < kLaneCount; ++row) {
-        CHECK(std::memcmp(copies[row], records[row], 4 * sizeof(float)) == 0);
+        for (int field = 0; field < 4; ++field) CHECK(bits(copies[row][field]) == bits(records[row][field]));
         for (int field = 4; field < 8; ++field) CHECK(copies[row][field] == 0.0f);
     }
 }

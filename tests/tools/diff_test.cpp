@@ -140,7 +140,7 @@ TEST_CASE("a scene with one body inserted differs from itself by that body") {
     CHECK(run_tumble({"diff", a, c}).out ==
           "added, only B has: 'body[1]'\nequal bit for bit: 31 steps of 5 bodies that both have\n");
     const auto trajectory = [&](const std::string& scene, const std::string& name) {
-        const std::string run = (folder / name).string();
+        std::string run = (folder / name).string();
         REQUIRE(run_tumble({"run", scene, "--no-frames", "-o", run, "--trajectory", run + "/trajectory.csv"}).code ==
                 0);
         return run;

@@ -45,8 +45,9 @@ std::string small_scene_file(const Folder& folder) { return folder.write("small.
 TEST_CASE("five seconds at 60 frames per second are 301 frames") {
     const Folder folder;
     const fs::path out = folder / "out";
-    const Answer answer = run_tumble({"run", TUMBLE_SOURCE_DIR "/scenes/pyramid.json", "--duration", "5", "--fps", "60",
-                                      "--size", "64x36", "-o", out.string()});
+    const std::string pyramid = TUMBLE_SOURCE_DIR "/scenes/pyramid.json";
+    const Answer answer =
+        run_tumble({"run", pyramid, "--duration", "5", "--fps", "60", "--size", "64x36", "-o", out.string()});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     CHECK(count_files(out / "frames") == 301);
     CHECK(fs::exists(out / "frames/frame_000000.png"));

@@ -32,7 +32,7 @@ Scene load_named_scene(const std::string& file, const LoadOptions& changes, std:
 
 Scene read_scene(const SceneOptions& options) {
     std::vector<Diagnostic> warnings;
-    const Scene scene = load_named_scene(options.file, options.changes, &warnings);
+    Scene scene = load_named_scene(options.file, options.changes, &warnings);
     for (const Diagnostic& warning : warnings) narrate(to_string(warning) + "\n");
     return scene;
 }

@@ -9,8 +9,6 @@
 
 namespace tumble {
 
-namespace {}  // namespace
-
 void mix_surfaces(Contact& contact, const ShapeStore& shapes) {
     const ShapeRecord& a = shapes[contact.shapes.a];
     const ShapeRecord& b = shapes[contact.shapes.b];

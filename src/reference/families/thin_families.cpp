@@ -81,7 +81,8 @@ PairQuery make_duplicate_vertices(Random& random) {
 Shape with_midpoints(Random& random) {
     std::vector<GridPoint> corners;
     for (int i = 0; i < 4; ++i)
-        corners.push_back({2 * random.integer(-1000000, 1000000), 2 * random.integer(-1000000, 1000000)});
+        corners.push_back(
+            {std::int64_t{2} * random.integer(-1000000, 1000000), std::int64_t{2} * random.integer(-1000000, 1000000)});
     corners = convex_hull(std::move(corners));
     std::vector<GridPoint> points;
     for (std::size_t i = 0; i < corners.size(); ++i) {

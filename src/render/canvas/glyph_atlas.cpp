@@ -131,8 +131,9 @@ const GlyphAtlas::Glyph& GlyphAtlas::find_or_draw(int index, double size, int qu
     TUMBLE_CHECK(glyph.y + glyph.height <= kSize);
     shelf_x_ += glyph.width;
     shelf_height_ = std::max(shelf_height_, glyph.height);
-    stbtt_MakeGlyphBitmapSubpixel(&font_->info, texels_.data() + glyph.y * kSize + glyph.x, glyph.width, glyph.height,
-                                  kSize, scale, scale, shift, 0.0f, index);
+    unsigned char* const corner = texels_.data() + std::ptrdiff_t{glyph.y} * kSize + glyph.x;
+    stbtt_MakeGlyphBitmapSubpixel(&font_->info, corner, glyph.width, glyph.height, kSize, scale, scale, shift, 0.0f,
+                                  index);
     ++revision_;
     return glyph;
 }

@@ -8,7 +8,7 @@ namespace {
 
 // The hint for a body that does not exist. A joint to the world is a joint to a body that never moves.
 std::string hint_for_body(const BodyNames& names, const std::string& name, const std::string& pointer) {
-    const std::string hint = names.hint(name);
+    std::string hint = names.hint(name);
     const bool means_world = name == "world" || name == "ground" || name == "background";
     if (!means_world || !pointer.starts_with("/joints") || hint.starts_with("did you mean")) return hint;
     return "a joint needs two bodies; one that never moves is {\"name\": " + quoted(name) + R"(, "type": "static"})";

@@ -100,7 +100,7 @@ private:
     // because it may contain any bytes.
     static std::string reason(const std::string& what) {
         const std::size_t start = what.find("syntax error");
-        const std::string text = start == std::string::npos ? what : what.substr(start);
+        std::string text = start == std::string::npos ? what : what.substr(start);
         const std::size_t read = text.find("; last read: ");
         const std::size_t expected = text.rfind("; expected ");
         if (read == std::string::npos) return text;
