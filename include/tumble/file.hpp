@@ -69,10 +69,12 @@ struct PartialFile {
     std::filesystem::path path;
     std::filesystem::path file;  // what its name was going to be
     int process = 0;             // the process that made it
-    bool is_running = false;     // whether there is a process of that number
+    bool is_open = false;        // whether that process still writes it
 };
 
-// The temporary files in a folder, but not in its folders; none if there is no such folder.
+// The temporary files in a folder, but not in its folders; none if there is no such folder. A file is open if an
+// OutputFile has its lock (flock). On a file system without such locks it counts as open if another process has the
+// number in its name, which may be a later process of that number.
 std::vector<PartialFile> find_partial_files(const std::filesystem::path& folder);
 
 }  // namespace tumble
