@@ -20,7 +20,7 @@ namespace tumble {
 struct Diagnostic {
     enum class Severity { error, warning };
     Severity severity = Severity::error;
-    std::string file;
+    std::string file;                        // or the argument: "--set /a/b=1", "--seed 7"
     int line = 0;                            // from 1; 0 if the location is unknown
     int column = 0;                          // from 1, in bytes
     std::string pointer;                     // JSON pointer of the value
@@ -28,6 +28,7 @@ struct Diagnostic {
     std::string source_line;                 // the line of the file, for the caret
     std::string hint;                        // may be empty
     std::vector<std::string> included_by{};  // "file:line:column" of the entries that include the file, innermost first
+    bool is_of_argument = false;             // the value comes from LoadOptions: an override or the seed
 };
 
 // "file:line:column: pointer: message", then the source line, a caret, the hint, and the files that include this one.
