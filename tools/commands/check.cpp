@@ -58,8 +58,8 @@ void warn_of_no_claims(const SceneCheck& check) {
                    "--require-claims refuses such scenes");
 }
 
-// Writes everything to one stream, so that a log keeps the order. Each failure names its file, so that it can be
-// searched.
+// Writes the verdict and its details to standard output, so that a log keeps their order. Each failed claim is a line
+// with the name of the file, for searches in logs.
 void print(const SceneCheck& check) {
     std::string text = verdict_line(check);
     if (!check.error.empty()) text += "  " + check.error + (check.error.ends_with('\n') ? "" : "\n");
@@ -162,8 +162,7 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
     if (!options.junit.empty()) refuse_to_overwrite(options.junit, options.force);
     catch_interrupts();
     std::vector<SceneCheck> checks = check_scene_files(without_schemas(options.files), options.check);
-    // The exit code reports an interruption first, then a scene that could not be checked, then a claim that does not
-    // hold.
+    // Of different codes, that of an interruption counts most, then the highest other than `failed`, then `failed`.
     const auto weight = [](ExitCode code) { return code == ExitCode::failed ? 1 : static_cast<int>(code) * 10; };
     ExitCode code = ExitCode::ok;
     JsonWriter json;
