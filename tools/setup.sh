@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Installs what tumble needs from Debian's packages: the one place that lists them. Installs only what is missing, says
-# what and why, and says nothing if all is there.
+# Installs the Debian packages that tumble needs. No other file lists them. Prints each missing package with its purpose
+# and installs it; prints nothing if all packages are installed.
 #   tools/setup.sh build   to build and run tumble (the default)
 #   tools/setup.sh test    to run its tests
 #   tools/setup.sh all     both
 set -euo pipefail
 
-# PACKAGE:WHY, one a line.
+# One entry per line: PACKAGE:PURPOSE.
 build_packages=(
     'g++:the compiler, C++20'
     'cmake:configures the build, 3.25 or newer'
@@ -36,8 +36,8 @@ test_packages=(
     'shellcheck:checks these scripts'
     'ffmpeg:encodes the videos of runs, and decodes them for the tests'
     'chromium:opens replay pages'
-    'chromium-driver:drives it'
-    'python3-selenium:drives it from a script'
+    'chromium-driver:lets scripts control chromium'
+    'python3-selenium:controls chromium from Python'
 )
 
 say() { echo "setup: $*" >&2; }
@@ -51,7 +51,7 @@ case ${1-build} in
 esac
 
 if ! type -P dpkg-query apt-get > /dev/null; then
-    say "this is not Debian or one of its children, so nothing can be installed for you. tumble needs"
+    say "apt-get or dpkg-query is missing, so this script cannot install packages. tumble needs"
     printf '  %s\n' "${wanted[@]/:/: }" >&2
     die "(names as in Debian 12). Install them, then: cmake --preset release && cmake --build --preset release"
 fi
@@ -79,5 +79,5 @@ install_packages() {
         apt-get install --yes --quiet --quiet --no-install-recommends "${missing[@]}" >&2
 }
 say "installing them with apt-get"
-"${as_root[@]}" apt-get update --quiet --quiet >&2 || say "could not refresh the package lists; trying with those at hand"
+"${as_root[@]}" apt-get update --quiet --quiet >&2 || say "could not update the package lists; using older ones"
 install_packages || die "apt-get could not install: ${missing[*]}"

@@ -18,8 +18,8 @@ public:
     FileError(const std::filesystem::path& path, std::string_view reason);
 };
 
-// The bytes of a file, by default all; else at most limit + 1, where more than `limit` bytes mean that the file is
-// longer than that. Throws FileError.
+// The first bytes of a file: all of them if it has at most `limit`, else limit + 1, which shows the caller that the
+// file is too long. Throws FileError.
 std::string read_file(const std::filesystem::path& file,
                       std::size_t limit = std::numeric_limits<std::size_t>::max() - 1);
 
@@ -43,7 +43,7 @@ public:
     // Writes the buffered bytes, so that the temporary file contains all so far. Returns their number.
     std::uint64_t save_so_far();
 
-    // Closes the file and leaves the temporary file with what is written so far. To be called once, last.
+    // Closes the file without writing the buffered bytes, and keeps the temporary file. To be called once, last.
     void leave();
 
     // Appends bytes `begin` to `end` of another file. Throws FileError, also if it is shorter.
@@ -64,15 +64,17 @@ private:
     std::string buffer_;
 };
 
-// A temporary file of an OutputFile. That of a process that was killed remains.
+// A temporary file of an OutputFile. It remains if its process is killed.
 struct PartialFile {
     std::filesystem::path path;
-    std::filesystem::path file;  // what its name was going to be
+    std::filesystem::path file;  // the path that commit() would have renamed it to
     int process = 0;             // the process that made it
-    bool is_running = false;     // whether there is a process of that number
+    bool is_open = false;        // whether that process still writes it
 };
 
-// The temporary files in a folder, but not in its folders; none if there is no such folder.
+// The temporary files in a folder, but not in its folders; none if there is no such folder. A file is open if an
+// OutputFile has its lock (flock). On a file system without such locks it counts as open if another process has the
+// number in its name, which may be a later process of that number.
 std::vector<PartialFile> find_partial_files(const std::filesystem::path& folder);
 
 }  // namespace tumble

@@ -20,7 +20,7 @@ namespace tumble {
 struct Diagnostic {
     enum class Severity { error, warning };
     Severity severity = Severity::error;
-    std::string file;
+    std::string file;                        // or the argument: "--set /a/b=1", "--seed 7"
     int line = 0;                            // from 1; 0 if the location is unknown
     int column = 0;                          // from 1, in bytes
     std::string pointer;                     // JSON pointer of the value
@@ -28,6 +28,7 @@ struct Diagnostic {
     std::string source_line;                 // the line of the file, for the caret
     std::string hint;                        // may be empty
     std::vector<std::string> included_by{};  // "file:line:column" of the entries that include the file, innermost first
+    bool is_of_argument = false;             // the value comes from LoadOptions: an override or the seed
 };
 
 // "file:line:column: pointer: message", then the source line, a caret, the hint, and the files that include this one.
@@ -48,18 +49,18 @@ struct LoadOptions {
     std::vector<std::string> overrides;  // "/json/pointer=value" each; a value that is not JSON is taken as a string
     std::optional<std::uint64_t> seed;   // replaces /world/seed
 
-    // Also warn about valid scenes that are likely to disappoint: builds the world and steps it once.
+    // Also warn about valid scenes whose bodies overlap, sag or cannot keep their joints. Builds the world and steps it
+    // once to find out.
     bool lint = false;
 
-    // Keep Scene::include and do not add the included entries: for a scene that is written again.
+    // Keep Scene::include and do not add the included entries, so that to_json() gives a file with the same includes.
     bool keep_includes = false;
 
     ReadIncluded read_included{};  // default: from the file system for load_scene(), none for parse_scene()
 };
 
 // Reads a scene and the files that it includes. Throws FileError (not readable) or SceneError (not valid). Warnings are
-// appended to `warnings` if it is not null. Wrong overrides are SceneErrors too; their diagnostics have the override in
-// place of the file, and no line.
+// appended to `warnings` if it is not null. Wrong overrides are SceneErrors too, see Diagnostic::is_of_argument.
 Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* warnings = nullptr);
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options,
                  std::vector<Diagnostic>* warnings = nullptr);

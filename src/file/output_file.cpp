@@ -1,6 +1,7 @@
 // System calls instead of streams: they report the reason of a failure. Some file systems report a full disk only at
 // close().
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,7 +21,7 @@ namespace {
 
 constexpr std::size_t kBufferSize = 1 << 16;  // bytes: large enough that the cost of a system call is negligible
 
-// A name that no other thread or process uses.
+// A name that no other thread or running process uses.
 std::filesystem::path temporary_name(const std::filesystem::path& file) {
     static std::atomic<unsigned> serial{0};
     std::filesystem::path name = file;
@@ -39,9 +40,13 @@ OutputFile::OutputFile(std::filesystem::path file) : path_(std::move(file)) {
         if (descriptor_ < 0) fail(errno);
         return;
     }
-    temporary_ = temporary_name(path_);
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    // A killed process may have left a file of this name: the system gives its number to another process later.
+    do {
+        temporary_ = temporary_name(path_);
+        descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (descriptor_ < 0 && errno == EEXIST);
     if (descriptor_ < 0) fail(errno);
+    ::flock(descriptor_, LOCK_EX);  // for find_partial_files(), which does without it where it fails
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept

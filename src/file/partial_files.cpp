@@ -1,4 +1,7 @@
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
@@ -22,6 +25,16 @@ std::optional<int> process_of(std::string_view text) {
     return process;
 }
 
+// Whether an OutputFile has the lock of this file. The system releases the lock when the process ends.
+bool is_open_for_output(const std::filesystem::path& path, int process) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const bool is_free = descriptor >= 0 && ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+    const bool is_locked = descriptor >= 0 && !is_free && errno == EWOULDBLOCK;
+    if (descriptor >= 0) ::close(descriptor);
+    if (is_free || is_locked) return is_locked;
+    return process != ::getpid() && (::kill(process, 0) == 0 || errno == EPERM);  // a file system without locks
+}
+
 std::optional<PartialFile> parse_partial(const std::filesystem::path& path) {
     const std::string name = path.filename().string();
     const std::string whole = std::filesystem::path(name).stem().string();  // without ".partial"
@@ -29,8 +42,7 @@ std::optional<PartialFile> parse_partial(const std::filesystem::path& path) {
     if (path.extension() != ".partial" || dot == std::string::npos || dot == 0) return std::nullopt;
     const std::optional<int> process = process_of(std::string_view(whole).substr(dot + 1));
     if (!process) return std::nullopt;
-    const bool is_running = ::kill(*process, 0) == 0 || errno == EPERM;
-    return PartialFile{path, path.parent_path() / whole.substr(0, dot), *process, is_running};
+    return PartialFile{path, path.parent_path() / whole.substr(0, dot), *process, is_open_for_output(path, *process)};
 }
 
 }  // namespace

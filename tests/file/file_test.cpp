@@ -167,8 +167,37 @@ TEST_CASE("a temporary file that is left can be found with its file and its proc
     for (const tumble::PartialFile& partial : found) {
         CHECK(partial.file == folder.path / "data.csv");
         const bool is_own = partial.path == temporary;
-        CHECK(partial.is_running == is_own);
+        CHECK_FALSE(partial.is_open);
         CHECK(partial.process == (is_own ? ::getpid() : 999999999));
     }
     CHECK(tumble::find_partial_files(folder.path / "none").empty());
+}
+
+TEST_CASE("a temporary file is open while it is written, whatever process has the number in its name") {
+    const Folder folder;
+    write_whole(folder.path / "data.csv.1-0.partial", "");  // process 1 runs
+    write_whole(folder.path / ("data.csv." + std::to_string(::getpid()) + "-0.partial"), "");
+    const OutputFile output(folder.path / "data.csv");
+    const std::vector<tumble::PartialFile> found = tumble::find_partial_files(folder.path);
+    REQUIRE(found.size() == 3);
+    for (const tumble::PartialFile& partial : found) CHECK(partial.is_open == (partial.path == output.temporary()));
+}
+
+TEST_CASE("a file that a killed process of the same number has left does not block its name") {
+    const Folder folder;
+    const std::string number = std::to_string(::getpid());
+    unsigned serial = 0;
+    {
+        // The numbers of the files of this process are consecutive.
+        const OutputFile last(folder.path / "x");
+        const std::string name = last.temporary().string();
+        const std::size_t start = name.rfind('-') + 1;
+        serial = static_cast<unsigned>(std::stoul(name.substr(start)));
+    }
+    // write_whole() takes a number itself.
+    write_whole(folder.path / ("data.csv." + number + "-" + std::to_string(serial + 3) + ".partial"), "old");
+    write_whole(folder.path / ("data.csv." + number + "-" + std::to_string(serial + 4) + ".partial"), "old");
+    write_whole(folder.path / "data.csv", "new");
+    CHECK(read_file(folder.path / "data.csv") == "new");
+    CHECK(folder.entries() == 3);
 }

@@ -90,7 +90,7 @@ const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"rapidjson", {"tools"}},
     {"libfccp", {"tools"}},
     {"CLI", {"tools"}},
-    {"xxhash.h", {"world", "scene"}},
+    {"xxhash.h", {"world", "scene", "tools"}},
     {"box2d", {"reference"}},
     {"gmp.h", {"reference"}},
     {"gmpxx.h", {"reference"}},

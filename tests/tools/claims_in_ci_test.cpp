@@ -44,7 +44,13 @@ TEST_CASE("check says that a scene has no claims, and --require-claims refuses i
     CHECK(required.code == 7);
     const json document = json::parse(required.out);
     CHECK(document["scenes"][0]["passed"] == false);
-    CHECK(document["scenes"][0]["error"].get<std::string>().find("has no claims") == 0);
+    CHECK(document["scenes"][0]["failure"].get<std::string>().find("has no claims") == 0);
+    CHECK_FALSE(document["scenes"][0].contains("error"));
+    const std::string junit = (folder / "j.xml").string();
+    const Answer text = run_tumble({"check", none, "--require-claims", "--junit", junit});
+    CHECK(text.out.starts_with(none + ": failed: has no claims, "));
+    CHECK(read_text(junit).find("tests=\"1\" failures=\"1\" errors=\"0\"") != std::string::npos);
+    CHECK(read_text(junit).find("<failure message=\"has no claims, ") != std::string::npos);
     CHECK(document["scenes"][1]["passed"] == true);
     CHECK(run_tumble({"check", some, "--require-claims"}).code == 0);
 }
@@ -126,4 +132,26 @@ TEST_CASE("--update writes the hashes that were found, and nothing else") {
     const Answer both = run_tumble({"check", failing, "--update"});
     CHECK(both.code == 7);
     CHECK(both.out.find("/expect/0/state_hash updated from 0000000000000000 to " + end) != std::string::npos);
+}
+
+TEST_CASE("a scene file that --update cannot write is an error of its scene, and all reports are written") {
+    const Folder folder;
+    const std::string text = ball_scene(R"({"state_hash": "0000000000000000"})");
+    const std::string kept = folder.write("kept.json", text), other = folder.write("other.json", text);
+    // The temporary file beside a name of 250 bytes has a longer name than file systems allow.
+    const std::string blocked = folder.write(std::string(245, 'x') + ".json", text);
+    const std::string junit = (folder / "j.xml").string();
+    const Answer answer = run_tumble({"check", kept, blocked, other, "--update", "--json", "--junit", junit});
+    CHECK(answer.code == 4);
+    REQUIRE_MESSAGE(!answer.out.empty(), answer.err);
+    const json scenes = json::parse(answer.out)["scenes"];
+    REQUIRE(scenes.size() == 3);
+    CHECK(scenes[0]["updated"].size() == 1);
+    CHECK(scenes[1]["error"].get<std::string>().find("the hashes could not be written: ") == 0);
+    CHECK_FALSE(scenes[1].contains("updated"));
+    CHECK(scenes[1]["expectations"][0]["passed"] == false);
+    CHECK(scenes[2]["updated"].size() == 1);
+    CHECK(read_text(blocked) == text);
+    CHECK(read_text(junit).find("tests=\"4\" failures=\"1\" errors=\"1\"") != std::string::npos);
+    CHECK(run_tumble({"check", blocked, "--update"}).out.find(": 0 of 1 claims hold") != std::string::npos);
 }

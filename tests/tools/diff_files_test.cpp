@@ -8,23 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "diff_answer.hpp"
 #include "process.hpp"
 #include "tools/diff/png_reader.hpp"
 #include "tumble/render.hpp"
 
 using nlohmann::json;
 using tumble::test::Answer;
+using tumble::test::compare;
 using tumble::test::Folder;
 using tumble::test::run_tumble;
-
-namespace {
-
-json compare(const Answer& answer) {
-    REQUIRE_MESSAGE(!answer.out.empty(), answer.err);
-    return json::parse(answer.out);
-}
-
-}  // namespace
 
 TEST_CASE("diff compares events by step, kind and names, whatever their order in a step") {
     const Folder folder;
@@ -59,6 +52,51 @@ TEST_CASE("diff compares events by step, kind and names, whatever their order in
     const Answer kinds = run_tumble({"diff", a, folder.write("h.csv", "step,hash\n0,1\n")});
     CHECK(kinds.code == 2);
     CHECK(kinds.err.find("only two of a kind") != std::string::npos);
+}
+
+TEST_CASE("events of equal kind and names in one step have no order") {
+    const Folder folder;
+    const std::string header = "step,time,event,a,b,x,y,nx,ny,speed\n", hit = "2,1,contact_begin,ball,floor,";
+    const auto diff = [&](const std::string& a, const std::string& b, const std::string& tolerance) {
+        return run_tumble({"diff", folder.write("a.csv", header + a), folder.write("b.csv", header + b), "--tolerance",
+                           tolerance, "--json"});
+    };
+    const std::string left = hit + "1,0,0,1,3\n", middle = hit + "2,0,0,1,3\n", right = hit + "3,0,0,1,3\n";
+    CHECK(diff(left + middle + right, right + left + middle, "0").code == 0);
+    CHECK(compare(diff(left + left + right, right + left, "0"))["only_a"] == 1);
+    // Sorted by their numbers, the first of A is not near the first of B.
+    const std::string near_left = hit + "1,5,0,1,3\n" + hit + "1.25,9,0,1,3\n",
+                      near_right = hit + "1.5,5,0,1,3\n" + hit + "1,9,0,1,3\n";
+    CHECK(diff(near_left, near_right, "0.5").code == 0);
+    const json differs = compare(diff(near_left, near_right, "0.25"));
+    CHECK(differs["common"] == 2);
+    CHECK(differs["only_a"] == 0);
+    // Half a million events: with a search for each among all, this takes hours.
+    std::string up, down;
+    for (int i = 0; i < 500000; ++i) {
+        up += hit + std::to_string(i) + ",0,0,1,3\n";
+        down += hit + std::to_string(499999 - i) + ",0,0,1,3\n";
+    }
+    const json many = compare(diff(up, down, "0"));
+    CHECK(many["equal"] == true);
+    CHECK(many["common"] == 500000);
+}
+
+TEST_CASE("diff compares seeds as integers of 64 bits, and refuses changes of what is no scene") {
+    const Folder folder;
+    const auto summary = [&](const std::string& name, const std::string& seed) {
+        return folder.write(name, R"({"state_hash": "0", "wall_s": {}, "complete": true, "seed": )" + seed + "}");
+    };
+    // 2^63 and 2^63 + 1 are the same double.
+    const std::string a = summary("a.json", "9223372036854775808"), b = summary("b.json", "9223372036854775809");
+    CHECK(run_tumble({"diff", a, a}).code == 0);
+    CHECK(run_tumble({"diff", a, b}).code == 7);
+    CHECK(run_tumble({"diff", b, a, "--tolerance", "1"}).code == 0);
+    CHECK(run_tumble({"diff", a, a, "--set", "/seed=1"}).code == 2);
+    const std::string picture = (folder / "a.png").string();
+    tumble::write_png({2, 2, std::vector<std::uint8_t>(16, 255)}, picture);
+    CHECK(run_tumble({"diff", picture, picture}).code == 0);
+    CHECK(run_tumble({"diff", picture, picture, "--seed", "2"}).code == 2);
 }
 
 TEST_CASE("diff compares two summaries without their times") {
@@ -119,6 +157,17 @@ TEST_CASE("diff compares frames pixel by pixel and draws where they differ") {
     CHECK(heat.rgba[0] == 30);                                    // (120 + 120 + 120) / 3, a quarter of it
     CHECK(run_tumble({"diff", a, b, "--heat-map", map}).code == 4);
     CHECK(run_tumble({"diff", a, b, "--heat-map", map, "--force"}).out.ends_with("heat map: " + map + "\n"));
+
+    // No map of an earlier comparison is left if the frames are equal or cannot be read, and no frame is lost.
+    CHECK(run_tumble({"diff", a, a, "--heat-map", map, "--force"}).code == 0);
+    CHECK_FALSE(std::filesystem::exists(map));
+    folder.write("map.png", "old");
+    const std::string frame = a + "/frames/frame_000000.png", broken = folder.write("broken.png", "PNG");
+    CHECK(run_tumble({"diff", frame, broken, "--heat-map", map, "--force"}).code == 3);
+    CHECK_FALSE(std::filesystem::exists(map));
+    CHECK(run_tumble({"diff", frame, frame, "--heat-map", frame, "--force"}).code == 2);
+    CHECK(run_tumble({"diff", a, b, "--heat-map", frame, "--force"}).code == 2);
+    CHECK(std::filesystem::exists(frame));
 
     write("a/frames/frame_000002.png", 120);
     write("b/frames/frame_000000.png", 120, 5);

@@ -5,11 +5,13 @@
 
 #include <string>
 
+#include "diff_answer.hpp"
 #include "process.hpp"
 #include "support/near.hpp"
 
 using nlohmann::json;
 using tumble::test::Answer;
+using tumble::test::compare;
 using tumble::test::Folder;
 using tumble::test::near;
 using tumble::test::relative;
@@ -18,11 +20,6 @@ using tumble::test::run_tumble;
 namespace {
 
 constexpr const char* kHeader = "step,time,body,x,y,angle,vx,vy,omega\n";
-
-json compare(const Answer& answer) {
-    REQUIRE_MESSAGE(!answer.out.empty(), answer.err);
-    return json::parse(answer.out);
-}
 
 }  // namespace
 
@@ -110,7 +107,9 @@ TEST_CASE("a run that ends early or has other bodies differs") {
     CHECK(ended.out.find("step 1 (0.5 s): B ends before this step") != std::string::npos);
     const Answer other = run_tumble({"diff", a, renamed});
     CHECK(other.code == 7);
-    CHECK(other.out.find("renamed: 'ball' to 'box'\n") != std::string::npos);
+    CHECK(other.out ==
+          "added, only B has: 'box'\nremoved, only A has: 'ball'\n"
+          "equal bit for bit: 2 steps of 0 bodies that both have\n");
 }
 
 TEST_CASE("a scene with one body inserted differs from itself by that body") {
@@ -156,27 +155,35 @@ TEST_CASE("a scene with one body inserted differs from itself by that body") {
     CHECK(moved["first"]["differing_bodies"] == 3);
 }
 
-TEST_CASE("a body of another name with the shapes and the place of one that is gone is renamed") {
+TEST_CASE("a body without a name is paired by shapes and pose, and is renamed if the other run has a name for it") {
     const Folder folder;
     const auto scene = [&](const std::string& file, const std::string& name, const std::string& radius) {
         return folder.write(file, R"({"format": 1, "world": {"duration": 0.1}, "bodies": [
             {"name": "other", "position": [5, 0], "shapes": [{"circle": {"radius": 1}}]},
-            {"name": ")" + name + R"(", "shapes": [{"circle": {"radius": )" +
+            {)" + name + R"("shapes": [{"circle": {"radius": )" +
                                       radius + "}}]}]}");
     };
-    const std::string ball = scene("ball.json", "ball", "1"), box = scene("box.json", "box", "1"),
-                      larger = scene("larger.json", "box", "2");
-    const Answer renamed = run_tumble({"diff", ball, box});
+    const std::string ball = scene("ball.json", R"("name": "ball", )", "1"), none = scene("none.json", "", "1"),
+                      box = scene("box.json", R"("name": "box", )", "1"), larger = scene("larger.json", "", "2");
+    const Answer renamed = run_tumble({"diff", none, ball});
     CHECK(renamed.code == 7);
-    CHECK(renamed.out == "renamed: 'ball' to 'box'\nequal bit for bit: 7 steps of 2 bodies that both have\n");
-    CHECK(compare(run_tumble({"diff", ball, box, "--json"}))["renamed"] ==
-          json::parse(R"([{"a": "ball", "b": "box"}])"));
-    const json parted = compare(run_tumble({"diff", ball, box, "--set", "/bodies/box/gravity_scale=0", "--json"}));
-    CHECK(parted["first"]["body"] == "ball");
-    CHECK(parted["first"]["body_b"] == "box");
+    CHECK(renamed.out == "renamed: 'body[1]' to 'ball'\nequal bit for bit: 7 steps of 2 bodies that both have\n");
+    CHECK(run_tumble({"diff", ball, none}).out ==
+          "renamed: 'ball' to 'body[1]'\nequal bit for bit: 7 steps of 2 bodies that both have\n");
+    CHECK(compare(run_tumble({"diff", none, ball, "--json"}))["renamed"] ==
+          json::parse(R"([{"a": "body[1]", "b": "ball"}])"));
+    const json parted = compare(run_tumble({"diff", none, ball, "--set", "/bodies/ball/gravity_scale=0", "--json"}));
+    CHECK(parted["first"]["body"] == "body[1]");
+    CHECK(parted["first"]["body_b"] == "ball");
+    // Both scenes declare a name, so that each body is one of its own.
+    const Answer declared = run_tumble({"diff", ball, box});
+    CHECK(declared.code == 7);
+    CHECK(declared.out ==
+          "added, only B has: 'box'\nremoved, only A has: 'ball'\n"
+          "equal bit for bit: 7 steps of 1 bodies that both have\n");
     const json replaced = compare(run_tumble({"diff", ball, larger, "--json"}));  // in the same place
     CHECK(replaced["renamed"].empty());
-    CHECK(replaced["added"] == json{"box"});
+    CHECK(replaced["added"] == json{"body[1]"});
     CHECK(replaced["removed"] == json{"ball"});
 }
 

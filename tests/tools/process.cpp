@@ -4,12 +4,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace tumble::test {
 
@@ -71,6 +73,11 @@ Answer Process::wait() {
     waitpid(id_, &status, 0);
     waited_ = true;
     return {exit_code(status), read_text(folder_ / "out"), read_text(folder_ / "err")};
+}
+
+void wait_for(const fs::path& file, const Process& process) {
+    for (int tries = 0; tries < 12000 && !fs::exists(file) && process.is_running(); ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
 Answer run(const std::vector<std::string>& command, const fs::path& working_folder) {

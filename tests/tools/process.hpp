@@ -34,6 +34,9 @@ private:
     std::filesystem::path folder_;  // input and output of the process
 };
 
+// Waits until the file exists or the process ends, a minute at most.
+void wait_for(const std::filesystem::path& file, const Process& process);
+
 Answer run(const std::vector<std::string>& command, const std::filesystem::path& working_folder = ".");
 
 // The binary under test with these arguments.

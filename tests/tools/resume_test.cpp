@@ -3,12 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <map>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "process.hpp"
@@ -20,6 +18,7 @@ using tumble::test::Folder;
 using tumble::test::Process;
 using tumble::test::read_text;
 using tumble::test::tumble_command;
+using tumble::test::wait_for;
 
 namespace {
 
@@ -49,11 +48,6 @@ std::map<std::string, std::string> files_of(const fs::path& folder) {
         if (entry.is_regular_file() && entry.path().filename() != "summary.json")
             files[fs::relative(entry.path(), folder).string()] = read_text(entry.path());
     return files;
-}
-
-void wait_for(const fs::path& file, const Process& process) {
-    for (int tries = 0; tries < 12000 && !fs::exists(file) && process.is_running(); ++tries)
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
 // Two folders: one for the run that is not interrupted.
@@ -143,4 +137,77 @@ TEST_CASE("--resume refuses another scene, other options, a damaged checkpoint a
     CHECK(run({"--resume"}).code == 3);
     folder.write("out/checkpoint", saved);
     CHECK(run({"--resume"}).code == 0);
+}
+
+TEST_CASE("--resume refuses a table that was changed, and continues one that was restored") {
+    const TwoRuns runs;
+    const auto resume = [&] { return tumble::test::run(run_of(runs.parted, {"--resume"}), runs.parted.path()); };
+    CHECK(runs.run_until("000060", SIGTERM, {}).code == 143);
+    const std::string table = read_text(runs.parted / "tables/t.csv");
+    std::string edited = table;
+    edited[edited.size() / 2] ^= 1;
+    runs.parted.write("tables/t.csv", edited);
+    const Answer refused = resume();
+    CHECK(refused.code == 3);
+    CHECK_MESSAGE(refused.err.find("tables/t.csv: is not the table of the interrupted run") != std::string::npos,
+                  refused.err);
+    CHECK(read_text(runs.parted / "tables/t.csv") == edited);
+    runs.parted.write("tables/t.csv", table.substr(0, table.size() - 1));
+    CHECK(resume().code == 3);
+    fs::remove(runs.parted / "tables/t.csv");
+    CHECK(resume().code == 4);
+    // A table that another run has left under the name that a continued run uses for a while.
+    runs.parted.write("tables/t.csv.earlier", edited);
+    runs.parted.write("tables/t.csv", table);
+    CHECK(resume().code == 0);
+    runs.check_equal();
+}
+
+TEST_CASE("a killed run continues after its folders have moved") {
+    const TwoRuns runs;
+    CHECK(runs.run_until("000060", SIGKILL, {}).code == 128 + SIGKILL);
+    fs::rename(runs.parted / "out", runs.parted / "moved");
+    fs::rename(runs.parted / "tables", runs.parted / "moved/tables");
+    std::vector<std::string> arguments = run_of(runs.parted, {"--resume"});
+    for (std::string& argument : arguments) {
+        if (argument == "out") argument = (runs.parted / "moved").string();
+        if (argument.starts_with("tables/")) argument = "moved/" + argument;
+        if (argument == "out/h.csv") argument = "moved/h.csv";
+    }
+    const Answer answer = tumble::test::run(arguments, runs.parted.path());
+    CHECK_MESSAGE(answer.code == 0, answer.err);
+    fs::rename(runs.parted / "moved/tables", runs.parted / "tables");
+    fs::rename(runs.parted / "moved", runs.parted / "out");
+    for (const auto& [name, text] : files_of(runs.parted.path()))
+        CHECK_MESSAGE((runs.expected.contains(name) && runs.expected.at(name) == text), name);
+}
+
+TEST_CASE("--resume refuses a duration that ends before the checkpoint, and changes nothing") {
+    const TwoRuns runs;
+    CHECK(runs.run_until("000060", SIGTERM, {}).code == 143);
+    const std::map<std::string, std::string> before = files_of(runs.parted.path());
+    const Answer shorter =
+        tumble::test::run(run_of(runs.parted, {"--resume", "--duration", "0.5"}), runs.parted.path());
+    CHECK(shorter.code == 2);
+    CHECK_MESSAGE(shorter.err.find("--duration: ends before the checkpoint, which is at ") != std::string::npos,
+                  shorter.err);
+    CHECK(files_of(runs.parted.path()) == before);
+    CHECK(tumble::test::run(run_of(runs.parted, {"--resume"}), runs.parted.path()).code == 0);
+    runs.check_equal();
+}
+
+TEST_CASE("an output file with the name of the checkpoint, of a frame or of another output is refused") {
+    const Folder folder;
+    folder.write("scene.json", kScene);
+    fs::create_directory(folder / "out");
+    fs::create_directory_symlink(folder / "out", folder / "link");
+    for (const char* const file : {"out/checkpoint", "out/./summary.json", "link/checkpoint", "link/events.csv",
+                                   "out/frames/frame_000007.png", "t.csv"}) {
+        CAPTURE(file);
+        const std::vector<std::string> arguments{"run",        "scene.json", "-o",           "out",
+                                                 "--duration", "0.1",        "--trajectory", "t.csv",
+                                                 "--hashes",   file,         "--size",       "64x64"};
+        CHECK(tumble::test::run(tumble_command(arguments), folder.path()).code == 2);
+    }
+    CHECK(fs::is_empty(folder / "out"));
 }

@@ -1,4 +1,4 @@
-// Output of the process: data on standard output, everything else on standard error.
+// Output of the process: data on standard output; warnings, errors and progress on standard error.
 #pragma once
 
 #include <chrono>
@@ -7,18 +7,21 @@
 
 namespace tumble::tools {
 
-// Writes data to standard output, or to standard error if a file has standard output. finish_output() reports a
-// failure, such as a full disk behind a redirection.
+// Writes data to standard output, or to standard error after give_output_to_file(). finish_output() reports a failure,
+// such as a full disk when standard output is redirected to a file.
 void write_output(std::string_view text);
 
-// Gives standard output to a file that the command writes. False if a file has it already.
+// Reserves standard output for an output file of the command, which the user has named "-". False if it is reserved
+// already.
 bool give_output_to_file();
+
+// Whether standard output is reserved.
 bool has_file_output();
 
 // Flushes standard output. Throws FileError if any data could not be written.
 void finish_output();
 
-// Writes narration to standard error, unchanged.
+// Writes a text to standard error, unchanged.
 void narrate(std::string_view text);
 
 // Writes "tumble: error: ..." or "tumble: warning: ..." to standard error, coloured on a terminal unless NO_COLOR is

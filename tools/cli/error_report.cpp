@@ -14,10 +14,7 @@
 namespace tumble::tools {
 
 ExitCode code_of(const SceneError& error) {
-    const bool is_of_arguments = std::ranges::all_of(error.diagnostics, [](const Diagnostic& diagnostic) {
-        return diagnostic.line == 0 &&
-               (diagnostic.file.starts_with("--set ") || diagnostic.file.starts_with("--seed "));
-    });
+    const bool is_of_arguments = std::ranges::all_of(error.diagnostics, &Diagnostic::is_of_argument);
     return is_of_arguments && !error.diagnostics.empty() ? ExitCode::usage : ExitCode::invalid_input;
 }
 
@@ -55,10 +52,9 @@ void write_diagnostics(JsonWriter& json, const std::vector<Diagnostic>& diagnost
             .member("column", diagnostic.column)
             .member("pointer", diagnostic.pointer)
             .member("message", diagnostic.message)
-            .member("hint", diagnostic.hint);
-        json.key("included_by").open_array();
-        for (const std::string& location : diagnostic.included_by) json.value(location);
-        json.close_array().close_object();
+            .member("hint", diagnostic.hint)
+            .member("included_by", diagnostic.included_by)
+            .close_object();
     }
     json.close_array();
 }

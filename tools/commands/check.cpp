@@ -40,7 +40,8 @@ struct CheckArguments {
 
 std::string verdict_line(const SceneCheck& check) {
     if (check.was_skipped) return check.file + ": skipped after a failure\n";
-    if (!check.error.empty()) return check.file + ": could not be checked\n";
+    if (!check.failure.empty()) return check.file + ": failed: " + check.failure + "\n";
+    if (!check.was_simulated) return check.file + ": could not be checked\n";
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, " (%.2f s)\n", check.seconds);
     if (check.expectations.empty()) return check.file + ": simulated, has no claims" + seconds;
@@ -49,16 +50,16 @@ std::string verdict_line(const SceneCheck& check) {
            " claims hold" + seconds;
 }
 
-// A scene without claims passes whatever happens in it, which its author may not know.
+// Such a scene passes if it runs to its end, whatever its bodies do. Its author may not know that.
 void warn_of_no_claims(const SceneCheck& check) {
-    if (check.was_skipped || !check.error.empty() || !check.expectations.empty()) return;
+    if (!check.was_simulated || !check.expectations.empty()) return;
     report_warning(check.file +
                    ": the scene has no claims: it passes if it runs to its end. List what must be true in \"expect\"; "
                    "--require-claims refuses such scenes");
 }
 
-// Writes everything to one stream, so that a log keeps the order. Each failure names its file, so that it can be
-// searched.
+// Writes the verdict and its details to standard output, so that a log keeps their order. Each failed claim is a line
+// with the name of the file, for searches in logs.
 void print(const SceneCheck& check) {
     std::string text = verdict_line(check);
     if (!check.error.empty()) text += "  " + check.error + (check.error.ends_with('\n') ? "" : "\n");
@@ -78,6 +79,7 @@ void write(JsonWriter& json, const SceneCheck& check) {
     json.open_object().member("file", check.file).member("passed", check.code == ExitCode::ok && !check.was_skipped);
     json.member("skipped", check.was_skipped);
     if (!check.error.empty()) json.member("error", check.error);
+    if (!check.failure.empty()) json.member("failure", check.failure);
     json.member("steps", check.steps).member("state_hash", to_hex(check.state_hash)).member("seconds", check.seconds);
     json.key("expectations").open_array();
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
@@ -131,7 +133,21 @@ void draw_failures(SceneCheck& check, const CheckArguments& options) {
     }
 }
 
-// --update writes files: those of a changed scene, or of standard input, would get hashes that are not theirs.
+// Writes the hashes into the file of the scene. A file that cannot be written is an error of its scene, so that the
+// reports of all scenes are still written.
+void update(SceneCheck& check) {
+    if (!check.was_simulated) return;
+    try {
+        update_hashes(check);
+    } catch (...) {
+        const Problem problem = explain(std::current_exception());
+        check.code = problem.code;
+        check.error = "the hashes could not be written: " + problem.message;
+    }
+}
+
+// --set and --seed change the scene and its hashes; the file would get the hashes of the changed scene. Standard input
+// cannot be written.
 void refuse_wrong_update(const CheckArguments& options) {
     if (!options.update) return;
     if (!options.check.changes.overrides.empty() || options.check.changes.seed)
@@ -146,8 +162,7 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
     if (!options.junit.empty()) refuse_to_overwrite(options.junit, options.force);
     catch_interrupts();
     std::vector<SceneCheck> checks = check_scene_files(without_schemas(options.files), options.check);
-    // The exit code reports an interruption first, then a scene that could not be checked, then a claim that does not
-    // hold.
+    // Of different codes, that of an interruption counts most, then the highest other than `failed`, then `failed`.
     const auto weight = [](ExitCode code) { return code == ExitCode::failed ? 1 : static_cast<int>(code) * 10; };
     ExitCode code = ExitCode::ok;
     JsonWriter json;
@@ -155,7 +170,7 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
     if (!options.shots.empty()) make_names_unique(checks);
     for (SceneCheck& check : checks) {
         warn_of_no_claims(check);
-        if (options.update) update_hashes(check);
+        if (options.update) update(check);
         if (weight(check.code) > weight(code)) code = check.code;
         if (!options.shots.empty()) draw_failures(check, options);
         command.json ? write(json, check) : print(check);

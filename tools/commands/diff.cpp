@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/output_path.hpp"
@@ -58,9 +59,25 @@ ExitCode diff_summaries(const Command& command, const DiffArguments& options) {
     return code_of(comparison.different.empty());
 }
 
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code ignored;
+    return std::filesystem::equivalent(a, b, ignored);
+}
+
+// A map of an earlier comparison would look like the result of this one if no frame differs or an error ends it.
+void remove_earlier_map(const DiffArguments& options) {
+    const std::filesystem::path& map = options.heat_map;
+    refuse_to_overwrite(map, options.force);
+    if (is_standard_output(map)) return;
+    for (const std::string& input : {options.a, options.b})
+        if (is_same_file(map, input) || is_same_file(map, frames_in(input) / map.filename()))
+            throw CLI::ValidationError("--heat-map", "names a frame that is compared: " + map.string());
+    std::filesystem::remove(map);
+}
+
 ExitCode diff_frames(const Command& command, const DiffArguments& options) {
     const bool wants_map = !options.heat_map.empty();
-    if (wants_map) refuse_to_overwrite(options.heat_map, options.force);
+    if (wants_map) remove_earlier_map(options);
     const FrameComparison comparison = compare_frames(options.a, options.b, options.tolerance);
     const std::filesystem::path map = wants_map && comparison.worst ? options.heat_map : "";
     if (!map.empty()) {
@@ -73,10 +90,10 @@ ExitCode diff_frames(const Command& command, const DiffArguments& options) {
 }
 
 ExitCode run_diff(const Command& command, const DiffArguments& options) {
-    const bool is_changed = !options.changes.overrides.empty() || options.changes.seed;
-    if (is_changed && !is_scene_file(options.b))
-        throw CLI::ValidationError("--set and --seed", "change the scene B, and B is not a scene: " + options.b);
     const InputKind kind = kind_of(options.a), kind_b = kind_of(options.b);
+    const bool is_changed = !options.changes.overrides.empty() || options.changes.seed;
+    if (is_changed && (kind_b != InputKind::states || !is_scene_file(options.b)))
+        throw CLI::ValidationError("--set and --seed", "change the scene B, and B is not a scene: " + options.b);
     if (kind != kind_b)
         throw CLI::ValidationError("A and B", "only two of a kind can be compared: " + options.a + " is " +
                                                   std::string(name_of(kind)) + ", " + options.b + " is " +

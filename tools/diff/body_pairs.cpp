@@ -20,11 +20,12 @@ std::optional<std::string> name_key(const NamedState& body) {
     return body.has_name ? std::optional(body.body) : std::nullopt;
 }
 
-// Shapes count only if both runs know them.
-auto place_key(bool with_shapes) {
-    return [with_shapes](const NamedState& body) {
-        return std::optional(std::tuple(with_shapes ? body.shapes : 0, bits_of(body.values[0]), bits_of(body.values[1]),
-                                        bits_of(body.values[2])));
+// The shapes, if both runs know them, and the pose, of a body with or without a name.
+auto pose_key(bool with_shapes, bool of_named) {
+    return [=](const NamedState& body) {
+        const std::tuple key(with_shapes ? body.shapes : 0, bits_of(body.values[0]), bits_of(body.values[1]),
+                             bits_of(body.values[2]));
+        return body.has_name == of_named ? std::optional(key) : std::nullopt;
     };
 }
 
@@ -48,12 +49,16 @@ void BodyPairs::update(const StepStates& a, const StepStates& b) {
     for (BodyPair& pair : pairs_) pair.rows = {};
     Rows new_a = find_known(Side::a, a), new_b = find_known(Side::b, b);
     if (new_a.empty() && new_b.empty()) return;
-    pair_by(name_key, a, b, new_a, new_b);
+    pair_by(name_key, name_key, a, b, new_a, new_b);
     pair_late_names(Side::a, a, new_a);
     pair_late_names(Side::b, b, new_b);
-    pair_by(place_key(know_shapes(a, b)), a, b, new_a, new_b);
-    pair_by(shape_key, a, b, new_a, new_b);
-    pair_by(index_key, a, b, new_a, new_b);
+    const bool with_shapes = know_shapes(a, b);
+    const auto unnamed = pose_key(with_shapes, false), named = pose_key(with_shapes, true);
+    pair_by(unnamed, unnamed, a, b, new_a, new_b);
+    pair_by(named, unnamed, a, b, new_a, new_b);
+    pair_by(unnamed, named, a, b, new_a, new_b);
+    pair_by(shape_key, shape_key, a, b, new_a, new_b);
+    pair_by(index_key, index_key, a, b, new_a, new_b);
     for (const std::size_t row : new_a) join(add_pair(a), Side::a, a, row);
     for (const std::size_t row : new_b) join(add_pair(b), Side::b, b, row);
 }
@@ -92,15 +97,15 @@ void BodyPairs::pair_late_names(Side side, const StepStates& states, Rows& rows)
 }
 
 // Pairs rows of equal keys in their order, and removes them from the lists.
-template <class Key>
-void BodyPairs::pair_by(Key key, const StepStates& a, const StepStates& b, Rows& rows_a, Rows& rows_b) {
+template <class KeyA, class KeyB>
+void BodyPairs::pair_by(KeyA key_a, KeyB key_b, const StepStates& a, const StepStates& b, Rows& rows_a, Rows& rows_b) {
     if (rows_a.empty() || rows_b.empty()) return;
-    std::map<typename decltype(key(a.bodies[0]))::value_type, std::deque<std::size_t>> free;
+    std::map<typename decltype(key_b(b.bodies[0]))::value_type, std::deque<std::size_t>> free;
     for (const std::size_t row : rows_b)
-        if (const auto of = key(b.bodies[row])) free[*of].push_back(row);
+        if (const auto of = key_b(b.bodies[row])) free[*of].push_back(row);
     std::vector<bool> taken(b.bodies.size());
     std::erase_if(rows_a, [&](std::size_t row) {
-        const auto of = key(a.bodies[row]);
+        const auto of = key_a(a.bodies[row]);
         const auto found = of ? free.find(*of) : free.end();
         if (found == free.end() || found->second.empty()) return false;
         const std::size_t pair = add_pair(a);

@@ -1,8 +1,9 @@
-// Pairs the bodies of two runs: by name, then by shape and place.
+// Pairs the bodies of two runs: by name, and bodies without a name by shape and pose.
 //
-// A body with a name is paired with the body of that name in the other run, whenever that appears. What is left in the
-// step of its first appearance is paired by equal shapes and an equal pose: bodies without names, and bodies that were
-// renamed. Bodies without names that are still left are paired by equal shapes in their order, then by their index.
+// A body with a name is paired with the body of that name in the other run, in whatever step that appears. The other
+// bodies are paired in the step in which they first appear: by equal shapes and an equal pose if at least one of the
+// two has no name; then, if neither has a name, by equal shapes in their order, and by their index. Two bodies of
+// different names are never paired.
 #pragma once
 
 #include <array>
@@ -31,6 +32,7 @@ struct BodyPair {
 
     bool is_in(Side side) const { return !names[static_cast<std::size_t>(side)].empty(); }
     bool is_in_both() const { return is_in(Side::a) && is_in(Side::b); }
+    // One run has a name for it and the other has none.
     bool is_renamed() const { return is_in_both() && names[0] != names[1] && (has_name[0] || has_name[1]); }
 };
 
@@ -47,8 +49,8 @@ private:
 
     Rows find_known(Side side, const StepStates& states);
     void pair_late_names(Side side, const StepStates& states, Rows& rows);
-    template <class Key>
-    void pair_by(Key key, const StepStates& a, const StepStates& b, Rows& rows_a, Rows& rows_b);
+    template <class KeyA, class KeyB>
+    void pair_by(KeyA key_a, KeyB key_b, const StepStates& a, const StepStates& b, Rows& rows_a, Rows& rows_b);
     std::size_t add_pair(const StepStates& states);
     void join(std::size_t pair, Side side, const StepStates& states, std::size_t row);
 

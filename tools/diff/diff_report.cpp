@@ -36,12 +36,6 @@ void append_contacts(std::string& text, const char* run, const std::vector<std::
     for (const std::string& contact : contacts) text += std::string("  contact in ") + run + ": " + contact + "\n";
 }
 
-void write_contacts(JsonWriter& json, const char* key, const std::vector<std::string>& contacts) {
-    json.key(key).open_array();
-    for (const std::string& contact : contacts) json.value(contact);
-    json.close_array();
-}
-
 void write_first(JsonWriter& json, const StateDifference& first) {
     json.key("first").open_object().member("step", first.step).member("time", first.time).member("body", first.body);
     if (first.body_b != first.body) json.member("body_b", first.body_b);
@@ -51,8 +45,7 @@ void write_first(JsonWriter& json, const StateDifference& first) {
         json.member("component", kComponents[first.component]).member("a", first.a).member("b", first.b);
         json.member("apart", difference_of(first.component, first.a, first.b)).member("ulps", ulps_of(first));
         json.member("differing_bodies", first.differing_bodies);
-        write_contacts(json, "contacts_a", first.contacts_a);
-        write_contacts(json, "contacts_b", first.contacts_b);
+        json.member("contacts_a", first.contacts_a).member("contacts_b", first.contacts_b);
     }
     json.close_object();
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 
 #include "tools/output/input_error.hpp"
@@ -45,8 +46,13 @@ Json values_of(const std::filesystem::path& file) {
     return found.flatten();
 }
 
+// Integers of 64 bits, such as seeds, are not all doubles.
 bool are_equal(const Json& a, const Json& b, double tolerance) {
     if (a == b) return true;
+    if (a.is_number_unsigned() && b.is_number_unsigned()) {
+        const auto x = a.get<std::uint64_t>(), y = b.get<std::uint64_t>();
+        return static_cast<double>(std::max(x, y) - std::min(x, y)) <= tolerance;
+    }
     return a.is_number() && b.is_number() && std::abs(a.get<double>() - b.get<double>()) <= tolerance;
 }
 

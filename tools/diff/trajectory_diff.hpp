@@ -45,7 +45,7 @@ struct LargestDifference {
     std::uint64_t step = 0;
 };
 
-// A body whose name in A is not that in B.
+// A body that has a name in one run only. The other run counts it, as body[3].
 struct RenamedBody {
     std::string a, b;
 };

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tools/output/input_error.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -14,13 +15,18 @@ namespace {
 constexpr const char* kDevice = "/dev/stdin";
 constexpr const char* kShownName = "<stdin>";
 constexpr std::size_t kMaxSceneBytes = 32 << 20;  // of a scene file
+constexpr std::size_t kMaxInputBytes = 1 << 30;   // it is kept in memory
 
 }  // namespace
 
 bool is_standard_input(const std::filesystem::path& file) { return file == "-" || file == kDevice; }
 
 const std::string& standard_input() {
-    static const std::string text = read_file(kDevice);
+    static const std::string text = [] {
+        std::string bytes = read_file(kDevice, kMaxInputBytes);
+        if (bytes.size() > kMaxInputBytes) throw InputError("standard input is longer than 1 GiB; name a file instead");
+        return bytes;
+    }();
     return text;
 }
 

@@ -14,13 +14,13 @@ namespace tumble::tools {
 
 bool is_standard_input(const std::filesystem::path& file);
 
-// All bytes of standard input. Throws FileError.
+// All bytes of standard input, at most 1 GiB. Throws FileError, or InputError if there are more.
 const std::string& standard_input();
 
-// Opens a file or standard input. Throws FileError.
+// Opens a file or standard input. Throws as standard_input().
 std::unique_ptr<std::istream> open_input(const std::filesystem::path& file);
 
-// The bytes of a file or of standard input. Throws FileError.
+// The bytes of a file or of standard input. Throws as standard_input().
 std::string read_input(const std::filesystem::path& file);
 
 // load_scene(), also from standard input: its includes are then relative to the current folder, and its errors name

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <span>
 #include <string_view>
-#include <utility>
 
 #include "tools/output/input_error.hpp"
 #include "tools/output/json_writer.hpp"
@@ -16,11 +15,13 @@
 
 namespace tumble::tools {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 std::string header_of(const Checkpoint& checkpoint) {
     JsonWriter json(JsonWriter::Layout::compact);
@@ -29,9 +30,9 @@ std::string header_of(const Checkpoint& checkpoint) {
     for (const SavedTable& table : checkpoint.tables)
         json.open_object()
             .member("kind", table.kind)
-            .member("temporary", table.temporary.string())
-            .member("file", table.file.string())
-            .member("bytes", table.bytes)
+            .member("temporary", table.temporary)
+            .member("bytes", table.bytes.count)
+            .member("hash", table.bytes.hash)
             .close_object();
     json.close_array().member("frames", checkpoint.frames).member("frame_bytes", checkpoint.frame_bytes);
     const Camera& camera = checkpoint.camera;
@@ -50,8 +51,9 @@ Checkpoint read_header(const Json& json) {
     if (json.at("checkpoint").get<int>() != kVersion) throw InputError("it is of another version");
     checkpoint.settings = json.at("settings").get<std::string>();
     for (const Json& table : json.at("tables"))
-        checkpoint.tables.push_back({table.at("kind").get<std::string>(), table.at("temporary").get<std::string>(),
-                                     table.at("file").get<std::string>(), table.at("bytes").get<std::uint64_t>()});
+        checkpoint.tables.push_back({table.at("kind").get<std::string>(),
+                                     table.at("temporary").get<std::string>(),
+                                     {table.at("bytes").get<std::uint64_t>(), table.at("hash").get<std::uint64_t>()}});
     checkpoint.frames = json.at("frames").get<std::uint64_t>();
     checkpoint.frame_bytes = json.at("frame_bytes").get<std::uint64_t>();
     const Json& camera = json.at("camera");
@@ -65,25 +67,24 @@ Checkpoint read_header(const Json& json) {
     return checkpoint;
 }
 
-// The name of a temporary table while a run continues it.
-std::filesystem::path kept_file(const SavedTable& table) {
-    std::filesystem::path name = table.file;
-    return name += ".earlier";
+// The table of this kind; null if the run had none.
+const SavedTable* find_table(const Checkpoint& saved, const std::string& kind) {
+    const auto found = std::ranges::find(saved.tables, kind, &SavedTable::kind);
+    return found == saved.tables.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint) {
+void write_checkpoint(const fs::path& folder, const Checkpoint& checkpoint) {
     OutputFile file(checkpoint_file(folder));
     file.write(header_of(checkpoint));
     file.write({reinterpret_cast<const char*>(checkpoint.run.data()), checkpoint.run.size()});
     file.commit();
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& folder, const std::string& settings) {
-    const std::filesystem::path file = checkpoint_file(folder);
-    if (!std::filesystem::exists(file))
-        throw FileError(folder, "contains no checkpoint; --checkpoint makes a run write them");
+Checkpoint read_checkpoint(const fs::path& folder, const std::string& settings) {
+    const fs::path file = checkpoint_file(folder);
+    if (!fs::exists(file)) throw FileError(folder, "contains no checkpoint; --checkpoint makes a run write them");
     const std::string text = read_file(file);
     const std::size_t line = std::min(text.find('\n'), text.size() - (text.empty() ? 0 : 1));
     Checkpoint checkpoint;
@@ -100,6 +101,14 @@ Checkpoint read_checkpoint(const std::filesystem::path& folder, const std::strin
     return checkpoint;
 }
 
+std::vector<TableName> tables_of(const RunOptions& options) {
+    std::vector<TableName> tables{{"events", events_file(options.folder)}};
+    if (!options.contacts.empty()) tables.push_back({"contacts", options.contacts});
+    if (!options.trajectory.empty()) tables.push_back({"trajectory", options.trajectory});
+    if (!options.hashes.empty()) tables.push_back({"hashes", options.hashes});
+    return tables;
+}
+
 std::string settings_of(const RunOptions& options) {
     std::string text = "no frames";
     if (!options.no_frames) {
@@ -108,13 +117,11 @@ std::string settings_of(const RunOptions& options) {
         for (const OverlayPart& part : kOverlayParts)
             if (options.overlay.*part.member) text += " " + std::string(part.name);
     }
-    for (const auto& [name, file] :
-         {std::pair("contacts", &options.contacts), {"trajectory", &options.trajectory}, {"hashes", &options.hashes}})
-        if (!file->empty()) text += std::string(", ") + name + " " + file->string();
+    for (const TableName& table : tables_of(options)) text += ", " + table.kind + " " + table.file.filename().string();
     return text;
 }
 
-SceneRun load_run(const Scene& scene, const Checkpoint& saved, const std::filesystem::path& folder) {
+SceneRun load_run(const Scene& scene, const Checkpoint& saved, const fs::path& folder) {
     try {
         return SceneRun::load(scene, saved.run);
     } catch (const SnapshotError& error) {
@@ -122,22 +129,34 @@ SceneRun load_run(const Scene& scene, const Checkpoint& saved, const std::filesy
     }
 }
 
-void keep_tables(const Checkpoint& saved, const std::filesystem::path& folder) {
-    for (const SavedTable& table : saved.tables)
-        if (std::filesystem::exists(table.temporary)) std::filesystem::rename(table.temporary, kept_file(table));
-    remove_partial_files(folder);
-    for (const SavedTable& table : saved.tables) remove_dead_parts_of(table.file);
+void keep_tables(const Checkpoint& saved, const RunOptions& options) {
+    const std::vector<TableName> tables = tables_of(options);
+    for (const TableName& table : tables) {
+        const SavedTable* const before = find_table(saved, table.kind);
+        const fs::path temporary = before == nullptr ? "" : table.file.parent_path() / before->temporary;
+        if (fs::is_regular_file(temporary)) fs::rename(temporary, earlier_part_of(table.file));
+    }
+    remove_partial_files(options.folder);
+    for (const TableName& table : tables) remove_dead_parts_of(table.file);
 }
 
-void continue_table(const Checkpoint& saved, const std::string& kind, OutputFile& file) {
-    const auto table = std::ranges::find(saved.tables, kind, &SavedTable::kind);
-    if (table == saved.tables.end()) throw FileError(file.path(), "the checkpoint does not have this table");
-    const bool is_kept = std::filesystem::exists(kept_file(*table));
-    file.append_from(is_kept ? kept_file(*table) : table->file, file.save_so_far(), table->bytes);
+void continue_table(const Checkpoint& saved, const std::string& kind, TableFile& file) {
+    const SavedTable* const table = find_table(saved, kind);
+    if (table == nullptr) throw FileError(file.path(), "the checkpoint does not have this table");
+    bool exists = false;
+    for (const fs::path& candidate : {earlier_part_of(file.path()), file.path()}) {
+        if (!fs::exists(candidate)) continue;
+        exists = true;
+        if (file.continue_from(candidate, table->bytes)) return;
+    }
+    if (!exists) throw FileError(file.path(), "the table of the interrupted run is missing");
+    throw InputError(file.path().string() +
+                     ": is not the table of the interrupted run, or was changed since the checkpoint; restore it, or "
+                     "begin the run again with --force");
 }
 
-void remove_kept_tables(const Checkpoint& saved) {
-    for (const SavedTable& table : saved.tables) std::filesystem::remove(kept_file(table));
+void remove_kept_tables(const RunOptions& options) {
+    for (const TableName& table : tables_of(options)) fs::remove(earlier_part_of(table.file));
 }
 
 }  // namespace tumble::tools

@@ -1,4 +1,5 @@
-// The checkpoint of a run: what `run --resume` needs to continue it as if it had not been interrupted.
+// The checkpoint of a run: a file with the state of the simulation, of the tables and of the camera after a step.
+// `run --resume` reads it and continues the run; the results are the same as without the interruption.
 #pragma once
 
 #include <cstddef>
@@ -8,22 +9,31 @@
 #include <vector>
 
 #include "tools/run/run_options.hpp"
-#include "tumble/file.hpp"
+#include "tools/run/table_file.hpp"
 #include "tumble/render.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {
 
-// A table as far as it was written. Its bytes are in the temporary file or, after an orderly end, in the file.
-struct SavedTable {
+// A table of a run.
+struct TableName {
     std::string kind;  // "events", "trajectory", "contacts", "hashes"
-    std::filesystem::path temporary;
     std::filesystem::path file;
-    std::uint64_t bytes = 0;
+};
+
+// The tables that a run with these options writes.
+std::vector<TableName> tables_of(const RunOptions& options);
+
+// A table up to a checkpoint. Its bytes are in the temporary file or, if a signal ended the run, in the table itself.
+// Both are in the folder that the options of the continuing run name, so that the folders may be moved.
+struct SavedTable {
+    std::string kind;
+    std::string temporary;  // the name of the file, without its folder
+    TableBytes bytes;
 };
 
 struct Checkpoint {
-    std::string settings;  // of frames and tables: a run that continues must have the same
+    std::string settings;  // settings_of() the interrupted run
     std::vector<SavedTable> tables;
     std::uint64_t frames = 0;       // drawn so far
     std::uint64_t frame_bytes = 0;  // of their files
@@ -39,21 +49,22 @@ void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& che
 // begun with other settings.
 Checkpoint read_checkpoint(const std::filesystem::path& folder, const std::string& settings);
 
-// What a run and its continuation must have in common: "frames 60/s 1280x720, trajectory t.csv".
+// The options that a run and its continuation must have in common: "frames 60/s 1280x720, trajectory t.csv". Of tables
+// it has the names without their folders.
 std::string settings_of(const RunOptions& options);
 
 // Throws InputError if the checkpoint is damaged or belongs to another scene, SceneError as SceneRun does.
 SceneRun load_run(const Scene& scene, const Checkpoint& saved, const std::filesystem::path& folder);
 
-// Gives the temporary tables of the interrupted run names that no process writes to, and removes what else it has not
-// completed. The caller holds the lock of the folder.
-void keep_tables(const Checkpoint& saved, const std::filesystem::path& folder);
+// Renames each temporary table of the interrupted run to earlier_part_of() the table, and removes its other temporary
+// files. The caller holds the lock of the folder.
+void keep_tables(const Checkpoint& saved, const RunOptions& options);
 
-// Appends what the interrupted run had written to a table at the checkpoint. `file` may contain the header already.
-// Throws FileError if that is not there.
-void continue_table(const Checkpoint& saved, const std::string& kind, OutputFile& file);
+// Appends the bytes that the table had at the checkpoint. `file` has the header already. Throws FileError if the table
+// is missing, InputError if its bytes have changed since.
+void continue_table(const Checkpoint& saved, const std::string& kind, TableFile& file);
 
 // Removes the files of keep_tables(), when a later checkpoint or the results replace them.
-void remove_kept_tables(const Checkpoint& saved);
+void remove_kept_tables(const RunOptions& options);
 
 }  // namespace tumble::tools

@@ -21,7 +21,7 @@ namespace {
 // "process 1234 (tumble run pile.json)": the process that writes files into the folder.
 std::string holder_of(const fs::path& folder) {
     const std::vector<PartialFile> files = find_partial_files(folder);
-    const auto found = std::ranges::find(files, true, &PartialFile::is_running);
+    const auto found = std::ranges::find(files, true, &PartialFile::is_open);
     if (found == files.end()) return "another process";
     std::string text = "process " + std::to_string(found->process);
     try {

@@ -11,11 +11,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_frame(const fs::path& file) {
-    const std::string name = file.filename().string();
-    return name.starts_with("frame_") && file.extension() == ".png";
-}
-
 void remove_earlier_run(const fs::path& folder) {
     const fs::path frames = folder / "frames";
     if (fs::is_directory(frames))
@@ -24,10 +19,16 @@ void remove_earlier_run(const fs::path& folder) {
     remove_partial_files(folder);
     fs::remove(summary_file(folder));
     fs::remove(events_file(folder));
+    fs::remove(earlier_part_of(events_file(folder)));
     fs::remove(checkpoint_file(folder));
 }
 
 }  // namespace
+
+bool is_frame(const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.starts_with("frame_") && file.extension() == ".png";
+}
 
 fs::path frame_file(const fs::path& folder, std::uint64_t frame) {
     std::string digits = std::to_string(frame);
@@ -51,7 +52,12 @@ void remove_partial_files(const fs::path& folder) {
 
 void remove_dead_parts_of(const fs::path& file) {
     for (const PartialFile& partial : find_partial_files(file.has_parent_path() ? file.parent_path() : "."))
-        if (partial.file.filename() == file.filename() && !partial.is_running) fs::remove(partial.path);
+        if (partial.file.filename() == file.filename() && !partial.is_open) fs::remove(partial.path);
+}
+
+fs::path earlier_part_of(const fs::path& file) {
+    fs::path name = file;
+    return name += ".earlier";
 }
 
 void prepare_run_folder(const fs::path& folder, bool with_frames, bool force) {

@@ -18,8 +18,14 @@ void remove_partial_files(const std::filesystem::path& folder);
 // Removes what processes that were killed have left of this file. Throws std::filesystem::filesystem_error.
 void remove_dead_parts_of(const std::filesystem::path& file);
 
+// The name of a table of an interrupted run while another run continues it: t.csv.earlier.
+std::filesystem::path earlier_part_of(const std::filesystem::path& file);
+
 // folder/frames/frame_000000.png
 std::filesystem::path frame_file(const std::filesystem::path& folder, std::uint64_t frame);
+
+// Whether the file has the name of a frame.
+bool is_frame(const std::filesystem::path& file);
 
 std::filesystem::path summary_file(const std::filesystem::path& folder);
 std::filesystem::path events_file(const std::filesystem::path& folder);

@@ -13,6 +13,7 @@
 #include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/measure/stopwatch.hpp"
+#include "tools/output/json_writer.hpp"
 #include "tools/run/checkpoint.hpp"
 #include "tools/run/folder_lock.hpp"
 #include "tools/run/frame_output.hpp"
@@ -32,7 +33,7 @@ namespace {
 // A table that the run is writing.
 struct OpenTable {
     const char* kind;
-    OutputFile& file;
+    TableFile& file;
 };
 
 // One run, from its open files to its report.
@@ -50,7 +51,7 @@ public:
 
 private:
     void record_step();
-    void resume(const Scene& scene, const Checkpoint& saved);
+    void resume(SceneRun run, const Checkpoint& saved);
     void save_checkpoint();
     std::vector<OpenTable> open_tables();
     void close_files(bool is_complete);
@@ -84,13 +85,33 @@ std::array<const std::filesystem::path*, 5> named_files(const RunOptions& option
     return {&options.contacts, &options.trajectory, &options.hashes, &options.replay, &options.video};
 }
 
+// The file as renaming into its place sees it: links in its folder are followed, the file itself is not.
+std::filesystem::path place_of(const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path()) / file.filename();
+}
+
 // Of two files with the same name, the second would replace the first.
 void require_different_files(const RunOptions& options) {
-    std::set<std::filesystem::path> names{std::filesystem::absolute(summary_file(options.folder)).lexically_normal(),
-                                          std::filesystem::absolute(events_file(options.folder)).lexically_normal()};
-    for (const std::filesystem::path* const file : named_files(options))
-        if (!file->empty() && !names.insert(std::filesystem::absolute(*file).lexically_normal()).second)
+    std::set<std::filesystem::path> names;
+    for (const auto& file :
+         {summary_file(options.folder), events_file(options.folder), checkpoint_file(options.folder)})
+        names.insert(place_of(file));
+    const std::filesystem::path frames = place_of(frame_file(options.folder, 0)).parent_path();
+    for (const std::filesystem::path* const file : named_files(options)) {
+        if (file->empty() || is_standard_output(*file)) continue;
+        if (!names.insert(place_of(*file)).second)
             throw CLI::ValidationError(file->string(), "names two output files of the run; give each its own name");
+        if (!options.no_frames && is_frame(*file) && place_of(*file).parent_path() == frames)
+            throw CLI::ValidationError(file->string(), "has the name of a frame; choose another");
+    }
+}
+
+// The run can continue up to the end of its schedule only.
+void require_time_left(const SceneRun& run, const FrameSchedule& schedule) {
+    if (run.world().step_count() <= schedule.step_count()) return;
+    std::string text = "ends before the checkpoint, which is at ";
+    append_number(text, run.time());
+    throw CLI::ValidationError("--duration", text + " s; give at least that");
 }
 
 // Standard output cannot be read again.
@@ -114,14 +135,22 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     require_different_files(options);
     require_files_to_continue(options);
     const bool force = options.force || options.resume;
-    if (options.resume) resumed_ = read_checkpoint(options.folder, settings_of(options));
+    std::optional<SceneRun> loaded;
+    if (options.resume) {
+        resumed_ = read_checkpoint(options.folder, settings_of(options));
+        loaded = load_run(scene, *resumed_, options.folder);
+        require_time_left(*loaded, schedule_);
+    }
     for (const std::filesystem::path* const file : named_files(options))
         if (!file->empty()) refuse_to_overwrite(*file, force);  // before any file is created
-    for (const std::filesystem::path* const file : named_files(options))
-        if (!file->empty() && options.force) remove_dead_parts_of(*file);
     lock_.emplace(options.folder);
+    for (const std::filesystem::path* const file : named_files(options)) {
+        if (file->empty() || !options.force) continue;
+        remove_dead_parts_of(*file);
+        std::filesystem::remove(earlier_part_of(*file));
+    }
     if (resumed_)
-        keep_tables(*resumed_, options.folder);
+        keep_tables(*resumed_, options);
     else
         prepare_run_folder(options.folder, !options.no_frames, options.force);
     summary_.emplace(open_output(summary_file(options.folder), force));
@@ -131,12 +160,12 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     if (!options.hashes.empty()) hashes_.emplace(options.hashes, force);
     if (!options.replay.empty()) replay_.emplace(scene, run_.built(), options, schedule_.step_count());
     if (draws) frames_.emplace(scene, run_.built(), options, schedule_);
-    if (resumed_) resume(scene, *resumed_);
+    if (resumed_) resume(std::move(*loaded), *resumed_);
 }
 
 // The state of the run, the tables and the camera as they were at the checkpoint.
-void Simulation::resume(const Scene& scene, const Checkpoint& saved) {
-    run_ = load_run(scene, saved, options_.folder);
+void Simulation::resume(SceneRun run, const Checkpoint& saved) {
+    run_ = std::move(run);
     first_step_ = run_.world().step_count();
     for (const OpenTable& table : open_tables()) continue_table(saved, table.kind, table.file);
     if (frames_) frames_->continue_from(saved.camera, saved.frames, saved.frame_bytes);
@@ -160,7 +189,7 @@ void Simulation::save_checkpoint() {
         checkpoint.camera = frames_->camera();
     }
     for (const OpenTable& table : open_tables())
-        checkpoint.tables.push_back({table.kind, table.file.temporary(), table.file.path(), table.file.save_so_far()});
+        checkpoint.tables.push_back({table.kind, table.file.temporary().filename().string(), table.file.save_so_far()});
     update_report();
     checkpoint.simulate_seconds = report_.simulate_seconds;
     checkpoint.render_seconds = report_.render_seconds;
@@ -168,7 +197,7 @@ void Simulation::save_checkpoint() {
     checkpoint.total_seconds = report_.total_seconds;
     checkpoint.run = run_.save(scene_);
     write_checkpoint(options_.folder, checkpoint);
-    if (resumed_) remove_kept_tables(*resumed_);
+    if (resumed_) remove_kept_tables(options_);
     since_checkpoint_ = {};
 }
 
@@ -188,7 +217,7 @@ void Simulation::run() {
     const bool is_complete = run_.world().step_count() == step_count;
     if (options_.checkpoint && is_interrupted()) save_checkpoint();
     close_files(is_complete);
-    if (resumed_) remove_kept_tables(*resumed_);
+    if (resumed_) remove_kept_tables(options_);
     report_.complete = is_complete;
 }
 

@@ -34,7 +34,7 @@ void BodyFields::update(const SceneWorld& world) {
     }
 }
 
-TrajectoryFile::TrajectoryFile(const std::filesystem::path& file, bool force) : file_(open_output(file, force)) {
+TrajectoryFile::TrajectoryFile(const std::filesystem::path& file, bool force) : file_(file, force) {
     file_.write("step,time,body,x,y,angle,vx,vy,omega\n");
 }
 
@@ -58,7 +58,7 @@ void TrajectoryFile::record(const SceneWorld& world) {
     file_.write(lines_);
 }
 
-ContactsFile::ContactsFile(const std::filesystem::path& file, bool force) : file_(open_output(file, force)) {
+ContactsFile::ContactsFile(const std::filesystem::path& file, bool force) : file_(file, force) {
     file_.write("step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse\n");
 }
 
@@ -78,8 +78,7 @@ void ContactsFile::record(const SceneWorld& built) {
     file_.write(lines_);
 }
 
-EventsFile::EventsFile(const std::filesystem::path& file, bool force, const SceneWorld& world)
-    : file_(open_output(file, force)) {
+EventsFile::EventsFile(const std::filesystem::path& file, bool force, const SceneWorld& world) : file_(file, force) {
     file_.write("step,time,event,a,b,x,y,nx,ny,speed\n");
     for (std::size_t i = 0; i < world.joints.size(); ++i)
         joints_.set(world.joints[i].id, csv_field(output_name(world.joints[i], i)));
@@ -115,9 +114,7 @@ void EventsFile::record(const SceneWorld& built) {
     file_.write(lines_);
 }
 
-HashFile::HashFile(const std::filesystem::path& file, bool force) : file_(open_output(file, force)) {
-    file_.write("step,hash\n");
-}
+HashFile::HashFile(const std::filesystem::path& file, bool force) : file_(file, force) { file_.write("step,hash\n"); }
 
 void HashFile::record(const World& world) {
     file_.write(std::to_string(world.step_count()) + "," + to_hex(world.state_hash()) + "\n");

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/cli/output_path.hpp"
+#include "tools/run/table_file.hpp"
 #include "tumble/scene_world.hpp"
 
 namespace tumble::tools {
@@ -59,10 +59,10 @@ class TrajectoryFile {
 public:
     TrajectoryFile(const std::filesystem::path& file, bool force);
     void record(const SceneWorld& world);
-    OutputFile& file() noexcept { return file_; }
+    TableFile& file() noexcept { return file_; }
 
 private:
-    OutputFile file_;
+    TableFile file_;
     BodyFields names_;
     std::string lines_;
 };
@@ -74,10 +74,10 @@ class ContactsFile {
 public:
     ContactsFile(const std::filesystem::path& file, bool force);
     void record(const SceneWorld& world);
-    OutputFile& file() noexcept { return file_; }
+    TableFile& file() noexcept { return file_; }
 
 private:
-    OutputFile file_;
+    TableFile file_;
     BodyFields names_;
     std::string lines_;
 };
@@ -89,12 +89,12 @@ class EventsFile {
 public:
     EventsFile(const std::filesystem::path& file, bool force, const SceneWorld& world);
     void record(const SceneWorld& world);
-    OutputFile& file() noexcept { return file_; }
+    TableFile& file() noexcept { return file_; }
 
 private:
     void add(const std::string& event, const std::string& a, const std::string& b);
 
-    OutputFile file_;
+    TableFile file_;
     BodyFields names_;
     TextsById<JointId> joints_;
     std::string step_;  // the first two cells of the current step
@@ -106,10 +106,10 @@ class HashFile {
 public:
     HashFile(const std::filesystem::path& file, bool force);
     void record(const World& world);
-    OutputFile& file() noexcept { return file_; }
+    TableFile& file() noexcept { return file_; }
 
 private:
-    OutputFile file_;
+    TableFile file_;
 };
 
 }  // namespace tumble::tools

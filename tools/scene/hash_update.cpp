@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tumble/file.hpp"
 #include "tumble/scene_file.hpp"
@@ -10,22 +12,24 @@
 namespace tumble::tools {
 
 void update_hashes(SceneCheck& check) {
-    if (!check.error.empty()) return;
     // The file itself, so that a link to it stays one.
     const std::filesystem::path file = std::filesystem::canonical(check.file);
     std::string text = read_file(file);
+    std::vector<UpdatedHash> updated;
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
-        ExpectationResult& result = check.expectations[i];
+        const ExpectationResult& result = check.expectations[i];
         if (result.passed || result.state_hash.empty()) continue;
         const std::string pointer = pointer_of_claim(i) + "/state_hash";
         text = replace_text(text, pointer, result.state_hash);
-        check.updated.push_back({pointer, check.claimed_hashes[i], result.state_hash});
-        result.passed = true;
+        updated.push_back({pointer, check.claimed_hashes[i], result.state_hash});
     }
-    if (check.updated.empty()) return;
+    if (updated.empty()) return;
     OutputFile output(file);
     output.write(text);
     output.commit();
+    check.updated = std::move(updated);
+    for (ExpectationResult& result : check.expectations)
+        if (!result.state_hash.empty()) result.passed = true;
     if (std::ranges::all_of(check.expectations, &ExpectationResult::passed)) check.code = ExitCode::ok;
 }
 

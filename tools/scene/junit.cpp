@@ -39,7 +39,8 @@ Counts count(const SceneCheck& check) {
     Counts counts;
     counts.tests = check.expectations.size() + (has_own_case(check) ? 1 : 0);
     counts.failures =
-        static_cast<std::size_t>(std::ranges::count(check.expectations, false, &ExpectationResult::passed));
+        static_cast<std::size_t>(std::ranges::count(check.expectations, false, &ExpectationResult::passed)) +
+        (check.failure.empty() ? 0 : 1);
     counts.errors = check.error.empty() ? 0 : 1;
     counts.skipped = check.was_skipped ? 1 : 0;
     counts.seconds = check.seconds;
@@ -63,6 +64,7 @@ std::string own_case(const SceneCheck& check, const std::string& class_name) {
     std::string text = "    <testcase" + class_name + attribute("name", "runs");
     text += attribute("time", number_text(check.seconds));
     if (!check.error.empty()) return text + "><error" + attribute("message", check.error) + "/></testcase>\n";
+    if (!check.failure.empty()) return text + "><failure" + attribute("message", check.failure) + "/></testcase>\n";
     return text + (check.was_skipped ? "><skipped/></testcase>\n" : "/>\n");
 }
 

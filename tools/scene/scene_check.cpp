@@ -20,7 +20,7 @@ void simulate_and_check(const Scene& scene, const CheckOptions& options, SceneCh
     check.name = file_name_of(scene.name);
     if (options.require_claims && scene.expect.empty()) {
         check.code = ExitCode::failed;
-        check.error = "has no claims, and --require-claims is given: list what must be true in \"expect\"";
+        check.failure = "has no claims, and --require-claims is given: list what must be true in \"expect\"";
         return;
     }
     for (const SceneExpectation& claim : scene.expect) check.claimed_hashes.push_back(claim.state_hash);
@@ -40,6 +40,7 @@ void simulate_and_check(const Scene& scene, const CheckOptions& options, SceneCh
         check.error = "interrupted at step " + std::to_string(check.steps) + " of " + std::to_string(step_count);
         return;
     }
+    check.was_simulated = true;
     for (const ExpectationResult& result : check.expectations)
         if (!result.passed) check.code = ExitCode::failed;
 }

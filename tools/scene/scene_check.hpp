@@ -21,8 +21,10 @@ struct UpdatedHash {
 // The result of one scene file.
 struct SceneCheck {
     std::string file;
-    ExitCode code = ExitCode::ok;  // `failed` if a claim does not hold, or the code of `error`
-    std::string error;             // why the scene could not be read or simulated to its end; else empty
+    ExitCode code = ExitCode::ok;  // `failed` if a claim does not hold or `failure` is not empty; the code of `error`
+    std::string error;             // why the scene could not be read, simulated to its end or updated; else empty
+    std::string failure;           // why the scene fails without a failed claim; else empty
+    bool was_simulated = false;    // to its end, with its claims evaluated
     std::string name;              // of the scene, as a file name; of the file if the scene cannot be read
     std::vector<ExpectationResult> expectations;
     std::vector<std::filesystem::path> shots;  // [expectations.size()] or empty: a picture of each failed claim

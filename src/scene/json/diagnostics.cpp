@@ -120,6 +120,7 @@ Diagnostic Diagnostics::locate(const Entry& entry, Diagnostic::Severity severity
     for (const auto& [pointer, origin] : origins_) {
         if (!is_within(entry.pointer, pointer)) continue;
         d.file = origin;
+        d.is_of_argument = true;
         if (!d.pointer.starts_with('/')) d.pointer.clear();  // an override without a pointer
         return d;
     }
