@@ -1,6 +1,7 @@
 #include "dynamics/step.hpp"
 
 #include <chrono>
+#include <cmath>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/divergence.hpp"
@@ -53,9 +54,14 @@ JointContext joint_context(const Simulation& simulation) {
     return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h), !is_direct};
 }
 
+StepAhead step_ahead(const Simulation& simulation) {
+    const StepSettings& settings = simulation.settings;
+    return {settings.duration, settings.gravity, settings.orders_impacts()};
+}
+
 void collide_and_count(Simulation& simulation, Contact& contact) {
     const bool was_apart = contact.chain_state == ChainState::apart;
-    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, simulation.settings.duration);
+    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, step_ahead(simulation));
     if (was_apart) follow_neighbors(simulation.chain_contacts(), contact);
     simulation.chain_crossings.now |= contact.chain_state == ChainState::crossing;
     ++simulation.report.collided.pairs;
@@ -64,12 +70,19 @@ void collide_and_count(Simulation& simulation, Contact& contact) {
     simulation.report.collided.iterations += contact.cache.iterations;
 }
 
+void update_boxes(Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead) {
+    for (const ShapeId shape : simulation.bodies.records[moving.body].shapes)
+        simulation.shapes.update_proxy(shape.index, simulation.bodies.frames[moving.body].pose, ahead,
+                                       simulation.settings.tuning, simulation.broad);
+}
+
 }  // namespace
 
 void step(Simulation& simulation) {
     StageTimes& ms = simulation.report.times = StageTimes{};
     StageClock clock;
     clear(simulation.events);
+    if (simulation.settings.orders_impacts()) cover_free_motions(simulation);
     find_pairs(simulation);
     clock.stop(ms.pairs);
     simulation.report.collided = {};
@@ -101,6 +114,21 @@ void step(Simulation& simulation) {
         clock.stop(ms.sleep);
     }
     ms.step = clock.total();
+}
+
+// The boxes of a body that moves less than its speculative distance have margin enough.
+void cover_free_motions(Simulation& simulation) {
+    const StepSettings& settings = simulation.settings;
+    const BodyStore& bodies = simulation.bodies;
+    std::vector<FreeMotion>& motions = simulation.scratch.free_motions;
+    motions.resize(bodies.moving.size());
+    for (std::size_t i = 1; i < motions.size(); ++i) {
+        const BodyMotion& body = bodies.moving[i].motion;
+        motions[i] = bodies.free_motion(static_cast<std::uint32_t>(i), settings.gravity, settings.duration);
+        const float moved = length(motions[i].path) + std::abs(motions[i].turn) * body.reach;
+        if (moved > settings.tuning.speculative_distance(body.smallest_extent))
+            update_boxes(simulation, bodies.moving[i], motions[i]);
+    }
 }
 
 // Runs twice in a step: for the caller's changes before it, and after the motion, so that the step reports each sensor
@@ -199,12 +227,8 @@ void collide_continuously(Simulation& simulation) {
 }
 
 void update_proxies(Simulation& simulation) {
-    for (std::size_t i = 1; i < simulation.bodies.moving.size(); ++i) {
-        const std::uint32_t body = simulation.bodies.moving[i].body;
-        for (const ShapeId shape : simulation.bodies.records[body].shapes)
-            simulation.shapes.update_proxy(shape.index, simulation.bodies.frames[body].pose, simulation.settings.tuning,
-                                           simulation.broad);
-    }
+    for (std::size_t i = 1; i < simulation.bodies.moving.size(); ++i)
+        update_boxes(simulation, simulation.bodies.moving[i], {});
 }
 
 }  // namespace tumble

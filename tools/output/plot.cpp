@@ -32,7 +32,7 @@ std::string attribute(std::string_view name, double value) {
 }
 
 std::string_view ink_class(Ink ink) {
-    constexpr std::array<std::string_view, 4> kClasses = {"tumble", "box2d", "exact", "limit"};
+    constexpr std::array<std::string_view, 5> kClasses = {"tumble", "second", "box2d", "exact", "limit"};
     return kClasses[static_cast<std::size_t>(ink)];
 }
 

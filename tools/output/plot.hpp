@@ -15,7 +15,7 @@
 namespace tumble::tools {
 
 // What a series shows; each has one colour on every page.
-enum class Ink { tumble, box2d, exact, limit };
+enum class Ink { tumble, second, box2d, exact, limit };
 
 enum class Mark { points, line, dashed };
 

@@ -19,7 +19,7 @@ struct PhysicsResult {
     std::vector<MeasuredRow> rows;
     bool is_short = false;
     double seconds = 0.0;
-    int holding() const;  // rows
+    int holding(reference::Engine engine = reference::Engine::tumble) const;  // rows
     bool passed() const { return holding() == static_cast<int>(rows.size()); }
 };
 

@@ -54,6 +54,14 @@ struct BodyRecord {
     std::vector<JointId> joints;       // in order of creation
 };
 
+// How far a body moves in a step if nothing acts on it but forces.
+struct FreeMotion {
+    Vec2 path;          // of the centre of mass, m
+    float turn = 0.0f;  // rad
+
+    friend constexpr bool operator==(const FreeMotion&, const FreeMotion&) = default;
+};
+
 // What the integrator reads of a moving body beside its SolverBody. By solver body.
 struct MovingBody {
     std::uint32_t body = 0;  // index
@@ -102,6 +110,12 @@ public:
     Vec2 free_acceleration(std::uint32_t solver_body, Vec2 gravity) const {
         const std::uint32_t flags = solver_bodies[solver_body].flags;
         return flags & kDynamicBody ? allowed(flags, moving[solver_body].free_acceleration(gravity)) : Vec2{};
+    }
+    // A bound: a body under a force gains half of what it adds within the step as displacement.
+    FreeMotion free_motion(std::uint32_t solver_body, Vec2 gravity, float duration) const {
+        const SolverBody& body = solver_bodies[solver_body];
+        return {duration * (body.velocity + duration * free_acceleration(solver_body, gravity)),
+                duration * body.angular_velocity};
     }
     // The joints of the body that has fewer: the ground may have thousands.
     const std::vector<JointId>& fewer_joints(std::uint32_t body_a, std::uint32_t body_b) const {

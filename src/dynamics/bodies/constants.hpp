@@ -89,10 +89,6 @@ inline constexpr float kContinuousPart = 0.5f;
 // shapes whose larger ones overlap already: they sink in no farther.
 inline constexpr float kContinuousCores[] = {0.75f, 0.5f, 0.25f, 0.0f};
 
-// Continuous collision sweeps bodies that move farther than this in a step (m), or by more than kContinuousPart of
-// their smallest extent. Smaller: more sweeps. Larger: deeper overlap.
-inline constexpr float kSweptDistance = 0.03f;
-
 // Continuous collision decides with a core that is smaller than the shape by this part of the speculative distance on
 // each side: 8 mm for bodies of 1 m. Larger: deeper overlap. Smaller: bodies stop when they slide over seams.
 inline constexpr float kContinuousInset = 0.4f;
@@ -131,7 +127,6 @@ inline constexpr int kStaticColors = 8;
 struct Tuning {
     float max_speculative_distance = kSpeculativeDistance;
     float max_aabb_margin = kAabbMargin;
-    float max_swept_distance = kSweptDistance;
     float push_out_speed = kPushOutSpeed;
     float restitution_threshold = kRestitutionThreshold;
     float hit_speed = kHitSpeed;
@@ -144,9 +139,6 @@ struct Tuning {
     float speculative_distance(float smaller_extent) const {
         return std::min(max_speculative_distance, kSpeculativePart * smaller_extent);
     }
-    float swept_distance(float smaller_extent) const {
-        return std::min(max_swept_distance, kContinuousPart * smaller_extent);
-    }
     float aabb_margin(float smaller_extent) const {
         return std::min(max_aabb_margin, kAabbMarginPart * smaller_extent);
     }
@@ -157,7 +149,6 @@ inline Tuning make_tuning(float scale) {
     const float root = std::sqrt(scale), inverse = 1.0f / root;
     return {.max_speculative_distance = scale * kSpeculativeDistance,
             .max_aabb_margin = scale * kAabbMargin,
-            .max_swept_distance = scale * kSweptDistance,
             .push_out_speed = root * kPushOutSpeed,
             .restitution_threshold = root * kRestitutionThreshold,
             .hit_speed = root * kHitSpeed,

@@ -1,6 +1,7 @@
 #include "dynamics/bodies/shape_store.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "debug/check.hpp"
@@ -70,12 +71,16 @@ void ShapeStore::forget_destroyed() {
     destroyed_.clear();
 }
 
-void ShapeStore::update_proxy(std::uint32_t shape, const Pose& world_from_body, const Tuning& tuning,
-                              BroadPhase& broad) const {
+void ShapeStore::update_proxy(std::uint32_t shape, const Pose& world_from_body, const FreeMotion& ahead,
+                              const Tuning& tuning, BroadPhase& broad) const {
     const ShapeRecord& record = records_[shape];
     TUMBLE_CHECK(record.is_placed);
-    const Aabb box = bounds(record.shape, world_from_body);
-    if (!contains(broad.box(shape), box)) broad.move(shape, enlarged(box, tuning.aabb_margin(record.smaller_extent)));
+    const float margin = tuning.aabb_margin(record.smaller_extent);
+    Aabb box = bounds(record.shape, world_from_body);
+    if (std::abs(ahead.turn) * record.reach > margin)
+        box = merge(box, bounds(make_circle(record.reach), world_from_body));
+    box = merge(box, {box.lower + ahead.path, box.upper + ahead.path});
+    if (!contains(broad.box(shape), box)) broad.move(shape, enlarged(box, margin));
 }
 
 BodyMass body_mass(const std::vector<ShapeId>& shapes, const ShapeStore& store) {

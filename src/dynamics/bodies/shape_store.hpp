@@ -53,8 +53,10 @@ public:
     bool has_destroyed() const { return !destroyed_.empty(); }
     void forget_destroyed();
 
-    // Moves the proxy's box, with a new margin, if the shape at the body's pose is not inside it.
-    void update_proxy(std::uint32_t shape, const Pose& world_from_body, const Tuning& tuning, BroadPhase& broad) const;
+    // Moves the proxy's box, with a new margin, if the shape is not inside it at the body's pose and during the motion
+    // ahead.
+    void update_proxy(std::uint32_t shape, const Pose& world_from_body, const FreeMotion& ahead, const Tuning& tuning,
+                      BroadPhase& broad) const;
 
     const ShapeRecord& operator[](std::uint32_t index) const {
         TUMBLE_CHECK(index < records_.size());

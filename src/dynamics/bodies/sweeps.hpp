@@ -16,4 +16,11 @@ inline Sweep sweep_of(const BodyStore& bodies, std::uint32_t body) {
             angle(frame.pose.rotation), angle(moved.delta_rotation)};
 }
 
+// The same for a motion that may still be stopped.
+inline Sweep sweep_of(const BodyStore& bodies, std::uint32_t body, const FreeMotion& motion) {
+    const BodyFrame& frame = bodies.frames[body];
+    return {bodies.records[body].mass.center, frame.center, frame.center + DVec2(motion.path),
+            angle(frame.pose.rotation), static_cast<double>(motion.turn)};
+}
+
 }  // namespace tumble

@@ -61,11 +61,11 @@ ChainState state_of_neighbors(const ChainContacts& chains, ProxyPair pair, const
 
 }  // namespace
 
-Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, Vec2 displacement, Contact& contact) {
+Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, float reach, Vec2 displacement,
+                            Contact& contact) {
     TUMBLE_CHECK(segment.record.link.has_value());
-    const LinkContact seen =
-        find_link_contact(segment.record.shape, *segment.record.link, segment.world_from_body, other.record.shape,
-                          other.world_from_body, contact.speculative_distance, contact.cache);
+    const LinkContact seen = find_link_contact(segment.record.shape, *segment.record.link, segment.world_from_body,
+                                               other.record.shape, other.world_from_body, reach, contact.cache);
     const bool is_first = contact.chain_state == ChainState::apart && seen.side == LinkSide::open;
     const bool through = is_first && came_through(segment, other, displacement, seen.manifold.normal);
     contact.chain_state = next_state(contact.chain_state, seen.side, through);

@@ -69,8 +69,10 @@ struct PosedShape {
 };
 
 // The first transition. Returns the manifold from the segment to the other shape, empty unless the contact is open.
-// `displacement` is that of the other shape relative to the segment in a step (m, world axes).
-Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, Vec2 displacement, Contact& contact);
+// `reach` is the largest gap of a point, m. `displacement` is that of the other shape relative to the segment in a step
+// (m, world axes).
+Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, float reach, Vec2 displacement,
+                            Contact& contact);
 
 // The second transition. No effect on a contact that is apart.
 void follow_neighbors(const ChainContacts& chains, Contact& contact);

@@ -3,6 +3,7 @@
 #include "debug/check.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/shape_store.hpp"
+#include "dynamics/contacts/collide_posed.hpp"
 
 namespace tumble {
 
@@ -51,36 +52,17 @@ void update_touch(Contact& contact, const BodyStore& bodies) {
                         approach_speed(contact, point, bodies)};
 }
 
-// The same manifold from B to A.
-Manifold swapped(const Manifold& manifold) {
-    TUMBLE_CHECK(manifold.point_count <= 2);
-    Manifold result;
-    result.normal = -manifold.normal;
-    result.point_count = manifold.point_count;
-    for (int i = 0; i < manifold.point_count; ++i) {
-        const ManifoldPoint& point = manifold.points[manifold.point_count - 1 - i];
-        result.points[i] = {point.anchor_b, point.anchor_a, point.separation,
-                            point.feature >> 16 | point.feature << 16};
-    }
-    return result;
-}
-
-// `displacement` is that of B relative to A in a step. The cache belongs to the order of the shapes chosen here: a
-// chain's segment comes first.
-Manifold collide_shapes(const PosedShape& a, const PosedShape& b, Vec2 displacement, Contact& contact) {
-    if (a.record.link) return collide_with_chain(a, b, displacement, contact);
-    if (b.record.link) return swapped(collide_with_chain(b, a, -displacement, contact));
-    return collide(a.record.shape, a.world_from_body, b.record.shape, b.world_from_body, contact.speculative_distance,
-                   contact.cache);
-}
-
-void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b, Vec2 displacement) {
-    const Manifold manifold = collide_shapes(a, b, displacement, contact);
+void set_manifold(Contact& contact, const Manifold& manifold) {
     TUMBLE_CHECK(manifold.point_count >= 0);
     TUMBLE_CHECK(manifold.point_count <= 2);
     carry_impulses_over(contact, manifold);
     contact.applied[0] = contact.applied[1] = {};
     contact.manifold = manifold;
+}
+
+void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b, Vec2 displacement) {
+    const Manifold manifold = collide_posed(a, b, contact, contact.speculative_distance, displacement);
+    set_manifold(contact, manifold);
     contact.reference = {manifold, a.world_from_body.rotation, b.world_from_body.rotation,
                          b.world_from_body.position - a.world_from_body.position, true};
 }
@@ -90,6 +72,18 @@ Vec2 displacement_in_step(const Contact& contact, const BodyStore& bodies, float
     const SolverBody& a = bodies.solver_bodies[bodies.frames[contact.body_a].solver_body];
     const SolverBody& b = bodies.solver_bodies[bodies.frames[contact.body_b].solver_body];
     return duration * (b.velocity - a.velocity);
+}
+
+// Returns true if the contact has a predicted manifold now. Poses later in the step decide that one, so that it is not
+// recycled.
+bool look_ahead(Contact& contact, const PosedShape& a, const PosedShape& b, const BodyStore& bodies,
+                const StepAhead& step) {
+    if (contact.manifold.point_count == 2) return false;
+    const Manifold manifold = predict_manifold(contact, a, b, bodies, step);
+    if (manifold.point_count == 0) return false;
+    set_manifold(contact, manifold);
+    contact.reference.is_valid = false;
+    return true;
 }
 
 }  // namespace
@@ -102,26 +96,24 @@ float approach_speed(const Contact& contact, const ManifoldPoint& point, const B
     return dot(velocity_a - velocity_b, contact.manifold.normal);
 }
 
-Manifold collide_posed(const PosedShape& a, const PosedShape& b, Contact& contact) {
-    return collide_shapes(a, b, {}, contact);
-}
-
-bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, float duration) {
+bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const StepAhead& step) {
     TUMBLE_CHECK(contact.kind == ContactKind::solid);
     const ShapeRecord& a = shapes[contact.shapes.a];
     const ShapeRecord& b = shapes[contact.shapes.b];
     const Pose& pose_a = bodies.frames[contact.body_a].pose;
     const Pose& pose_b = bodies.frames[contact.body_b].pose;
+    const PosedShape posed_a{a, pose_a}, posed_b{b, pose_b};
     const float tolerance = kRecyclingPart * contact.speculative_distance;
     const bool is_recycled = recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold);
     if (!is_recycled) {
         const bool is_with_chain = a.link || b.link;
-        collide_in_full(contact, {a, pose_a}, {b, pose_b},
-                        is_with_chain ? displacement_in_step(contact, bodies, duration) : Vec2{});
+        collide_in_full(contact, posed_a, posed_b,
+                        is_with_chain ? displacement_in_step(contact, bodies, step.duration) : Vec2{});
     }
+    const bool is_predicted = step.predicts && look_ahead(contact, posed_a, posed_b, bodies, step);
     update_touch(contact, bodies);
     contact.is_new = false;
-    return !is_recycled;
+    return !is_recycled || is_predicted;
 }
 
 void sense_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes) {

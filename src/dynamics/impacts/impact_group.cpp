@@ -12,6 +12,10 @@ namespace {
 // Relative to the fastest approach: below it a contact counts as not approached.
 constexpr double kTolerance = 1e-6;
 
+// A round ends when no sweep changes a speed by more than this part of the fastest approach. What inelastic impacts
+// leave, the contact solver of the next step stops.
+constexpr double kElasticTolerance = 1e-7, kInelasticTolerance = 1e-4;
+
 // A hold that is not complete leaves an overlap to the next step.
 constexpr int kMaxHoldSweeps = 50;
 
@@ -98,15 +102,17 @@ double kinetic_energy(const ImpactGroup& group) {
 class ImpactRounds {
 public:
     explicit ImpactRounds(ImpactGroup& group) : group_(group) {
-        for (const ImpactPoint& point : group.points)
+        for (const ImpactPoint& point : group.points) {
             fastest_ = std::max({fastest_, -approach_at_impact(group, point), -approach_ahead(group, point)});
+            if (point.restitution > 0.0) tolerance_ = kElasticTolerance;
+        }
     }
 
     void run() {
         do {
             begin_round();
             const double energy = kinetic_energy(group_);
-            while (sweep() > 0.1 * kTolerance * fastest_ && work_ < kMaxImpactWork) {
+            while (sweep() > tolerance_ * fastest_ && work_ < kMaxImpactWork) {
             }
             bounce(energy);
         } while (work_ < kMaxImpactWork && has_impact());
@@ -230,6 +236,7 @@ private:
 
     ImpactGroup& group_;
     double fastest_ = 0.0;  // approach, m/s
+    double tolerance_ = kInelasticTolerance;
     int work_ = 0;
 };
 

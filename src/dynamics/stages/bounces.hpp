@@ -6,11 +6,14 @@
 
 namespace tumble {
 
-// The approach speed from which a contact of two bodies bounces, m/s: twice what their free acceleration along the
-// normal gives in a step. Below it resting bodies would hop. Without gravity every impact bounces.
-double bounce_threshold(const Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b, Vec2 normal);
+// The approach speed from which a contact bounces, m/s: it leaves with more than twice the speed that gravity and
+// forces add in a step. Below it resting bodies would hop. Without gravity every impact bounces. Of an inelastic
+// contact: from which it takes part in the impacts of others.
+double bounce_threshold(const Simulation& simulation, const Contact& contact);
 
-// A stage of the step, before constraints are prepared: marks the contacts that bounce.
+// A stage of the step, before constraints are prepared: marks the contacts that bounce, and inelastic ones through
+// which a body lands that carries others. The few sweeps of the solver would leave such a stack with overlap and
+// approaches, from which it rebounds with half of its speed.
 void find_bounces(Simulation& simulation);
 
 }  // namespace tumble

@@ -22,6 +22,24 @@ float displacement(const SolverBody& body, const BodyMotion& motion) {
     return length(body.delta_position) + std::abs(body.delta_rotation.s) * motion.reach;
 }
 
+// How far the farthest point of a body is from where its free motion would have taken it, m.
+float deviation(const SolverBody& body, const FreeMotion& free, const BodyMotion& motion) {
+    const double turn = angle(body.delta_rotation) - static_cast<double>(free.turn);
+    return length(body.delta_position - free.path) + std::abs(static_cast<float>(turn)) * motion.reach;
+}
+
+// True if a body moves far, and not as foreseen: impacts of its free motion have become contacts, which the solver need
+// not have kept apart.
+bool is_fast(const Simulation& simulation, std::size_t index) {
+    const SolverBody& body = simulation.bodies.solver_bodies[index];
+    const BodyMotion& motion = simulation.bodies.moving[index].motion;
+    const float least = kContinuousPart * motion.smallest_extent;
+    if (!(displacement(body, motion) > least)) return false;
+    const StepScratch& scratch = simulation.scratch;
+    return index >= scratch.free_motions.size() || scratch.ordered_impacts.touch_counts[index] > 0 ||
+           deviation(body, scratch.free_motions[index], motion) > least;
+}
+
 // True if two points that move along straight lines come as near as `distance`.
 bool come_near(DVec2 offset, DVec2 path, double distance) {
     const double square = length_sq(path);
@@ -48,10 +66,8 @@ public:
         : simulation_(simulation), scratch_(simulation.scratch.ordered_impacts), index_(swept) {}
 
     void run() {
+        forget_next_impact(simulation_, index_);
         NextImpact& next = scratch_.next[index_];
-        const std::uint32_t version = next.version + 1;
-        next = {};
-        next.version = version;
         if (mover().has_stopped || !(mover().time < 1.0)) return;
         for (const ShapeId own : simulation_.bodies.records[mover().body].shapes) search(own.index);
         if (next.time >= 1.0) return;
@@ -195,11 +211,8 @@ private:
 void find_fast_bodies(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
     if (simulation.settings.continuous) {
-        for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
-            const BodyMotion& motion = bodies.moving[i].motion;
-            const float least = simulation.settings.tuning.swept_distance(motion.smallest_extent);
-            if (displacement(bodies.solver_bodies[i], motion) > least) sweep_body(simulation, bodies.moving[i].body);
-        }
+        for (std::size_t i = 1; i < bodies.moving.size(); ++i)
+            if (is_fast(simulation, i)) sweep_body(simulation, bodies.moving[i].body);
     }
     for (const Contact& contact : simulation.contacts.all()) {
         if (!contact.is_bouncing) continue;
@@ -209,5 +222,20 @@ void find_fast_bodies(Simulation& simulation) {
 }
 
 void find_next_impact(Simulation& simulation, std::uint32_t swept) { ImpactSearch(simulation, swept).run(); }
+
+void forget_next_impact(Simulation& simulation, std::uint32_t swept) {
+    NextImpact& next = simulation.scratch.ordered_impacts.next[swept];
+    const std::uint32_t version = next.version + 1;
+    next = {};
+    next.version = version;
+}
+
+bool moves_far(const Simulation& simulation, std::uint32_t swept) {
+    const SweptBody& body = simulation.scratch.ordered_impacts.swept[swept];
+    const BodyMotion& motion = simulation.bodies.records[body.body].motion;
+    const double moved =
+        length(body.sweep.end - body.sweep.start) + std::abs(body.sweep.turn) * static_cast<double>(motion.reach);
+    return moved > static_cast<double>(kContinuousPart * motion.smallest_extent);
+}
 
 }  // namespace tumble

@@ -11,4 +11,10 @@ void find_fast_bodies(Simulation& simulation);
 // Finds the first impact ahead of a swept body, and puts it into the queue. Collects the sensors near its path.
 void find_next_impact(Simulation& simulation, std::uint32_t swept);
 
+// The body has none until it is searched for again.
+void forget_next_impact(Simulation& simulation, std::uint32_t swept);
+
+// True if a body moves by more than half of its extent until the step ends.
+bool moves_far(const Simulation& simulation, std::uint32_t swept);
+
 }  // namespace tumble

@@ -7,6 +7,7 @@
 
 #include "broad/pair_set.hpp"
 #include "broad/tree.hpp"
+#include "dynamics/bodies/body_store.hpp"
 #include "dynamics/contacts/contact.hpp"
 #include "dynamics/contacts/contact_solver.hpp"
 #include "dynamics/direct/joint_system.hpp"
@@ -100,6 +101,7 @@ struct ImpactScratch {
     std::vector<ProxyPair> group_shapes;       // by point of the group
     std::vector<std::uint32_t> first_contact;  // by solver body: its range in `contacts`; empty before the first impact
     std::vector<std::uint32_t> contacts;       // indices
+    std::vector<std::uint32_t> touch_counts;   // by solver body: its contacts that have points
     std::vector<Impact> impacts;
 };
 
@@ -117,6 +119,7 @@ struct StepScratch {
     std::vector<JointId> sleeping_joints;
 
     // Continuous collision.
+    std::vector<FreeMotion> free_motions;         // by solver body, of those awake when the step began
     std::vector<Mover> movers;                    // by body index
     std::vector<std::uint32_t> near_shapes;       // indices
     std::vector<ProxyPair> impacts;               // pairs whose impact stopped a body in this step, sorted

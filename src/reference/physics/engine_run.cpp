@@ -132,8 +132,10 @@ bool EngineRun::all_asleep() const {
 }
 
 std::unique_ptr<EngineRun> start(Engine engine, const Scene& scene) {
-    if (engine == Engine::tumble) return std::make_unique<TumbleRun>(scene);
-    return std::make_unique<Box2dRun>(scene);
+    if (engine == Engine::box2d) return std::make_unique<Box2dRun>(scene);
+    Scene own = scene;
+    if (engine == Engine::in_order) own.world.impacts = ImpactModel::in_order;
+    return std::make_unique<TumbleRun>(own);
 }
 
 }  // namespace tumble::reference

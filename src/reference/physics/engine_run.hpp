@@ -1,4 +1,5 @@
-// One scene running in tumble or in Box2D 2.4.1, seen in the same way: motions of bodies, energies, gaps of joints.
+// One scene running in tumble, with either model of impacts, or in Box2D 2.4.1, seen in the same way: motions of
+// bodies, energies, gaps of joints.
 #pragma once
 
 #include <memory>
@@ -10,8 +11,9 @@
 
 namespace tumble::reference {
 
-enum class Engine { tumble, box2d };
-inline constexpr Engine kEngines[] = {Engine::tumble, Engine::box2d};
+// tumble with the impacts of the scene, tumble with ImpactModel::in_order, and Box2D.
+enum class Engine { tumble, in_order, box2d };
+inline constexpr Engine kEngines[] = {Engine::tumble, Engine::in_order, Engine::box2d};
 
 // World coordinates, SI units.
 struct BodyMotion {

@@ -41,9 +41,9 @@ bool Finding::holds(Engine engine) const {
     return !all.empty() && std::ranges::all_of(all, passes);
 }
 
-bool RowResult::holds() const {
+bool RowResult::holds(Engine engine) const {
     return failure.empty() && !findings.empty() &&
-           std::ranges::all_of(findings, [](const Finding& finding) { return finding.holds(Engine::tumble); });
+           std::ranges::all_of(findings, [&](const Finding& finding) { return finding.holds(engine); });
 }
 
 RowResult run_row(const PhysicsRow& row, const Effort& effort) {

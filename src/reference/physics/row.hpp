@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -24,14 +25,15 @@ constexpr Bar within(double exact, double tolerance) { return {exact - tolerance
 constexpr Bar at_most(double upper) { return {.upper = upper}; }
 constexpr Bar at_least(double lower) { return {.lower = lower}; }
 
-// One quantity under one condition, measured in both engines: once, or once for each phase, angle or position.
+// One quantity under one condition, measured in each engine: once, or once for each phase, angle or position.
 struct Finding {
     std::string condition;  // "60 Hz, 4 sub-steps"
     std::string quantity;   // "speed along the floor"
     std::string unit;       // empty for ratios and counts
     std::optional<double> exact{};
     Bar bar{};
-    std::array<std::vector<double>, 2> values{};  // [Engine]; a value that was not reached is infinite
+    std::array<std::vector<double>, std::size(kEngines)>
+        values{};  // [Engine]; a value that was not reached is infinite
 
     void add(Engine engine, double value) { values[static_cast<std::size_t>(engine)].push_back(value); }
 
@@ -43,7 +45,7 @@ struct Finding {
 // A count that must be 0.
 Finding make_count(std::string condition, std::string quantity);
 
-// Runs the scene in both engines for a time (s), and adds what value(run) finds at its end.
+// Runs the scene in each engine for a time (s), and adds what value(run) finds at its end.
 template <class Value>
 void add_after(Finding& finding, const Scene& scene, double seconds, Value&& value) {
     for (const Engine engine : kEngines) {
@@ -74,7 +76,7 @@ struct RowResult {
     std::vector<Chart> charts;
     std::string failure;  // why an engine stopped: a state that is not finite
     double seconds = 0.0;
-    bool holds() const;  // for tumble
+    bool holds(Engine engine = Engine::tumble) const;
 };
 
 // How much is measured: the short form takes fewer phases and leaves out what takes seconds.

@@ -1,12 +1,18 @@
 #include "reference/physics/row_text.hpp"
 
+#include <array>
+#include <string_view>
+
 namespace tumble::reference {
 
 std::string rate_text(SceneRate rate) {
     return text("%g Hz, ", rate.steps_per_second) + text("%g sub-steps", rate.substeps);
 }
 
-std::string name_of(Engine engine) { return engine == Engine::tumble ? "tumble" : "Box2D"; }
+std::string name_of(Engine engine) {
+    constexpr std::array<std::string_view, std::size(kEngines)> kNames = {"tumble", "in order", "Box2D"};
+    return std::string(kNames[static_cast<std::size_t>(engine)]);
+}
 
 Curve curve_of_indices(Engine engine, const std::vector<double>& times) {
     Curve curve{.name = name_of(engine), .engine = engine, .joined = false};

@@ -47,7 +47,7 @@ void visit_fields(V& v, Type<SceneSettings>) {
             &SceneSettings::joints);
     v.field({"impacts",
              "When impacts happen: 'at_step_end', or 'in_order', each at its time within the step. In order, bounces "
-             "keep their energy and their times, and fast bodies collide with all others."},
+             "keep their energy and their times, and fast bodies collide with all others; a step takes longer."},
             &SceneSettings::impacts);
     v.field({"scale",
              "Size of a typical body: 1 for human scale, 0.02 for marbles. The lengths, speeds and frequencies inside "
