@@ -9,8 +9,6 @@ function mix(a, b, share) {
   return "#" + channels(a).map((value, i) => Math.round(value + share * (to[i] - value)).toString(16).padStart(2, "0")).join("");
 }
 
-const ISLANDS = ["#689ad3", "#f0b25c", "#62b5a5", "#e47f6c", "#9686ca", "#94bc6a", "#db8baa", "#c1a47b"];
-
 // The colours of the theme, and of bodies in it.
 class Theme {
   constructor() {
@@ -126,13 +124,13 @@ class Painter {
 
   // `islands` is empty or the island of each body.
   bodies(step, islands, dimSleeping) {
-    const whole = Math.floor(step);
+    const whole = Math.floor(step), colors = this.run.island_colors;
     for (const number of this.order) {
       if (!this.run.exists(number, whole)) continue;
       const body = this.run.bodies[number], pose = this.run.pose(number, step);
       if (!this.isInView(pose, body.reach)) continue;
       const asleep = dimSleeping && body.asleep.length > 0 && this.run.isAsleep(number, whole);
-      const color = islands.length > 0 && body.type === 2 ? ISLANDS[islands[number] % ISLANDS.length] : null;
+      const color = islands.length > 0 && body.type === 2 ? colors[islands[number] % colors.length] : null;
       this.useBody(pose);
       for (const [shape, fill, isSensor] of body.shapes)
         this.shape(this.run.shapes[shape], this.theme.paint(color ?? fill, body.type === 0, asleep), isSensor);

@@ -139,7 +139,8 @@ class Panel {
 
   touched(number, step) {
     const names = new Set();
-    this.run.eachContact(step, (a, b) => {
+    this.run.eachContact(step, (a, b, x, y, nx, ny, impulse) => {
+      if (impulse === 0) return;  // near, but not pressed together
       if (a === number || b === number) names.add(this.run.bodies[a === number ? b : a].name);
     });
     const most = 4, list = [...names];

@@ -1,4 +1,4 @@
-// Format 1, as src/render/replay/README.md of tumble describes it.
+// Format 2, as src/render/replay/README.md of tumble describes it.
 
 async function inflate(id) {
   const text = atob(document.getElementById(id).textContent.trim());
@@ -49,7 +49,7 @@ function unpackPredicted(reader, into, from, count) {
 function unpackStates(bytes) {
   const reader = new ByteReader(bytes);
   const header = JSON.parse(reader.text(reader.varint()));
-  if (header.format !== 1) throw new Error(`this page reads format 1, and the states have format ${header.format}`);
+  if (header.format !== 2) throw new Error(`this page reads format 2, and the states have format ${header.format}`);
   let poses = 0;
   for (const body of header.bodies) {
     body.first = poses;  // index of its first pose
