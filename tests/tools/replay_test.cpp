@@ -311,6 +311,46 @@ TEST_CASE("bodies touch where a contact has an impulse") {
     CHECK(found == json::parse("[true, true]"));
 }
 
+TEST_CASE("the contacts of a step are those of all tracks with a point in it") {
+    const Folder folder;
+    const std::string page = make_page(folder, TUMBLE_SOURCE_DIR "/scenes/see_saw.json", {"--duration", "4"});
+    const json found = browse({"ask", page, R"({ const run = replay.player.run, { tracks, from, count } = run.contacts;
+        let all = 0, wrong = 0;
+        for (let step = 0; step <= run.last_step; step++) {
+          let expected = 0, visited = 0;
+          for (let i = 0; i < tracks; i++) if (step >= from[i] && step < from[i] + count[i]) expected++;
+          run.eachContact(step, () => visited++);
+          all += visited;
+          if (visited !== expected) wrong++;
+        }
+        return [all === run.contacts.points[0].length, all > 240, wrong]; })"})
+                           .at(0);
+    CHECK(found == json::parse("[true, true, 0]"));
+}
+
+TEST_CASE("dashes are drawn in view only, however far a user zooms") {
+    const Folder folder;
+    json scene = json::parse(tumble::test::small_scene());
+    scene["expect"] = json::parse(R"([{"body": "ball", "height": [-9, 60]}])");
+    const std::string page = make_page(folder, folder.write("small.json", scene.dump()));
+    // Pixels of lines that are drawn with dashes; the region of the claim is 20 km wide.
+    const json found = browse({"ask", page, R"({ const p = replay.player, c = p.camera, lengths = [];
+        p.showClaim(p.run.claims[0]);
+        const line = p.overlays.line;
+        p.overlays.line = (points, ...rest) => {
+          const [a, b] = points.map((point) => c.pixels(...point));
+          lengths.push(Math.hypot(b[0] - a[0], b[1] - a[1]));
+          line.call(p.overlays, points, ...rest);
+        };
+        const longest = Math.hypot(c.width + 20, c.height + 20) + 1;
+        p.on.joints = false;
+        c.moveTo(0, -9);
+        for (const scale of [1e-2, 1, 1e3, 1e6]) { c.scale = scale; p.draw(); }
+        return [lengths.length > 3, lengths.every((length) => length <= longest)]; })"})
+                           .at(0);
+    CHECK(found == json::parse("[true, true]"));
+}
+
 TEST_CASE("the pages of all shipped scenes load without an error") {
     const Folder folder;
     std::vector<std::string> arguments{"load"};

@@ -147,7 +147,9 @@ class Painter {
       context.globalAlpha = 0.3;
       context.fill(shape.path);
       context.globalAlpha = 1;
-      context.setLineDash([6 * pixel, 5 * pixel]);
+      // A sensor far larger than the canvas has a line without dashes: each dash takes time, also out of view.
+      const mostReach = 10000;  // pixels
+      if (shape.reach < mostReach * pixel) context.setLineDash([6 * pixel, 5 * pixel]);
       context.stroke(shape.path);
       context.setLineDash([]);
       return;

@@ -168,11 +168,13 @@ class Panel {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.strokeStyle = theme.rule;
     context.strokeRect(0.5, 0.5, width - 1, height - 1);
-    context.beginPath();
-    values.forEach((value, i) => context.lineTo(toX(body.from + i), toY(value)));
+    if (this.curve?.of !== values || this.curve.width !== width || this.curve.height !== height) {
+      this.curve = { of: values, width, height, path: new Path2D() };
+      values.forEach((value, i) => this.curve.path.lineTo(toX(body.from + i), toY(value)));
+    }
     context.strokeStyle = theme.accent;
     context.lineWidth = 1.5;
-    context.stroke();
+    context.stroke(this.curve.path);
     context.fillStyle = theme.faint;
     context.fillRect(Math.round(toX(step)), 0, 1, height);
     context.font = "11px system-ui, sans-serif";

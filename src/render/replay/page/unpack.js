@@ -85,5 +85,22 @@ function unpackContacts(bytes) {
     points += count;
   }
   for (let kind = 0; kind < 4; kind++) contacts.points.push(unpackDifferences(reader, contacts, points));
+  contacts.inPart = tracksByPart(contacts);
   return contacts;
+}
+
+// The tracks of a step are found among those of its part of the run: inPart[i] are the tracks with a point in the steps
+// from i * STEPS_PER_PART on, in their order.
+const STEPS_PER_PART = 64;
+
+function tracksByPart({ tracks, from, count }) {
+  const part = (step) => Math.floor(step / STEPS_PER_PART), sizes = [];
+  const eachPart = (visit) => {
+    for (let i = 0; i < tracks; i++)
+      for (let k = part(from[i]); k <= part(from[i] + count[i] - 1); k++) visit(k, i);
+  };
+  eachPart((k) => { sizes[k] = (sizes[k] ?? 0) + 1; });
+  const parts = Array.from(sizes, (size) => new Int32Array(size ?? 0)), filled = sizes.map(() => 0);
+  eachPart((k, i) => { parts[k][filled[k]++] = i; });
+  return parts;
 }

@@ -58,8 +58,8 @@ class Run {
     const tracks = this.contacts;
     if (!tracks) return;
     const [xs, ys, normals, impulses] = tracks.points;
-    for (let i = 0; i < tracks.tracks && tracks.from[i] <= step; i++) {
-      if (step >= tracks.from[i] + tracks.count[i]) continue;
+    for (const i of tracks.inPart[Math.floor(step / STEPS_PER_PART)] ?? []) {
+      if (step < tracks.from[i] || step >= tracks.from[i] + tracks.count[i]) continue;
       const k = tracks.first[i] + step - tracks.from[i];
       const pose = this.pose(tracks.a[i], step);
       const at = worldPoint(pose, [xs[k] * this.contact_quantum, ys[k] * this.contact_quantum]);
