@@ -1,4 +1,4 @@
-// Draws the bodies, the grid and the joints on the canvas.
+// Draws the bodies and the grid on the canvas.
 
 function cssColor(name) { return getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim(); }
 
@@ -72,7 +72,7 @@ class Painter {
     this.theme = new Theme();
     run.shapes.forEach(addShapeData);
     for (const body of run.bodies) body.reach = Math.max(0, ...body.shapes.map(([shape]) => run.shapes[shape].reach));
-    // Static bodies and sensors are behind all others.
+    // Static bodies are behind all others.
     this.order = [...run.bodies.keys()].sort((a, b) => Math.min(run.bodies[a].type, 1) - Math.min(run.bodies[b].type, 1));
   }
 

@@ -305,7 +305,7 @@ async function start() {
   return player;
 }
 
-// The contacts are several times as many as the poses: they are unpacked when the page is already in use.
+// There may be more contact points than poses: they are unpacked when the page is already in use.
 async function addContacts(player) {
   await new Promise((done) => setTimeout(done));
   const bytes = await inflate("contacts");

@@ -69,7 +69,8 @@ class Run {
     }
   }
 
-  // For each dynamic body the lowest number in its island: of the bodies that touch it or are joined to it.
+  // For each dynamic body the lowest number in its island: of the bodies that have contact points with it, or are
+  // joined to it. The world's own islands may differ.
   islands(step) {
     const root = Int32Array.from(this.bodies, (_, i) => i);
     const find = (i) => { while (root[i] !== i) i = root[i] = root[root[i]]; return i; };
