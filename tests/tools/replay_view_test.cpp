@@ -23,16 +23,16 @@ TEST_CASE("the view of a page is that of the frames, in any canvas") {
     json scene = json::parse(tumble::test::small_scene());
     scene["world"]["duration"] = 1;
     scene["camera"] = json::parse(R"({"center": [2, 1], "height": 6})");
-    // What the page shows: the world's coordinates in the middle of the canvas, and whether the upper and lower or the
-    // left and right edges of the frame are those of the canvas, as shares of its sides.
+    // The frames are 24 m wide. What the page shows: the world's coordinates in the middle of the canvas, and whether
+    // the upper and lower or the left and right edges of the frame are those of the canvas, as shares of its sides.
     const std::string ask_view = R"({ const p = replay.player, c = p.camera, shown = [];
         for (const step of [0, 30, 60]) {
           p.seek(step);
           p.draw();
-          shown.push([...c.world(c.width / 2, c.height / 2), 6 * c.scale / c.height, 6 * 0.5 * c.scale / c.width]);
+          shown.push([...c.world(c.width / 2, c.height / 2), 6 * c.scale / c.height, 24 * c.scale / c.width]);
         }
         return shown; })";
-    const std::string fixed = make_page(folder, folder.write("fixed.json", scene.dump()), {"--size", "320x640"});
+    const std::string fixed = make_page(folder, folder.write("fixed.json", scene.dump()), {"--size", "640x160"});
     const json fixed_views = browse({"ask", fixed, ask_view}).at(0);
     for (const json& view : fixed_views) {
         CHECK(near(view[0].get<double>(), 2.0, absolute(1e-9)));
@@ -41,7 +41,7 @@ TEST_CASE("the view of a page is that of the frames, in any canvas") {
     }
     // A camera that follows the ball keeps the offset that its center has from the first position.
     scene["camera"]["follow"] = "ball";
-    const std::string moving = make_page(folder, folder.write("moving.json", scene.dump()), {"--size", "640x320"});
+    const std::string moving = make_page(folder, folder.write("moving.json", scene.dump()), {"--size", "640x160"});
     const std::string ask_ball = R"({ const run = replay.player.run,
           ball = run.bodies.findIndex((body) => body.name === "ball");
         return [0, 30, 60].map((step) => [run.pose(ball, step).x, run.pose(ball, step).y]); })";
