@@ -106,10 +106,10 @@ TEST_CASE("an event that repeats is marked as often as the run applies it") {
     rain.spawn->shapes.push_back({CircleGeometry{0.1, {}}, "", ""});
     rain.from = 0.1;
     // The tenth is due within rounding after `until`; then 1 + floor(0.9 / 0.025), two in three steps.
-    for (const auto& [every, until] : {std::pair(0.1, 1.0 - 1e-9), std::pair(0.025, 1.0)}) {
-        CAPTURE(every);
-        rain.every = every;
-        rain.until = until;
+    for (const auto& times : {std::pair(0.1, 1.0 - 1e-9), std::pair(0.025, 1.0)}) {
+        CAPTURE(times.first);
+        rain.every = times.first;
+        rain.until = times.second;
         scene.timeline = {rain};
         SceneRun run(scene);
         std::vector<std::uint64_t> steps;
@@ -121,7 +121,7 @@ TEST_CASE("an event that repeats is marked as often as the run applies it") {
         std::vector<std::uint64_t> marked;
         for (const render::EventMark& mark : render::timeline_marks(scene)) marked.push_back(mark.step);
         CHECK(marked == steps);
-        CHECK(steps.size() == (every == 0.1 ? 10 : 37));
+        CHECK(steps.size() == (times.first == 0.1 ? 10 : 37));
     }
 }
 
