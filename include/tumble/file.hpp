@@ -46,6 +46,10 @@ public:
     // Closes the file without writing the buffered bytes, and keeps the temporary file. To be called once, last.
     void leave();
 
+    // Counts what another process has written to temporary(), without replacing it, as the content, instead of what was
+    // written here. Before commit().
+    void take_from_others();
+
     // Appends bytes `begin` to `end` of another file. Throws FileError, also if it is shorter.
     void append_from(const std::filesystem::path& file, std::uint64_t begin, std::uint64_t end);
 

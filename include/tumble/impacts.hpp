@@ -13,7 +13,8 @@ enum class ImpactModel : std::uint8_t {
     // Each impact happens at its time, with its bounce and its friction, and the bodies go on from there. Impacts at
     // one time are solved together, through rows of touching bodies [Smith, Kaufman, Vouga, Tamstorf, Grinspun 2012,
     // "Reflections on simultaneous impact"]. Fast bodies collide with all others, as bullets do. Shapes that will touch
-    // within a step become contacts when it starts, so that they do not overlap. Friction is bounded by the impulse that
+    // within a step become contacts when it starts, so that they do not overlap. Friction is bounded by the impulse
+    // that
     // stops the bodies, without the part that pushes overlap out. A body that nothing touches follows its exact
     // parabola. A contact bounces if it leaves with more than twice the speed that gravity adds in a step.
     //

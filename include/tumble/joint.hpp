@@ -29,7 +29,8 @@ enum class JointSolver : std::uint8_t {
     iterative,
 
     // All at once, by a sparse factorization in each sub-step. Joints do not open, and pendulums and chains keep their
-    // energy. A sub-step cannot resolve how links turn that are very light for the tension in them. They turn as if they
+    // energy. A sub-step cannot resolve how links turn that are very light for the tension in them. They turn as if
+    // they
     // had more inertia, and a chain of such links loses energy.
     // For chains, ragdolls and robots it takes several times as long as the iteration; grids of many joints, and bodies
     // with hundreds of them, take far longer. Joints that contradict each other yield one after the other.

@@ -19,6 +19,12 @@ std::uint64_t nearest_step(double time, double steps_per_second);
 // The steps from the start of a scene's run to its end.
 std::uint64_t count_steps(const Scene& scene);
 
+// The numbers k (from 0) of the steps before which the run of a scene applies an event: for an event that repeats one a
+// time (`every` is at least a step), for a force or torque the first only. In order, at most `most` of them, and none
+// above `last`.
+std::vector<std::uint64_t> steps_of_event(const SceneEvent& event, double steps_per_second, std::uint64_t last,
+                                          std::size_t most);
+
 // Steps the world of a scene. An event at time t is applied before the first step that begins at t or later; step k
 // (from 0) begins at k / steps_per_second. Events of one time are applied in the order of the file.
 class SceneRun {

@@ -25,11 +25,12 @@ struct VideoSettings {
 // A video with a constant frame rate: n frames last n / frames_per_second. The colours of mp4 and webm are yuv420p,
 // BT.709. The same frames and the same ffmpeg give the same bytes, whatever the number of processors.
 //
-// All functions throw RenderError if ffmpeg is missing, fails or is ended, with its last words, and FileError if the
-// file cannot be written, such as on a full disk.
+// All functions throw RenderError if ffmpeg is missing, fails or is ended, with its last line of error text, and
+// FileError if the file cannot be written, such as on a full disk.
 class VideoWriter {
 public:
-    // Starts ffmpeg, which writes to a temporary name beside `file`.
+    // Starts ffmpeg, which writes to the temporary file of an OutputFile. For a GIF, ffmpeg keeps all frames until
+    // finish(), because one palette serves all: four bytes a pixel, which the caller has to limit.
     VideoWriter(std::filesystem::path file, const VideoSettings& settings);
     ~VideoWriter();  // without finish(): ends ffmpeg and removes the temporary file
     VideoWriter(VideoWriter&&) noexcept;
@@ -39,7 +40,8 @@ public:
     // is several frames behind.
     void write(const Image& image);
 
-    // Waits for ffmpeg and renames the file. Returns its size in bytes. To be called once, last, after a frame.
+    // Waits for ffmpeg and renames the file. Returns its size in bytes. To be called once, last, after a frame. After
+    // an error of write() it throws the same error.
     std::uint64_t finish();
 
 private:

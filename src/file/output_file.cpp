@@ -101,6 +101,13 @@ void OutputFile::append_from(const std::filesystem::path& file, std::uint64_t be
     }
 }
 
+void OutputFile::take_from_others() {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) fail(errno);
+    size_ = static_cast<std::uint64_t>(status.st_size);
+    buffer_.clear();
+}
+
 std::uint64_t OutputFile::commit() {
     flush();
     const bool is_stream = temporary_.empty();

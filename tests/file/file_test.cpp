@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <iterator>
 #include <vector>
 
@@ -81,6 +82,17 @@ TEST_CASE("without commit nothing remains of a file") {
         CHECK(folder.entries() == 1);
     }
     CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a file that another process writes is committed with the bytes of that") {
+    const Folder folder;
+    OutputFile file(folder.path / "v");
+    file.write("of this process");
+    std::ofstream(file.temporary()) << "of another";
+    file.take_from_others();
+    CHECK(file.commit() == 10);
+    CHECK(read_file(folder.path / "v") == "of another");
+    CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("two writers of one file do not mix their bytes") {

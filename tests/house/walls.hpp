@@ -57,7 +57,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"render/frame", {"render/style", "render/view", "render/canvas", "render/shapes"}},
     {"render/drawing", {"render/view", "render/canvas", "render/shapes"}},
     {"render/output", {}},
-    {"render/replay", {"render/style"}},
+    {"render/replay", {"render/style", "render/output"}},
     {"render/video", {}},
     {"reference/query", {}},
     {"reference/exact", {"reference/query"}},

@@ -2,7 +2,6 @@
 #include "render/output/png.hpp"
 
 #include <doctest/doctest.h>
-#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
@@ -19,6 +18,7 @@
 #include <stb_image.h>
 
 #include "render/temporary_folder.hpp"
+#include "support/small_disk.hpp"
 #include "tumble/file.hpp"
 
 using namespace tumble;
@@ -123,15 +123,9 @@ TEST_CASE("a write over the size limit is an error, keeps the old file and leave
 
 TEST_CASE("a full disk is an error with that reason") {
     const TemporaryFolder folder;
-    const std::filesystem::path disk = folder.path / "disk";
-    std::filesystem::create_directory(disk);
-    if (mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=16k") != 0) {
-        MESSAGE("skipped: mounting a small file system is not permitted here");
-        return;
-    }
-    const std::string message = message_of_failed_write(test_image(300, 300), disk / "x.png");
-    const std::size_t left = file_count(disk);
-    umount(disk.c_str());
+    const test::SmallDisk disk(folder.path / "disk", 16);
+    if (!disk.is_mounted()) return;
+    const std::string message = message_of_failed_write(test_image(300, 300), folder.path / "disk/x.png");
     CHECK(message.find("No space left on device") != std::string::npos);
-    CHECK(left == 0);
+    CHECK(file_count(folder.path / "disk") == 0);
 }

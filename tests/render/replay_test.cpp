@@ -1,4 +1,4 @@
-// Replays: how states are packed, and that a page holds nothing but them.
+// Replays: how states are packed, and that a page contains nothing but them.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "hand_made_scene.hpp"
 #include "render/replay/bytes.hpp"
 #include "render/replay/contact_tracks.hpp"
-#include "render/replay/event_marks.hpp"
 #include "render/replay/pose_track.hpp"
 #include "render/replay/replay_page.hpp"
 #include "support/near.hpp"
@@ -147,12 +146,13 @@ TEST_CASE("a contact is one track in the coordinates of its body A") {
     const BodyId ball = world.create_body({.pose = {{2.0, 0.5}, {}}});
     world.add_shape(ball, {.shape = make_circle(0.5f)});
     render::ContactTracks tracks(1e-3);
-    const std::vector<std::uint32_t> numbers{7, 9};  // of the two bodies in the replay
-    tracks.record(world, numbers);
+    const render::BodyNumbers numbers{{floor, 7}, {ball, 9}};
+    const auto record = [&] { tracks.record(world, world.contacts(), numbers); };
+    record();
     const int steps = 20;
     for (int i = 0; i < steps; ++i) {
         world.step();
-        tracks.record(world, numbers);
+        record();
     }
     const std::string bytes = tracks.bytes();
     Reader reader{bytes};
@@ -174,31 +174,6 @@ TEST_CASE("a contact is one track in the coordinates of its body A") {
     CHECK(std::abs(impulse - (1 + 34)) <= 1);
 }
 
-TEST_CASE("events are marked at the first state that shows their effect") {
-    Scene scene;
-    SceneEvent push;
-    push.at = 0.5;
-    push.body = "ball";
-    push.impulse = DVec2{1.0, 0.0};
-    SceneEvent rain;
-    rain.every = 0.25;
-    rain.from = 0.1;
-    rain.until = 0.7;
-    rain.spawn = SceneBody{};
-    rain.spawn->name = "drop";
-    scene.timeline = {push, rain};
-    const std::vector<render::EventMark> marks = render::timeline_marks(scene, 60);
-    REQUIRE(marks.size() == 4);
-    // 0.1, 0.35 and 0.6 s are the begins of steps 6, 21 and 36, whose states are numbered one more.
-    CHECK(marks[0].step == 7);
-    CHECK(marks[0].text == "new body 'drop'");
-    CHECK(marks[1].step == 22);
-    CHECK(marks[2].step == 31);
-    CHECK(marks[2].text == "impulse on 'ball'");
-    CHECK(marks[3].step == 37);
-    CHECK(render::timeline_marks(scene, 30).size() == 2);
-}
-
 TEST_CASE("a page is the same for the same run, and no name of the scene is markup in it") {
     const std::string name = "</script><script>alert(1)</script>";
     const auto page = [&name] {
@@ -207,11 +182,11 @@ TEST_CASE("a page is the same for the same run, and no name of the scene is mark
         made.add_dynamic(name, {0.0, 1.0}, make_circle(0.5f));
         made.add_dynamic("\xff is not UTF-8", {3.0, 1.0}, make_circle(0.5f));
         ReplayRecorder recorder(made.scene, {});
-        recorder.record(made.built);
+        recorder.record(made.built, {});
         made.built.world.step();
-        recorder.record(made.built);
+        recorder.record(made.built, {});
         CHECK(recorder.is_whole());
-        const ReplayClaim claim{name, name, false, 1};
+        const ReplayClaim claim{{.claim = name, .finding = name, .step = 1}};
         return recorder.page(std::vector{claim}, true);
     };
     const std::string text = page();

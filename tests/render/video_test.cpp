@@ -1,9 +1,13 @@
 // Videos written by the library.
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "temporary_folder.hpp"
@@ -57,15 +61,51 @@ TEST_CASE("a frame of another size and a folder that is missing are errors") {
     CHECK_THROWS_AS(VideoWriter(folder.path / "no/v.mp4", small_video()), FileError);
 }
 
-TEST_CASE("an encoder that refuses its settings is an error with its words") {
+TEST_CASE("an encoder that refuses its settings is an error with its last line, from each call") {
     const TemporaryFolder folder;
     VideoSettings odd = small_video();
     odd.width = 63;  // yuv420p has one colour for two columns
-    const auto write = [&] {
+    // A child of the program itself, for which the writer must not wait.
+    const pid_t child = fork();
+    if (child == 0) _exit(7);
+    {
         VideoWriter writer(folder.path / "v.mp4", odd);
-        for (int i = 0; i < 3; ++i) writer.write(grey(63, 36));
-        writer.finish();
-    };
-    CHECK_THROWS_AS(write(), RenderError);
+        const std::string begin = (folder.path / "v.mp4").string() + ": ffmpeg failed with exit code ";
+        const auto error_of = [&](const auto& call) -> std::string {
+            try {
+                call();
+            } catch (const RenderError& error) {
+                return error.what();
+            }
+            return "no error";
+        };
+        const std::string first = error_of([&] {
+            for (int i = 0; i < 10000; ++i) writer.write(grey(63, 36));
+        });
+        CHECK_MESSAGE(first.starts_with(begin), first);
+        CHECK_MESSAGE(first.find(": ", begin.size()) < first.size() - 2, first);  // a line of ffmpeg follows the code
+        CHECK(first.find('\n') == std::string::npos);
+        CHECK(error_of([&] { writer.write(grey(63, 36)); }) == first);
+        CHECK(error_of([&] { writer.finish(); }) == first);
+    }
     CHECK(fs::is_empty(folder.path));
+    int status = 0;
+    CHECK(waitpid(child, &status, 0) == child);
+    CHECK(WEXITSTATUS(status) == 7);
+}
+
+TEST_CASE("an encoder whose exit code the system does not tell is an error") {
+    const TemporaryFolder folder;
+    const auto handler = std::signal(SIGCHLD, SIG_IGN);
+    {
+        VideoWriter writer(folder.path / "v.mp4", small_video());
+        writer.write(grey(64, 36));
+        CHECK_THROWS_AS(writer.finish(), RenderError);
+    }
+    std::signal(SIGCHLD, handler);
+    CHECK(fs::is_empty(folder.path));
+}
+
+TEST_CASE("a video does not go to standard output") {
+    CHECK_THROWS_AS(VideoWriter("/dev/stdout", small_video()), FileError);
 }

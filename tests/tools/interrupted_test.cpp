@@ -3,19 +3,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include <sys/mount.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "process.hpp"
+#include "support/small_disk.hpp"
 
 namespace fs = std::filesystem;
 using tumble::test::Answer;
@@ -61,26 +58,6 @@ void check_interruption(int signal, int code) {
     const std::string hashes = read_text(folder / "hashes.csv");
     CHECK(std::count(hashes.begin(), hashes.end(), '\n') == summary["steps"].get<int>() + 2);
 }
-
-// A small file system for the test; empty if this process may not mount.
-class SmallDisk {
-public:
-    explicit SmallDisk(const fs::path& folder) : folder_(folder) {
-        fs::create_directories(folder);
-        mounted_ = mount("tmpfs", folder.c_str(), "tmpfs", MS_NOSUID | MS_NODEV, "size=256k") == 0;
-    }
-    ~SmallDisk() {
-        if (mounted_) umount(folder_.c_str());
-    }
-    SmallDisk(const SmallDisk&) = delete;
-    SmallDisk& operator=(const SmallDisk&) = delete;
-
-    bool is_mounted() const { return mounted_; }
-
-private:
-    fs::path folder_;
-    bool mounted_ = false;
-};
 
 }  // namespace
 
@@ -160,11 +137,8 @@ TEST_CASE("a second run into the folder of a running one is refused, and a kille
 TEST_CASE("a full disk ends a run with exit code 4 and leaves no partial file") {
     const Folder folder;
     const std::string scene = folder.write("small.json", tumble::test::small_scene());
-    const SmallDisk disk(folder / "disk");
-    if (!disk.is_mounted()) {
-        MESSAGE("not tested: this user may not mount a small file system: " << std::strerror(errno));
-        return;
-    }
+    const tumble::test::SmallDisk disk(folder / "disk", 256);
+    if (!disk.is_mounted()) return;
     const fs::path out = folder / "disk/out";
     const Answer frames =
         tumble::test::run_tumble({"run", scene, "--duration", "100", "--size", "640x360", "-o", out.string()});

@@ -13,40 +13,20 @@
 #include <vector>
 
 #include "process.hpp"
+#include "replay_page.hpp"
 #include "support/near.hpp"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 using tumble::test::absolute;
-using tumble::test::Answer;
+using tumble::test::browse;
 using tumble::test::Folder;
+using tumble::test::make_page;
 using tumble::test::near;
 using tumble::test::read_text;
 using tumble::test::run_tumble;
 
 namespace {
-
-// The lines of replay_browser.py.
-std::vector<json> browse(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"/usr/bin/python3", TUMBLE_SOURCE_DIR "/tests/tools/replay_browser.py"});
-    const Answer answer = tumble::test::run(arguments);
-    REQUIRE_MESSAGE(answer.code == 0, answer.err);
-    std::vector<json> values;
-    std::istringstream lines(answer.out);
-    for (std::string line; std::getline(lines, line);) values.push_back(json::parse(line));
-    return values;
-}
-
-// Runs a scene without frames and returns the path of its page.
-std::string make_page(const Folder& folder, const std::string& scene, std::vector<std::string> more = {}) {
-    std::string page = (folder / (fs::path(scene).stem().string() + ".html")).string();
-    std::vector<std::string> arguments{"run",      scene, "--no-frames", "--force", "-o", (folder / "out").string(),
-                                       "--replay", page};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Answer answer = run_tumble(arguments);
-    REQUIRE_MESSAGE(answer.code == 0, scene << ": " << answer.err);
-    return page;
-}
 
 void check_loaded(const json& loaded) {
     CAPTURE(loaded["page"].get<std::string>());
@@ -244,28 +224,4 @@ TEST_CASE("Ctrl-C leaves a page of the steps done") {
     const json steps = json::parse(read_text(folder / "out/summary.json"))["steps"];
     const std::string ended = R"({ const run = replay.player.run; return [run.last_step, run.complete]; })";
     CHECK(browse({"ask", page, ended}).at(0) == json::array({steps, false}));
-}
-
-TEST_CASE("an existing page is replaced only by --force") {
-    const Folder folder;
-    const std::string scene = folder.write("small.json", tumble::test::small_scene());
-    const std::string mine = folder.write("page.html", "mine");
-    const std::vector<std::string> arguments{"run",        scene, "--no-frames", "-o", (folder / "out").string(),
-                                             "--duration", "0.1", "--replay",    mine};
-    CHECK(run_tumble(arguments).code == 4);
-    CHECK(read_text(mine) == "mine");
-    std::vector<std::string> forced = arguments;
-    forced.push_back("--force");
-    CHECK(run_tumble(forced).code == 0);
-    CHECK(read_text(mine).starts_with("<!doctype html>"));
-}
-
-TEST_CASE("a replay of more poses than a browser can hold is refused before the first step") {
-    const Folder folder;
-    const std::string scene = folder.write("small.json", tumble::test::small_scene());
-    const Answer answer = run_tumble({"run", scene, "--no-frames", "-o", (folder / "out").string(), "--duration",
-                                      "900000", "--replay", (folder / "page.html").string()});
-    CHECK(answer.code == 2);
-    CHECK_MESSAGE(answer.err.find("30000000 poses") != std::string::npos, answer.err);
-    CHECK(!fs::exists(folder / "page.html"));
 }

@@ -1,37 +1,40 @@
 #include "tools/run/replay_output.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tools/claims/claim_marks.hpp"
 #include "tools/cli/console.hpp"
 #include "tools/cli/output_path.hpp"
+#include "tools/output/json_writer.hpp"
 
 namespace tumble::tools {
 
-namespace {
-
-// Opens the file if the replay is not too long.
-OutputFile open_replay(const SceneWorld& built, const RunOptions& options, std::uint64_t steps) {
+void require_replay(const SceneWorld& built, std::uint64_t steps) {
     const std::uint64_t bodies = std::max<std::uint64_t>(built.world.bodies().size(), 1);
-    if (steps >= kMostReplayPoses / bodies)
-        throw CLI::ValidationError("--replay", "a replay has at most " + std::to_string(kMostReplayPoses) +
-                                                   " poses; these are " + std::to_string(bodies) + " bodies in " +
-                                                   std::to_string(steps) + " steps: shorten the --duration to " +
-                                                   std::to_string(kMostReplayPoses / bodies - 1) + " steps");
-    return open_output(options.replay, options.force);
+    const std::uint64_t most_steps = kMostReplayPoses / bodies - 1;  // one state more than steps
+    if (steps <= most_steps) return;
+    const double rate = built.world.def().steps_per_second;
+    const double most_seconds = std::floor(static_cast<double>(most_steps) / rate * 100.0) / 100.0;
+    std::string text = "a replay has at most " + std::to_string(kMostReplayPoses / 1'000'000) +
+                       " million poses, one for each body and step: with the " + std::to_string(bodies) +
+                       " bodies of this scene, the --duration may be at most ";
+    append_number(text, most_seconds);
+    append_number(text += " s; it is ", static_cast<double>(steps) / rate);
+    throw CLI::ValidationError("--replay", text + " s");
 }
 
-}  // namespace
-
-ReplayOutput::ReplayOutput(const Scene& scene, const SceneWorld& built, const RunOptions& options, std::uint64_t steps)
+ReplayOutput::ReplayOutput(const Scene& scene, const SceneWorld& built, const RunOptions& options)
     : scene_(scene),
-      file_(open_replay(built, options, steps)),
-      recorder_(scene, {make_camera(scene, built, options.size.aspect_ratio()), !options.no_replay_contacts}),
+      camera_(make_camera(scene, built, options.size.aspect_ratio())),
+      file_(open_output(options.replay, options.force)),
+      recorder_(scene, {.aspect_ratio = options.size.aspect_ratio(), .contacts = !options.no_replay_contacts}),
       watch_(scene, built) {}
 
 void ReplayOutput::record(const SceneWorld& built) {
-    recorder_.record(built);
+    camera_ = move_camera(camera_, scene_, built);
+    recorder_.record(built, camera_);
     watch_.observe(built);
 }
 
@@ -43,15 +46,17 @@ std::vector<ReplayClaim> ReplayOutput::claims(const SceneWorld& built) const {
         Marking marks = marks_of(expected, results[i], built);
         // These claims mark the bodies that violate them in the world given, which is the last one.
         if (expected.max_penetration || expected.at_rest_by) marks.bodies.clear();
-        claims.push_back({results[i].claim, results[i].finding, results[i].passed, results[i].step,
-                          std::move(marks.regions), std::move(marks.bodies)});
+        claims.push_back({results[i], std::move(marks)});
     }
     return claims;
 }
 
 std::uint64_t ReplayOutput::finish(const SceneWorld& built, bool complete) {
     if (!recorder_.is_whole())
-        report_warning("the replay ends before the run: it has at most " + std::to_string(kMostReplayPoses) + " poses");
+        report_warning("the replay ends before the run: it has at most " +
+                       std::to_string(kMostReplayPoses / 1'000'000) + " million poses and " +
+                       std::to_string(kMostReplayContactPoints / 1'000'000) +
+                       " million contact points; lower --duration, or leave out contacts by --no-replay-contacts");
     file_.write(recorder_.page(claims(built), complete));
     return file_.commit();
 }

@@ -2,21 +2,25 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "tools/run/run_options.hpp"
 #include "tumble/file.hpp"
+#include "tumble/render.hpp"
 #include "tumble/replay.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {
 
+// Throws CLI::ValidationError if the bodies of the initial state would have more than kMostReplayPoses poses in `steps`
+// steps.
+void require_replay(const SceneWorld& built, std::uint64_t steps);
+
 class ReplayOutput {
 public:
-    // The world must be in its initial state: the camera is computed from it. Throws CLI::ValidationError if the bodies
-    // of that state would have more than kMostReplayPoses poses in `steps` steps, and FileError.
-    ReplayOutput(const Scene& scene, const SceneWorld& built, const RunOptions& options, std::uint64_t steps);
+    // The world must be in its initial state: the camera is computed from it. The run must have passed
+    // require_replay(). The scene must outlive the object. Throws FileError.
+    ReplayOutput(const Scene& scene, const SceneWorld& built, const RunOptions& options);
 
     // To be called for the initial state and after each step.
     void record(const SceneWorld& built);
@@ -28,6 +32,7 @@ private:
     std::vector<ReplayClaim> claims(const SceneWorld& built) const;
 
     const Scene& scene_;
+    Camera camera_;  // of the frame of the present state, also where no frame is drawn
     OutputFile file_;
     ReplayRecorder recorder_;
     ExpectationWatch watch_;

@@ -60,14 +60,16 @@ fs::path earlier_part_of(const fs::path& file) {
     return name += ".earlier";
 }
 
-void prepare_run_folder(const fs::path& folder, bool with_frames, bool force) {
+void refuse_used_folder(const fs::path& folder, bool force) {
+    std::error_code ignored;
+    if (!force && fs::is_directory(folder, ignored) && !fs::is_empty(folder, ignored))
+        throw FileError(folder,
+                        "the folder is not empty; choose another with -o, or replace the results in it with --force");
+}
+
+void clear_run_folder(const fs::path& folder, bool with_frames) {
+    remove_earlier_run(folder);
     std::error_code error;
-    if (fs::is_directory(folder, error) && !fs::is_empty(folder, error)) {
-        if (!force)
-            throw FileError(
-                folder, "the folder is not empty; choose another with -o, or replace the results in it with --force");
-        remove_earlier_run(folder);
-    }
     const fs::path innermost = with_frames ? folder / "frames" : folder;
     fs::create_directories(innermost, error);
     if (error) throw FileError(innermost, "cannot create the folder: " + error.message());

@@ -6,10 +6,13 @@
 
 namespace tumble::tools {
 
-// Creates the folder of a run. A folder that is not empty is an error unless `force` is true: then the frames, the
-// summary and the events of an earlier run, complete or not, are removed, and no other file. The caller holds the
-// folder's lock. Throws FileError.
-void prepare_run_folder(const std::filesystem::path& folder, bool with_frames, bool force);
+// Throws FileError for a folder that is not empty, unless `force` is true.
+void refuse_used_folder(const std::filesystem::path& folder, bool force);
+
+// Removes the frames, the summary, the events and the checkpoint of an earlier run, complete or not, and no other file;
+// creates the folders of a new one. The caller holds the folder's lock. Throws FileError, and
+// std::filesystem::filesystem_error for a file that cannot be removed.
+void clear_run_folder(const std::filesystem::path& folder, bool with_frames);
 
 // Removes what an earlier run has not completed in its folder. The caller holds the folder's lock, which shows that no
 // process writes these files any more. Throws std::filesystem::filesystem_error.

@@ -88,11 +88,13 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     add_table("--trajectory", options.trajectory, "Write the pose and velocity of each body after each step");
     add_table("--contacts", options.contacts, "Write every contact point after each step");
     add_table("--hashes", options.hashes, "Write the state hash after each step");
-    CLI::Option* const replay =
-        subcommand.add_option("--replay", options.replay, "Write a page that plays the run in a browser")
-            ->type_name("F.html");
-    subcommand.add_flag("--no-replay-contacts", options.no_replay_contacts,
-                        "Leave the contact points out of the replay: a page of half the size");
+    CLI::Option* const replay = &allow_standard_output(
+        *subcommand.add_option("--replay", options.replay, "Write a page that plays the run in a browser")
+             ->type_name("F.html"));
+    subcommand
+        .add_flag("--no-replay-contacts", options.no_replay_contacts,
+                  "Leave the contact points out of the replay: a page of half the size")
+        ->needs(replay);
     CLI::Option* const video =
         subcommand.add_option("--video", options.video, "Write a video: .mp4, .webm, .gif or .apng; needs ffmpeg")
             ->type_name("F");
@@ -107,8 +109,9 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
             ->excludes(replay, video);
     subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
-        if (subcommand.count("--video") == 0)
-            warn_of_unused(subcommand, {"--fps", "--size", "--overlay"}, "--no-frames");
+        if (subcommand.count("--video") > 0) return;
+        warn_of_unused(subcommand, {"--fps", "--overlay"}, "--no-frames");
+        if (subcommand.count("--replay") == 0) warn_of_unused(subcommand, {"--size"}, "--no-frames");
     });
 }
 

@@ -130,6 +130,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     report_.dt = 1.0 / scene.world.steps_per_second;
     const bool draws = !options.no_frames || !options.video.empty();
     if (!options.video.empty()) require_video(options, schedule_);
+    if (!options.replay.empty()) require_replay(run_.built(), schedule_.step_count());
     if (draws && schedule_.repeats_frames())
         report_warning("--fps exceeds the steps per second of the scene: some frames repeat the previous one");
     require_different_files(options);
@@ -144,22 +145,22 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     for (const std::filesystem::path* const file : named_files(options))
         if (!file->empty()) refuse_to_overwrite(*file, force);  // before any file is created
     lock_.emplace(options.folder);
+    if (!options.resume) refuse_used_folder(options.folder, options.force);
     for (const std::filesystem::path* const file : named_files(options)) {
         if (file->empty() || !options.force) continue;
         remove_dead_parts_of(*file);
         std::filesystem::remove(earlier_part_of(*file));
     }
-    if (resumed_)
-        keep_tables(*resumed_, options);
-    else
-        prepare_run_folder(options.folder, !options.no_frames, options.force);
-    summary_.emplace(open_output(summary_file(options.folder), force));
-    events_.emplace(events_file(options.folder), force, run_.built());
+    if (resumed_) keep_tables(*resumed_, options);
     if (!options.contacts.empty()) contacts_.emplace(options.contacts, force);
     if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, force);
     if (!options.hashes.empty()) hashes_.emplace(options.hashes, force);
-    if (!options.replay.empty()) replay_.emplace(scene, run_.built(), options, schedule_.step_count());
+    if (!options.replay.empty()) replay_.emplace(scene, run_.built(), options);
     if (draws) frames_.emplace(scene, run_.built(), options, schedule_);
+    // Last, when nothing that the options name is refused any more: an earlier run is removed.
+    if (!options.resume) clear_run_folder(options.folder, !options.no_frames);
+    summary_.emplace(open_output(summary_file(options.folder), force));
+    events_.emplace(events_file(options.folder), force, run_.built());
     if (resumed_) resume(std::move(*loaded), *resumed_);
 }
 

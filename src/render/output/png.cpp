@@ -9,19 +9,15 @@
 #include <vector>
 
 #include "debug/check.hpp"
+#include "render/output/compressor.hpp"
 #include "tumble/file.hpp"
 
 namespace {
 
-struct FreeCompressor {
-    void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
-};
-
 // The compressor that stb calls. Returns null if memory is short, which stb then returns to encode_png().
 unsigned char* compress_fast(unsigned char* data, int size, int* compressed_size, int /*quality*/) {
     constexpr int kLevel = 1;
-    thread_local const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
-        libdeflate_alloc_compressor(kLevel));
+    thread_local const tumble::render::Compressor compressor(libdeflate_alloc_compressor(kLevel));
     if (!compressor) return nullptr;
     const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), static_cast<std::size_t>(size));
     auto* const out = static_cast<unsigned char*>(std::malloc(bound));

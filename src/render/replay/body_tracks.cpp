@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <span>
 
 #include "render/replay/header_json.hpp"
 
@@ -34,8 +35,7 @@ void BodyTracks::add(const SceneWorld& built, std::size_t number) {
     const SceneInstance& body = built.bodies[number];
     const World& world = built.world;
     ordinal_ = number > 0 && built.bodies[number - 1].source == body.source ? ordinal_ + 1 : 0;
-    if (body.id.index >= numbers_.size()) numbers_.resize(body.id.index + 1);
-    numbers_[body.id.index] = static_cast<std::uint32_t>(number);
+    numbers_.emplace(body.id, static_cast<std::uint32_t>(number));
     Track track{output_name(body, number), {}, {}, world.step_count(), {}, 0.0, PoseTrack(Pose{}, quantum_), {}};
     if (world.is_valid(body.id)) {
         const BodyMass mass = world.mass(body.id);

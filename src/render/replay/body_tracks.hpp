@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "render/replay/body_numbers.hpp"
 #include "render/replay/pose_track.hpp"
 #include "render/style/palette.hpp"
 #include "tumble/scene.hpp"
@@ -23,8 +23,8 @@ public:
 
     std::size_t pose_count() const noexcept { return pose_count_; }
 
-    // By the index of an id, the number of the newest body that has it.
-    std::span<const std::uint32_t> numbers() const noexcept { return numbers_; }
+    // Of all bodies so far, also of those that were destroyed.
+    const BodyNumbers& numbers() const noexcept { return numbers_; }
 
     // `shapes`: the different shapes, each with `points` and `radius`. `bodies`: `name`, `type` (0 static, 1 kinematic,
     // 2 dynamic), `shapes` ([shape, colour, 1 for a sensor]...), `from` and `count` of its steps, `base` (first
@@ -58,7 +58,7 @@ private:
     Palette palette_;
     double quantum_;
     std::vector<Track> tracks_;  // [built.bodies.size()]
-    std::vector<std::uint32_t> numbers_;
+    BodyNumbers numbers_;
     std::vector<Shape> shapes_;
     std::size_t ordinal_ = 0;  // of the newest body among the copies of its source
     std::size_t pose_count_ = 0;

@@ -19,16 +19,17 @@ std::int64_t steady(double value, std::int64_t last) {
     return std::llround(std::clamp(value, -kLargest, kLargest));
 }
 
-ContactTracks::Track& ContactTracks::track_of(const ContactPoint& point, std::uint64_t step,
-                                              std::span<const std::uint32_t> body_numbers) {
-    const auto [entry, is_new] = open_.try_emplace({point.shape_a, point.shape_b, point.feature});
-    Open& open = entry->second;
-    if (is_new || open.step + 1 != step) {
-        open.track = tracks_.size();
-        tracks_.push_back({step, 0, body_numbers[point.body_a.index], body_numbers[point.body_b.index], {}, {}});
+ContactTracks::Track* ContactTracks::find_track(const ContactPoint& point, std::uint64_t step,
+                                                const BodyNumbers& body_numbers) {
+    const auto entry = open_.find({point.shape_a, point.shape_b, point.feature});
+    if (entry != open_.end() && entry->second.step + 1 == step) {
+        entry->second.step = step;
+        return &tracks_[entry->second.track];
     }
-    open.step = step;
-    return tracks_[open.track];
+    const auto a = find_number(body_numbers, point.body_a), b = find_number(body_numbers, point.body_b);
+    if (!a || !b) return nullptr;
+    open_[{point.shape_a, point.shape_b, point.feature}] = {tracks_.size(), step};
+    return &tracks_.emplace_back(Track{step, 0, *a, *b, {}, {}});
 }
 
 std::array<double, ContactTracks::kSequences> ContactTracks::values_of(const World& world,
@@ -40,10 +41,12 @@ std::array<double, ContactTracks::kSequences> ContactTracks::values_of(const Wor
             impulse_level(double{point.normal_impulse})};
 }
 
-void ContactTracks::record(const World& world, std::span<const std::uint32_t> body_numbers) {
+void ContactTracks::record(const World& world, std::span<const ContactPoint> points, const BodyNumbers& body_numbers) {
     const std::uint64_t step = world.step_count();
-    for (const ContactPoint& point : world.contacts()) {
-        Track& track = track_of(point, step, body_numbers);
+    for (const ContactPoint& point : points) {
+        Track* const found = find_track(point, step, body_numbers);
+        if (!found) continue;
+        Track& track = *found;
         const std::array<double, kSequences> values = values_of(world, point);
         for (std::size_t i = 0; i < kSequences; ++i) {
             const std::int64_t integer = steady(values[i], track.last[i]);
@@ -51,6 +54,7 @@ void ContactTracks::record(const World& world, std::span<const std::uint32_t> bo
             track.last[i] = integer;
         }
         ++track.count;
+        ++point_count_;
     }
     std::erase_if(open_, [step](const auto& entry) { return entry.second.step != step; });
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -12,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "render/replay/body_numbers.hpp"
 #include "tumble/world.hpp"
 
 namespace tumble::render {
@@ -20,6 +22,8 @@ inline constexpr int kNormalsPerTurn = 128;
 inline constexpr double kContactQuantum = 10.0;    // of positions, in quanta of poses
 inline constexpr double kLeastImpulse = 1e-6;      // N s
 inline constexpr double kImpulsesPerOctave = 2.0;  // 41 % each; half of the bytes are impulses
+
+inline constexpr std::size_t kPointsPerTrack = 10;  // a track takes 184 bytes, a point at most 20
 
 // 0 for no impulse, else 1 + the parts of an octave above kLeastImpulse.
 double impulse_level(double impulse);
@@ -32,8 +36,11 @@ class ContactTracks {
 public:
     explicit ContactTracks(double pose_quantum) : quantum_(kContactQuantum * pose_quantum) {}
 
-    // `body_numbers` gives the number in the replay of the body with an id's index.
-    void record(const World& world, std::span<const std::uint32_t> body_numbers);
+    // Appends the present contact points between bodies of the scene.
+    void record(const World& world, std::span<const ContactPoint> points, const BodyNumbers& body_numbers);
+
+    // What the points so far cost, in points: a contact that begins costs kPointsPerTrack more, for its track.
+    std::size_t cost() const noexcept { return point_count_ + kPointsPerTrack * tracks_.size(); }
 
     // Number of tracks; for each: steps since the start of the track before, number of steps, bodies A and B; then
     // sequences of first differences: x of each track in turn, then y, the angles of the normals, the impulses.
@@ -53,12 +60,13 @@ private:
         std::uint64_t step = 0;  // of its last point
     };
 
-    Track& track_of(const ContactPoint& point, std::uint64_t step, std::span<const std::uint32_t> body_numbers);
+    Track* find_track(const ContactPoint& point, std::uint64_t step, const BodyNumbers& body_numbers);
     std::array<double, kSequences> values_of(const World& world, const ContactPoint& point) const;
 
     double quantum_;
     std::vector<Track> tracks_;  // in the order of their first steps
     std::map<Key, Open> open_;
+    std::size_t point_count_ = 0;
 };
 
 }  // namespace tumble::render

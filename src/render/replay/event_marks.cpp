@@ -1,7 +1,9 @@
 #include "render/replay/event_marks.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
+
+#include "tumble/scene_run.hpp"
 
 namespace tumble::render {
 
@@ -20,27 +22,14 @@ std::string text_of(const SceneEvent& event) {
     return (is_impulse ? "impulse on " : is_force ? "force on " : "velocity of ") + quoted(event.body);
 }
 
-// The first step that begins at `time` or later. A time within rounding of a step's begin is that of the step.
-std::uint64_t step_from(double time, double steps_per_second) {
-    constexpr double kRounding = 1e-9;  // steps
-    return static_cast<std::uint64_t>(std::ceil(std::max(0.0, time * steps_per_second - kRounding)));
-}
-
 }  // namespace
 
-std::vector<EventMark> timeline_marks(const Scene& scene, std::uint64_t last_step) {
+std::vector<EventMark> timeline_marks(const Scene& scene) {
+    constexpr std::uint64_t kNoLast = std::numeric_limits<std::uint64_t>::max();
     std::vector<EventMark> marks;
-    const double rate = scene.world.steps_per_second;
-    for (const SceneEvent& event : scene.timeline) {
-        const double first = event.every ? event.from.value_or(0.0) : event.at.value_or(0.0);
-        const int count = event.every ? kMostRepetitions : 1;
-        for (int i = 0; i < count; ++i) {
-            const double time = first + i * event.every.value_or(0.0);
-            const std::uint64_t step = step_from(time, rate) + 1;
-            if (step > last_step || (event.every && time > event.until.value_or(time))) break;
-            marks.push_back({step, text_of(event)});
-        }
-    }
+    for (const SceneEvent& event : scene.timeline)
+        for (const std::uint64_t step : steps_of_event(event, scene.world.steps_per_second, kNoLast, kMostRepetitions))
+            marks.push_back({step + 1, text_of(event)});
     std::ranges::stable_sort(marks, {}, &EventMark::step);
     return marks;
 }

@@ -1,6 +1,7 @@
 // The events of a run as marks on the scrubber: those of the scene's timeline, and joints that broke.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,10 +16,9 @@ struct EventMark {
     std::string text;        // "impulse on 'ball'"
 };
 
-// The marks of the timeline in the steps up to `last_step`, in the order of time. An event that repeats has at most
-// kMostRepetitions marks.
-std::vector<EventMark> timeline_marks(const Scene& scene, std::uint64_t last_step);
-inline constexpr int kMostRepetitions = 500;
+// The marks of the timeline in the order of time. An event that repeats has at most kMostRepetitions marks.
+std::vector<EventMark> timeline_marks(const Scene& scene);
+inline constexpr std::size_t kMostRepetitions = 500;
 
 // Collects the joints that break.
 class BrokenJoints {

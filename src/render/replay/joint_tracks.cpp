@@ -28,7 +28,7 @@ void JointTracks::append(Track& track, std::uint64_t step, DVec2 a, DVec2 b) con
     track.spans.back().until = step + 1;
 }
 
-void JointTracks::record(const SceneWorld& built, std::span<const std::uint32_t> body_numbers) {
+void JointTracks::record(const SceneWorld& built, const BodyNumbers& body_numbers) {
     const World& world = built.world;
     tracks_.resize(built.joints.size());
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
@@ -39,9 +39,11 @@ void JointTracks::record(const SceneWorld& built, std::span<const std::uint32_t>
         const auto [a, b] =
             std::visit([](const auto& joint) { return std::pair(joint.body_a, joint.body_b); }, world.joint(id));
         Track& track = tracks_[i];
-        if (track.spans.empty())
-            track = {output_name(built.joints[i], i), body_numbers[a.index], body_numbers[b.index],
-                     wheels_of(world.joint(id))};
+        if (track.spans.empty()) {
+            const auto number_a = find_number(body_numbers, a), number_b = find_number(body_numbers, b);
+            if (!number_a || !number_b) continue;
+            track = {output_name(built.joints[i], i), *number_a, *number_b, wheels_of(world.joint(id))};
+        }
         append(track, world.step_count(), inverse_transform_point(world.state(a).pose, anchors->a),
                inverse_transform_point(world.state(b).pose, anchors->b));
     }

@@ -1,12 +1,12 @@
 // Where the joints of a run are drawn: the anchors in the coordinates of their bodies, which change only by events.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
-#include <span>
+#include <string>
 #include <vector>
 
+#include "render/replay/body_numbers.hpp"
 #include "tumble/scene_world.hpp"
 
 namespace tumble::render {
@@ -15,10 +15,10 @@ class JointTracks {
 public:
     explicit JointTracks(double pose_quantum) : tolerance_(pose_quantum) {}
 
-    void record(const SceneWorld& built, std::span<const std::uint32_t> body_numbers);
+    void record(const SceneWorld& built, const BodyNumbers& body_numbers);
 
-    // For each joint with anchors: `name`, `a` and `b` (numbers of bodies), `wheels` of a pulley (world coordinates),
-    // and `spans`: [from, until, x and y of the anchor in A, in B], `until` not included.
+    // For each joint with anchors between bodies of the scene: `name`, `a` and `b` (numbers of bodies), `wheels` of a
+    // pulley (world coordinates), and `spans`: [from, until, x and y of the anchor in A, in B], `until` not included.
     nlohmann::ordered_json to_json() const;
 
 private:

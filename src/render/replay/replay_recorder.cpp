@@ -1,95 +1,114 @@
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <utility>
 
 #include "render/replay/body_tracks.hpp"
+#include "render/replay/camera_track.hpp"
 #include "render/replay/contact_tracks.hpp"
 #include "render/replay/event_marks.hpp"
 #include "render/replay/header_json.hpp"
 #include "render/replay/joint_tracks.hpp"
 #include "render/replay/replay_page.hpp"
+#include "render/style/style.hpp"
 #include "tumble/replay.hpp"
 
 namespace tumble {
 
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 }  // namespace
 
 struct ReplayRecorder::Impl {
-    Impl(const Scene& scene_, const ReplaySettings& settings_)
-        : scene(scene_),
+    Impl(const Scene& scene, const ReplaySettings& settings_)
+        : name(scene.name),
+          steps_per_second(scene.world.steps_per_second),
+          timeline(render::timeline_marks(scene)),
           settings(settings_),
-          quantum(render::position_quantum(scene_.world.scale)),
-          bodies(scene_, quantum),
+          quantum(render::position_quantum(scene.world.scale)),
+          bodies(scene, quantum),
           joints(quantum),
           contacts(quantum) {}
 
-    void record(const SceneWorld& built) {
-        whole = whole && bodies.pose_count() + built.world.bodies().size() <= kMostReplayPoses;
+    void record(const SceneWorld& built, const Camera& camera) {
+        const World& world = built.world;
+        whole = whole && bodies.pose_count() + world.bodies().size() <= settings.most_poses;
         if (!whole) return;
-        bodies.record(built);
+        if (settings.contacts) {
+            const std::vector<ContactPoint> points = world.contacts();
+            whole = contacts.cost() + points.size() <= settings.most_contact_points;
+            if (!whole) return;
+            bodies.record(built);
+            contacts.record(world, points, bodies.numbers());
+        } else {
+            bodies.record(built);
+        }
         joints.record(built, bodies.numbers());
+        views.record(camera, world, bodies.numbers());
         broken.record(built);
-        if (settings.contacts) contacts.record(built.world, bodies.numbers());
-        last_step = built.world.step_count();
+        last_step = world.step_count();
     }
 
     nlohmann::ordered_json claim_json(const ReplayClaim& claim) const {
-        nlohmann::ordered_json json{{"claim", claim.claim},
-                                    {"finding", claim.finding},
-                                    {"passed", claim.passed},
-                                    {"step", claim.step},
+        nlohmann::ordered_json json{{"claim", claim.result.claim},
+                                    {"finding", claim.result.finding},
+                                    {"passed", claim.result.passed},
+                                    {"step", claim.result.step},
                                     {"regions", nlohmann::ordered_json::array()},
                                     {"bodies", nlohmann::ordered_json::array()}};
-        for (const auto& region : claim.regions) json["regions"].push_back(render::numbers(region));
-        for (const BodyId body : claim.bodies) json["bodies"].push_back(bodies.numbers()[body.index]);
+        for (const auto& region : claim.marking.regions) json["regions"].push_back(render::numbers(region));
+        for (const BodyId body : claim.marking.bodies)
+            if (const auto number = render::find_number(bodies.numbers(), body)) json["bodies"].push_back(*number);
         return json;
     }
 
+    // The events up to the last step, in the order of time.
     nlohmann::ordered_json event_json() const {
+        std::vector<render::EventMark> marks = broken.marks();
+        marks.insert(marks.end(), timeline.begin(), timeline.end());
+        std::ranges::stable_sort(marks, {}, &render::EventMark::step);
         nlohmann::ordered_json json = nlohmann::ordered_json::array();
-        for (const auto& marks : {render::timeline_marks(scene, last_step), broken.marks()})
-            for (const render::EventMark& mark : marks) json.push_back({{"step", mark.step}, {"text", mark.text}});
+        for (const render::EventMark& mark : marks)
+            if (mark.step <= last_step) json.push_back({{"step", mark.step}, {"text", mark.text}});
         return json;
     }
 
     std::string header(std::span<const ReplayClaim> claims, bool complete) const {
-        const Camera& camera = settings.camera;
-        const bool follows = camera.follows.index < bodies.numbers().size();
-        nlohmann::ordered_json json{
-            {"format", kFormat},
-            {"name", scene.name},
-            {"steps_per_second", scene.world.steps_per_second},
-            {"last_step", last_step},
-            {"complete", complete && whole},
-            {"quantum", quantum},
-            {"angles_per_turn", render::kAnglesPerTurn},
-            {"contact_quantum", render::kContactQuantum * quantum},
-            {"normals_per_turn", render::kNormalsPerTurn},
-            {"least_impulse", render::kLeastImpulse},
-            {"impulses_per_octave", render::kImpulsesPerOctave},
-            {"camera",
-             {{"center", {camera.center.x, camera.center.y}},
-              {"height", camera.height},
-              {"follows", follows ? static_cast<int>(bodies.numbers()[camera.follows.index]) : -1}}},
-            {"shapes", bodies.shapes_json()},
-            {"bodies", bodies.bodies_json()},
-            {"joints", joints.to_json()},
-            {"events", event_json()},
-            {"claims", nlohmann::ordered_json::array()}};
+        nlohmann::ordered_json json{{"format", kFormat},
+                                    {"name", name},
+                                    {"steps_per_second", steps_per_second},
+                                    {"last_step", last_step},
+                                    {"complete", complete && whole},
+                                    {"quantum", quantum},
+                                    {"angles_per_turn", render::kAnglesPerTurn},
+                                    {"contact_quantum", render::kContactQuantum * quantum},
+                                    {"normals_per_turn", render::kNormalsPerTurn},
+                                    {"least_impulse", render::kLeastImpulse},
+                                    {"impulses_per_octave", render::kImpulsesPerOctave},
+                                    {"aspect_ratio", settings.aspect_ratio},
+                                    {"views", views.to_json()},
+                                    {"island_colors", nlohmann::ordered_json::array()},
+                                    {"shapes", bodies.shapes_json()},
+                                    {"bodies", bodies.bodies_json()},
+                                    {"joints", joints.to_json()},
+                                    {"events", event_json()},
+                                    {"claims", nlohmann::ordered_json::array()}};
+        for (const Color color : render::style::kBodies) json["island_colors"].push_back(render::to_hex(color));
         for (const ReplayClaim& claim : claims) json["claims"].push_back(claim_json(claim));
         return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     }
 
-    const Scene& scene;
+    std::string name;  // of the scene, which may be gone when the page is made
+    double steps_per_second;
+    std::vector<render::EventMark> timeline;
     ReplaySettings settings;
     double quantum;
     render::BodyTracks bodies;
     render::JointTracks joints;
     render::ContactTracks contacts;
+    render::CameraTrack views;
     render::BrokenJoints broken;
     std::uint64_t last_step = 0;
     bool whole = true;
@@ -101,7 +120,7 @@ ReplayRecorder::~ReplayRecorder() = default;
 ReplayRecorder::ReplayRecorder(ReplayRecorder&&) noexcept = default;
 ReplayRecorder& ReplayRecorder::operator=(ReplayRecorder&&) noexcept = default;
 
-void ReplayRecorder::record(const SceneWorld& built) { impl_->record(built); }
+void ReplayRecorder::record(const SceneWorld& built, const Camera& camera) { impl_->record(built, camera); }
 
 bool ReplayRecorder::is_whole() const noexcept { return impl_->whole; }
 

@@ -8,7 +8,7 @@ namespace tumble::render {
 
 namespace {
 
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 // A fixed number: the bytes of a video must not depend on the machine. Drawing is slower than two threads encode.
 const char* const kThreads = "2";
@@ -25,10 +25,12 @@ std::string key_interval(double frames_per_second) {
     return std::to_string(std::clamp(std::lround(2.0 * frames_per_second), 1L, 600L));
 }
 
-void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
+void append(Arguments& arguments, const Arguments& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+}
 
 // sRGB frames as BT.709 in the range of television, which every player assumes for video of this size.
-Words television_colours() {
+Arguments television_colours() {
     return {"-vf",
             "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
             "-color_primaries",
@@ -44,23 +46,24 @@ Words television_colours() {
 // superfast without CABAC and B-frames takes 0.8 of the time that superfast takes, and 0.6 of veryfast, for files 1.2
 // and 2 times as large. The filter removes the message in which x264 writes its options, among them the number of
 // threads.
-Words mp4_arguments(const VideoSettings& settings) {
-    Words words = television_colours();
-    append(words, {"-c:v", "libx264", "-preset", "superfast", "-crf", "20", "-x264-params", "cabac=0:bframes=0",
-                   "-threads", kThreads, "-g", key_interval(settings.frames_per_second), "-bsf:v",
-                   "filter_units=remove_types=6", "-movflags", "+faststart", "-f", "mp4"});
-    return words;
+Arguments mp4_arguments(const VideoSettings& settings) {
+    Arguments arguments = television_colours();
+    append(arguments, {"-c:v", "libx264", "-preset", "superfast", "-crf", "20", "-x264-params", "cabac=0:bframes=0",
+                       "-threads", kThreads, "-g", key_interval(settings.frames_per_second), "-bsf:v",
+                       "filter_units=remove_types=6", "-movflags", "+faststart", "-f", "mp4"});
+    return arguments;
 }
 
-Words webm_arguments(const VideoSettings& settings) {
-    Words words = television_colours();
-    append(words, {"-c:v", "libvpx-vp9", "-deadline", "realtime", "-cpu-used", "8", "-crf", "20", "-b:v", "0",
-                   "-row-mt", "1", "-threads", kThreads, "-g", key_interval(settings.frames_per_second), "-f", "webm"});
-    return words;
+Arguments webm_arguments(const VideoSettings& settings) {
+    Arguments arguments = television_colours();
+    append(arguments,
+           {"-c:v", "libvpx-vp9", "-deadline", "realtime", "-cpu-used", "8", "-crf", "20", "-b:v", "0", "-row-mt", "1",
+            "-threads", kThreads, "-g", key_interval(settings.frames_per_second), "-f", "webm"});
+    return arguments;
 }
 
 // One palette for the whole video: a palette for each frame makes a file 1.6 times as large, and colours flicker.
-Words gif_arguments(const VideoSettings& settings) {
+Arguments gif_arguments(const VideoSettings& settings) {
     const std::string rate = settings.frames_per_second > kMostGifRate ? "fps=" + decimal(kMostGifRate) + "," : "";
     return {"-filter_complex",
             rate +
@@ -72,9 +75,9 @@ Words gif_arguments(const VideoSettings& settings) {
             "gif"};
 }
 
-Words apng_arguments() { return {"-pix_fmt", "rgb24", "-pred", "mixed", "-plays", "0", "-f", "apng"}; }
+Arguments apng_arguments() { return {"-pix_fmt", "rgb24", "-pred", "mixed", "-plays", "0", "-f", "apng"}; }
 
-Words format_arguments(const VideoSettings& settings) {
+Arguments format_arguments(const VideoSettings& settings) {
     switch (settings.format) {
         case VideoFormat::mp4: return mp4_arguments(settings);
         case VideoFormat::webm: return webm_arguments(settings);
@@ -88,28 +91,28 @@ Words format_arguments(const VideoSettings& settings) {
 
 std::vector<std::string> encoder_arguments(const VideoSettings& settings, const std::string& file) {
     // With a queue, ffmpeg reads the next frame while it encodes.
-    Words words{"ffmpeg",
-                "-nostdin",
-                "-hide_banner",
-                "-loglevel",
-                "error",
-                "-xerror",
-                "-y",
-                "-f",
-                "rawvideo",
-                "-pixel_format",
-                "rgb0",
-                "-video_size",
-                std::to_string(settings.width) + "x" + std::to_string(settings.height),
-                "-framerate",
-                decimal(settings.frames_per_second),
-                "-thread_queue_size",
-                "4",
-                "-i",
-                "pipe:0"};
-    append(words, format_arguments(settings));
-    append(words, {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "file:" + file});
-    return words;
+    Arguments arguments{"ffmpeg",
+                        "-nostdin",
+                        "-hide_banner",
+                        "-loglevel",
+                        "error",
+                        "-xerror",
+                        "-y",
+                        "-f",
+                        "rawvideo",
+                        "-pixel_format",
+                        "rgb0",
+                        "-video_size",
+                        std::to_string(settings.width) + "x" + std::to_string(settings.height),
+                        "-framerate",
+                        decimal(settings.frames_per_second),
+                        "-thread_queue_size",
+                        "4",
+                        "-i",
+                        "pipe:0"};
+    append(arguments, format_arguments(settings));
+    append(arguments, {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "file:" + file});
+    return arguments;
 }
 
 }  // namespace tumble::render

@@ -18,7 +18,7 @@ namespace tumble::render {
 
 namespace {
 
-constexpr std::size_t kMostWords = 1 << 16;  // bytes of standard error that are read
+constexpr std::size_t kMostMessages = 1 << 16;  // bytes of standard error that are read
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
@@ -30,11 +30,11 @@ void close_if_open(int& descriptor) {
 // reach.
 class SpawnSettings {
 public:
-    SpawnSettings(int input, int words) {
+    SpawnSettings(int input, int messages) {
         posix_spawn_file_actions_init(&actions_);
         posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
         posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-        posix_spawn_file_actions_adddup2(&actions_, words, STDERR_FILENO);
+        posix_spawn_file_actions_adddup2(&actions_, messages, STDERR_FILENO);
         posix_spawnattr_init(&attributes_);
         posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
         posix_spawnattr_setpgroup(&attributes_, 0);
@@ -48,10 +48,10 @@ public:
 
     // 0, or the error.
     int spawn(pid_t& id, const std::vector<std::string>& command) const {
-        std::vector<char*> words;
-        for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-        words.push_back(nullptr);
-        return posix_spawnp(&id, words[0], &actions_, &attributes_, words.data(), environ);
+        std::vector<char*> arguments;
+        for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
+        arguments.push_back(nullptr);
+        return posix_spawnp(&id, arguments[0], &actions_, &attributes_, arguments.data(), environ);
     }
 
 private:
@@ -64,15 +64,15 @@ private:
 EncoderProcess::EncoderProcess(const std::vector<std::string>& command) {
     // A socket and not a pipe: a write to a reader that has ended is then an error of the call, not a signal.
     int ends[2] = {-1, -1};
-    words_ = ::memfd_create("words", MFD_CLOEXEC);
-    int error = words_ < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0 ? errno : 0;
+    messages_ = ::memfd_create("messages", MFD_CLOEXEC);
+    int error = messages_ < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0 ? errno : 0;
     input_ = ends[1];
-    if (error == 0) error = SpawnSettings(ends[0], words_).spawn(id_, command);
+    if (error == 0) error = SpawnSettings(ends[0], messages_).spawn(id_, command);
     close_if_open(ends[0]);
     if (error == 0) return;
     id_ = -1;
     close_if_open(input_);
-    close_if_open(words_);
+    close_if_open(messages_);
     if (error == ENOENT)
         throw RenderError("the program " + command.front() +
                           ", which encodes videos, is not installed (Debian: apt-get install --no-install-recommends "
@@ -86,7 +86,7 @@ EncoderProcess::~EncoderProcess() {
         ::waitpid(id_, nullptr, 0);
     }
     close_if_open(input_);
-    close_if_open(words_);
+    close_if_open(messages_);
 }
 
 bool EncoderProcess::send(std::span<const std::uint8_t> bytes) {
@@ -99,19 +99,20 @@ bool EncoderProcess::send(std::span<const std::uint8_t> bytes) {
     return true;
 }
 
-EncoderProcess::End EncoderProcess::wait() {
+const EncoderProcess::End& EncoderProcess::wait() {
     close_if_open(input_);
+    if (id_ < 0) return end_;  // waitpid(-1) would wait for any child of this process
     int status = 0;
-    while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
-    }
+    pid_t ended = -1;
+    do ended = ::waitpid(id_, &status, 0);
+    while (ended < 0 && errno == EINTR);
+    if (ended == id_ && WIFEXITED(status)) end_.exit_code = WEXITSTATUS(status);
+    if (ended == id_ && WIFSIGNALED(status)) end_.signal = WTERMSIG(status);
     id_ = -1;
-    End end;
-    if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
-    if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
-    end.words.resize(kMostWords);
-    const ssize_t size = ::pread(words_, end.words.data(), kMostWords, 0);
-    end.words.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
-    return end;
+    end_.messages.resize(kMostMessages);
+    const ssize_t size = ::pread(messages_, end_.messages.data(), kMostMessages, 0);
+    end_.messages.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+    return end_;
 }
 
 }  // namespace tumble::render

@@ -22,18 +22,19 @@ public:
     bool send(std::span<const std::uint8_t> bytes);
 
     struct End {
-        int exit_code = -1;  // -1 if a signal ended it
+        int exit_code = -1;  // -1 if a signal ended it, or if the system does not tell: where SIGCHLD is ignored
         int signal = 0;
-        std::string words;  // what it wrote to standard error
+        std::string messages{};  // what it wrote to standard error
     };
 
-    // Ends its input and waits for it.
-    End wait();
+    // Ends its input and waits for it. Later calls return the same.
+    const End& wait();
 
 private:
-    pid_t id_ = -1;
+    pid_t id_ = -1;  // -1: there is none to wait for
     int input_ = -1;
-    int words_ = -1;
+    int messages_ = -1;
+    End end_;
 };
 
 }  // namespace tumble::render

@@ -1,13 +1,7 @@
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cctype>
-#include <cerrno>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "render/video/encoder_arguments.hpp"
@@ -21,41 +15,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A file in which ffmpeg writes, beside the one that it becomes; removed if it does not become it.
-class TemporaryFile {
-public:
-    explicit TemporaryFile(const fs::path& file) : path_(file) {
-        static std::atomic<unsigned> serial{0};
-        path_ += "." + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".partial";
-        const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor < 0) throw FileError(file, "cannot write: " + std::generic_category().message(errno));
-        ::close(descriptor);
-    }
-    ~TemporaryFile() {
-        if (!path_.empty()) ::unlink(path_.c_str());
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    const fs::path& path() const noexcept { return path_; }
-
-    std::uint64_t become(const fs::path& file) {
-        std::error_code error;
-        const std::uint64_t size = fs::file_size(path_, error);
-        if (!error) fs::rename(path_, file, error);
-        if (error) throw FileError(file, "cannot write: " + error.message());
-        path_.clear();
-        return size;
-    }
-
-private:
-    fs::path path_;
-};
-
 // The last line that is not empty.
-std::string last_line(std::string words) {
-    while (words.ends_with('\n')) words.pop_back();
-    return words.substr(words.rfind('\n') + 1);  // npos + 1 is 0
+std::string last_line(std::string text) {
+    while (text.ends_with('\n')) text.pop_back();
+    return text.substr(text.rfind('\n') + 1);  // npos + 1 is 0
 }
 
 }  // namespace
@@ -71,26 +34,36 @@ std::optional<VideoFormat> video_format_of(const fs::path& file) {
 }
 
 struct VideoWriter::Impl {
-    Impl(fs::path file_, const VideoSettings& settings_)
-        : file(std::move(file_)),
-          settings(settings_),
-          temporary(file),
-          encoder(render::encoder_arguments(settings, temporary.path().string())) {}
+    Impl(fs::path path, const VideoSettings& settings_)
+        : settings(settings_),
+          file(std::move(path)),
+          encoder(render::encoder_arguments(settings, require_temporary(file).string())) {}
 
     // Throws for an encoder that has ended, or has not encoded everything.
     void throw_if_failed(const render::EncoderProcess::End& end, bool must_fail) const {
         constexpr const char* kFull = "No space left on device";
-        if (end.words.find(kFull) != std::string::npos) throw FileError(file, std::string("cannot write: ") + kFull);
+        if (end.messages.find(kFull) != std::string::npos)
+            throw FileError(file.path(), std::string("cannot write: ") + kFull);
         if (end.exit_code == 0 && !must_fail) return;
-        const std::string how = end.signal != 0 ? "was ended by signal " + std::to_string(end.signal)
-                                                : "failed with exit code " + std::to_string(end.exit_code);
-        throw RenderError(file.string() + ": ffmpeg " + how + (end.words.empty() ? "" : ": " + last_line(end.words)));
+        const std::string message = end.messages.empty() ? "" : ": " + last_line(end.messages);
+        throw RenderError(file.path().string() + ": ffmpeg " + how(end) + message);
     }
 
-    const fs::path file;
     const VideoSettings settings;
-    TemporaryFile temporary;  // outlives the encoder that writes to it
+    OutputFile file;  // outlives the encoder, which writes to its temporary file
     render::EncoderProcess encoder;
+
+private:
+    static const fs::path& require_temporary(const OutputFile& file) {
+        if (file.temporary().empty()) throw FileError(file.path(), "a video needs a file, which ffmpeg can seek in");
+        return file.temporary();
+    }
+
+    static std::string how(const render::EncoderProcess::End& end) {
+        if (end.signal != 0) return "was ended by signal " + std::to_string(end.signal);
+        if (end.exit_code < 0) return "ended with an unknown exit code";
+        return "failed with exit code " + std::to_string(end.exit_code);
+    }
 };
 
 VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
@@ -110,7 +83,8 @@ void VideoWriter::write(const Image& image) {
 
 std::uint64_t VideoWriter::finish() {
     impl_->throw_if_failed(impl_->encoder.wait(), false);
-    return impl_->temporary.become(impl_->file);
+    impl_->file.take_from_others();
+    return impl_->file.commit();
 }
 
 }  // namespace tumble

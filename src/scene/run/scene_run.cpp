@@ -1,5 +1,6 @@
 #include "tumble/scene_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -152,6 +153,21 @@ std::uint64_t nearest_step(double time, double steps_per_second) {
 
 std::uint64_t count_steps(const Scene& scene) {
     return nearest_step(scene.world.duration, scene.world.steps_per_second);
+}
+
+std::vector<std::uint64_t> steps_of_event(const SceneEvent& event, double steps_per_second, std::uint64_t last,
+                                          std::size_t most) {
+    const double until = event.until.value_or(std::numeric_limits<double>::infinity());
+    const double slack = scene::kTimeSlack / steps_per_second;
+    std::vector<std::uint64_t> steps;
+    while (steps.size() < (event.every ? most : 1)) {
+        const double repeats = static_cast<double>(steps.size()) * event.every.value_or(0.0);
+        const double due = event.at.value_or(event.from.value_or(0.0) + repeats);
+        const std::uint64_t step = scene::first_step_at(due, steps_per_second);
+        if (step > last || (event.every && due > until + slack)) break;
+        steps.push_back(step);
+    }
+    return steps;
 }
 
 SceneRun::SceneRun(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}

@@ -1,4 +1,4 @@
-// Draws the bodies, the grid and the joints on the canvas.
+// Draws the bodies and the grid on the canvas.
 
 function cssColor(name) { return getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim(); }
 
@@ -8,8 +8,6 @@ function mix(a, b, share) {
   const to = channels(b);
   return "#" + channels(a).map((value, i) => Math.round(value + share * (to[i] - value)).toString(16).padStart(2, "0")).join("");
 }
-
-const ISLANDS = ["#689ad3", "#f0b25c", "#62b5a5", "#e47f6c", "#9686ca", "#94bc6a", "#db8baa", "#c1a47b"];
 
 // The colours of the theme, and of bodies in it.
 class Theme {
@@ -74,7 +72,7 @@ class Painter {
     this.theme = new Theme();
     run.shapes.forEach(addShapeData);
     for (const body of run.bodies) body.reach = Math.max(0, ...body.shapes.map(([shape]) => run.shapes[shape].reach));
-    // Static bodies and sensors are behind all others.
+    // Static bodies are behind all others.
     this.order = [...run.bodies.keys()].sort((a, b) => Math.min(run.bodies[a].type, 1) - Math.min(run.bodies[b].type, 1));
   }
 
@@ -126,13 +124,13 @@ class Painter {
 
   // `islands` is empty or the island of each body.
   bodies(step, islands, dimSleeping) {
-    const whole = Math.floor(step);
+    const whole = Math.floor(step), colors = this.run.island_colors;
     for (const number of this.order) {
       if (!this.run.exists(number, whole)) continue;
       const body = this.run.bodies[number], pose = this.run.pose(number, step);
       if (!this.isInView(pose, body.reach)) continue;
       const asleep = dimSleeping && body.asleep.length > 0 && this.run.isAsleep(number, whole);
-      const color = islands.length > 0 && body.type === 2 ? ISLANDS[islands[number] % ISLANDS.length] : null;
+      const color = islands.length > 0 && body.type === 2 ? colors[islands[number] % colors.length] : null;
       this.useBody(pose);
       for (const [shape, fill, isSensor] of body.shapes)
         this.shape(this.run.shapes[shape], this.theme.paint(color ?? fill, body.type === 0, asleep), isSensor);
@@ -149,7 +147,9 @@ class Painter {
       context.globalAlpha = 0.3;
       context.fill(shape.path);
       context.globalAlpha = 1;
-      context.setLineDash([6 * pixel, 5 * pixel]);
+      // A sensor far larger than the canvas has a line without dashes: each dash takes time, also out of view.
+      const mostReach = 10000;  // pixels
+      if (shape.reach < mostReach * pixel) context.setLineDash([6 * pixel, 5 * pixel]);
       context.stroke(shape.path);
       context.setLineDash([]);
       return;

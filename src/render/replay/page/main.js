@@ -15,12 +15,11 @@ class Player {
     this.speed = 1;
     this.framesDrawn = 0;
     this.on = Object.fromEntries(OVERLAYS.map((overlay) => [overlay.id, overlay.on === true]));
-    this.camera = new Camera(run.camera);
+    this.camera = new Camera(run);
     this.painter = new Painter(byId("world"), run, this.camera);
     this.overlays = new OverlayPainter(this.painter);
     this.panel = new Panel(this);
     this.timeline = new Timeline(this);
-    this.camera.following = run.camera.follows;
     byId("scrubber").max = run.last_step;
     this.describe();
     this.makeControls();
@@ -147,11 +146,11 @@ class Player {
     const step = this.wholeStep();
     if (!this.run.exists(number, step)) return;
     const pose = this.run.pose(number, step);
-    if (!this.painter.isInView(pose, 0)) [this.camera.x, this.camera.y] = [pose.x, pose.y];
+    if (!this.painter.isInView(pose, 0)) this.camera.moveTo(pose.x, pose.y);
   }
 
   toggleFollow() {
-    this.camera.following = this.camera.following === this.chosen ? -1 : this.chosen;
+    this.camera.follow(this.camera.following === this.chosen ? -1 : this.chosen);
     this.redraw();
   }
 
@@ -178,6 +177,7 @@ class Player {
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const typing = event.target.matches("input[type=search], select");
+    const acts = event.key === " " && event.target.matches("button, summary, input[type=checkbox]");
     if (event.key === "Escape") {
       this.claim = null;
       this.say("");
@@ -185,11 +185,11 @@ class Player {
       event.target.blur();
       return;
     }
-    if (typing) return;
+    if (typing || acts) return;  // the control itself answers the key
     const jump = event.shiftKey ? 10 : 1;
     const actions = { " ": () => this.toggle(), ArrowLeft: () => this.seek(this.wholeStep() - jump), ArrowRight: () => this.seek(this.wholeStep() + jump),
-                      Home: () => this.seek(0), End: () => this.seek(this.run.last_step), "+": () => this.camera.zoom(1.25), "=": () => this.camera.zoom(1.25),
-                      "-": () => this.camera.zoom(0.8), 0: () => this.camera.fit(), "[": () => this.changeSpeed(-1), "]": () => this.changeSpeed(1),
+                      Home: () => this.seek(0), End: () => this.seek(this.run.last_step), "+": () => this.camera.zoom(1.25, this.step), "=": () => this.camera.zoom(1.25, this.step),
+                      "-": () => this.camera.zoom(0.8, this.step), 0: () => this.camera.fit(), "[": () => this.changeSpeed(-1), "]": () => this.changeSpeed(1),
                       f: () => { if (this.chosen >= 0) this.toggleFollow(); }, "/": () => { this.togglePanel(true); this.panel.show("bodies"); byId("search").focus(); } };
     const overlay = OVERLAYS.find((one) => one.key === event.key.toLowerCase());
     if (overlay && !byId(`overlay-${overlay.id}`).disabled) byId(`overlay-${overlay.id}`).click();
@@ -204,7 +204,7 @@ class Player {
     let moved = 0;
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
-      this.camera.zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)), event.offsetX, event.offsetY);
+      this.camera.zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)), this.step, event.offsetX, event.offsetY);
       this.redraw();
     }, { passive: false });
     canvas.addEventListener("pointerdown", (event) => {
@@ -238,7 +238,7 @@ class Player {
     const other = points.find((point) => point !== before);
     const apart = (point) => Math.hypot(point[0] - other[0], point[1] - other[1]);
     this.camera.pan((after[0] - before[0]) / 2, (after[1] - before[1]) / 2);
-    this.camera.zoom(apart(after) / Math.max(1, apart(before)), (after[0] + other[0]) / 2, (after[1] + other[1]) / 2);
+    this.camera.zoom(apart(after) / Math.max(1, apart(before)), this.step, (after[0] + other[0]) / 2, (after[1] + other[1]) / 2);
   }
 
   // Drawing.
@@ -261,7 +261,7 @@ class Player {
   }
 
   draw() {
-    this.followBody();
+    this.camera.show(this.step);
     this.painter.clear();
     this.painter.grid();
     const islands = this.on.islands && this.run.contacts ? this.run.islands(this.wholeStep()) : [];
@@ -270,11 +270,6 @@ class Player {
     this.drawOverlays();
     this.drawTexts();
     this.framesDrawn++;
-  }
-
-  followBody() {
-    const number = this.camera.following;
-    if (number >= 0 && this.run.exists(number, this.wholeStep())) ({ x: this.camera.x, y: this.camera.y } = this.run.pose(number, this.step));
   }
 
   drawOverlays() {
@@ -310,7 +305,7 @@ async function start() {
   return player;
 }
 
-// The contacts are several times as many as the poses: they are unpacked when the page is already in use.
+// There may be more contact points than poses: they are unpacked when the page is already in use.
 async function addContacts(player) {
   await new Promise((done) => setTimeout(done));
   const bytes = await inflate("contacts");

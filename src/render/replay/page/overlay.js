@@ -39,6 +39,12 @@ class OverlayPainter {
     this.context.stroke();
   }
 
+  // Only the part in view: a region may be thousands of frames wide, and each dash takes time.
+  dashedLine(from, to, color, width) {
+    const part = clipped(this.camera.pixels(...from), this.camera.pixels(...to), this.camera.width, this.camera.height);
+    if (part) this.line(part.map(([px, py]) => this.camera.world(px, py)), color, width);
+  }
+
   // Arrows are [x, y, dx, dy]: from a world point, dx and dy in pixels, y up. All are one path.
   arrows(some, color) {
     const lines = new Path2D(), heads = new Path2D();
@@ -136,9 +142,26 @@ class OverlayPainter {
     for (const body of claim.bodies) this.painter.outline(body, step, color, 3);
     this.painter.usePixels();
     this.context.setLineDash([8, 5]);
-    for (const r of claim.regions) this.line([0, 2, 4, 6, 0].map((i) => [r[i], r[i + 1]]), color, 2.5);
+    for (const r of claim.regions)
+      for (const [i, j] of [[0, 2], [2, 4], [4, 6], [6, 0]]) this.dashedLine([r[i], r[i + 1]], [r[j], r[j + 1]], color, 2.5);
     this.context.setLineDash([]);
   }
+}
+
+// The part of a line between two pixels that is in the canvas or up to 10 pixels beside it; null if there is none. By
+// Liang and Barsky.
+function clipped(from, to, width, height) {
+  const margin = 10;
+  let first = 0, last = 1;
+  for (const [axis, most] of [[0, width], [1, height]]) {
+    const way = to[axis] - from[axis], low = -margin - from[axis], high = most + margin - from[axis];
+    if (way === 0 && (low > 0 || high < 0)) return null;
+    if (way === 0) continue;
+    first = Math.max(first, Math.min(low / way, high / way));
+    last = Math.min(last, Math.max(low / way, high / way));
+  }
+  const at = (share) => [0, 1].map((axis) => from[axis] + share * (to[axis] - from[axis]));
+  return first <= last ? [at(first), at(last)] : null;
 }
 
 function boundsOf(shape, pose) {

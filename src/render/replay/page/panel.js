@@ -139,7 +139,8 @@ class Panel {
 
   touched(number, step) {
     const names = new Set();
-    this.run.eachContact(step, (a, b) => {
+    this.run.eachContact(step, (a, b, x, y, nx, ny, impulse) => {
+      if (impulse === 0) return;  // near, but not pressed together
       if (a === number || b === number) names.add(this.run.bodies[a === number ? b : a].name);
     });
     const most = 4, list = [...names];
@@ -167,11 +168,13 @@ class Panel {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.strokeStyle = theme.rule;
     context.strokeRect(0.5, 0.5, width - 1, height - 1);
-    context.beginPath();
-    values.forEach((value, i) => context.lineTo(toX(body.from + i), toY(value)));
+    if (this.curve?.of !== values || this.curve.width !== width || this.curve.height !== height) {
+      this.curve = { of: values, width, height, path: new Path2D() };
+      values.forEach((value, i) => this.curve.path.lineTo(toX(body.from + i), toY(value)));
+    }
     context.strokeStyle = theme.accent;
     context.lineWidth = 1.5;
-    context.stroke();
+    context.stroke(this.curve.path);
     context.fillStyle = theme.faint;
     context.fillRect(Math.round(toX(step)), 0, 1, height);
     context.font = "11px system-ui, sans-serif";

@@ -7,6 +7,9 @@ class Timeline {
     this.player = player;
     this.run = player.run;
     this.canvas = byId("marks");
+    // Claims that fail are drawn last, over those that hold, and are found first.
+    this.claims = [...this.run.claims].sort((a, b) => b.passed - a.passed);
+    this.marks = [...this.run.events, ...this.claims];
     this.canvas.addEventListener("click", (event) => this.click(event));
     this.canvas.addEventListener("pointermove", (event) => {
       const mark = this.nearest(event);
@@ -24,8 +27,7 @@ class Timeline {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.fillStyle = theme.event;
     for (const event of this.run.events) context.fillRect(Math.round(this.x(event.step)) - 1, 5, 2, height - 6);
-    // Claims that fail are drawn last, over those that hold.
-    for (const claim of [...this.run.claims].sort((a, b) => b.passed - a.passed)) {
+    for (const claim of this.claims) {
       const x = this.x(claim.step);
       context.fillStyle = claim.passed ? theme.good : theme.bad;
       context.beginPath();
@@ -39,7 +41,7 @@ class Timeline {
   nearest(event) {
     const x = event.clientX - this.canvas.getBoundingClientRect().left, reach = 10;
     let found = null, distance = reach;
-    for (const mark of [...this.run.events, ...this.run.claims].sort((a, b) => Number(b.passed ?? 1) - Number(a.passed ?? 1)))
+    for (const mark of this.marks)
       if (Math.abs(this.x(mark.step) - x) <= distance) [found, distance] = [mark, Math.abs(this.x(mark.step) - x)];
     return found;
   }

@@ -1,4 +1,4 @@
-// Format 1, as src/render/replay/README.md of tumble describes it.
+// Format 2, as src/render/replay/README.md of tumble describes it.
 
 async function inflate(id) {
   const text = atob(document.getElementById(id).textContent.trim());
@@ -49,7 +49,7 @@ function unpackPredicted(reader, into, from, count) {
 function unpackStates(bytes) {
   const reader = new ByteReader(bytes);
   const header = JSON.parse(reader.text(reader.varint()));
-  if (header.format !== 1) throw new Error(`this page reads format 1, and the states have format ${header.format}`);
+  if (header.format !== 2) throw new Error(`this page reads format 2, and the states have format ${header.format}`);
   let poses = 0;
   for (const body of header.bodies) {
     body.first = poses;  // index of its first pose
@@ -85,5 +85,22 @@ function unpackContacts(bytes) {
     points += count;
   }
   for (let kind = 0; kind < 4; kind++) contacts.points.push(unpackDifferences(reader, contacts, points));
+  contacts.inPart = tracksByPart(contacts);
   return contacts;
+}
+
+// The tracks of a step are found among those of its part of the run: inPart[i] are the tracks with a point in the steps
+// from i * STEPS_PER_PART on, in their order.
+const STEPS_PER_PART = 64;
+
+function tracksByPart({ tracks, from, count }) {
+  const part = (step) => Math.floor(step / STEPS_PER_PART), sizes = [];
+  const eachPart = (visit) => {
+    for (let i = 0; i < tracks; i++)
+      for (let k = part(from[i]); k <= part(from[i] + count[i] - 1); k++) visit(k, i);
+  };
+  eachPart((k) => { sizes[k] = (sizes[k] ?? 0) + 1; });
+  const parts = Array.from(sizes, (size) => new Int32Array(size ?? 0)), filled = sizes.map(() => 0);
+  eachPart((k, i) => { parts[k][filled[k]++] = i; });
+  return parts;
 }

@@ -6,7 +6,6 @@ class Run {
   constructor(states, contacts) {
     Object.assign(this, states);
     this.contacts = contacts;
-    this.byName = new Map(this.bodies.map((body, number) => [body.name, number]));
   }
 
   exists(number, step) {
@@ -27,6 +26,14 @@ class Run {
   center(number, step) {
     const pose = this.pose(number, step);
     return worldPoint(pose, this.bodies[number].center);
+  }
+
+  // What the frame of a step shows: its center and its height, m, and whether it follows a body.
+  frame(step) {
+    const whole = Math.floor(step), [, follows, x, y, height] = this.views.findLast(([from]) => from <= whole);
+    if (follows < 0) return { center: [x, y], height, follows: false };
+    const pose = this.pose(follows, step);
+    return { center: [pose.x + x, pose.y + y], height, follows: true };
   }
 
   // From the step before, or at the first step to the one after: the quantum of positions times the steps per second
@@ -51,8 +58,8 @@ class Run {
     const tracks = this.contacts;
     if (!tracks) return;
     const [xs, ys, normals, impulses] = tracks.points;
-    for (let i = 0; i < tracks.tracks && tracks.from[i] <= step; i++) {
-      if (step >= tracks.from[i] + tracks.count[i]) continue;
+    for (const i of tracks.inPart[Math.floor(step / STEPS_PER_PART)] ?? []) {
+      if (step < tracks.from[i] || step >= tracks.from[i] + tracks.count[i]) continue;
       const k = tracks.first[i] + step - tracks.from[i];
       const pose = this.pose(tracks.a[i], step);
       const at = worldPoint(pose, [xs[k] * this.contact_quantum, ys[k] * this.contact_quantum]);
@@ -62,7 +69,8 @@ class Run {
     }
   }
 
-  // For each dynamic body the lowest number in its island: of the bodies that touch it or are joined to it.
+  // For each dynamic body the lowest number in its island: of the bodies that have contact points with it, or are
+  // joined to it. The world's own islands may differ.
   islands(step) {
     const root = Int32Array.from(this.bodies, (_, i) => i);
     const find = (i) => { while (root[i] !== i) i = root[i] = root[root[i]]; return i; };
@@ -92,31 +100,62 @@ function spanAt(joint, step) {
 }
 
 // The part of the world in the canvas. Pixels are those of CSS, y down.
+//
+// `asFrames` shows what the frame of the step shows, which may follow a body of the scene's choice. A user who moves the
+// view ends that, and may follow another body, `following`, in the middle.
 class Camera {
-  constructor(start) { this.start = start; this.x = start.center[0]; this.y = start.center[1]; this.scale = 1; this.width = 1; this.height = 1; this.following = -1; }
+  constructor(run) {
+    this.run = run;
+    this.x = 0;
+    this.y = 0;
+    this.scale = 1;
+    this.width = 1;
+    this.height = 1;
+    this.fit();
+  }
 
   resize(width, height) {
-    if (this.width === 1) this.fitScale(width, height);
     this.width = width;
     this.height = height;
   }
 
-  // The height of the first view, for a frame of 16 : 9, fits into any canvas.
-  fitScale(width, height) { this.scale = Math.min(height / this.start.height, width / (this.start.height * 16 / 9)); }
-
+  // The first view, with the whole frame in the canvas.
   fit() {
-    [this.x, this.y] = this.start.center;
+    this.asFrames = true;
+    this.magnified = 1;  // by a user who zooms while the frame follows a body
     this.following = -1;
-    this.fitScale(this.width, this.height);
+  }
+
+  follow(number) {
+    this.asFrames = false;
+    this.following = number;
+  }
+
+  moveTo(x, y) {
+    this.asFrames = false;
+    [this.x, this.y] = [x, y];
+  }
+
+  // To be called before a step is drawn.
+  show(step) {
+    if (this.asFrames) {
+      const frame = this.run.frame(step);
+      [this.x, this.y] = frame.center;
+      this.scale = this.magnified * Math.min(this.height / frame.height, this.width / (frame.height * this.run.aspect_ratio));
+    } else if (this.following >= 0 && this.run.exists(this.following, Math.floor(step)))
+      ({ x: this.x, y: this.y } = this.run.pose(this.following, step));
   }
 
   pixels(x, y) { return [this.width / 2 + (x - this.x) * this.scale, this.height / 2 - (y - this.y) * this.scale]; }
   world(px, py) { return [this.x + (px - this.width / 2) / this.scale, this.y - (py - this.height / 2) / this.scale]; }
 
-  zoom(factor, px = this.width / 2, py = this.height / 2) {
+  zoom(factor, step, px = this.width / 2, py = this.height / 2) {
     const [x, y] = this.world(px, py);
     const least = 1e-6, most = 1e6;  // pixels per metre
-    this.scale = Math.min(most, Math.max(least, this.scale * factor));
+    const scale = Math.min(most, Math.max(least, this.scale * factor));
+    this.magnified *= scale / this.scale;
+    this.scale = scale;
+    if (this.asFrames && !this.run.frame(step).follows) this.asFrames = false;
     const [movedX, movedY] = this.world(px, py);
     this.x += x - movedX;
     this.y += y - movedY;
@@ -125,6 +164,7 @@ class Camera {
   pan(dx, dy) {
     this.x -= dx / this.scale;
     this.y += dy / this.scale;
+    this.asFrames = false;
     this.following = -1;
   }
 }
