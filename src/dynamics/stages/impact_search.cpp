@@ -28,16 +28,20 @@ float deviation(const SolverBody& body, const FreeMotion& free, const BodyMotion
     return length(body.delta_position - free.path) + std::abs(static_cast<float>(turn)) * motion.reach;
 }
 
+bool moves_far_in_step(const Simulation& simulation, std::size_t index) {
+    const BodyMotion& motion = simulation.bodies.moving[index].motion;
+    return displacement(simulation.bodies.solver_bodies[index], motion) > kContinuousPart * motion.smallest_extent;
+}
+
 // True if a body moves far, and not as foreseen: impacts of its free motion have become contacts, which the solver need
 // not have kept apart.
 bool is_fast(const Simulation& simulation, std::size_t index) {
     const SolverBody& body = simulation.bodies.solver_bodies[index];
     const BodyMotion& motion = simulation.bodies.moving[index].motion;
-    const float least = kContinuousPart * motion.smallest_extent;
-    if (!(displacement(body, motion) > least)) return false;
+    if (!moves_far_in_step(simulation, index)) return false;
     const StepScratch& scratch = simulation.scratch;
     return index >= scratch.free_motions.size() || scratch.ordered_impacts.touch_counts[index] > 0 ||
-           deviation(body, scratch.free_motions[index], motion) > least;
+           deviation(body, scratch.free_motions[index], motion) > kContinuousPart * motion.smallest_extent;
 }
 
 // True if two points that move along straight lines come as near as `distance`.
@@ -206,6 +210,14 @@ private:
     std::uint32_t index_;
 };
 
+// A body in free flight is not swept. Its boxes cover its path, so that it has a contact with each sensor near that.
+bool may_cross_sensor(const Simulation& simulation, const Contact& contact) {
+    const BodyStore& bodies = simulation.bodies;
+    return simulation.settings.continuous && contact.kind != ContactKind::solid &&
+           (moves_far_in_step(simulation, bodies.frames[contact.body_a].solver_body) ||
+            moves_far_in_step(simulation, bodies.frames[contact.body_b].solver_body));
+}
+
 }  // namespace
 
 void find_fast_bodies(Simulation& simulation) {
@@ -215,6 +227,7 @@ void find_fast_bodies(Simulation& simulation) {
             if (is_fast(simulation, i)) sweep_body(simulation, bodies.moving[i].body);
     }
     for (const Contact& contact : simulation.contacts.all()) {
+        if (may_cross_sensor(simulation, contact)) simulation.scratch.sensor_crossings.push_back(contact.shapes);
         if (!contact.is_bouncing) continue;
         for (const std::uint32_t body : {contact.body_a, contact.body_b})
             if (bodies.frames[body].solver_body != kStaticSolverBody) sweep_body(simulation, body);

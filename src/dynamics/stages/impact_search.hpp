@@ -5,7 +5,8 @@
 
 namespace tumble {
 
-// Sweeps the bodies that move far in this step, and those of contacts that bounce.
+// Sweeps the bodies that move far in this step and leave their free motion, and those of contacts that bounce. Collects
+// the sensors near the path of a body that moves far.
 void find_fast_bodies(Simulation& simulation);
 
 // Finds the first impact ahead of a swept body, and puts it into the queue. Collects the sensors near its path.
