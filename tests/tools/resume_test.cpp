@@ -135,6 +135,15 @@ TEST_CASE("--resume refuses another scene, other options, a damaged checkpoint a
     CHECK(run({"--resume"}).code == 3);
     folder.write("out/checkpoint", "");
     CHECK(run({"--resume"}).code == 3);
+    folder.write("other.txt", "not a table\n");
+    std::string elsewhere = saved;
+    const std::size_t name = elsewhere.find("\"temporary\":\"") + 13;
+    elsewhere.replace(name, elsewhere.find('"', name) - name, "../other.txt");
+    folder.write("out/checkpoint", elsewhere);
+    const Answer outside = run({"--resume"});
+    CHECK(outside.code == 3);
+    CHECK(outside.err.find("'../other.txt' is not the name of a file") != std::string::npos);
+    CHECK(read_text(folder / "other.txt") == "not a table\n");
     folder.write("out/checkpoint", saved);
     CHECK(run({"--resume"}).code == 0);
 }

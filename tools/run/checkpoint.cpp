@@ -46,13 +46,20 @@ std::string header_of(const Checkpoint& checkpoint) {
 
 DVec2 vector_of(const Json& pair) { return {pair.at(0).get<double>(), pair.at(1).get<double>()}; }
 
+// The name of a file in the folder of its table: a checkpoint from elsewhere must not reach other folders.
+std::string file_name(const Json& json) {
+    auto name = json.get<std::string>();
+    if (name.empty() || fs::path(name).filename() != name) throw InputError("'" + name + "' is not the name of a file");
+    return name;
+}
+
 Checkpoint read_header(const Json& json) {
     Checkpoint checkpoint;
     if (json.at("checkpoint").get<int>() != kVersion) throw InputError("it is of another version");
     checkpoint.settings = json.at("settings").get<std::string>();
     for (const Json& table : json.at("tables"))
         checkpoint.tables.push_back({table.at("kind").get<std::string>(),
-                                     table.at("temporary").get<std::string>(),
+                                     file_name(table.at("temporary")),
                                      {table.at("bytes").get<std::uint64_t>(), table.at("hash").get<std::uint64_t>()}});
     checkpoint.frames = json.at("frames").get<std::uint64_t>();
     checkpoint.frame_bytes = json.at("frame_bytes").get<std::uint64_t>();
