@@ -187,8 +187,8 @@ TEST_CASE("a killed run continues after its folders have moved") {
     CHECK_MESSAGE(answer.code == 0, answer.err);
     fs::rename(runs.parted / "moved/tables", runs.parted / "tables");
     fs::rename(runs.parted / "moved", runs.parted / "out");
-    for (const auto& [name, text] : files_of(runs.parted.path()))
-        CHECK_MESSAGE((runs.expected.contains(name) && runs.expected.at(name) == text), name);
+    for (const auto& file : files_of(runs.parted.path()))
+        CHECK_MESSAGE((runs.expected.contains(file.first) && runs.expected.at(file.first) == file.second), file.first);
 }
 
 TEST_CASE("--resume refuses a duration that ends before the checkpoint, and changes nothing") {

@@ -147,11 +147,10 @@ private:
     // The free events of B with the kind and the names of this event of A, at most `count`.
     Rows candidates_of(const Event& event, const Rows& rows_b, std::size_t count) const {
         Rows found;
-        const auto kind_of = [&](std::size_t row) -> const auto& { return b_[row].kind_and_names; };
-        for (const std::size_t row : std::ranges::equal_range(rows_b, event.kind_and_names, {}, kind_of)) {
-            if (found.size() == count) break;
-            if (free_[row]) found.push_back(row);
-        }
+        auto row = std::ranges::partition_point(
+            rows_b, [&](std::size_t index) { return b_[index].kind_and_names < event.kind_and_names; });
+        for (; row != rows_b.end() && b_[*row].kind_and_names == event.kind_and_names && found.size() < count; ++row)
+            if (free_[*row]) found.push_back(*row);
         return found;
     }
 
