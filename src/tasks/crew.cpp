@@ -188,7 +188,11 @@ Crew& Crew::operator=(Crew&&) noexcept = default;
 
 Crew::Crew(const Threads& threads) : least_work_(static_cast<std::size_t>(threads.least_work)) {
     TUMBLE_CHECK(threads.count >= 0);
-    const int count = std::min(threads.count > 0 ? threads.count : default_thread_count(), kMostThreads);
+    // oneTBB would warn of threads that it does not have.
+    const int most = threads.tasks ? kMostThreads : std::min(default_thread_count(), kMostThreads);
+    const int all = threads.tasks ? static_cast<int>(std::thread::hardware_concurrency()) : most;
+    const int wanted = threads.count > 0 ? threads.count : all;
+    const int count = std::min(wanted, most);
     if (count > 1) team_ = std::make_unique<Team>(threads, count);
 }
 

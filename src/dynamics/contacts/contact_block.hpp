@@ -43,7 +43,6 @@ static_assert(kLaneCount == 8);
 struct ContactBlock {
     std::uint32_t body_a[kLaneCount];  // solver bodies
     std::uint32_t body_b[kLaneCount];
-    std::uint8_t moved_a, moved_b;   // a bit for each lane whose body the contact can move
     Lanes normal_x, normal_y;        // from A to B
     Lanes inv_mass_ax, inv_mass_ay;  // 1/kg, along the world axes: bodies may be locked
     Lanes inv_mass_bx, inv_mass_by;
@@ -53,6 +52,7 @@ struct ContactBlock {
     Lanes coupling;  // change of the normal velocity at one point per unit normal impulse at the other, 1/kg
     Lanes friction;
     Softness softness;
+    std::uint8_t moved_a, moved_b;  // a bit for each lane whose body the contact can move
     // The passes read the rest only if its flag is set for one of the lanes.
     bool has_locks;
     Lanes least_response;  // rows of locked bodies with a smaller response are not solved, 1/kg
