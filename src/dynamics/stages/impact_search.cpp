@@ -40,7 +40,7 @@ bool is_fast(const Simulation& simulation, std::size_t index) {
     const BodyMotion& motion = simulation.bodies.moving[index].motion;
     if (!moves_far_in_step(simulation, index)) return false;
     const StepScratch& scratch = simulation.scratch;
-    return index >= scratch.free_motions.size() || scratch.ordered_impacts.touch_counts[index] > 0 ||
+    return index >= scratch.free_motions.size() || scratch.ordered_impacts.bounces.touch_counts[index] > 0 ||
            deviation(body, scratch.free_motions[index], motion) > kContinuousPart * motion.smallest_extent;
 }
 

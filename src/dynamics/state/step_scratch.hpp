@@ -87,6 +87,20 @@ struct Impact {
     bool is_reported = false;
 };
 
+// A contact through which a body lands that carries others.
+struct Landing {
+    double speed = 0.0;         // m/s
+    std::uint32_t contact = 0;  // index
+
+    friend constexpr auto operator<=>(const Landing&, const Landing&) = default;
+};
+
+// What decides which contacts bounce.
+struct BounceScratch {
+    std::vector<std::uint32_t> touch_counts;  // by solver body: its contacts that have points
+    std::vector<Landing> landings;
+};
+
 // What continuous collision works on.
 struct ImpactScratch {
     std::vector<SweptBody> swept;
@@ -101,7 +115,7 @@ struct ImpactScratch {
     std::vector<ProxyPair> group_shapes;       // by point of the group
     std::vector<std::uint32_t> first_contact;  // by solver body: its range in `contacts`; empty before the first impact
     std::vector<std::uint32_t> contacts;       // indices
-    std::vector<std::uint32_t> touch_counts;   // by solver body: its contacts that have points
+    BounceScratch bounces;
     std::vector<Impact> impacts;
 };
 
