@@ -212,7 +212,8 @@ private:
     void push_bounces(double part) {
         if (part == 0.0) return;
         for (const ImpactRow& row : group_.rows)
-            if (row.restitution > 0.0) push(row, row.normal, part * row.restitution * row.normal.impulse, &ImpactBody::change);
+            if (row.restitution > 0.0)
+                push(row, row.normal, part * row.restitution * row.normal.impulse, &ImpactBody::change);
     }
 
     // The round left the points that pushed at rest along their normals. So the energy of a part t of the bounce is

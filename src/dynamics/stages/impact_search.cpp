@@ -33,10 +33,9 @@ bool moves_far_in_step(const Simulation& simulation, std::size_t index) {
     return displacement(simulation.bodies.solver_bodies[index], motion) > kContinuousPart * motion.smallest_extent;
 }
 
-// True if a body moves far, and not as foreseen: only the impacts of its free motion have become contacts.
-bool is_fast(const Simulation& simulation, std::size_t index) {
+// Only the impacts of free motions have become contacts.
+bool leaves_foreseen_motion(const Simulation& simulation, std::size_t index) {
     const BodyMotion& motion = simulation.bodies.moving[index].motion;
-    if (!moves_far_in_step(simulation, index)) return false;
     const std::vector<FreeMotion>& foreseen = simulation.scratch.free_motions;
     return index >= foreseen.size() || deviation(simulation.bodies.solver_bodies[index], foreseen[index], motion) >
                                            kContinuousPart * motion.smallest_extent;
@@ -246,10 +245,15 @@ bool overlaps_at_speed(const Simulation& simulation, const Contact& contact) {
 
 void find_fast_bodies(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
+    bool may_concern_contacts = simulation.scratch.ordered_impacts.bounces.has_candidates;
     if (simulation.settings.continuous) {
-        for (std::size_t i = 1; i < bodies.moving.size(); ++i)
-            if (is_fast(simulation, i)) sweep_body(simulation, bodies.moving[i].body);
+        for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
+            if (!moves_far_in_step(simulation, i)) continue;
+            may_concern_contacts = true;
+            if (leaves_foreseen_motion(simulation, i)) sweep_body(simulation, bodies.moving[i].body);
+        }
     }
+    if (!may_concern_contacts) return;
     for (const Contact& contact : simulation.contacts.all()) {
         if (may_cross_sensor(simulation, contact)) simulation.scratch.sensor_crossings.push_back(contact.shapes);
         if (!contact.is_bouncing && !overlaps_at_speed(simulation, contact)) continue;

@@ -97,6 +97,7 @@ struct Landing {
 
 // What decides which contacts bounce.
 struct BounceScratch {
+    bool has_candidates = false;              // some contact is marked as one that may bounce
     std::vector<std::uint32_t> touch_counts;  // by solver body: its contacts that have points
     std::vector<Landing> landings;
 };
