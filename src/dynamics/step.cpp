@@ -57,14 +57,16 @@ JointContext joint_context(const Simulation& simulation) {
 
 StepAhead step_ahead(const Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
-    return {settings.duration, settings.gravity, settings.orders_impacts()};
+    return {settings.duration, settings.gravity, simulation.scratch.free_motions, settings.orders_impacts()};
 }
 
 // Smallest chunks of contacts and bodies, each about 1 us of work.
 constexpr std::size_t kLeastCollisions = 16, kLeastContacts = 256, kLeastBodies = 32;
 
 void collide_and_count(const Simulation& simulation, Contact& contact, CollisionCounts& counts) {
-    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, step_ahead(simulation));
+    const StepAhead ahead = step_ahead(simulation);
+    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, ahead);
+    if (ahead.predicts) counts.bounces += note_bounce(simulation, contact);
     ++counts.pairs;
     if (!in_full) return;
     ++counts.full;
@@ -104,6 +106,7 @@ void collide_all(Simulation& simulation, IsChosen&& is_chosen) {
     simulation.scratch.chunks.found.fill_by_chunk(crew, contacts.size(), kLeastCollisions, collide_chunk);
     for (const CollisionCounts& own : counts) simulation.report.collided += own;
     simulation.scratch.chunks.found.for_each([&](std::uint32_t i) { collide_with_chains(simulation, contacts[i]); });
+    simulation.scratch.ordered_impacts.bounces.has_candidates |= simulation.report.collided.bounces > 0;
 }
 
 // A measure of the work of a step: see Threads::least_work.
@@ -240,6 +243,7 @@ void end_contacts(Simulation& simulation) {
 
 void collide_pairs(Simulation& simulation) {
     simulation.chain_crossings = {.before = simulation.chain_crossings.now};
+    simulation.scratch.ordered_impacts.bounces.has_candidates = false;
     collide_all(simulation, [](const Contact&) { return true; });
 }
 
@@ -289,7 +293,8 @@ void bounce(Simulation& simulation) {
 }
 
 void store_results(Simulation& simulation) {
-    simulation.scratch.contact_solver.store_impulses(simulation.contacts.all(), simulation.crew);
+    simulation.scratch.contact_solver.store_impulses(simulation.contacts.all(), simulation.bodies.solver_bodies,
+                                                     simulation.crew);
     simulation.joints.store(joint_context(simulation));
     simulation.events.broken_joints = simulation.joints.broken();
 }

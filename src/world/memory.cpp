@@ -66,6 +66,9 @@ template <class T>
 std::size_t scratch_bytes(const T& value) {
     return value.bytes();
 }
+std::size_t scratch_bytes(const BounceScratch& scratch) {
+    return scratch_bytes(scratch.touch_counts) + scratch_bytes(scratch.landings);
+}
 
 std::size_t scratch_bytes(const AabbTree& tree) { return bytes_of(tree); }
 std::size_t scratch_bytes(const ImpactScratch& scratch) {

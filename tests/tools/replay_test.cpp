@@ -24,7 +24,6 @@ using tumble::test::Folder;
 using tumble::test::make_page;
 using tumble::test::near;
 using tumble::test::read_text;
-using tumble::test::run_tumble;
 
 namespace {
 

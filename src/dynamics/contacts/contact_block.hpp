@@ -84,7 +84,7 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
 // Writes the impulses into the contacts: those of the last sub-step, which warm start the next step, and those of the
 // whole step, which are reported.
 void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts,
-                    Crew& crew);
+                    std::span<SolverBody> bodies, Crew& crew);
 
 // Applies the accumulated impulses again.
 void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies);

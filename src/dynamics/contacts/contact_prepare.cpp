@@ -202,20 +202,28 @@ void fill_block(ContactBlock& block, std::span<const std::uint32_t, kLaneCount> 
     set_masses(block);
 }
 
+// Only a dynamic body is in one contact of a colour; several threads may have another body.
+void mark_pushed(SolverBody& body) {
+    if (body.flags & kDynamicBody) body.flags |= kPushedBody;
+}
+
 void store_block(const ContactBlock& block, std::span<const std::uint32_t, kLaneCount> lanes,
-                 std::span<Contact> contacts) {
+                 std::span<Contact> contacts, std::span<SolverBody> bodies) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
         const std::uint32_t index = lanes[static_cast<std::size_t>(lane)];
         if (index == ConstraintGraph::kNoContact) continue;
         TUMBLE_CHECK(index < contacts.size());
         Contact& contact = contacts[index];
+        bool has_acted = false;
         for (int i = 0; i < contact.manifold.point_count; ++i) {
             const ContactBlockPoint& point = block.points[i];
             TUMBLE_CHECK(!(point.normal_impulse[lane] < 0.0f));
             contact.impulses[i] = {point.normal_impulse[lane], point.tangent_impulse[lane]};
             contact.applied[i] = {point.applied_normal[lane], point.applied_tangent[lane]};
             contact.is_touching |= point.applied_normal[lane] > 0.0f;
+            has_acted |= point.applied_normal[lane] > 0.0f || contact.manifold.points[i].separation < 0.0f;
         }
+        if (has_acted) mark_pushed(bodies[block.body_a[lane]]), mark_pushed(bodies[block.body_b[lane]]);
         contact.rolling_impulse = block.rolling_impulse[lane];
     }
 }
@@ -238,11 +246,19 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
 }
 
 void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts,
-                    Crew& crew) {
-    crew.for_each(blocks.size(), kLeastBlocks, [&](std::size_t index) {
-        if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
-        store_block(blocks[index], graph.block(index), contacts);
-    });
+                    std::span<SolverBody> bodies, Crew& crew) {
+    for (const ConstraintGraph::Color& color : graph.colors()) {
+        const auto store = [&](std::size_t i) {
+            const std::size_t index = color.begin + i;
+            if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
+            store_block(blocks[index], graph.block(index), contacts, bodies);
+        };
+        const std::size_t count = color.end - color.begin;
+        if (color.is_independent)
+            crew.for_each(count, kLeastBlocks, store);
+        else
+            for (std::size_t i = 0; i < count; ++i) store(i);
+    }
 }
 
 }  // namespace tumble

@@ -78,9 +78,9 @@ void ContactSolver::apply_restitution(std::span<SolverBody> bodies, float thresh
     });
 }
 
-void ContactSolver::store_impulses(std::span<Contact> contacts, Crew& crew) const {
+void ContactSolver::store_impulses(std::span<Contact> contacts, std::span<SolverBody> bodies, Crew& crew) const {
     TUMBLE_CHECK(blocks_.size() == graph_.block_count());
-    tumble::store_impulses(blocks_, graph_, contacts, crew);
+    tumble::store_impulses(blocks_, graph_, contacts, bodies, crew);
 }
 
 std::size_t ContactSolver::bytes() const {

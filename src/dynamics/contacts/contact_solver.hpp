@@ -33,7 +33,7 @@ public:
 
     // After the last sub-step.
     void apply_restitution(std::span<SolverBody> bodies, float threshold, float h, Crew& crew);
-    void store_impulses(std::span<Contact> contacts, Crew& crew) const;
+    void store_impulses(std::span<Contact> contacts, std::span<SolverBody> bodies, Crew& crew) const;
 
     int color_count() const { return graph_.color_count(); }
     std::size_t bytes() const;

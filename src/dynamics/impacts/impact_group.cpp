@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "debug/check.hpp"
 
@@ -14,49 +15,45 @@ constexpr double kTolerance = 1e-6;
 
 // A round ends when no sweep changes a speed by more than this part of the fastest approach. What inelastic impacts
 // leave, the contact solver of the next step stops.
-constexpr double kElasticTolerance = 1e-7, kInelasticTolerance = 1e-4;
+constexpr double kElasticTolerance = 1e-7, kInelasticTolerance = 1e-2;
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // A hold that is not complete leaves an overlap to the next step.
 constexpr int kMaxHoldSweeps = 50;
 
-ImpactDirection direction(const ImpactPoint& point, DVec2 axis) {
-    return {axis, cross(point.arm_a, axis), cross(point.arm_b, axis)};
+double speed_along(DVec2 axis, double across_a, double across_b, const Twist& a, const Twist& b) {
+    return dot(b.linear - a.linear, axis) + b.angular * across_b - a.angular * across_a;
 }
-ImpactDirection normal_of(const ImpactPoint& point) { return direction(point, point.normal); }
-ImpactDirection tangent_of(const ImpactPoint& point) { return direction(point, -perp(point.normal)); }
-
-double relative_speed(const ImpactDirection& d, const Twist& a, const Twist& b) {
-    return dot(b.linear - a.linear, d.axis) + b.angular * d.across_b - a.angular * d.across_a;
+double normal_speed(const ImpactPoint& point, const Twist& a, const Twist& b) {
+    return speed_along(point.normal, cross(point.arm_a, point.normal), cross(point.arm_b, point.normal), a, b);
 }
 
-DVec2 scaled(DVec2 factors, DVec2 v) { return {factors.x * v.x, factors.y * v.y}; }
-
-// The change of the relative speed by a unit impulse, 1/kg.
-double response(const ImpactDirection& d, const ImpactBody& a, const ImpactBody& b) {
-    return dot(scaled(a.inv_mass + b.inv_mass, d.axis), d.axis) + a.inv_inertia * d.across_a * d.across_a +
-           b.inv_inertia * d.across_b * d.across_b;
+// What a unit impulse adds to the velocity of a body.
+Twist push(const ImpactBody& body, DVec2 axis, double across) {
+    return {{body.inv_mass.x * axis.x, body.inv_mass.y * axis.y}, body.inv_inertia * across};
 }
 
-// Adds what an impulse does to the changes, or to the holds, of its bodies.
-void apply(const ImpactDirection& d, double impulse, ImpactBody& a, ImpactBody& b, Twist ImpactBody::*target) {
-    (a.*target).linear -= impulse * scaled(a.inv_mass, d.axis);
-    (a.*target).angular -= impulse * a.inv_inertia * d.across_a;
-    (b.*target).linear += impulse * scaled(b.inv_mass, d.axis);
-    (b.*target).angular += impulse * b.inv_inertia * d.across_b;
+ImpactDirection make_direction(const ImpactPoint& point, DVec2 axis, const ImpactBody& a, const ImpactBody& b) {
+    ImpactDirection d;
+    d.axis = axis;
+    d.across_a = cross(point.arm_a, axis);
+    d.across_b = cross(point.arm_b, axis);
+    d.push_a = -1.0 * push(a, axis, d.across_a);
+    d.push_b = push(b, axis, d.across_b);
+    const double response = speed_along(axis, d.across_a, d.across_b, d.push_a, d.push_b);
+    d.mass = response > point.least_response ? 1.0 / response : 0.0;
+    return d;
 }
 
-double speed_at_impact(const ImpactDirection& d, const ImpactBody& a, const ImpactBody& b) {
-    return relative_speed(d, a.velocity + a.change, b.velocity + b.change);
-}
-double speed_ahead(const ImpactDirection& d, const ImpactBody& a, const ImpactBody& b) {
-    return relative_speed(d, a.mean_velocity + a.change + a.hold, b.mean_velocity + b.change + b.hold);
+double speed_along(const ImpactDirection& d, const Twist& a, const Twist& b) {
+    return speed_along(d.axis, d.across_a, d.across_b, a, b);
 }
 
 bool can_bounce(const ImpactPoint& point) { return point.restitution > 0.0 && point.bounce_count < kMaxBounces; }
 
 bool bounces(const ImpactGroup& group, const ImpactPoint& point) {
-    const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
-    return can_bounce(point) && speed_at_impact(normal_of(point), a, b) < -point.threshold;
+    return can_bounce(point) && approach_at_impact(group, point) < -point.threshold;
 }
 
 // The part of its approach speed v with which a point leaves. Newton's law holds at the surface. A point that is found
@@ -64,7 +61,7 @@ bool bounces(const ImpactGroup& group, const ImpactPoint& point) {
 // relative acceleration a, v'^2 = e^2 (v^2 - 2 a s) + 2 a s.
 double effective_restitution(const ImpactGroup& group, const ImpactPoint& point) {
     const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
-    const double speed = speed_at_impact(normal_of(point), a, b), e = point.restitution;
+    const double speed = approach_at_impact(group, point), e = point.restitution;
     const double work = 2.0 * dot(b.acceleration - a.acceleration, point.normal) * point.separation;
     const double square = e * e * (speed * speed - work) + work;
     return std::clamp(std::sqrt(std::max(square, 0.0)) / -speed, 0.0, 1.0);
@@ -75,12 +72,23 @@ ImpactRow make_row(const ImpactGroup& group, std::size_t index) {
     const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
     ImpactRow row;
     row.point = index;
-    row.normal = normal_of(point);
-    row.tangent = tangent_of(point);
-    const double normal = response(row.normal, a, b), tangent = response(row.tangent, a, b);
-    row.normal_mass = normal > point.least_response ? 1.0 / normal : 0.0;
-    row.tangent_mass = tangent > point.least_response ? 1.0 / tangent : 0.0;
+    row.normal = make_direction(point, point.normal, a, b);
+    row.normal.speed = speed_along(row.normal, a.velocity, b.velocity);
+    row.tangent = make_direction(point, -perp(point.normal), a, b);
+    row.tangent.speed = speed_along(row.tangent, a.velocity, b.velocity) + point.tangent_speed;
+    row.friction = point.friction;
     row.restitution = bounces(group, point) ? effective_restitution(group, point) : 0.0;
+    return row;
+}
+
+// Of the motion ahead, after the impacts.
+ImpactRow make_hold_row(const ImpactGroup& group, std::size_t index) {
+    const ImpactPoint& point = group.points[index];
+    const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
+    ImpactRow row;
+    row.point = index;
+    row.normal = make_direction(point, point.normal, a, b);
+    row.normal.speed = speed_along(row.normal, a.mean_velocity + a.change, b.mean_velocity + b.change);
     return row;
 }
 
@@ -143,7 +151,7 @@ private:
         work_ += static_cast<int>(group_.rows.size());
         double largest = 0.0;
         for (ImpactRow& row : group_.rows) {
-            largest = std::max(largest, solve_normal(row));
+            largest = std::max(largest, solve_normal(row, &ImpactBody::change));
             largest = std::max(largest, solve_tangent(row));
         }
         return largest;
@@ -159,34 +167,33 @@ private:
 
     ImpactPoint& point(const ImpactRow& row) { return group_.points[row.point]; }
 
-    double speed(const ImpactRow& row, const ImpactDirection& d) {
-        return speed_at_impact(d, group_.bodies[point(row).a], group_.bodies[point(row).b]);
+    void push(const ImpactRow& row, const ImpactDirection& d, double impulse, Twist ImpactBody::*target) {
+        Twist& a = group_.bodies[point(row).a].*target;
+        Twist& b = group_.bodies[point(row).b].*target;
+        a = a + impulse * d.push_a;
+        b = b + impulse * d.push_b;
     }
 
-    void push(const ImpactRow& row, const ImpactDirection& d, double impulse) {
-        apply(d, impulse, group_.bodies[point(row).a], group_.bodies[point(row).b], &ImpactBody::change);
+    // Changes the impulse to one within the bounds after which the bodies do not move along the direction. Returns the
+    // change of their relative speed, m/s.
+    double solve(const ImpactRow& row, ImpactDirection& d, double lower, double upper, Twist ImpactBody::*target) {
+        const double speed =
+            d.speed + speed_along(d, group_.bodies[point(row).a].*target, group_.bodies[point(row).b].*target);
+        const double old = d.impulse;
+        d.impulse = std::clamp(old - d.mass * speed, lower, upper);
+        if (d.impulse == old) return 0.0;
+        push(row, d, d.impulse - old, target);
+        return std::abs(d.impulse - old) / d.mass;
     }
 
-    double solve_normal(ImpactRow& row) {
-        const double old = row.normal_impulse;
-        row.normal_impulse = std::max(old - row.normal_mass * speed(row, row.normal), 0.0);
-        const double change = row.normal_impulse - old;
-        push(row, row.normal, change);
-        point(row).normal_impulse += change;
-        return row.normal_mass > 0.0 ? std::abs(change) / row.normal_mass : 0.0;
+    double solve_normal(ImpactRow& row, Twist ImpactBody::*target) {
+        return solve(row, row.normal, 0.0, kUnbounded, target);
     }
 
     // Coulomb friction against the impulse together with the bounce that follows.
     double solve_tangent(ImpactRow& row) {
-        if (point(row).friction == 0.0 || row.tangent_mass == 0.0) return 0.0;
-        const double bound = point(row).friction * (1.0 + row.restitution) * row.normal_impulse;
-        const double slip = speed(row, row.tangent) + point(row).tangent_speed;
-        const double old = row.tangent_impulse;
-        row.tangent_impulse = std::clamp(old - row.tangent_mass * slip, -bound, bound);
-        const double change = row.tangent_impulse - old;
-        push(row, row.tangent, change);
-        point(row).tangent_impulse += change;
-        return std::abs(change) / row.tangent_mass;
+        const double bound = row.friction * (1.0 + row.restitution) * row.normal.impulse;
+        return solve(row, row.tangent, -bound, bound, &ImpactBody::change);
     }
 
     // Applies e times the impulses of the round, or the largest part of that which leaves no more than `energy`.
@@ -196,7 +203,8 @@ private:
         const double part = affordable_part(before, kinetic_energy(group_), energy);
         push_bounces(part - 1.0);
         for (const ImpactRow& row : group_.rows) {
-            point(row).normal_impulse += part * row.restitution * row.normal_impulse;
+            point(row).normal_impulse += (1.0 + part * row.restitution) * row.normal.impulse;
+            point(row).tangent_impulse += row.tangent.impulse;
             point(row).bounce_count += row.restitution > 0.0;
         }
     }
@@ -204,7 +212,8 @@ private:
     void push_bounces(double part) {
         if (part == 0.0) return;
         for (const ImpactRow& row : group_.rows)
-            if (row.restitution > 0.0) push(row, row.normal, part * row.restitution * row.normal_impulse);
+            if (row.restitution > 0.0)
+                push(row, row.normal, part * row.restitution * row.normal.impulse, &ImpactBody::change);
     }
 
     // The round left the points that pushed at rest along their normals. So the energy of a part t of the bounce is
@@ -218,20 +227,12 @@ private:
     void hold() {
         group_.rows.clear();
         for (ImpactBody& body : group_.bodies) body.hold = {};
-        for (std::size_t i = 0; i < group_.points.size(); ++i) group_.rows.push_back(make_row(group_, i));
+        for (std::size_t i = 0; i < group_.points.size(); ++i) group_.rows.push_back(make_hold_row(group_, i));
         for (int i = 0; i < kMaxHoldSweeps; ++i) {
             double largest = 0.0;
-            for (ImpactRow& row : group_.rows) largest = std::max(largest, hold(row));
+            for (ImpactRow& row : group_.rows) largest = std::max(largest, solve_normal(row, &ImpactBody::hold));
             if (!(largest > kTolerance * fastest_)) break;
         }
-    }
-
-    double hold(ImpactRow& row) {
-        ImpactBody &a = group_.bodies[point(row).a], &b = group_.bodies[point(row).b];
-        const double old = row.normal_impulse;
-        row.normal_impulse = std::max(old - row.normal_mass * speed_ahead(row.normal, a, b), 0.0);
-        apply(row.normal, row.normal_impulse - old, a, b, &ImpactBody::hold);
-        return row.normal_mass > 0.0 ? std::abs(row.normal_impulse - old) / row.normal_mass : 0.0;
     }
 
     ImpactGroup& group_;
@@ -245,11 +246,13 @@ private:
 double approach_at_impact(const ImpactGroup& group, const ImpactPoint& point) {
     TUMBLE_CHECK(point.a < group.bodies.size());
     TUMBLE_CHECK(point.b < group.bodies.size());
-    return speed_at_impact(normal_of(point), group.bodies[point.a], group.bodies[point.b]);
+    const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
+    return normal_speed(point, a.velocity + a.change, b.velocity + b.change);
 }
 
 double approach_ahead(const ImpactGroup& group, const ImpactPoint& point) {
-    return speed_ahead(normal_of(point), group.bodies[point.a], group.bodies[point.b]);
+    const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
+    return normal_speed(point, a.mean_velocity + a.change + a.hold, b.mean_velocity + b.change + b.hold);
 }
 
 void solve_impacts(ImpactGroup& group) { ImpactRounds(group).run(); }

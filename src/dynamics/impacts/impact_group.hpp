@@ -60,18 +60,21 @@ struct ImpactPoint {
     double tangent_impulse = 0.0;  // along -perp(normal)
 };
 
-// A direction in which a point pushes: along its normal or its tangent.
+// A direction in which a point pushes, along its normal or its tangent, with what a sweep needs of its bodies.
 struct ImpactDirection {
     DVec2 axis;
     double across_a = 0.0, across_b = 0.0;  // arm x axis, m
+    Twist push_a, push_b;                   // what a unit impulse adds to the velocities
+    double mass = 0.0;                      // kg; 0 if it is not solved
+    double speed = 0.0;                     // of B's point against A's, without the changes, m/s
+    double impulse = 0.0;                   // of this round, N s
 };
 
-// A point during one round. Impulses are those of the round.
+// A point during one round.
 struct ImpactRow {
     std::size_t point = 0;
     ImpactDirection normal, tangent;
-    double normal_mass = 0.0, tangent_mass = 0.0;  // kg
-    double normal_impulse = 0.0, tangent_impulse = 0.0;
+    double friction = 0.0;
     double restitution = 0.0;  // 0 if it does not bounce in this round
 };
 

@@ -33,15 +33,30 @@ bool moves_far_in_step(const Simulation& simulation, std::size_t index) {
     return displacement(simulation.bodies.solver_bodies[index], motion) > kContinuousPart * motion.smallest_extent;
 }
 
-// True if a body moves far, and not as foreseen: impacts of its free motion have become contacts, which the solver need
-// not have kept apart.
-bool is_fast(const Simulation& simulation, std::size_t index) {
-    const SolverBody& body = simulation.bodies.solver_bodies[index];
+// Only the impacts of free motions have become contacts.
+bool leaves_foreseen_motion(const Simulation& simulation, std::size_t index) {
     const BodyMotion& motion = simulation.bodies.moving[index].motion;
-    if (!moves_far_in_step(simulation, index)) return false;
-    const StepScratch& scratch = simulation.scratch;
-    return index >= scratch.free_motions.size() || scratch.ordered_impacts.touch_counts[index] > 0 ||
-           deviation(body, scratch.free_motions[index], motion) > kContinuousPart * motion.smallest_extent;
+    const std::vector<FreeMotion>& foreseen = simulation.scratch.free_motions;
+    return index >= foreseen.size() || deviation(simulation.bodies.solver_bodies[index], foreseen[index], motion) >
+                                           kContinuousPart * motion.smallest_extent;
+}
+
+// How far a point of a body has moved in the step.
+Vec2 shift_of(const BodyStore& bodies, std::uint32_t body, Vec2 anchor) {
+    const SolverBody& moved = bodies.solver_bodies[bodies.frames[body].solver_body];
+    const Vec2 arm = anchor - bodies.frames[body].center_offset;
+    return moved.delta_position + rotate(moved.delta_rotation, arm) - arm;
+}
+
+// True if the solver has left two bodies of which one moves far with an overlap.
+bool is_left_overlapping(const Contact& contact, const BodyStore& bodies) {
+    for (int i = 0; i < contact.manifold.point_count; ++i) {
+        const ManifoldPoint& point = contact.manifold.points[i];
+        const Vec2 moved =
+            shift_of(bodies, contact.body_b, point.anchor_b) - shift_of(bodies, contact.body_a, point.anchor_a);
+        if (point.separation + dot(moved, contact.manifold.normal) < -contact.speculative_distance) return true;
+    }
+    return false;
 }
 
 // True if two points that move along straight lines come as near as `distance`.
@@ -210,25 +225,38 @@ private:
     std::uint32_t index_;
 };
 
+bool has_far_mover(const Simulation& simulation, const Contact& contact) {
+    const BodyStore& bodies = simulation.bodies;
+    return moves_far_in_step(simulation, bodies.frames[contact.body_a].solver_body) ||
+           moves_far_in_step(simulation, bodies.frames[contact.body_b].solver_body);
+}
+
 // A body in free flight is not swept. Its boxes cover its path, so that it has a contact with each sensor near that.
 bool may_cross_sensor(const Simulation& simulation, const Contact& contact) {
-    const BodyStore& bodies = simulation.bodies;
-    return simulation.settings.continuous && contact.kind != ContactKind::solid &&
-           (moves_far_in_step(simulation, bodies.frames[contact.body_a].solver_body) ||
-            moves_far_in_step(simulation, bodies.frames[contact.body_b].solver_body));
+    return simulation.settings.continuous && contact.kind != ContactKind::solid && has_far_mover(simulation, contact);
+}
+
+bool overlaps_at_speed(const Simulation& simulation, const Contact& contact) {
+    return simulation.settings.continuous && contact.manifold.point_count > 0 && has_far_mover(simulation, contact) &&
+           is_left_overlapping(contact, simulation.bodies);
 }
 
 }  // namespace
 
 void find_fast_bodies(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
+    bool may_concern_contacts = simulation.scratch.ordered_impacts.bounces.has_candidates;
     if (simulation.settings.continuous) {
-        for (std::size_t i = 1; i < bodies.moving.size(); ++i)
-            if (is_fast(simulation, i)) sweep_body(simulation, bodies.moving[i].body);
+        for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
+            if (!moves_far_in_step(simulation, i)) continue;
+            may_concern_contacts = true;
+            if (leaves_foreseen_motion(simulation, i)) sweep_body(simulation, bodies.moving[i].body);
+        }
     }
+    if (!may_concern_contacts) return;
     for (const Contact& contact : simulation.contacts.all()) {
         if (may_cross_sensor(simulation, contact)) simulation.scratch.sensor_crossings.push_back(contact.shapes);
-        if (!contact.is_bouncing) continue;
+        if (!contact.is_bouncing && !overlaps_at_speed(simulation, contact)) continue;
         for (const std::uint32_t body : {contact.body_a, contact.body_b})
             if (bodies.frames[body].solver_body != kStaticSolverBody) sweep_body(simulation, body);
     }

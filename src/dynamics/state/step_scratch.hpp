@@ -62,11 +62,13 @@ struct CollisionCounts {
     std::int64_t pairs = 0;       // of solid shapes, collided in full or recycled
     std::int64_t full = 0;        // of these, collided in full
     std::int64_t iterations = 0;  // of the distance queries of the full ones
+    std::int64_t bounces = 0;     // contacts that may bounce in this step
 
     CollisionCounts& operator+=(const CollisionCounts& other) {
         pairs += other.pairs;
         full += other.full;
         iterations += other.iterations;
+        bounces += other.bounces;
         return *this;
     }
 };
@@ -114,6 +116,21 @@ struct Impact {
     bool is_reported = false;
 };
 
+// A contact through which a body lands that carries others.
+struct Landing {
+    double speed = 0.0;         // m/s
+    std::uint32_t contact = 0;  // index
+
+    friend constexpr auto operator<=>(const Landing&, const Landing&) = default;
+};
+
+// What decides which contacts bounce.
+struct BounceScratch {
+    bool has_candidates = false;              // some contact is marked as one that may bounce
+    std::vector<std::uint32_t> touch_counts;  // by solver body: its contacts that have points
+    std::vector<Landing> landings;
+};
+
 // What continuous collision works on.
 struct ImpactScratch {
     std::vector<SweptBody> swept;
@@ -128,7 +145,7 @@ struct ImpactScratch {
     std::vector<ProxyPair> group_shapes;       // by point of the group
     std::vector<std::uint32_t> first_contact;  // by solver body: its range in `contacts`; empty before the first impact
     std::vector<std::uint32_t> contacts;       // indices
-    std::vector<std::uint32_t> touch_counts;   // by solver body: its contacts that have points
+    BounceScratch bounces;
     std::vector<Impact> impacts;
 };
 
