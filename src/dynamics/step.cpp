@@ -61,7 +61,7 @@ StepAhead step_ahead(const Simulation& simulation) {
 }
 
 // Smallest chunks of contacts and bodies, each about 1 us of work.
-constexpr std::size_t kLeastCollisions = 16, kLeastContacts = 256, kLeastBodies = 32;
+constexpr std::size_t kLeastCollided = 16, kLeastOverlaps = 256, kLeastBoxes = 32;
 
 void collide_and_count(const Simulation& simulation, Contact& contact, CollisionCounts& counts) {
     const StepAhead ahead = step_ahead(simulation);
@@ -91,7 +91,7 @@ void collide_all(Simulation& simulation, IsChosen&& is_chosen) {
     std::vector<Contact>& contacts = simulation.contacts.all();
     Crew& crew = simulation.crew;
     std::vector<CollisionCounts>& counts = simulation.scratch.chunks.collision_counts;
-    counts.assign(crew.chunk_count(contacts.size(), kLeastCollisions), {});
+    counts.assign(crew.chunk_count(contacts.size(), kLeastCollided), {});
     const auto collide_chunk = [&](const Chunk& chunk, std::vector<std::uint32_t>& with_chain) {
         CollisionCounts own;
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -103,7 +103,7 @@ void collide_all(Simulation& simulation, IsChosen&& is_chosen) {
         }
         counts[chunk.index] = own;
     };
-    simulation.scratch.chunks.found.fill_by_chunk(crew, contacts.size(), kLeastCollisions, collide_chunk);
+    simulation.scratch.chunks.found.fill_by_chunk(crew, contacts.size(), kLeastCollided, collide_chunk);
     for (const CollisionCounts& own : counts) simulation.report.collided += own;
     simulation.scratch.chunks.found.for_each([&](std::uint32_t i) { collide_with_chains(simulation, contacts[i]); });
     simulation.scratch.ordered_impacts.bounces.has_candidates |= simulation.report.collided.bounces > 0;
@@ -233,7 +233,7 @@ void end_contacts(Simulation& simulation) {
             simulation.broad.overlap(shapes) && !(simulation.filters_changed && !may_collide(simulation, shapes));
         if (!keep) found.push_back(static_cast<std::uint32_t>(i));
     };
-    ended.fill(simulation.crew, contacts.size(), kLeastContacts, find_ended);
+    ended.fill(simulation.crew, contacts.size(), kLeastOverlaps, find_ended);
     ended.for_each([&](std::uint32_t i) {
         report_removal(simulation, contacts[i]);
         simulation.broad.remove_pair(contacts[i].shapes);
@@ -259,7 +259,7 @@ void prepare_constraints(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
     simulation.scratch.contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
                                               settings.gravity, settings.substep_duration(), simulation.crew);
-    simulation.joints.prepare(simulation.bodies);
+    simulation.joints.prepare(simulation.bodies, simulation.crew);
     if (settings.joints == JointSolver::direct)
         simulation.scratch.joint_system.prepare(simulation.joints, simulation.bodies.solver_bodies,
                                                 settings.substep_duration(), settings.tuning.push_out_speed);
@@ -319,7 +319,7 @@ void collide_continuously(Simulation& simulation) {
 void update_proxies(Simulation& simulation) {
     const std::vector<MovingBody>& moving = simulation.bodies.moving;
     simulation.scratch.chunks.moved_boxes.fill(
-        simulation.crew, moving.size(), kLeastBodies, [&](std::size_t i, std::vector<MovedBox>& moved) {
+        simulation.crew, moving.size(), kLeastBoxes, [&](std::size_t i, std::vector<MovedBox>& moved) {
             if (i == kStaticSolverBody) return;
             for_each_left_box(simulation, moving[i], {}, [&](std::uint32_t shape, const Aabb& box) {
                 moved.push_back({shape, box});

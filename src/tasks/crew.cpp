@@ -33,7 +33,7 @@ struct Range {
 };
 
 constexpr int kMostThreads = 256;
-constexpr std::size_t kChunksOfThread = 4;  // in a stage: enough for a thread that is late to leave some to the others
+constexpr std::size_t kChunksOfThread = 8;  // in a stage: enough for a thread that is late to leave some to the others
 static_assert(kMostThreads * (kChunksOfThread + 1) <= 0xffff);
 
 // About 40 ns: short compared with a stage.

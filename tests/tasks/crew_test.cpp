@@ -32,7 +32,7 @@ std::vector<int> count_work(Crew& crew, std::size_t items, int stages) {
 TEST_CASE("every stage works on every item once") {
     for (const int threads : {1, 2, 3, 8})
         for (const TaskSystem& tasks : {TaskSystem(run_on_threads), TaskSystem(run_backwards), TaskSystem()})
-            for (const std::size_t items : {0, 1, 2, 3, 7, 64, 1000}) {
+            for (const std::size_t items : {0u, 1u, 2u, 3u, 7u, 64u, 1000u}) {
                 Crew crew({threads, tasks, 0});
                 CHECK(count_work(crew, items, 50) == std::vector<int>(items, 50));
             }
@@ -108,7 +108,7 @@ TEST_CASE("lists of chunks are in the order of the items") {
         Crew crew(eager_threads(threads));
         ChunkLists<std::size_t> lists;
         std::vector<std::size_t> found, expected;
-        for (const std::size_t count : {1000, 10}) {
+        for (const std::size_t count : {1000u, 10u}) {
             crew.work_together(count, [&] {
                 lists.fill(crew, count, 1, [](std::size_t i, std::vector<std::size_t>& list) {
                     if (i % 3 == 1) list.push_back(i);

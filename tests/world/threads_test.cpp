@@ -193,7 +193,7 @@ TEST_CASE("step_all throws the exception of the first world, after all have made
         for (int bodies = 0; bodies <= i; ++bodies) add_dynamic(world, {2.0 * bodies, 5.0}, make_circle(0.5f));
     }
     for (World& world : worlds) all.push_back(&world);
-    for (const std::size_t broken : {2, 4})  // 10 s at 3e38 m/s: more than a float can represent
+    for (const std::size_t broken : {2u, 4u})  // 10 s at 3e38 m/s: more than a float can represent
         worlds[broken].create_body({.type = BodyType::kinematic_body, .velocity = {3e38f, 0.0f}});
     try {
         step_all(all, eager_threads(2));

@@ -53,7 +53,7 @@ void shorten_motion(BodyStore& bodies, std::uint32_t index, double fraction, Vec
 
 namespace {
 
-constexpr std::size_t kLeastBodies = 64;  // in a chunk: about 1 us of work
+constexpr std::size_t kLeastPoses = 64;  // in a chunk: about 1 us of work
 
 void finalize_pose(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) {
     SolverBody& body = bodies.solver_bodies[i];
@@ -77,7 +77,7 @@ void finalize_pose(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) 
 }  // namespace
 
 void finalize_poses(BodyStore& bodies, const SpeedLimits& limits, Crew& crew) {
-    crew.for_each(bodies.solver_bodies.size(), kLeastBodies, [&](std::size_t i) {
+    crew.for_each(bodies.solver_bodies.size(), kLeastPoses, [&](std::size_t i) {
         if (i != kStaticSolverBody) finalize_pose(bodies, i, limits);
     });
 }

@@ -6,7 +6,7 @@ namespace tumble {
 
 namespace {
 
-constexpr std::size_t kLeastBodies = 128;  // in a chunk: about 1 us of work
+constexpr std::size_t kLeastIntegrated = 128;  // in a chunk: about 1 us of work
 
 void integrate_velocity(SolverBody& body, const MovingBody& moving, Vec2 gravity, float h, const SpeedLimits& limits) {
     const BodyMotion& motion = moving.motion;
@@ -30,14 +30,14 @@ void integrate_position(SolverBody& body, float h, const SpeedLimits& limits) {
 void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits, Crew& crew) {
     TUMBLE_CHECK(bodies.moving.size() == bodies.solver_bodies.size());
     TUMBLE_CHECK(h > 0.0f);
-    crew.for_each(bodies.solver_bodies.size(), kLeastBodies, [&](std::size_t i) {
+    crew.for_each(bodies.solver_bodies.size(), kLeastIntegrated, [&](std::size_t i) {
         SolverBody& body = bodies.solver_bodies[i];
         if (body.flags & kDynamicBody) integrate_velocity(body, bodies.moving[i], gravity, h, limits);
     });
 }
 
 void integrate_positions(BodyStore& bodies, float h, const SpeedLimits& limits, Crew& crew) {
-    crew.for_each(bodies.solver_bodies.size(), kLeastBodies, [&](std::size_t i) {
+    crew.for_each(bodies.solver_bodies.size(), kLeastIntegrated, [&](std::size_t i) {
         if (i != kStaticSolverBody) integrate_position(bodies.solver_bodies[i], h, limits);
     });
 }

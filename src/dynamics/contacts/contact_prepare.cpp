@@ -179,7 +179,7 @@ void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> 
     }
 }
 
-constexpr std::size_t kLeastBlocks = 8;  // in a chunk: about 1 us of work
+constexpr std::size_t kLeastPrepared = 8;  // in a chunk: about 1 us of work
 
 // The softness of contacts between moving bodies, and of those with a body that does not move.
 struct ContactSoftness {
@@ -236,7 +236,7 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
     const ContactSoftness softness{contact_softness(tuning, h), static_contact_softness(tuning, h)};
     const ContactBlock neutral = make_neutral_block();
     blocks.resize(graph.block_count());
-    crew.for_each(blocks.size(), kLeastBlocks, [&](std::size_t index) {
+    crew.for_each(blocks.size(), kLeastPrepared, [&](std::size_t index) {
         if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
         ContactBlock& block = blocks[index];
         block = neutral;
@@ -255,7 +255,7 @@ void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGra
         };
         const std::size_t count = color.end - color.begin;
         if (color.is_independent)
-            crew.for_each(count, kLeastBlocks, store);
+            crew.for_each(count, kLeastPrepared, store);
         else
             for (std::size_t i = 0; i < count; ++i) store(i);
     }

@@ -33,7 +33,7 @@ ContactSolver& ContactSolver::operator=(ContactSolver&&) noexcept = default;
 
 template <class SolveBlocks>
 void ContactSolver::for_each_color(Crew& crew, SolveBlocks&& solve_blocks) {
-    constexpr std::size_t kLeastBlocks = 16;  // in a chunk: about 1 us of work
+    constexpr std::size_t kLeastSolved = 16;  // in a chunk: about 1 us of work
     const std::span<ContactBlock> blocks = blocks_;
     for (const ConstraintGraph::Color& color : graph_.colors()) {
         const std::span<ContactBlock> own = blocks.subspan(color.begin, color.end - color.begin);
@@ -41,7 +41,7 @@ void ContactSolver::for_each_color(Crew& crew, SolveBlocks&& solve_blocks) {
             solve_blocks(own);
             continue;
         }
-        crew.for_each_chunk(own.size(), kLeastBlocks, [&](const Chunk& chunk) {
+        crew.for_each_chunk(own.size(), kLeastSolved, [&](const Chunk& chunk) {
             solve_blocks(own.subspan(chunk.begin, chunk.end - chunk.begin));
         });
     }

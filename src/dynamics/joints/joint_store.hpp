@@ -23,6 +23,7 @@
 #include "dynamics/joints/revolute_joint.hpp"
 #include "dynamics/joints/weld_joint.hpp"
 #include "dynamics/joints/wheel_joint.hpp"
+#include "tasks/crew.hpp"
 #include "tumble/joint.hpp"
 
 namespace tumble {
@@ -83,7 +84,7 @@ public:
     void wake(JointId id);
     void put_to_sleep(std::span<const JointId> ids);
 
-    void prepare(const BodyStore& bodies);
+    void prepare(const BodyStore& bodies, Crew& crew);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 

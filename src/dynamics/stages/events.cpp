@@ -168,12 +168,12 @@ bool has_changed(const Simulation& simulation, Contact& contact) {
 
 // Finds the contacts to report, and counts all.
 void find_changed_contacts(Simulation& simulation) {
-    constexpr std::size_t kLeastContacts = 256;  // in a chunk: about 1 us of work
+    constexpr std::size_t kLeastReported = 256;  // in a chunk: about 1 us of work
     std::vector<Contact>& contacts = simulation.contacts.all();
     std::vector<ContactCounts>& counts = simulation.scratch.chunks.contact_counts;
-    counts.assign(simulation.crew.chunk_count(contacts.size(), kLeastContacts), {});
+    counts.assign(simulation.crew.chunk_count(contacts.size(), kLeastReported), {});
     simulation.scratch.chunks.found.fill_by_chunk(
-        simulation.crew, contacts.size(), kLeastContacts, [&](const Chunk& chunk, std::vector<std::uint32_t>& changed) {
+        simulation.crew, contacts.size(), kLeastReported, [&](const Chunk& chunk, std::vector<std::uint32_t>& changed) {
             ContactCounts own;
             for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
                 own.contacts += contacts[i].manifold.point_count > 0;

@@ -153,11 +153,13 @@ struct ImpactScratch {
 struct ChunkScratch {
     ChunkLists<std::uint32_t> found;  // indices of contacts
     ChunkLists<MovedBox> moved_boxes;
+    ChunkLists<GroundContact> ground_contacts;
     std::vector<CollisionCounts> collision_counts;  // by chunk
     std::vector<ContactCounts> contact_counts;      // by chunk
 
     std::size_t bytes() const {
-        return found.bytes() + moved_boxes.bytes() + collision_counts.capacity() * sizeof(CollisionCounts) +
+        return found.bytes() + moved_boxes.bytes() + ground_contacts.bytes() +
+               collision_counts.capacity() * sizeof(CollisionCounts) +
                contact_counts.capacity() * sizeof(ContactCounts);
     }
 };
