@@ -5,7 +5,8 @@
 #   3. clang, debug, the baseline instruction set, address and undefined-behaviour sanitizers, TUMBLE_CHECK: the same
 #      state hashes after each step and the same parity results; the tests of the rooms that keep stores, of the command
 #      line (each twelfth shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time
-#   4. g++, release, AVX2 and AVX-512: the golden hashes, as far as the processor has the instructions
+#   4. clang, thread sanitizer: the tests of threads
+#   5. g++, release, AVX2 and AVX-512: the golden hashes, as far as the processor has the instructions
 # tools/test.sh --full does the same with clang-tidy for all sources, a million pairs of each parity family, and ten
 # minutes for each fuzz target.
 set -euo pipefail
@@ -87,6 +88,9 @@ compare_hashes mixed_rain 2
 compare_parity 20000
 say "running tests and the fuzz targets with sanitizers"
 TUMBLE_ONE_OF=12 ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
+say "building with clang, thread sanitizer"
+build tsan threads
+build/tsan/tests/threads
 say "building for AVX2 and AVX-512"
 check_golden_hashes avx2 avx2
 check_golden_hashes avx512 avx512vl

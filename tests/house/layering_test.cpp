@@ -72,10 +72,12 @@ const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"narrow",
      {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
       "chain_manifold.hpp"}},
-    {"broad", {"math.hpp"}},
+    {"tasks", {"threads.hpp"}},
+    {"broad", {"math.hpp", "threads.hpp"}},
     {"dynamics",
      {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
-      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "impacts.hpp", "events.hpp", "counters.hpp"}},
+      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "impacts.hpp", "events.hpp", "counters.hpp",
+      "threads.hpp"}},
 };
 
 // Third-party headers by their first folder or whole name, and the rooms that may include them.
@@ -95,6 +97,7 @@ const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"gmp.h", {"reference"}},
     {"gmpxx.h", {"reference"}},
     {"pugixml.hpp", {"import"}},
+    {"tbb", {"tasks"}},
 };
 
 void check_third_party(const Include& include, const std::string& room) {

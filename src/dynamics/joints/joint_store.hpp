@@ -107,6 +107,12 @@ public:
         });
     }
 
+    std::size_t awake_count() const {
+        std::size_t count = 0;
+        for_each_list(*this, [&](const auto& list) { count += list.awake.size(); });
+        return count;
+    }
+
     // An invariant: each joint has its load.
     bool has_all_loads() const { return loads_.size() == records_.size(); }
 

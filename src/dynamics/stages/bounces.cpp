@@ -85,12 +85,12 @@ double bounce_threshold(const Simulation& simulation, const Contact& contact) {
     return static_cast<double>(2.0f * simulation.settings.duration * acceleration / restitution);
 }
 
-void note_bounce(Simulation& simulation, Contact& contact) {
+bool note_bounce(const Simulation& simulation, Contact& contact) {
     const float least = contact.restitution > 0.0f ? 0.0f : simulation.settings.tuning.hit_speed;
     contact.is_bouncing = contact.is_struck = false;
     for (int i = 0; i < contact.manifold.point_count; ++i)
         contact.is_bouncing |= approach_speed(contact, contact.manifold.points[i], simulation.bodies) > least;
-    simulation.scratch.ordered_impacts.bounces.has_candidates |= contact.is_bouncing;
+    return contact.is_bouncing;
 }
 
 void find_bounces(Simulation& simulation) {

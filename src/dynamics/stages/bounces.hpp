@@ -11,8 +11,8 @@ namespace tumble {
 // contact: from which it takes part in the impacts of others.
 double bounce_threshold(const Simulation& simulation, const Contact& contact);
 
-// Marks a contact that has just collided if it may bounce.
-void note_bounce(Simulation& simulation, Contact& contact);
+// Marks a contact that has just collided if it may bounce, and returns that.
+bool note_bounce(const Simulation& simulation, Contact& contact);
 
 // A stage of the step, before constraints are prepared: of the contacts that may bounce, keeps the mark of those that
 // do, and of inelastic ones through which a body lands that carries others. The few sweeps of the solver would leave
