@@ -131,6 +131,17 @@ struct BounceScratch {
     std::vector<Landing> landings;
 };
 
+// A contact in the list of one of its bodies.
+struct BodyContact {
+    ProxyPair shapes{};
+    std::uint32_t index = 0;
+};
+
+struct ContactLists {
+    std::vector<std::uint32_t> first;  // by solver body: its range in `contacts`; empty if there are no lists yet
+    std::vector<BodyContact> contacts;
+};
+
 // What continuous collision works on.
 struct ImpactScratch {
     std::vector<SweptBody> swept;
@@ -143,8 +154,7 @@ struct ImpactScratch {
     ImpactGroup group;
     std::vector<std::uint32_t> members;        // by body of the group: index of a swept body, or kNotSwept
     std::vector<ProxyPair> group_shapes;       // by point of the group
-    std::vector<std::uint32_t> first_contact;  // by solver body: its range in `contacts`; empty before the first impact
-    std::vector<std::uint32_t> contacts;       // indices
+    ContactLists contact_lists;
     BounceScratch bounces;
     std::vector<Impact> impacts;
 };
