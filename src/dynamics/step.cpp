@@ -318,6 +318,10 @@ void collide_continuously(Simulation& simulation) {
 
 void update_proxies(Simulation& simulation) {
     const std::vector<MovingBody>& moving = simulation.bodies.moving;
+    if (simulation.crew.chunk_count(moving.size(), kLeastBoxes) == 1) {
+        for (std::size_t i = 1; i < moving.size(); ++i) update_boxes(simulation, moving[i], {});
+        return;
+    }
     simulation.scratch.chunks.moved_boxes.fill(
         simulation.crew, moving.size(), kLeastBoxes, [&](std::size_t i, std::vector<MovedBox>& moved) {
             if (i == kStaticSolverBody) return;

@@ -29,21 +29,28 @@ TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const 
     return {f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]};
 }
 
+// scatter_velocities() for a block that can move some of the bodies only, which is rare.
+[[gnu::noinline]] inline void scatter_some(const Lanes fields[4], std::span<SolverBody> bodies,
+                                           const std::uint32_t index[kLaneCount], std::uint8_t moved) {
+    alignas(16) float unmoved[4];
+    float* rows[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane)
+        rows[lane] = moved >> lane & 1 ? &bodies[index[lane]].velocity.x : unmoved;
+    scatter_rows(fields, rows);
+}
+
 // Writes the velocities of the bodies that the block can move. The others may be in several blocks of a colour, which
 // threads solve at the same time.
 TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies,
                                              const std::uint32_t index[kLaneCount], std::uint8_t moved) {
     if (moved == 0) return;
-    alignas(16) float unmoved[4];
+    const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
+    if (moved != kAllLanes) return scatter_some(fields, bodies, index, moved);
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) {
         TUMBLE_CHECK(index[lane] < bodies.size());
         rows[lane] = &bodies[index[lane]].velocity.x;
     }
-    if (moved != kAllLanes)
-        for (int lane = 0; lane < kLaneCount; ++lane)
-            if (!(moved >> lane & 1)) rows[lane] = unmoved;
-    const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
     scatter_rows(fields, rows);
 }
 
