@@ -60,8 +60,8 @@ StepAhead step_ahead(const Simulation& simulation) {
     return {settings.duration, settings.gravity, simulation.scratch.free_motions, settings.orders_impacts()};
 }
 
-// Smallest chunks of contacts and bodies, each about 1 us of work.
-constexpr std::size_t kLeastCollided = 16, kLeastOverlaps = 256, kLeastBoxes = 32;
+// Smallest chunks of contacts and bodies, each about 3 us of work.
+constexpr std::size_t kLeastCollided = 32, kLeastOverlaps = 512, kLeastBoxes = 128;
 
 void collide_and_count(const Simulation& simulation, Contact& contact, CollisionCounts& counts) {
     const StepAhead ahead = step_ahead(simulation);

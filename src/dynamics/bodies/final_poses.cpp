@@ -53,7 +53,7 @@ void shorten_motion(BodyStore& bodies, std::uint32_t index, double fraction, Vec
 
 namespace {
 
-constexpr std::size_t kLeastPoses = 64;  // in a chunk: about 1 us of work
+constexpr std::size_t kLeastPoses = 256;  // in a chunk: about 3 us of work
 
 void finalize_pose(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) {
     SolverBody& body = bodies.solver_bodies[i];

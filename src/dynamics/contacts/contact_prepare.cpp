@@ -179,7 +179,7 @@ void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> 
     }
 }
 
-constexpr std::size_t kLeastPrepared = 8;  // in a chunk: about 1 us of work
+constexpr std::size_t kLeastPrepared = 16;  // in a chunk: about 3 us of work
 
 // The softness of contacts between moving bodies, and of those with a body that does not move.
 struct ContactSoftness {
