@@ -11,7 +11,7 @@ namespace tumble::tools {
 
 namespace {
 
-constexpr int kTurn = 10;  // steps before the other side has its turn
+constexpr int kStepsOfTurn = 10;  // steps before the other side has its turn
 
 // A pyramid of ten boxes that fall a little, by another height in each world. They do not sleep.
 World make_small_world(int number) {
@@ -27,8 +27,8 @@ World make_small_world(int number) {
     return world;
 }
 
-struct Side {
-    explicit Side(int count) {
+struct ManyWorlds {
+    explicit ManyWorlds(int count) {
         for (int i = 0; i < count; ++i) worlds.push_back(make_small_world(i));
         for (World& world : worlds) pointers.push_back(&world);
     }
@@ -48,10 +48,10 @@ struct Side {
 WorldsBenchResult bench_worlds(const WorldsBenchOptions& options) {
     std::vector<double> serial, parallel;  // steps of a world per second, of each run
     for (int run = 0; run < options.runs; ++run) {
-        Side one(options.worlds), several(options.worlds);
+        ManyWorlds one(options.worlds), several(options.worlds);
         double one_seconds = 0.0, several_seconds = 0.0;
-        for (int done = 0; done < options.steps; done += kTurn) {
-            const int count = std::min(kTurn, options.steps - done);
+        for (int done = 0; done < options.steps; done += kStepsOfTurn) {
+            const int count = std::min(kStepsOfTurn, options.steps - done);
             one_seconds += one.time_steps(count, {.count = 1});
             several_seconds += several.time_steps(count, {.count = options.threads});
         }
