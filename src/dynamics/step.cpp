@@ -56,12 +56,14 @@ JointContext joint_context(const Simulation& simulation) {
 
 StepAhead step_ahead(const Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
-    return {settings.duration, settings.gravity, settings.orders_impacts()};
+    return {settings.duration, settings.gravity, simulation.scratch.free_motions, settings.orders_impacts()};
 }
 
 void collide_and_count(Simulation& simulation, Contact& contact) {
     const bool was_apart = contact.chain_state == ChainState::apart;
-    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, step_ahead(simulation));
+    const StepAhead ahead = step_ahead(simulation);
+    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, ahead);
+    if (ahead.predicts) note_bounce(simulation, contact);
     if (was_apart) follow_neighbors(simulation.chain_contacts(), contact);
     simulation.chain_crossings.now |= contact.chain_state == ChainState::crossing;
     ++simulation.report.collided.pairs;
@@ -155,6 +157,7 @@ void find_pairs(Simulation& simulation) {
 
 void collide_pairs(Simulation& simulation) {
     simulation.chain_crossings = {.before = simulation.chain_crossings.now};
+    simulation.scratch.ordered_impacts.bounces.has_candidates = false;
     for (Contact& contact : simulation.contacts.all())
         if (contact.kind == ContactKind::solid) collide_and_count(simulation, contact);
 }
@@ -204,7 +207,7 @@ void bounce(Simulation& simulation) {
 }
 
 void store_results(Simulation& simulation) {
-    simulation.scratch.contact_solver.store_impulses(simulation.contacts.all());
+    simulation.scratch.contact_solver.store_impulses(simulation.contacts.all(), simulation.bodies.solver_bodies);
     simulation.joints.store(joint_context(simulation));
     simulation.events.broken_joints = simulation.joints.broken();
 }

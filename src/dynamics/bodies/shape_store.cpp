@@ -77,8 +77,8 @@ void ShapeStore::update_proxy(std::uint32_t shape, const Pose& world_from_body, 
     TUMBLE_CHECK(record.is_placed);
     const float margin = tuning.aabb_margin(record.smaller_extent);
     Aabb box = bounds(record.shape, world_from_body);
-    if (std::abs(ahead.turn) * record.reach > margin)
-        box = merge(box, bounds(make_circle(record.reach), world_from_body));
+    const float turned = std::min(std::abs(ahead.turn), 2.0f) * record.reach;
+    if (turned > margin) box = enlarged(box, turned);
     box = merge(box, {box.lower + ahead.path, box.upper + ahead.path});
     if (!contains(broad.box(shape), box)) broad.move(shape, enlarged(box, margin));
 }

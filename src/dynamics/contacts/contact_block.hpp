@@ -78,7 +78,8 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
 
 // Writes the impulses into the contacts: those of the last sub-step, which warm start the next step, and those of the
 // whole step, which are reported.
-void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts);
+void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts,
+                    std::span<SolverBody> bodies);
 
 // Applies the accumulated impulses again.
 void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies);

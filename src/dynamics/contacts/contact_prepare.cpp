@@ -197,8 +197,8 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
     }
 }
 
-void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph,
-                    std::span<Contact> contacts) {
+void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts,
+                    std::span<SolverBody> bodies) {
     for (std::size_t index = 0; index < blocks.size(); ++index) {
         const ContactBlock& block = blocks[index];
         if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
@@ -206,6 +206,7 @@ void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGra
             const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
             if (contact == ConstraintGraph::kNoContact) continue;
             TUMBLE_CHECK(contact < contacts.size());
+            bool has_acted = false;
             for (int i = 0; i < contacts[contact].manifold.point_count; ++i) {
                 TUMBLE_CHECK(!(block.points[i].normal_impulse[lane] < 0.0f));
                 contacts[contact].impulses[i] = {block.points[i].normal_impulse[lane],
@@ -213,7 +214,11 @@ void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGra
                 contacts[contact].applied[i] = {block.points[i].applied_normal[lane],
                                                 block.points[i].applied_tangent[lane]};
                 contacts[contact].is_touching |= block.points[i].applied_normal[lane] > 0.0f;
+                has_acted |= block.points[i].applied_normal[lane] > 0.0f ||
+                             contacts[contact].manifold.points[i].separation < 0.0f;
             }
+            if (has_acted)
+                bodies[block.body_a[lane]].flags |= kPushedBody, bodies[block.body_b[lane]].flags |= kPushedBody;
             contacts[contact].rolling_impulse = block.rolling_impulse[lane];
         }
     }

@@ -53,9 +53,9 @@ void ContactSolver::apply_restitution(std::span<SolverBody> bodies, float thresh
     tumble::apply_restitution(blocks_, bodies, threshold, h, returned_work_);
 }
 
-void ContactSolver::store_impulses(std::span<Contact> contacts) const {
+void ContactSolver::store_impulses(std::span<Contact> contacts, std::span<SolverBody> bodies) const {
     TUMBLE_CHECK(blocks_.size() == graph_.block_count());
-    tumble::store_impulses(blocks_, graph_, contacts);
+    tumble::store_impulses(blocks_, graph_, contacts, bodies);
 }
 
 std::size_t ContactSolver::bytes() const {

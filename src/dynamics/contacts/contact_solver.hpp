@@ -32,7 +32,7 @@ public:
 
     // After the last sub-step.
     void apply_restitution(std::span<SolverBody> bodies, float threshold, float h);
-    void store_impulses(std::span<Contact> contacts) const;
+    void store_impulses(std::span<Contact> contacts, std::span<SolverBody> bodies) const;
 
     int color_count() const { return graph_.color_count(); }
     std::size_t bytes() const;

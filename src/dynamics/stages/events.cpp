@@ -84,7 +84,8 @@ void begin_impacts(Simulation& simulation) {
         Contact* const found = simulation.contacts.find(pair);
         if (!found || found->is_touching) continue;
         TUMBLE_CHECK(found->kind == ContactKind::solid);
-        collide_contact(*found, simulation.bodies, simulation.shapes, {simulation.settings.duration, {}, false});
+        collide_contact(*found, simulation.bodies, simulation.shapes,
+                        StepAhead{simulation.settings.duration, {}, {}, false});
         found->is_touching = found->chain_state != ChainState::crossing;
     }
 }

@@ -97,8 +97,20 @@ struct Landing {
 
 // What decides which contacts bounce.
 struct BounceScratch {
+    bool has_candidates = false;              // some contact is marked as one that may bounce
     std::vector<std::uint32_t> touch_counts;  // by solver body: its contacts that have points
     std::vector<Landing> landings;
+};
+
+// A contact in the list of one of its bodies.
+struct BodyContact {
+    ProxyPair shapes{};
+    std::uint32_t index = 0;
+};
+
+struct ContactLists {
+    std::vector<std::uint32_t> first;  // by solver body: its range in `contacts`; empty if there are no lists yet
+    std::vector<BodyContact> contacts;
 };
 
 // What continuous collision works on.
@@ -113,8 +125,7 @@ struct ImpactScratch {
     ImpactGroup group;
     std::vector<std::uint32_t> members;        // by body of the group: index of a swept body, or kNotSwept
     std::vector<ProxyPair> group_shapes;       // by point of the group
-    std::vector<std::uint32_t> first_contact;  // by solver body: its range in `contacts`; empty before the first impact
-    std::vector<std::uint32_t> contacts;       // indices
+    ContactLists contact_lists;
     BounceScratch bounces;
     std::vector<Impact> impacts;
 };
