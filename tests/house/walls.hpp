@@ -81,6 +81,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"tools/commands",
      {"tools/output", "tools/claims", "tools/cli", "tools/query", "tools/machine", "tools/measure", "tools/parity",
       "tools/physics", "tools/diff", "tools/run", "tools/scene", "reference"}},
+    {"tools/pages", {"tools/machine", "tools/commands"}},
     {"tools", {"tools/cli", "tools/commands"}},
 };
 
