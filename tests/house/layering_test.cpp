@@ -67,7 +67,7 @@ std::string text_of(const Include& include) {
 const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"file", {"file.hpp"}},
     {"math", {"math.hpp"}},
-    {"simd", {"math.hpp"}},
+    {"simd", {"math.hpp", "instruction_set.hpp"}},
     {"shape", {"math.hpp", "shape.hpp", "outline.hpp"}},
     {"narrow",
      {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",

@@ -18,6 +18,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"file", {}},
     {"math", {}},
     {"simd", {"math"}},
+    {"simd/dispatch", {}},
     {"shape", {"math"}},
     {"tasks", {}},
     {"broad", {"math", "tasks"}},
