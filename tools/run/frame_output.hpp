@@ -9,8 +9,8 @@
 #include "tools/run/frame_schedule.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/run/run_report.hpp"
-#include "tumble/render.hpp"
 #include "tumble/recording.hpp"
+#include "tumble/render.hpp"
 
 namespace tumble::tools {
 

@@ -6,8 +6,8 @@
 
 #include "tools/run/run_options.hpp"
 #include "tumble/file.hpp"
-#include "tumble/render.hpp"
 #include "tumble/recording.hpp"
+#include "tumble/render.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {

@@ -152,8 +152,8 @@ struct ImpactScratch {
     std::vector<QueuedImpact> queue;         // a heap, the earliest on top
     std::vector<std::uint32_t> near_shapes;  // indices
     ImpactGroup group;
-    std::vector<std::uint32_t> members;        // by body of the group: index of a swept body, or kNotSwept
-    std::vector<ProxyPair> group_shapes;       // by point of the group
+    std::vector<std::uint32_t> members;   // by body of the group: index of a swept body, or kNotSwept
+    std::vector<ProxyPair> group_shapes;  // by point of the group
     ContactLists contact_lists;
     BounceScratch bounces;
     std::vector<Impact> impacts;
