@@ -75,10 +75,10 @@ public:
 
     // Bytes of the buffers that are kept from search to search.
     std::size_t spare_bytes() const {
-        std::size_t bytes = new_pairs_.capacity() * sizeof(ProxyPair) + found_.bytes() +
-                            waiting_.capacity() * sizeof(AabbTree::NodePair) + walks_.capacity() * sizeof walks_[0];
-        for (const std::vector<AabbTree::NodePair>& walk : walks_) bytes += walk.capacity() * sizeof(walk[0]);
-        return bytes;
+        std::size_t node_pairs = waiting_.capacity();
+        for (const std::vector<AabbTree::NodePair>& walk : walks_) node_pairs += walk.capacity();
+        return new_pairs_.capacity() * sizeof(ProxyPair) + found_.bytes() + node_pairs * sizeof(AabbTree::NodePair) +
+               walks_.capacity() * sizeof(std::vector<AabbTree::NodePair>);
     }
 
     template <class Self, class Visitor>
