@@ -41,7 +41,7 @@ configure() {
     local folder=$1
     shift
     mkdir -p build
-    cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++-14 -DTUMBLE_SIMD=baseline \
+    cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++-14 \
         -DTUMBLE_FUZZ=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON "$@" > "$folder.log" || { cat "$folder.log" >&2; return 1; }
 }
 

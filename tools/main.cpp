@@ -7,7 +7,9 @@
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/error_report.hpp"
+#include "tools/commands/command_line.hpp"
 #include "tools/commands/commands.hpp"
+#include "tumble/instruction_set.hpp"
 #include "tumble/suggest.hpp"
 
 namespace {
@@ -22,31 +24,14 @@ std::vector<std::string> without_help_command(std::vector<std::string> arguments
     return arguments;
 }
 
-ExitCode run_command(CLI::App& app, Command& command, int argument_count, const char* const* argument_texts) {
-    bool version = false;
-    app.add_flag("--version", version, "Print version, compiler and instruction sets; with --json as JSON");
-    app.add_flag("--json", command.json)->group("");
-    add_run(app, command);
-    add_demo(app, command);
-    add_shot(app, command);
-    add_check(app, command);
-    add_diff(app, command);
-    add_validate(app, command);
-    add_fmt(app, command);
-    add_schema(app, command);
-    add_distance(app, command);
-    add_import(app, command);
-    add_parity(app, command);
-    add_bench(app, command);
-    add_physics(app, command);
-    app.require_subcommand(0, 1);
+ExitCode run_command(CommandLine& line, int argument_count, const char* const* argument_texts) {
     std::vector<std::string> arguments = without_help_command({argument_texts + 1, argument_texts + argument_count});
     std::ranges::reverse(arguments);  // CLI11 takes them in reverse order
-    app.parse(std::move(arguments));
-    if (version) return print_version(command.json);
-    if (command.json && has_file_output())
+    line.app.parse(std::move(arguments));
+    if (line.version) return print_version(line.command.json);
+    if (line.command.json && has_file_output())
         throw CLI::ValidationError("--json", "writes to standard output, and so does another option");
-    return command.action ? command.action() : print_usage();
+    return line.command.action ? line.command.action() : print_usage();
 }
 
 // An error for the first argument that is not known, with the nearest known word as a hint.
@@ -93,15 +78,13 @@ ExitCode answer_parse_error(CLI::App& app, const CLI::ParseError& error) {
 }
 
 ExitCode answer_command_line(int argument_count, char** arguments) {
-    CLI::App app("Simulates 2D physics scenes, renders their frames off-screen, computes distances with proof",
-                 "tumble");
-    Command command;
+    CommandLine line;
     try {
-        return run_command(app, command, argument_count, arguments);
+        return run_command(line, argument_count, arguments);
     } catch (const CLI::ParseError& error) {
-        return answer_parse_error(app, error);
+        return answer_parse_error(line.app, error);
     } catch (...) {
-        return report_exception(std::current_exception(), command.json);
+        return report_exception(std::current_exception(), line.command.json);
     }
 }
 
@@ -109,6 +92,10 @@ ExitCode answer_command_line(int argument_count, char** arguments) {
 
 int main(int argument_count, char** arguments) {
     ExitCode code = ExitCode::internal_error;
+    if (const std::string error = tumble::instruction_set_error(); !error.empty()) {
+        report_error(error);
+        return static_cast<int>(ExitCode::usage);
+    }
     try {
         code = answer_command_line(argument_count, arguments);
         finish_output();

@@ -17,6 +17,7 @@ build_packages=(
     'rapidjson-dev:reads distance queries by the million; its schema validator tests the scene schema'
     'libcli11-dev:reads the command line'
     'libfccp-dev:reads trajectories'
+    'libtbb-dev:threads of a step'
     'libxxhash-dev:state and scene hashes'
     'libosmesa6-dev:draws frames without a display'
     'libgl-dev:types and constants of OpenGL'

@@ -11,12 +11,21 @@
 #include <variant>
 #include <vector>
 
-#include "tumble/color.hpp"
 #include "tumble/distance.hpp"
 #include "tumble/math.hpp"
 #include "tumble/shape.hpp"
 
 namespace tumble {
+
+// A colour of 8 bits per channel with straight alpha.
+struct Color {
+    std::uint8_t r = 0, g = 0, b = 0;
+    std::uint8_t a = 255;
+
+    friend constexpr bool operator==(Color, Color) = default;
+};
+
+inline constexpr Color kTransparent{0, 0, 0, 0};
 
 // A line with round ends; a width of 0 draws nothing.
 struct DrawnLine {

@@ -43,6 +43,9 @@ public:
     // has made static or disabled.
     void step();
 
+    // The threads that make the steps, as World::set_threads(). They are not saved.
+    void set_threads(const Threads& threads);
+
     // The run of this scene as bytes. With the same scene, load() makes a run from them that takes the same steps, bit
     // for bit. The format is that of one version of the library.
     std::vector<std::byte> save(const Scene& scene) const;

@@ -10,7 +10,7 @@
 //
 // Units are m, kg, s and rad; y is up and counter-clockwise is positive. Each step solves soft constraints in several
 // sub-steps (Catto 2024, "Solver2D"). The same calls give the same bits: in every run, with every supported compiler,
-// instruction set and build type.
+// instruction set, build type and number of threads.
 #pragma once
 
 #include <cstddef>
@@ -29,6 +29,7 @@
 #include "tumble/joint.hpp"
 #include "tumble/math.hpp"
 #include "tumble/query.hpp"
+#include "tumble/threads.hpp"
 
 namespace tumble {
 
@@ -45,6 +46,8 @@ struct WorldDef {
     // are multiplied by s, its speeds by sqrt(s) and its frequencies by 1 / sqrt(s), as under equal gravity. A world of
     // marbles (0.02) then behaves like one of boulders, if it also makes 1 / sqrt(s) times the steps per second.
     float scale = 1.0f;
+
+    Threads threads{};  // that make a step; not saved in snapshots
 };
 
 // A world of rigid bodies. It owns bodies, shapes and joints, and refers to them by ids.
@@ -78,6 +81,9 @@ public:
     std::uint64_t step_count() const noexcept;  // the steps made so far
     double time() const noexcept;               // s: step_count() / steps_per_second
     const WorldDef& def() const noexcept;       // with the gravity that was set last
+
+    // Changes WorldDef::threads.
+    void set_threads(const Threads& threads);
 
     // Sets the gravity, m/s^2, and wakes every body.
     void set_gravity(Vec2 gravity);
@@ -329,7 +335,8 @@ public:
     // little-endian on every machine and readable by this version only; the size is about that of memory().
     std::vector<std::byte> save() const;
 
-    // The world of a snapshot. Throws SnapshotError for bytes that are not a whole snapshot of this version.
+    // The world of a snapshot, with one thread. Throws SnapshotError for bytes that are not a whole snapshot of this
+    // version.
     static World load(std::span<const std::byte> snapshot);
 
     // ---- Diagnostics ----
@@ -342,6 +349,12 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+// Makes one step of each world; the worlds are divided among the threads, and each must be there once. This uses
+// threads better than a step on several of them, as long as there are more worlds than threads. A world whose own
+// WorldDef::threads are more than one uses these too. If steps throw, the other worlds still make theirs, and the
+// exception of the first world is thrown.
+void step_all(std::span<World* const> worlds, const Threads& threads = {.count = 0});
 
 // A snapshot that cannot be loaded: incomplete, damaged, or of another version.
 class SnapshotError : public std::runtime_error {

@@ -13,6 +13,7 @@
 #include "broad/pair_set.hpp"
 #include "broad/tree.hpp"
 #include "debug/check.hpp"
+#include "tasks/chunk_lists.hpp"
 
 namespace tumble {
 
@@ -46,8 +47,9 @@ public:
 
     // Finds the new pairs for which accept(pair) is true, sorted. Rejected pairs are not kept: a later search
     // finds them again if one of their proxies is touched. The result is valid until the next call.
+    // accept() is called by several threads at the same time.
     template <class Accept>
-    const std::vector<ProxyPair>& find_new_pairs(Accept&& accept);
+    const std::vector<ProxyPair>& find_new_pairs(Accept&& accept, Crew& crew);
 
     // The pairs found so far and not removed.
     void remove_pair(ProxyPair pair) { pairs_.erase(pair); }
@@ -73,7 +75,10 @@ public:
 
     // Bytes of the buffers that are kept from search to search.
     std::size_t spare_bytes() const {
-        return new_pairs_.capacity() * sizeof(ProxyPair) + waiting_.capacity() * sizeof(AabbTree::NodePair);
+        std::size_t bytes = new_pairs_.capacity() * sizeof(ProxyPair) + found_.bytes() +
+                            waiting_.capacity() * sizeof(AabbTree::NodePair) + walks_.capacity() * sizeof walks_[0];
+        for (const std::vector<AabbTree::NodePair>& walk : walks_) bytes += walk.capacity() * sizeof(walk[0]);
+        return bytes;
     }
 
     template <class Self, class Visitor>
@@ -89,6 +94,15 @@ private:
         bool is_touched = false;  // its key is in touched_
     };
 
+    static constexpr std::size_t kLeastQueries = 16;  // in a chunk: some us of work
+    static constexpr std::size_t kLeastLeaves = 64;   // the same for the walk of a tree
+    static constexpr std::size_t kPartsOfChunk = 4;   // pairs of subtrees, as some take longer than others
+
+    template <class Consider>
+    void walk_dynamic(Consider& consider, Crew& crew);
+    template <class Visitor>
+    void find_pairs_of(std::uint32_t key, bool dynamic_are_found, Visitor&& visit) const;
+
     const AabbTree& tree(ProxyLayer layer) const { return trees_[static_cast<std::size_t>(layer)]; }
     AabbTree& tree(ProxyLayer layer) { return trees_[static_cast<std::size_t>(layer)]; }
 
@@ -96,43 +110,70 @@ private:
     std::vector<Proxy> proxies_;          // by key
     std::vector<std::uint32_t> touched_;  // keys added, moved or touched since the last search
     std::vector<ProxyPair> new_pairs_;
-    std::vector<AabbTree::NodePair> waiting_;  // buffer of AabbTree::for_each_pair()
+    ChunkLists<ProxyPair> found_;
+    std::vector<AabbTree::NodePair> waiting_;             // parts of a walk of the dynamic tree
+    std::vector<std::vector<AabbTree::NodePair>> walks_;  // by chunk: what is left of the part that it walks
     PairSet pairs_;
 };
 
 // If more than half of the dynamic proxies are touched, one walk of their tree against itself finds all their pairs, in
 // place of a query for each proxy: for a drum of 2000 boxes this takes 0.50 ms instead of 0.98 ms.
 template <class Accept>
-const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept) {
-    new_pairs_.clear();
-    const auto consider = [&](std::uint32_t key, std::uint32_t other) {
+const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept, Crew& crew) {
+    const auto consider = [&](std::uint32_t key, std::uint32_t other, std::vector<ProxyPair>& found) {
         const ProxyPair pair = make_pair_of(key, other);
-        if (!pairs_.contains(pair) && accept(pair)) new_pairs_.push_back(pair);
+        if (!pairs_.contains(pair) && accept(pair)) found.push_back(pair);
     };
     const auto dynamic = std::count_if(touched_.begin(), touched_.end(),
                                        [&](std::uint32_t key) { return proxies_[key].layer == ProxyLayer::dynamic; });
     const bool at_once = 2 * static_cast<std::size_t>(dynamic) > tree(ProxyLayer::dynamic).leaf_count();
-    if (at_once)
-        tree(ProxyLayer::dynamic).for_each_pair(waiting_, [&](std::uint32_t a, std::uint32_t b) {
-            if (proxies_[a].is_touched || proxies_[b].is_touched) consider(a, b);
-        });
-    for (const std::uint32_t key : touched_) {
-        const Proxy& proxy = proxies_[key];
-        if (proxy.leaf == AabbTree::kNone) continue;
-        // Of two touched proxies the one with the smaller key finds the pair.
-        const auto visit = [&](std::uint32_t other) {
-            if (other != key && !(proxies_[other].is_touched && other < key)) consider(key, other);
-        };
-        const ProxyLayer first = proxy.layer == ProxyLayer::fixed ? ProxyLayer::kinematic : ProxyLayer::fixed;
-        const ProxyLayer last =
-            proxy.layer == ProxyLayer::dynamic && at_once ? ProxyLayer::kinematic : ProxyLayer::dynamic;
-        query(proxy.box, visit, first, last);
-    }
+    new_pairs_.clear();
+    if (at_once) walk_dynamic(consider, crew);
+    found_.fill(crew, touched_.size(), kLeastQueries, [&](std::size_t i, std::vector<ProxyPair>& found) {
+        find_pairs_of(touched_[i], at_once, [&](std::uint32_t other) { consider(touched_[i], other, found); });
+    });
+    found_.for_each([&](ProxyPair pair) { new_pairs_.push_back(pair); });
     std::sort(new_pairs_.begin(), new_pairs_.end());
     for (const ProxyPair pair : new_pairs_) pairs_.insert(pair);
     for (const std::uint32_t key : touched_) proxies_[key].is_touched = false;
     touched_.clear();
     return new_pairs_;
+}
+
+// Walks parts of the tree at the same time: pairs of its upper subtrees, which the first steps of the walk find.
+template <class Consider>
+void BroadPhase::walk_dynamic(Consider& consider, Crew& crew) {
+    const AabbTree& tree = this->tree(ProxyLayer::dynamic);
+    const std::size_t parts = crew.chunk_count(tree.leaf_count(), kLeastLeaves);
+    const auto visit = [&](std::vector<ProxyPair>& found) {
+        return [&](std::uint32_t a, std::uint32_t b) {
+            if (proxies_[a].is_touched || proxies_[b].is_touched) consider(a, b, found);
+        };
+    };
+    tree.begin_pairs(waiting_, parts > 1 ? kPartsOfChunk * parts : 1, visit(new_pairs_));
+    walks_.resize(std::max(walks_.size(), crew.chunk_count(waiting_.size(), kPartsOfChunk)));
+    found_.fill_by_chunk(crew, waiting_.size(), kPartsOfChunk, [&](const Chunk& chunk, std::vector<ProxyPair>& found) {
+        std::vector<AabbTree::NodePair>& walk = walks_[chunk.index];
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            walk.assign(1, waiting_[i]);
+            tree.finish_pairs(walk, visit(found));
+        }
+    });
+    found_.for_each([&](ProxyPair pair) { new_pairs_.push_back(pair); });
+}
+
+// Calls visit(other) for each proxy whose box overlaps that of a touched one, apart from those that the walk of the
+// dynamic tree finds. Of two touched proxies the one with the smaller key finds the pair.
+template <class Visitor>
+void BroadPhase::find_pairs_of(std::uint32_t key, bool dynamic_are_found, Visitor&& visit) const {
+    const Proxy& proxy = proxies_[key];
+    if (proxy.leaf == AabbTree::kNone) return;
+    const auto visit_others = [&](std::uint32_t other) {
+        if (other != key && !(proxies_[other].is_touched && other < key)) visit(other);
+    };
+    const ProxyLayer first = proxy.layer == ProxyLayer::fixed ? ProxyLayer::kinematic : ProxyLayer::fixed;
+    const bool skips_dynamic = proxy.layer == ProxyLayer::dynamic && dynamic_are_found;
+    query(proxy.box, visit_others, first, skips_dynamic ? ProxyLayer::kinematic : ProxyLayer::dynamic);
 }
 
 }  // namespace tumble

@@ -49,7 +49,17 @@ public:
 
     // Calls visit(key, other key) once for each two leaves whose boxes overlap. `waiting` is a buffer for the walk.
     template <class Visitor>
-    void for_each_pair(std::vector<NodePair>& waiting, Visitor&& visit) const;
+    void for_each_pair(std::vector<NodePair>& waiting, Visitor&& visit) const {
+        begin_pairs(waiting, 1, visit);
+        finish_pairs(waiting, visit);
+    }
+
+    // The same walk in two steps. begin_pairs() stops when `waiting` has at least `parts` pairs of subtrees, or none;
+    // finish_pairs() walks those that it gets.
+    template <class Visitor>
+    void begin_pairs(std::vector<NodePair>& waiting, std::size_t parts, Visitor&& visit) const;
+    template <class Visitor>
+    void finish_pairs(std::vector<NodePair>& waiting, Visitor&& visit) const;
 
     // Sum of the perimeters of all nodes: proportional to the expected cost of a query.
     double cost() const;
@@ -98,6 +108,8 @@ private:
     void rotate(Node node);
     template <class MayContain, class Visitor>
     void search_subtree(Node root, MayContain& may_contain, Visitor& visit) const;
+    template <class Visitor>
+    void visit_pair(NodePair pair, std::vector<NodePair>& waiting, Visitor& visit) const;
     std::size_t audit_subtree(Node root) const;
 
     std::vector<NodeData> nodes_;
@@ -130,33 +142,49 @@ void AabbTree::search_subtree(Node root, MayContain& may_contain, Visitor& visit
     }
 }
 
-// Visits pairs of subtrees. A subtree paired with itself becomes three pairs: each child with itself, and the two
-// children with each other.
+// Level by level, so that the parts are of similar size.
 template <class Visitor>
-void AabbTree::for_each_pair(std::vector<NodePair>& waiting, Visitor&& visit) const {
+void AabbTree::begin_pairs(std::vector<NodePair>& waiting, std::size_t parts, Visitor&& visit) const {
     waiting.clear();
     if (root_ != kNone) waiting.push_back({root_, root_});
+    std::vector<NodePair> level;
+    while (!waiting.empty() && waiting.size() < parts) {
+        level.swap(waiting);
+        waiting.clear();
+        for (const NodePair& pair : level) visit_pair(pair, waiting, visit);
+    }
+}
+
+template <class Visitor>
+void AabbTree::finish_pairs(std::vector<NodePair>& waiting, Visitor&& visit) const {
     while (!waiting.empty()) {
-        const auto [first, second] = waiting.back();
+        const NodePair pair = waiting.back();
         waiting.pop_back();
-        const NodeData& a = at(first);
-        const NodeData& b = at(second);
-        if (first == second) {
-            if (a.is_leaf()) continue;
-            waiting.push_back({a.child[0], a.child[0]});
-            waiting.push_back({a.child[1], a.child[1]});
-            waiting.push_back({a.child[0], a.child[1]});
-        } else if (!overlaps(a.box, b.box)) {
-            continue;
-        } else if (a.is_leaf() && b.is_leaf()) {
-            visit(a.key, b.key);
-        } else if (b.is_leaf() || (!a.is_leaf() && perimeter(a.box) > perimeter(b.box))) {  // descend into the larger
-            waiting.push_back({a.child[0], second});
-            waiting.push_back({a.child[1], second});
-        } else {
-            waiting.push_back({first, b.child[0]});
-            waiting.push_back({first, b.child[1]});
-        }
+        visit_pair(pair, waiting, visit);
+    }
+}
+
+// A subtree paired with itself becomes three pairs: each child with itself, and the two children with each other.
+template <class Visitor>
+void AabbTree::visit_pair(NodePair pair, std::vector<NodePair>& waiting, Visitor& visit) const {
+    const auto [first, second] = pair;
+    const NodeData& a = at(first);
+    const NodeData& b = at(second);
+    if (first == second) {
+        if (a.is_leaf()) return;
+        waiting.push_back({a.child[0], a.child[0]});
+        waiting.push_back({a.child[1], a.child[1]});
+        waiting.push_back({a.child[0], a.child[1]});
+    } else if (!overlaps(a.box, b.box)) {
+        return;
+    } else if (a.is_leaf() && b.is_leaf()) {
+        visit(a.key, b.key);
+    } else if (b.is_leaf() || (!a.is_leaf() && perimeter(a.box) > perimeter(b.box))) {  // descend into the larger
+        waiting.push_back({a.child[0], second});
+        waiting.push_back({a.child[1], second});
+    } else {
+        waiting.push_back({first, b.child[0]});
+        waiting.push_back({first, b.child[1]});
     }
 }
 

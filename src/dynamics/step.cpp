@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/divergence.hpp"
@@ -56,32 +57,83 @@ JointContext joint_context(const Simulation& simulation) {
 
 StepAhead step_ahead(const Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
-    return {settings.duration, settings.gravity, settings.orders_impacts()};
+    return {settings.duration, settings.gravity, simulation.scratch.free_motions, settings.orders_impacts()};
 }
 
-void collide_and_count(Simulation& simulation, Contact& contact) {
+// Smallest chunks of contacts and bodies, each about 3 us of work.
+constexpr std::size_t kLeastCollided = 32, kLeastOverlaps = 512, kLeastBoxes = 128;
+
+void collide_and_count(const Simulation& simulation, Contact& contact, CollisionCounts& counts) {
+    const StepAhead ahead = step_ahead(simulation);
+    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, ahead);
+    if (ahead.predicts) counts.bounces += note_bounce(simulation, contact);
+    ++counts.pairs;
+    if (!in_full) return;
+    ++counts.full;
+    counts.iterations += contact.cache.iterations;
+}
+
+// A contact with a chain follows what other contacts have become in this step, so that the order counts.
+bool is_with_chain(const Simulation& simulation, const Contact& contact) {
+    return simulation.shapes[contact.shapes.a].link || simulation.shapes[contact.shapes.b].link;
+}
+
+void collide_with_chains(Simulation& simulation, Contact& contact) {
     const bool was_apart = contact.chain_state == ChainState::apart;
-    const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, step_ahead(simulation));
+    collide_and_count(simulation, contact, simulation.report.collided);
     if (was_apart) follow_neighbors(simulation.chain_contacts(), contact);
     simulation.chain_crossings.now |= contact.chain_state == ChainState::crossing;
-    ++simulation.report.collided.pairs;
-    if (!in_full) return;
-    ++simulation.report.collided.full;
-    simulation.report.collided.iterations += contact.cache.iterations;
+}
+
+// Collides the solid contacts for which is_chosen(contact) holds.
+template <class IsChosen>
+void collide_all(Simulation& simulation, IsChosen&& is_chosen) {
+    std::vector<Contact>& contacts = simulation.contacts.all();
+    Crew& crew = simulation.crew;
+    std::vector<CollisionCounts>& counts = simulation.scratch.chunks.collision_counts;
+    counts.assign(crew.chunk_count(contacts.size(), kLeastCollided), {});
+    const auto collide_chunk = [&](const Chunk& chunk, std::vector<std::uint32_t>& with_chain) {
+        CollisionCounts own;
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            if (contacts[i].kind != ContactKind::solid || !is_chosen(contacts[i])) continue;
+            if (is_with_chain(simulation, contacts[i]))
+                with_chain.push_back(static_cast<std::uint32_t>(i));
+            else
+                collide_and_count(simulation, contacts[i], own);
+        }
+        counts[chunk.index] = own;
+    };
+    simulation.scratch.chunks.found.fill_by_chunk(crew, contacts.size(), kLeastCollided, collide_chunk);
+    for (const CollisionCounts& own : counts) simulation.report.collided += own;
+    simulation.scratch.chunks.found.for_each([&](std::uint32_t i) { collide_with_chains(simulation, contacts[i]); });
+    simulation.scratch.ordered_impacts.bounces.has_candidates |= simulation.report.collided.bounces > 0;
+}
+
+// A measure of the work of a step: see Threads::least_work.
+std::size_t amount_of_work(const Simulation& simulation) {
+    return simulation.bodies.moving.size() + simulation.contacts.all().size() + simulation.joints.awake_count();
+}
+
+// Calls visit(shape, box) for each shape of a body that has left its box, with the new one.
+template <class Visitor>
+void for_each_left_box(const Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead,
+                       Visitor&& visit) {
+    const Pose& pose = simulation.bodies.frames[moving.body].pose;
+    for (const ShapeId shape : simulation.bodies.records[moving.body].shapes) {
+        const std::optional<Aabb> box =
+            simulation.shapes.new_box(shape.index, pose, ahead, simulation.settings.tuning, simulation.broad);
+        if (box) visit(shape.index, *box);
+    }
 }
 
 void update_boxes(Simulation& simulation, const MovingBody& moving, const FreeMotion& ahead) {
-    for (const ShapeId shape : simulation.bodies.records[moving.body].shapes)
-        simulation.shapes.update_proxy(shape.index, simulation.bodies.frames[moving.body].pose, ahead,
-                                       simulation.settings.tuning, simulation.broad);
+    for_each_left_box(simulation, moving, ahead,
+                      [&](std::uint32_t shape, const Aabb& box) { simulation.broad.move(shape, box); });
 }
 
-}  // namespace
-
-void step(Simulation& simulation) {
-    StageTimes& ms = simulation.report.times = StageTimes{};
-    StageClock clock;
-    clear(simulation.events);
+// The parts of a step that the crew works on together, with serial ones between them that may take long.
+void begin_step(Simulation& simulation, StageClock& clock) {
+    StageTimes& ms = simulation.report.times;
     if (simulation.settings.orders_impacts()) cover_free_motions(simulation);
     find_pairs(simulation);
     clock.stop(ms.pairs);
@@ -91,6 +143,10 @@ void step(Simulation& simulation) {
     smooth_seams(simulation);
     if (simulation.settings.orders_impacts()) find_bounces(simulation);
     clock.stop(ms.collide);
+}
+
+void solve(Simulation& simulation, StageClock& clock) {
+    StageTimes& ms = simulation.report.times;
     prepare_constraints(simulation);
     clock.stop(ms.prepare);
     if (simulation.settings.orders_impacts()) begin_flight(simulation);
@@ -99,21 +155,42 @@ void step(Simulation& simulation) {
     store_results(simulation);
     forget_clamped_impulses(simulation);
     clock.stop(ms.solve);
+}
+
+// False if a body is not finite.
+bool end_motion(Simulation& simulation, StageClock& clock) {
+    StageTimes& ms = simulation.report.times;
+    finalize_poses(simulation.bodies, speed_limits(simulation), simulation.crew);
+    clock.stop(ms.continuous);
+    if (find_diverged(simulation.bodies) != kNoBody) return false;
+    update_proxies(simulation);
+    clock.stop(ms.proxies);
+    find_pairs(simulation);
+    clock.stop(ms.pairs);
+    report_events(simulation);
+    clock.stop(ms.events);
+    return true;
+}
+
+}  // namespace
+
+void step(Simulation& simulation) {
+    simulation.report.times = StageTimes{};
+    StageClock clock;
+    clear(simulation.events);
+    Crew& crew = simulation.crew;
+    const std::size_t amount = amount_of_work(simulation);
+    bool is_finite = false;
+    crew.work_together(amount, [&] { begin_step(simulation, clock); });
+    crew.work_together(amount, [&] { solve(simulation, clock); });
     collide_continuously(simulation);
     find_sensor_crossings(simulation);
-    finalize_poses(simulation.bodies, speed_limits(simulation));
-    clock.stop(ms.continuous);
-    if (find_diverged(simulation.bodies) == kNoBody) {
-        update_proxies(simulation);
-        clock.stop(ms.proxies);
-        find_pairs(simulation);
-        clock.stop(ms.pairs);
-        report_events(simulation);
-        clock.stop(ms.events);
+    crew.work_together(amount, [&] { is_finite = end_motion(simulation, clock); });
+    if (is_finite) {
         fall_asleep(simulation);
-        clock.stop(ms.sleep);
+        clock.stop(simulation.report.times.sleep);
     }
-    ms.step = clock.total();
+    simulation.report.times.step = clock.total();
 }
 
 // The boxes of a body that moves less than its speculative distance have margin enough.
@@ -138,41 +215,51 @@ void find_pairs(Simulation& simulation) {
     simulation.contacts.merge_woken();
     const bool moved = simulation.broad.has_moved();
     const std::vector<ProxyPair>& new_pairs =
-        simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); });
+        simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); }, simulation.crew);
     if (!moved && !simulation.shapes.has_destroyed() && !simulation.filters_changed) return;
-    simulation.contacts.update(new_pairs, simulation.shapes, simulation.settings.tuning, [&](Contact& contact) {
-        const bool keep = simulation.broad.overlap(contact.shapes) &&
-                          !(simulation.filters_changed && !may_collide(simulation, contact.shapes));
-        if (!keep) {
-            report_removal(simulation, contact);
-            simulation.broad.remove_pair(contact.shapes);
-        }
-        return keep;
-    });
+    end_contacts(simulation);
+    simulation.contacts.add(new_pairs, simulation.shapes, simulation.settings.tuning);
     simulation.shapes.forget_destroyed();
     simulation.filters_changed = false;
 }
 
+// Removes the contacts whose boxes are apart, and those that a change since the last step does not allow.
+void end_contacts(Simulation& simulation) {
+    std::vector<Contact>& contacts = simulation.contacts.all();
+    ChunkLists<std::uint32_t>& ended = simulation.scratch.chunks.found;
+    const auto find_ended = [&](std::size_t i, std::vector<std::uint32_t>& found) {
+        const ProxyPair shapes = contacts[i].shapes;
+        const bool keep =
+            simulation.broad.overlap(shapes) && !(simulation.filters_changed && !may_collide(simulation, shapes));
+        if (!keep) found.push_back(static_cast<std::uint32_t>(i));
+    };
+    ended.fill(simulation.crew, contacts.size(), kLeastOverlaps, find_ended);
+    ended.for_each([&](std::uint32_t i) {
+        report_removal(simulation, contacts[i]);
+        simulation.broad.remove_pair(contacts[i].shapes);
+    });
+    simulation.contacts.remove(ended);
+}
+
 void collide_pairs(Simulation& simulation) {
     simulation.chain_crossings = {.before = simulation.chain_crossings.now};
-    for (Contact& contact : simulation.contacts.all())
-        if (contact.kind == ContactKind::solid) collide_and_count(simulation, contact);
+    simulation.scratch.ordered_impacts.bounces.has_candidates = false;
+    collide_all(simulation, [](const Contact&) { return true; });
 }
 
 // Touched bodies wake before they are solved, and may touch others that sleep.
 void collide_woken(Simulation& simulation) {
     while (wake_touched(simulation)) {
         find_pairs(simulation);
-        for (Contact& contact : simulation.contacts.all())
-            if (contact.is_new && contact.kind == ContactKind::solid) collide_and_count(simulation, contact);
+        collide_all(simulation, [](const Contact& contact) { return contact.is_new; });
     }
 }
 
 void prepare_constraints(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
     simulation.scratch.contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
-                                              settings.gravity, settings.substep_duration());
-    simulation.joints.prepare(simulation.bodies);
+                                              settings.gravity, settings.substep_duration(), simulation.crew);
+    simulation.joints.prepare(simulation.bodies, simulation.crew);
     if (settings.joints == JointSolver::direct)
         simulation.scratch.joint_system.prepare(simulation.joints, simulation.bodies.solver_bodies,
                                                 settings.substep_duration(), settings.tuning.push_out_speed);
@@ -183,28 +270,31 @@ void run_substep(Simulation& simulation) {
     const JointContext context = joint_context(simulation);
     const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
     ContactSolver& contacts = simulation.scratch.contact_solver;
-    integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation));
+    Crew& crew = simulation.crew;
+    integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation), crew);
     JointSystem* system = context.iterates_equalities ? nullptr : &simulation.scratch.joint_system;
     if (system) system->start_substep();
     simulation.joints.warm_start(bodies);
-    contacts.warm_start(bodies);
+    contacts.warm_start(bodies, crew);
     simulation.joints.solve(context, true, bodies);
     if (system) system->solve_chord(simulation.joints, bodies);
-    contacts.solve(bodies, context.inv_h, simulation.settings.tuning.push_out_speed);
-    integrate_positions(simulation.bodies, context.h, speed_limits(simulation));
+    contacts.solve(bodies, context.inv_h, simulation.settings.tuning.push_out_speed, crew);
+    integrate_positions(simulation.bodies, context.h, speed_limits(simulation), crew);
     simulation.joints.solve(context, false, bodies);
     if (system) system->project_velocities(simulation.joints, bodies);
-    contacts.relax(bodies, context.inv_h, friction_bound(simulation));
+    contacts.relax(bodies, context.inv_h, friction_bound(simulation), crew);
 }
 
 void bounce(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
-    simulation.scratch.contact_solver.apply_restitution(
-        simulation.bodies.solver_bodies, settings.tuning.restitution_threshold, settings.substep_duration());
+    simulation.scratch.contact_solver.apply_restitution(simulation.bodies.solver_bodies,
+                                                        settings.tuning.restitution_threshold,
+                                                        settings.substep_duration(), simulation.crew);
 }
 
 void store_results(Simulation& simulation) {
-    simulation.scratch.contact_solver.store_impulses(simulation.contacts.all());
+    simulation.scratch.contact_solver.store_impulses(simulation.contacts.all(), simulation.bodies.solver_bodies,
+                                                     simulation.crew);
     simulation.joints.store(joint_context(simulation));
     simulation.events.broken_joints = simulation.joints.broken();
 }
@@ -227,8 +317,20 @@ void collide_continuously(Simulation& simulation) {
 }
 
 void update_proxies(Simulation& simulation) {
-    for (std::size_t i = 1; i < simulation.bodies.moving.size(); ++i)
-        update_boxes(simulation, simulation.bodies.moving[i], {});
+    const std::vector<MovingBody>& moving = simulation.bodies.moving;
+    if (simulation.crew.chunk_count(moving.size(), kLeastBoxes) == 1) {
+        for (std::size_t i = 1; i < moving.size(); ++i) update_boxes(simulation, moving[i], {});
+        return;
+    }
+    simulation.scratch.chunks.moved_boxes.fill(
+        simulation.crew, moving.size(), kLeastBoxes, [&](std::size_t i, std::vector<MovedBox>& moved) {
+            if (i == kStaticSolverBody) return;
+            for_each_left_box(simulation, moving[i], {}, [&](std::uint32_t shape, const Aabb& box) {
+                moved.push_back({shape, box});
+            });
+        });
+    simulation.scratch.chunks.moved_boxes.for_each(
+        [&](const MovedBox& moved) { simulation.broad.move(moved.shape, moved.box); });
 }
 
 }  // namespace tumble

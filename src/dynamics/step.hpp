@@ -15,6 +15,7 @@ void step(Simulation& simulation);
 // Stages of step(), in order; those of dynamics/stages come between. README.md has the whole list.
 void cover_free_motions(Simulation& simulation);
 void find_pairs(Simulation& simulation);
+void end_contacts(Simulation& simulation);
 void collide_pairs(Simulation& simulation);
 void collide_woken(Simulation& simulation);
 void prepare_constraints(Simulation& simulation);

@@ -33,11 +33,11 @@ constexpr std::size_t count_fields() {
 
 }  // namespace detail
 
-// Calls visit(fields...) with all fields of an aggregate, in order. At most 14.
+// Calls visit(fields...) with all fields of an aggregate, in order. At most 15.
 template <class T, class Visitor>
 void visit_fields_of(T& value, Visitor&& visit) {
     constexpr std::size_t kCount = detail::count_fields<std::remove_const_t<T>>();
-    static_assert(kCount >= 1 && kCount <= 14);
+    static_assert(kCount >= 1 && kCount <= 15);
     // clang-format off
     if constexpr (kCount == 1) { auto& [a] = value; visit(a); }
     if constexpr (kCount == 2) { auto& [a, b] = value; visit(a, b); }
@@ -53,6 +53,7 @@ void visit_fields_of(T& value, Visitor&& visit) {
     if constexpr (kCount == 12) { auto& [a, b, c, d, e, f, g, h, i, j, k, l] = value; visit(a, b, c, d, e, f, g, h, i, j, k, l); }
     if constexpr (kCount == 13) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = value; visit(a, b, c, d, e, f, g, h, i, j, k, l, m); }
     if constexpr (kCount == 14) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = value; visit(a, b, c, d, e, f, g, h, i, j, k, l, m, n); }
+    if constexpr (kCount == 15) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = value; visit(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o); }
     // clang-format on
 }
 

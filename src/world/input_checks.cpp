@@ -21,6 +21,17 @@ void check(const WorldDef& def) {
     require_positive(def.scale, "scale");
     if (def.substeps < 1)
         throw std::invalid_argument("substeps must be at least 1, got " + std::to_string(def.substeps));
+    check(def.threads);
+}
+
+void check(const Threads& threads) {
+    const auto check_not_negative = [](const char* name, int value) {
+        if (value < 0)
+            throw std::invalid_argument("threads " + std::string(name) + " must not be negative, got " +
+                                        std::to_string(value));
+    };
+    check_not_negative("count", threads.count);
+    check_not_negative("least_work", threads.least_work);
 }
 
 void check_pose(const Pose& pose, const std::string& owner) {

@@ -12,6 +12,7 @@
 namespace tumble {
 
 void check(const WorldDef& def);
+void check(const Threads& threads);
 void check(const BodyDef& def);
 void check(const ShapeDef& def);
 void check(const Shape& shape);

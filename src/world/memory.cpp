@@ -66,6 +66,9 @@ template <class T>
 std::size_t scratch_bytes(const T& value) {
     return value.bytes();
 }
+std::size_t scratch_bytes(const ContactLists& lists) {
+    return scratch_bytes(lists.first) + scratch_bytes(lists.contacts);
+}
 std::size_t scratch_bytes(const BounceScratch& scratch) {
     return scratch_bytes(scratch.touch_counts) + scratch_bytes(scratch.landings);
 }

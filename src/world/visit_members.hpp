@@ -14,6 +14,7 @@
 #include "tumble/manifold.hpp"
 #include "tumble/math.hpp"
 #include "tumble/shape.hpp"
+#include "tumble/threads.hpp"
 #include "world/aggregate.hpp"
 
 namespace tumble {
@@ -79,6 +80,8 @@ void visit_value(Visitor& visitor, T& value) {
     };
     if constexpr (std::is_arithmetic_v<Plain> || std::is_enum_v<Plain>)
         visitor.leaf(value);
+    else if constexpr (std::is_same_v<Plain, Threads>)
+        return;  // threads have no influence on the state
     else if constexpr (std::is_same_v<Plain, Shape>)
         visitor.shape(value);
     else if constexpr (detail::kTemplate<Plain> == 1)

@@ -1,10 +1,13 @@
 // The world as a whole: its settings, the step, its reports and its snapshots.
 #include "tumble/world.hpp"
 
+#include <exception>
 #include <string>
+#include <vector>
 
 #include "dynamics/stages/sleep.hpp"
 #include "dynamics/step.hpp"
+#include "tasks/crew.hpp"
 #include "world/audit.hpp"
 #include "world/contact_report.hpp"
 #include "world/input_checks.hpp"
@@ -43,11 +46,18 @@ World::World(const WorldDef& def) {
     impl_ = std::make_unique<Impl>();
     impl_->def = def;
     impl_->apply_settings();
+    impl_->simulation.crew = Crew(def.threads);
 }
 
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
+
+void World::set_threads(const Threads& threads) {
+    check(threads);
+    impl_->def.threads = threads;
+    impl_->simulation.crew = Crew(threads);
+}
 
 void World::set_gravity(Vec2 gravity) {
     check_action(gravity, "gravity");
@@ -68,6 +78,23 @@ void World::step() {
     }
     if (impl_->diverged_body != kNoBody)
         throw SimulationDiverged(simulation.bodies.ids.at(impl_->diverged_body), impl_->step_count);
+}
+
+void step_all(std::span<World* const> worlds, const Threads& threads) {
+    check(threads);
+    std::vector<std::exception_ptr> errors(worlds.size());
+    Crew crew({threads.count, threads.tasks, 0});
+    crew.work_together(worlds.size(), [&] {
+        crew.for_each(worlds.size(), 1, [&](std::size_t i) {
+            try {
+                worlds[i]->step();
+            } catch (...) {
+                errors[i] = std::current_exception();
+            }
+        });
+    });
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
 }
 
 std::uint64_t World::step_count() const noexcept { return impl_->step_count; }

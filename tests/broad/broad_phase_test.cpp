@@ -72,6 +72,7 @@ std::set<ProxyPair> all_overlaps(const std::map<std::uint32_t, Proxy>& proxies) 
 }
 
 bool accept_all(ProxyPair) { return true; }
+Crew crew;  // this thread alone
 
 }  // namespace
 
@@ -160,7 +161,7 @@ TEST_CASE("pairs are those of brute force through random edits, each reported on
                 broad.move(key, live[key].box);
             }
         }
-        const std::vector<ProxyPair>& found = broad.find_new_pairs(accept_all);
+        const std::vector<ProxyPair>& found = broad.find_new_pairs(accept_all, crew);
         REQUIRE(std::is_sorted(found.begin(), found.end()));
         for (const ProxyPair pair : found) REQUIRE(known.insert(pair).second);
         reported += found.size();
@@ -180,12 +181,12 @@ TEST_CASE("a rejected pair is found again when one of its proxies is touched") {
     BroadPhase broad;
     broad.add(0, {{0, 0}, {1, 1}}, ProxyLayer::dynamic);
     broad.add(1, {{0.5f, 0}, {1.5f, 1}}, ProxyLayer::dynamic);
-    CHECK(broad.find_new_pairs([](ProxyPair) { return false; }).empty());
-    CHECK(broad.find_new_pairs(accept_all).empty());
+    CHECK(broad.find_new_pairs([](ProxyPair) { return false; }, crew).empty());
+    CHECK(broad.find_new_pairs(accept_all, crew).empty());
     broad.touch(1);
-    CHECK(broad.find_new_pairs(accept_all) == std::vector<ProxyPair>{{0, 1}});
+    CHECK(broad.find_new_pairs(accept_all, crew) == std::vector<ProxyPair>{{0, 1}});
     broad.touch(0);
-    CHECK(broad.find_new_pairs(accept_all).empty());
+    CHECK(broad.find_new_pairs(accept_all, crew).empty());
 }
 
 TEST_CASE("boxes that touch in a point are a pair, two fixed ones are not") {
@@ -193,7 +194,7 @@ TEST_CASE("boxes that touch in a point are a pair, two fixed ones are not") {
     broad.add(3, {{0, 0}, {1, 1}}, ProxyLayer::fixed);
     broad.add(1, {{1, 1}, {2, 2}}, ProxyLayer::dynamic);
     broad.add(2, {{0, 0}, {0.5f, 0.5f}}, ProxyLayer::fixed);
-    CHECK(broad.find_new_pairs(accept_all) == std::vector<ProxyPair>{{1, 3}});
+    CHECK(broad.find_new_pairs(accept_all, crew) == std::vector<ProxyPair>{{1, 3}});
 }
 
 TEST_CASE("a pair set agrees with std::set through random edits") {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <random>
 
+#include "support/thread_tasks.hpp"
 #include "support/worlds.hpp"
 
 using namespace tumble;
@@ -217,48 +218,58 @@ World make_impacts() {
     return world;
 }
 
+// A hash of all states of a run.
+std::uint64_t hash_steps(World& world, int steps) {
+    std::uint64_t all_steps = 0;
+    for (int step = 0; step < steps; ++step) {
+        world.step();
+        all_steps = 31 * all_steps + world.state_hash();
+    }
+    return all_steps;
+}
+
+// The threads that each world is stepped on.
+const Threads kThreads[] = {{}, eager_threads(3)};
+
 }  // namespace
 
-TEST_CASE("impacts in order have the same hash in every build, in every step") {
-    World world = make_impacts();
-    std::uint64_t all_steps = 0;
-    for (int step = 0; step < 120; ++step) {
-        world.step();
-        all_steps = 31 * all_steps + world.state_hash();
+TEST_CASE("impacts in order have the same hash in every build, in every step, on any number of threads") {
+    for (const Threads& threads : kThreads) {
+        World world = make_impacts();
+        world.set_threads(threads);
+        CHECK(hash_steps(world, 120) == 15826443947909128923u);
+        CHECK(world.counters().contacts > 5);
+        world.audit();
     }
-    CHECK(all_steps == 1092523367280509309u);
-    CHECK(world.counters().contacts > 5);
-    world.audit();
 }
 
-TEST_CASE("falling hinges have the same hash in every build, in every step") {
-    World world = make_falling_hinges();
-    std::uint64_t all_steps = 0;
-    for (int step = 0; step < 400; ++step) {
-        world.step();
-        all_steps = 31 * all_steps + world.state_hash();
+TEST_CASE("falling hinges have the same hash in every build, in every step, on any number of threads") {
+    for (const Threads& threads : kThreads) {
+        World world = make_falling_hinges();
+        world.set_threads(threads);
+        CHECK(hash_steps(world, 400) == 14243993751078487432u);
+        world.audit();
     }
-    CHECK(all_steps == 14243993751078487432u);
-    world.audit();
 }
 
-TEST_CASE("every build computes the same bits") {
-    World world = make_everything();
-    run(world, 60);
-    CHECK(world.state_hash() == 9978567498663484650u);
-    run(world, 540);
-    CHECK(world.state_hash() == 9147743189822970278u);
-    CHECK(world.counters().contacts > 20);
+TEST_CASE("every build computes the same bits, on any number of threads") {
+    for (const Threads& threads : kThreads) {
+        World world = make_everything();
+        world.set_threads(threads);
+        run(world, 60);
+        CHECK(world.state_hash() == 9978567498663484650u);
+        run(world, 540);
+        CHECK(world.state_hash() == 9147743189822970278u);
+        CHECK(world.counters().contacts > 20);
+    }
 }
 
-TEST_CASE("direct joints have the same hash in every build, in every step") {
-    World world = make_direct_joints();
-    std::uint64_t all_steps = 0;
-    for (int step = 0; step < 60; ++step) {
-        world.step();
-        all_steps = 31 * all_steps + world.state_hash();
+TEST_CASE("direct joints have the same hash in every build, in every step, on any number of threads") {
+    for (const Threads& threads : kThreads) {
+        World world = make_direct_joints();
+        world.set_threads(threads);
+        CHECK(hash_steps(world, 60) == 4812525613292012214u);
+        CHECK(world.counters().contacts > 10);
+        world.audit();
     }
-    CHECK(all_steps == 4812525613292012214u);
-    CHECK(world.counters().contacts > 10);
-    world.audit();
 }

@@ -67,15 +67,17 @@ std::string text_of(const Include& include) {
 const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"file", {"file.hpp"}},
     {"math", {"math.hpp"}},
-    {"simd", {"math.hpp"}},
+    {"simd", {"math.hpp", "instruction_set.hpp"}},
     {"shape", {"math.hpp", "shape.hpp", "outline.hpp"}},
     {"narrow",
      {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
       "chain_manifold.hpp"}},
-    {"broad", {"math.hpp"}},
+    {"tasks", {"threads.hpp"}},
+    {"broad", {"math.hpp", "threads.hpp"}},
     {"dynamics",
      {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
-      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "impacts.hpp", "events.hpp", "counters.hpp"}},
+      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "impacts.hpp", "events.hpp", "counters.hpp",
+      "threads.hpp"}},
 };
 
 // Third-party headers by their first folder or whole name, and the rooms that may include them.
@@ -96,6 +98,7 @@ const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"gmp.h", {"reference"}},
     {"gmpxx.h", {"reference"}},
     {"pugixml.hpp", {"import"}},
+    {"tbb", {"tasks"}},
 };
 
 void check_third_party(const Include& include, const std::string& room) {

@@ -17,7 +17,7 @@
 #include "hand_made_scene.hpp"
 #include "render/replay/body_tracks.hpp"
 #include "render/replay/event_marks.hpp"
-#include "tumble/replay.hpp"
+#include "tumble/recording.hpp"
 
 using namespace tumble;
 

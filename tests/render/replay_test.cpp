@@ -13,7 +13,7 @@
 #include "render/replay/pose_track.hpp"
 #include "render/replay/replay_page.hpp"
 #include "support/near.hpp"
-#include "tumble/replay.hpp"
+#include "tumble/recording.hpp"
 
 using namespace tumble;
 using tumble::test::absolute;

@@ -12,7 +12,7 @@
 
 #include "temporary_folder.hpp"
 #include "tumble/file.hpp"
-#include "tumble/video.hpp"
+#include "tumble/recording.hpp"
 
 using namespace tumble;
 namespace fs = std::filesystem;

@@ -34,7 +34,3 @@ TEST_CASE("the detected features are those that the kernel lists") {
         CHECK(((features >> i) & 1u) == (listed ? 1u : 0u));
     }
 }
-
-TEST_CASE("this processor has the features that the build requires") {
-    CHECK((tumble::tools::kRequiredProcessorFeatures & ~tumble::tools::find_processor_features()) == 0);
-}

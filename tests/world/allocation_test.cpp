@@ -1,6 +1,7 @@
 // A step that has reached its working size allocates nothing: every call of operator new is counted.
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
@@ -8,7 +9,7 @@
 
 namespace {
 
-long allocations = 0;
+std::atomic<long> allocations = 0;  // other tests have threads
 
 void* allocate(std::size_t size, std::size_t alignment) {
     ++allocations;

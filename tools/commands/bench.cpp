@@ -10,7 +10,9 @@
 #include "tools/machine/machine.hpp"
 #include "tools/measure/query_bench.hpp"
 #include "tools/measure/step_bench.hpp"
+#include "tools/measure/worlds_bench.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/run/run_options.hpp"
 #include "tools/scene/data_paths.hpp"
 #include "tools/scene/scene_options.hpp"
 
@@ -22,6 +24,7 @@ struct BenchArguments {
     std::vector<std::string> scenes = {"large_pyramid", "pyramid", "mixed_rain", "capsule_pile"};
     StepBenchOptions steps;
     QueryBenchOptions queries;
+    WorldsBenchOptions worlds;
 };
 
 void write_row(const QueryBenchResult& row) {
@@ -69,6 +72,27 @@ void bench_all_queries(const Command& command, const QueryBenchOptions& options,
     }
 }
 
+void bench_all_worlds(const Command& command, const BenchArguments& arguments, JsonWriter& json) {
+    WorldsBenchOptions options = arguments.worlds;
+    if (options.worlds == 0) return;
+    options.steps = arguments.steps.steps;
+    options.runs = arguments.steps.runs;
+    options.threads = arguments.steps.threads == 1 ? 0 : arguments.steps.threads;
+    narrate("measuring " + std::to_string(options.worlds) + " worlds\n");
+    const WorldsBenchResult result = bench_worlds(options);
+    json.open_object()
+        .member("worlds", options.worlds)
+        .member("steps_per_second_serial", result.serial_rate)
+        .member("steps_per_second", result.parallel_rate)
+        .member("ratio", result.ratio())
+        .close_object();
+    if (command.json) return;
+    char line[160];
+    std::snprintf(line, sizeof line, "%d worlds: %.0f steps/s on one thread, %.0f on all, ratio %.2f   (wall clock)\n",
+                  options.worlds, result.serial_rate, result.parallel_rate, result.ratio());
+    write_output(line);
+}
+
 ExitCode bench(const Command& command, const BenchArguments& options) {
     std::vector<Scene> scenes;  // read first, so that an error in one is not reported after minutes of measurements
     for (const std::string& name : options.scenes) scenes.push_back(load_named_scene(find_scene(name).string()));
@@ -77,13 +101,16 @@ ExitCode bench(const Command& command, const BenchArguments& options) {
     bench_all_queries(command, options.queries, json);
     json.close_array().key("step").open_array();
     if (!command.json)
-        write_output("scene                 bodies  contacts  tumble ms   box2d ms   ratio   (CPU time per step)\n");
+        write_output("scene                 bodies  contacts  tumble ms   box2d ms   ratio   (" +
+                     std::string(options.steps.uses_wall_clock() ? "wall clock" : "CPU time") + " per step)\n");
     for (const Scene& scene : scenes) {
         narrate("measuring " + scene.name + "\n");
         const StepBenchResult row = bench_steps(scene, options.steps);
         write_row(json, row);
         if (!command.json) write_row(row);
     }
+    json.close_array().key("worlds").open_array();
+    bench_all_worlds(command, options, json);
     json.close_array().key("render").open_array().close_array().key("machine");
     write_machine(json);
     json.close_object();
@@ -109,6 +136,12 @@ void add_bench(CLI::App& app, Command& command) {
     app_bench.add_option("--runs", options->steps.runs, "Runs of each engine; the median is reported")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 1000));
+    add_threads_option(app_bench, options->steps.threads);
+    app_bench
+        .add_option("--worlds", options->worlds.worlds,
+                    "Also step N small worlds at once, on one thread and on --threads or all")
+        ->capture_default_str()
+        ->check(whole_number_from_to(0, 100000));
     app_bench.callback(
         [&command, options] { command.action = [&command, options] { return bench(command, *options); }; });
 }

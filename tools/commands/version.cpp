@@ -1,4 +1,4 @@
-// `tumble --version`: prints the version, its compiler, and the instruction sets of the build and of the processor.
+// `tumble --version`: prints the version, its compiler, the instruction set in use, and those of the processor.
 #include <string>
 #include <vector>
 
@@ -7,6 +7,7 @@
 #include "tools/machine/build_info.hpp"
 #include "tools/machine/processor.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tumble/instruction_set.hpp"
 
 namespace tumble::tools {
 
@@ -28,19 +29,19 @@ std::string join(const std::vector<std::string>& words) {
 }  // namespace
 
 ExitCode print_version(bool json) {
-    const std::vector<std::string> used = feature_names(kRequiredProcessorFeatures);
     const std::vector<std::string> present = feature_names(find_processor_features());
     if (!json) {
         write_output("tumble " + version() + "\n");
         write_output("compiler   " + compiler_name() + ", " + build_type() + "\n");
-        write_output("built for  " + simd_name() + ": " + join(used) + "\n");
+        write_output("uses       " + instruction_set() + ", of " + join(instruction_sets()) +
+                     "; TUMBLE_SIMD in the environment chooses\n");
         write_output("processor  " + join(present) + "\n");
         return ExitCode::ok;
     }
     JsonWriter document;
     document.open_object().member("version", version()).member("compiler", compiler_name());
-    document.member("build_type", build_type()).member("simd", simd_name());
-    document.member("instruction_sets", used);
+    document.member("build_type", build_type()).member("simd", instruction_set());
+    document.member("instruction_sets", instruction_sets());
     document.member("processor_has", present);
     document.close_object();
     write_output(document.text() + "\n");

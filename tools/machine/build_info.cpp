@@ -14,6 +14,4 @@ std::string compiler_name() {
 
 std::string build_type() { return TUMBLE_BUILD_TYPE; }
 
-std::string simd_name() { return TUMBLE_SIMD_NAME; }
-
 }  // namespace tumble::tools

@@ -14,7 +14,4 @@ std::string compiler_name();
 // "Release"
 std::string build_type();
 
-// The value of TUMBLE_SIMD: "baseline", "avx2", "avx512" or "native".
-std::string simd_name();
-
 }  // namespace tumble::tools

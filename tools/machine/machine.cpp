@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "tools/machine/build_info.hpp"
+#include "tumble/instruction_set.hpp"
 
 namespace tumble::tools {
 
@@ -23,7 +24,7 @@ void write_machine(JsonWriter& json) {
         .member("cores", std::thread::hardware_concurrency())
         .member("compiler", compiler_name())
         .member("build_type", build_type())
-        .member("simd", simd_name())
+        .member("simd", instruction_set())
         .close_object();
 }
 

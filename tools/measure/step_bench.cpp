@@ -7,6 +7,7 @@
 #include "reference/box2d/b2_world.hpp"
 #include "tools/measure/cpu_clock.hpp"
 #include "tools/measure/median.hpp"
+#include "tools/measure/stopwatch.hpp"
 #include "tumble/scene_run.hpp"
 #include "tumble/scene_world.hpp"
 
@@ -19,10 +20,11 @@ namespace {
 constexpr int kTurn = 10;
 
 template <class World>
-double time_steps(World& world, int count) {
+double time_steps(World& world, int count, const StepBenchOptions& options) {
+    const Stopwatch watch;
     const double start = cpu_seconds();
     for (int i = 0; i < count; ++i) world.step();
-    return cpu_seconds() - start;
+    return options.uses_wall_clock() ? watch.seconds() : cpu_seconds() - start;
 }
 
 int steps_of(const Scene& scene, const StepBenchOptions& options) {
@@ -39,12 +41,13 @@ StepBenchResult bench_steps(const Scene& scene, const StepBenchOptions& options)
     std::vector<double> ours, theirs;  // ms per step, of each run
     for (int run = 0; run < options.runs; ++run) {
         SceneWorld tumble_world = build_world(scene);
+        tumble_world.world.set_threads({.count = options.threads});
         reference::B2World box2d_world(scene);
         double tumble_seconds = 0.0, box2d_seconds = 0.0;
         for (int done = 0; done < steps; done += kTurn) {
             const int count = std::min(kTurn, steps - done);
-            tumble_seconds += time_steps(tumble_world.world, count);
-            box2d_seconds += time_steps(box2d_world, count);
+            tumble_seconds += time_steps(tumble_world.world, count, options);
+            box2d_seconds += time_steps(box2d_world, count, options);
         }
         ours.push_back(1e3 * tumble_seconds / steps);
         theirs.push_back(1e3 * box2d_seconds / steps);

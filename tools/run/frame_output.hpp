@@ -10,7 +10,7 @@
 #include "tools/run/run_options.hpp"
 #include "tools/run/run_report.hpp"
 #include "tumble/render.hpp"
-#include "tumble/video.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble::tools {
 

@@ -7,7 +7,7 @@
 #include "tools/run/run_options.hpp"
 #include "tumble/file.hpp"
 #include "tumble/render.hpp"
-#include "tumble/replay.hpp"
+#include "tumble/recording.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {

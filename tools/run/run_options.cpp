@@ -69,6 +69,14 @@ void add_overlay_option(CLI::App& subcommand, Overlay& overlay) {
         ->type_name("LIST");
 }
 
+void add_threads_option(CLI::App& subcommand, int& threads) {
+    subcommand
+        .add_option("--threads", threads,
+                    "Threads that make a step; 0: one for each processor. Results do not depend on it")
+        ->capture_default_str()
+        ->check(whole_number_from_to(0, 256));
+}
+
 void add_run_options(CLI::App& subcommand, RunOptions& options) {
     subcommand.add_option("-o,--output", options.folder, "Folder for the results; default out/<scene name>")
         ->type_name("DIR");
@@ -107,6 +115,7 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     CLI::Option* const resume =
         subcommand.add_flag("--resume", options.resume, "Continue the run in the folder from its checkpoint")
             ->excludes(replay, video);
+    add_threads_option(subcommand, options.threads);
     subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
         if (subcommand.count("--video") > 0) return;

@@ -34,6 +34,7 @@ struct RunOptions {
     std::filesystem::path hashes;      // empty: not written
     std::filesystem::path replay;      // empty: not written
     std::filesystem::path video;       // empty: not written
+    int threads = 1;                   // that make a step; 0: one for each processor
     bool no_replay_contacts = false;   // leave the contact points out of the replay
     Overlay overlay;                   // drawn over the shapes
 };
@@ -44,8 +45,11 @@ void add_size_option(CLI::App& subcommand, FrameSize& size);
 // --overlay LIST
 void add_overlay_option(CLI::App& subcommand, Overlay& overlay);
 
+// --threads N
+void add_threads_option(CLI::App& subcommand, int& threads);
+
 // -o, --duration, --fps, --size, --no-frames, --overlay, --trajectory, --contacts, --hashes, --replay, --video,
-// --checkpoint, --resume, --force
+// --checkpoint, --resume, --threads, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 
 }  // namespace tumble::tools

@@ -204,6 +204,7 @@ void Simulation::save_checkpoint() {
 
 void Simulation::run() {
     const std::uint64_t step_count = schedule_.step_count();
+    run_.set_threads({.count = options_.threads});
     Progress progress("step", step_count);
     if (!resumed_) record_step();
     for (std::uint64_t step = first_step_; step < step_count && !is_interrupted(); ++step) {

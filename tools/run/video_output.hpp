@@ -5,7 +5,7 @@
 
 #include "tools/run/frame_schedule.hpp"
 #include "tools/run/run_options.hpp"
-#include "tumble/video.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble::tools {
 

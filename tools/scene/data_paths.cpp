@@ -12,17 +12,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path kSourceScenes = TUMBLE_SCENES_DIR;
-const fs::path kBuildFolder = TUMBLE_BUILD_DIR;
-
-fs::path own_folder() {
+// The folder above that of the binary: the prefix of an installation, or the build folder.
+fs::path prefix() {
     std::error_code ignored;
-    return fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    return fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
 }
+
+// In a build folder this is a link to the scenes of the sources.
+fs::path scenes_of_prefix() { return prefix() / "share" / "tumble" / "scenes"; }
 
 bool runs_in_build_folder() {
     std::error_code ignored;
-    return fs::equivalent(own_folder().parent_path(), kBuildFolder, ignored);
+    return fs::exists(prefix() / "CMakeCache.txt", ignored);
 }
 
 bool is_scene(const fs::path& file) { return file.extension() == ".json" && file.filename() != "scene.schema.json"; }
@@ -30,10 +31,10 @@ bool is_scene(const fs::path& file) { return file.extension() == ".json" && file
 }  // namespace
 
 fs::path find_scenes_folder() {
-    const fs::path installed = own_folder().parent_path() / "share" / "tumble" / "scenes";
-    for (const fs::path& folder : {installed, kSourceScenes})
-        if (fs::is_directory(folder)) return folder;
-    throw FileError(installed, "the shipped scenes are missing, here and in " + kSourceScenes.string());
+    std::error_code ignored;
+    const fs::path folder = fs::canonical(scenes_of_prefix(), ignored);
+    if (folder.empty()) throw FileError(scenes_of_prefix(), "the shipped scenes are missing");
+    return folder;
 }
 
 std::vector<fs::path> find_scenes() {
@@ -53,12 +54,12 @@ fs::path find_scene(const std::string& name) {
     return name;
 }
 
-fs::path demo_folder() { return runs_in_build_folder() ? kBuildFolder / "demo" : fs::path("out") / "demo"; }
+fs::path demo_folder() { return runs_in_build_folder() ? prefix() / "demo" : fs::path("out") / "demo"; }
 
 std::string command_to_type() {
     if (!runs_in_build_folder()) return "tumble";
-    const fs::path source = kSourceScenes.parent_path();
     std::error_code ignored;
+    const fs::path source = fs::canonical(scenes_of_prefix(), ignored).parent_path();
     if (fs::equivalent(source, fs::current_path(ignored), ignored)) return "./tools/run.sh";
     return (source / "tools" / "run.sh").string();
 }

@@ -7,7 +7,8 @@
 
 namespace tumble::tools {
 
-// The folder of the shipped scenes: that of the installation, else that of the source tree. Throws FileError.
+// The folder of the shipped scenes: that of the installation, or of the source tree for a binary in its
+// build folder. Throws FileError.
 std::filesystem::path find_scenes_folder();
 
 // All shipped scenes, sorted by name.

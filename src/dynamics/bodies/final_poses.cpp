@@ -51,25 +51,35 @@ void shorten_motion(BodyStore& bodies, std::uint32_t index, double fraction, Vec
     body.delta_rotation = make_rotation(fraction * angle(body.delta_rotation));
 }
 
-void finalize_poses(BodyStore& bodies, const SpeedLimits& limits) {
-    for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
-        SolverBody& body = bodies.solver_bodies[i];
-        const std::uint32_t index = bodies.moving[i].body;
-        BodyFrame& frame = bodies.frames[index];
-        TUMBLE_CHECK(frame.solver_body == i);
-        frame.center += DVec2(body.delta_position);
-        if (body.delta_rotation != Rotation{}) {
-            frame.pose.rotation = turned(body.delta_rotation, frame.pose.rotation);
-            frame.center_offset = rotate(frame.pose.rotation, bodies.records[index].mass.center);
-        }
-        frame.pose.position = frame.center - DVec2(frame.center_offset);
-        body.flags &= ~std::uint32_t{kClampedBody | kPushedBody};
-        if (body.flags & kDynamicBody) clamp_speed(body, limits);
-        body.delta_position = {};
-        body.delta_rotation = {};
-        bodies.moving[i].acceleration = {};
-        bodies.moving[i].angular_acceleration = 0.0f;
+namespace {
+
+constexpr std::size_t kLeastPoses = 256;  // in a chunk: about 3 us of work
+
+void finalize_pose(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) {
+    SolverBody& body = bodies.solver_bodies[i];
+    const std::uint32_t index = bodies.moving[i].body;
+    BodyFrame& frame = bodies.frames[index];
+    TUMBLE_CHECK(frame.solver_body == i);
+    frame.center += DVec2(body.delta_position);
+    if (body.delta_rotation != Rotation{}) {
+        frame.pose.rotation = turned(body.delta_rotation, frame.pose.rotation);
+        frame.center_offset = rotate(frame.pose.rotation, bodies.records[index].mass.center);
     }
+    frame.pose.position = frame.center - DVec2(frame.center_offset);
+    body.flags &= ~std::uint32_t{kClampedBody | kPushedBody};
+    if (body.flags & kDynamicBody) clamp_speed(body, limits);
+    body.delta_position = {};
+    body.delta_rotation = {};
+    bodies.moving[i].acceleration = {};
+    bodies.moving[i].angular_acceleration = 0.0f;
+}
+
+}  // namespace
+
+void finalize_poses(BodyStore& bodies, const SpeedLimits& limits, Crew& crew) {
+    crew.for_each(bodies.solver_bodies.size(), kLeastPoses, [&](std::size_t i) {
+        if (i != kStaticSolverBody) finalize_pose(bodies, i, limits);
+    });
 }
 
 }  // namespace tumble

@@ -3,6 +3,7 @@
 
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/bodies/speed_limits.hpp"
+#include "tasks/crew.hpp"
 #include "tumble/math.hpp"
 
 namespace tumble {
@@ -23,6 +24,6 @@ void shorten_motion(BodyStore& bodies, std::uint32_t body, double fraction, Vec2
 
 // Adds the deltas to the poses, and clears them together with the forces of the step. The speed limits apply to the
 // final velocities too: joints that contradict each other may have exceeded them.
-void finalize_poses(BodyStore& bodies, const SpeedLimits& limits);
+void finalize_poses(BodyStore& bodies, const SpeedLimits& limits, Crew& crew);
 
 }  // namespace tumble

@@ -72,8 +72,8 @@ void ShapeStore::forget_destroyed() {
     destroyed_.clear();
 }
 
-void ShapeStore::update_proxy(std::uint32_t shape, const Pose& world_from_body, const FreeMotion& ahead,
-                              const Tuning& tuning, BroadPhase& broad) const {
+std::optional<Aabb> ShapeStore::new_box(std::uint32_t shape, const Pose& world_from_body, const FreeMotion& ahead,
+                                        const Tuning& tuning, const BroadPhase& broad) const {
     const ShapeRecord& record = records_[shape];
     TUMBLE_CHECK(record.is_placed);
     const float margin = tuning.aabb_margin(record.smaller_extent);
@@ -81,7 +81,8 @@ void ShapeStore::update_proxy(std::uint32_t shape, const Pose& world_from_body, 
     const float turned = std::min(std::abs(ahead.turn), 2.0f) * record.reach;
     if (turned > margin) box = enlarged(box, turned);
     box = merge(box, {box.lower + ahead.path, box.upper + ahead.path});
-    if (!contains(broad.box(shape), box)) broad.move(shape, enlarged(box, margin));
+    if (contains(broad.box(shape), box)) return std::nullopt;
+    return enlarged(box, margin);
 }
 
 BodyMass body_mass(const std::vector<ShapeId>& shapes, const ShapeStore& store) {

@@ -55,10 +55,10 @@ public:
     bool has_destroyed() const { return !destroyed_.empty(); }
     void forget_destroyed();
 
-    // Moves the proxy's box, with a new margin, if the shape is not inside it at the body's pose and during the motion
-    // ahead.
-    void update_proxy(std::uint32_t shape, const Pose& world_from_body, const FreeMotion& ahead, const Tuning& tuning,
-                      BroadPhase& broad) const;
+    // The box that the proxy needs, with a new margin, if the shape is not inside its box at the body's pose and during
+    // the motion ahead.
+    std::optional<Aabb> new_box(std::uint32_t shape, const Pose& world_from_body, const FreeMotion& ahead,
+                                const Tuning& tuning, const BroadPhase& broad) const;
 
     const ShapeRecord& operator[](std::uint32_t index) const {
         TUMBLE_CHECK(index < records_.size());

@@ -29,16 +29,28 @@ TUMBLE_LANE_FUNCTION BodyLanes gather(std::span<const SolverBody> bodies, const 
     return {f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]};
 }
 
-// Several lanes may write the static body, or the same kinematic one: they write back the values that they read,
-// because their inverse masses are zero.
+// scatter_velocities() for a block that can move some of the bodies only, which is rare.
+[[gnu::noinline]] inline void scatter_some(const Lanes fields[4], std::span<SolverBody> bodies,
+                                           const std::uint32_t index[kLaneCount], std::uint8_t moved) {
+    alignas(16) float unmoved[4];
+    float* rows[kLaneCount];
+    for (int lane = 0; lane < kLaneCount; ++lane)
+        rows[lane] = moved >> lane & 1 ? &bodies[index[lane]].velocity.x : unmoved;
+    scatter_rows(fields, rows);
+}
+
+// Writes the velocities of the bodies that the block can move. The others may be in several blocks of a colour, which
+// threads solve at the same time.
 TUMBLE_LANE_FUNCTION void scatter_velocities(const BodyLanes& body, std::span<SolverBody> bodies,
-                                             const std::uint32_t index[kLaneCount]) {
+                                             const std::uint32_t index[kLaneCount], std::uint8_t moved) {
+    if (moved == 0) return;
+    const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
+    if (moved != kAllLanes) return scatter_some(fields, bodies, index, moved);
     float* rows[kLaneCount];
     for (int lane = 0; lane < kLaneCount; ++lane) {
         TUMBLE_CHECK(index[lane] < bodies.size());
         rows[lane] = &bodies[index[lane]].velocity.x;
     }
-    const Lanes fields[4] = {body.velocity_x, body.velocity_y, body.angular_velocity, body.flags};
     scatter_rows(fields, rows);
 }
 
@@ -71,8 +83,8 @@ TUMBLE_LANE_FUNCTION void finish(const ContactBlock& block, BlockState& state, s
     state.a.velocity_y -= block.inv_mass_ay * y;
     state.b.velocity_x += block.inv_mass_bx * x;
     state.b.velocity_y += block.inv_mass_by * y;
-    scatter_velocities(state.a, bodies, block.body_a);
-    scatter_velocities(state.b, bodies, block.body_b);
+    scatter_velocities(state.a, bodies, block.body_a, block.moved_a);
+    scatter_velocities(state.b, bodies, block.body_b, block.moved_b);
 }
 
 TUMBLE_LANE_FUNCTION Lanes normal_velocity(const ContactBlockPoint& point, const BlockState& state) {

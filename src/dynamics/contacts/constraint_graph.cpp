@@ -47,10 +47,13 @@ void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& 
     std::array<std::uint32_t, kColors> next{};
     std::uint32_t end = count[kNoColor] * kLaneCount;
     color_count_ = 0;
+    colors_.clear();
+    if (end > 0) colors_.push_back({0, end / kLaneCount, false});
     for (std::size_t color = 0; color < kColors; ++color) {
         next[color] = end;
         end += (count[color] + kLaneCount - 1) / kLaneCount * kLaneCount;
         color_count_ += count[color] > 0;
+        if (count[color] > 0) colors_.push_back({next[color] / kLaneCount, end / kLaneCount});
     }
     TUMBLE_CHECK(end % kLaneCount == 0u);
     lanes_.assign(end, kNoContact);

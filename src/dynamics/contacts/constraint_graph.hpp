@@ -34,9 +34,19 @@ public:
         return std::span<const std::uint32_t, kLaneCount>(lanes_.data() + index * kLaneCount, kLaneCount);
     }
 
+    // The blocks of a colour: solved at the same time, they give the same result as one after the other. Contacts
+    // without a colour depend on each other.
+    struct Color {
+        std::size_t begin = 0;
+        std::size_t end = 0;
+        bool is_independent = true;
+    };
+    // In the order of solving: the contacts without a colour, then the colours that have contacts.
+    std::span<const Color> colors() const { return colors_; }
+
     std::size_t bytes() const {
         return used_colors_.capacity() * sizeof(std::uint32_t) + contact_colors_.capacity() +
-               lanes_.capacity() * sizeof(std::uint32_t);
+               lanes_.capacity() * sizeof(std::uint32_t) + colors_.capacity() * sizeof(Color);
     }
 
 private:
@@ -49,6 +59,7 @@ private:
     std::vector<std::uint32_t> used_colors_;    // by solver body, a bit for each colour
     std::vector<std::uint8_t> contact_colors_;  // by contact
     std::vector<std::uint32_t> lanes_;          // index of a contact, or kNoContact
+    std::vector<Color> colors_;
     int color_count_ = 0;
 };
 

@@ -16,6 +16,7 @@
 #include "dynamics/bodies/solver_body.hpp"
 #include "dynamics/contacts/constraint_graph.hpp"
 #include "simd/lanes.hpp"
+#include "tasks/crew.hpp"
 
 namespace tumble {
 
@@ -36,6 +37,9 @@ struct ContactBlockPoint {
     Lanes carried;  // the normal impulse at the start of the step, N s
 };
 
+inline constexpr std::uint8_t kAllLanes = 0xff;
+static_assert(kLaneCount == 8);
+
 struct ContactBlock {
     std::uint32_t body_a[kLaneCount];  // solver bodies
     std::uint32_t body_b[kLaneCount];
@@ -48,6 +52,7 @@ struct ContactBlock {
     Lanes coupling;  // change of the normal velocity at one point per unit normal impulse at the other, 1/kg
     Lanes friction;
     Softness softness;
+    std::uint8_t moved_a, moved_b;  // a bit for each lane whose body the contact can move
     // The passes read the rest only if its flag is set for one of the lanes.
     bool has_locks;
     Lanes least_response;  // rows of locked bodies with a smaller response are not solved, 1/kg
@@ -74,11 +79,12 @@ enum class FrictionBound : std::uint8_t { biased, rigid };
 
 // Fills the blocks, one for each block of the graph, from manifolds and bodies. `h` is the sub-step, s.
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
-                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks);
+                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks, Crew& crew);
 
 // Writes the impulses into the contacts: those of the last sub-step, which warm start the next step, and those of the
 // whole step, which are reported.
-void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts);
+void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts,
+                    std::span<SolverBody> bodies, Crew& crew);
 
 // Applies the accumulated impulses again.
 void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies);
@@ -91,8 +97,11 @@ void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
 void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, FrictionBound bound);
 
 // Bounces: once after the sub-steps, for points where an impulse stopped an approach faster than `threshold` (m/s).
-// `returned_work` is scratch memory: see RESTITUTION.md, step 10.
+// `returned_work` is what find_returned_work() found: see RESTITUTION.md, step 10.
 void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float threshold, float h,
-                       std::vector<float>& returned_work);
+                       std::span<const float> returned_work);
+
+// The work that contacts did on each dynamic body in this step instead of absorbing energy, by solver body, J.
+void find_returned_work(std::span<const ContactBlock> blocks, std::span<float> returned_work);
 
 }  // namespace tumble

@@ -17,6 +17,7 @@ ContactBlock make_neutral_block() {
     const Lanes zero = Lanes::Zero();
     std::fill_n(block.body_a, kLaneCount, kStaticSolverBody);
     std::fill_n(block.body_b, kLaneCount, kStaticSolverBody);
+    block.moved_a = block.moved_b = 0;
     for (Lanes* lanes :
          {&block.normal_x,          &block.normal_y,          &block.inv_mass_ax,        &block.inv_mass_ay,
           &block.inv_mass_bx,       &block.inv_mass_by,       &block.linear_normal,      &block.linear_tangent,
@@ -56,6 +57,13 @@ void fill_masses(ContactBlock& block, int lane, const BodyFrame& a, const BodyFr
     block.has_locks = true;
 }
 
+// A bit for the lane if a contact can move the body.
+std::uint8_t moved_bit(int lane, const BodyFrame& body) {
+    const Vec2 masses = body.inv_masses();
+    const bool moves = masses.x > 0.0f || masses.y > 0.0f || body.inv_inertia > 0.0f;
+    return static_cast<std::uint8_t>(static_cast<unsigned>(moves) << lane);
+}
+
 void fill_lane(ContactBlock& block, int lane, const Contact& contact, const BodyFrame& a, const BodyFrame& b) {
     TUMBLE_CHECK(lane < kLaneCount);
     TUMBLE_CHECK(contact.kind == ContactKind::solid);
@@ -63,6 +71,8 @@ void fill_lane(ContactBlock& block, int lane, const Contact& contact, const Body
     TUMBLE_CHECK(contact.manifold.point_count <= 2);
     block.body_a[lane] = a.solver_body;
     block.body_b[lane] = b.solver_body;
+    block.moved_a |= moved_bit(lane, a);
+    block.moved_b |= moved_bit(lane, b);
     const Vec2 normal = contact.manifold.normal;
     TUMBLE_CHECK(!(std::abs(length_sq(normal) - 1.0f) > 1e-3f));  // unit, or not finite in a world that diverges
     block.normal_x[lane] = normal.x;
@@ -169,53 +179,85 @@ void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> 
     }
 }
 
-}  // namespace
+constexpr std::size_t kLeastPrepared = 16;  // in a chunk: about 3 us of work
 
-void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
-                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks) {
-    const Softness softness = contact_softness(tuning, h), static_softness = static_contact_softness(tuning, h);
-    TUMBLE_CHECK(h > 0.0f);
-    const ContactBlock neutral = make_neutral_block();
-    blocks.resize(graph.block_count());
-    for (std::size_t index = 0; index < blocks.size(); ++index) {
-        ContactBlock& block = blocks[index];
-        if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
-        block = neutral;
-        bool is_static = false;  // the same for all lanes: colours separate them
-        for (int lane = 0; lane < kLaneCount; ++lane) {
-            const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
-            if (contact == ConstraintGraph::kNoContact) continue;
-            TUMBLE_CHECK(contact < contacts.size());
-            const BodyFrame& a = bodies.frames[contacts[contact].body_a];
-            const BodyFrame& b = bodies.frames[contacts[contact].body_b];
-            fill_lane(block, lane, contacts[contact], a, b);
-            is_static = a.inv_mass == 0.0f || b.inv_mass == 0.0f;
+// The softness of contacts between moving bodies, and of those with a body that does not move.
+struct ContactSoftness {
+    Softness moving, immovable;
+};
+
+void fill_block(ContactBlock& block, std::span<const std::uint32_t, kLaneCount> lanes,
+                std::span<const Contact> contacts, const BodyStore& bodies, const ContactSoftness& softness) {
+    bool is_static = false;  // the same for all lanes: colours separate them
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        const std::uint32_t contact = lanes[static_cast<std::size_t>(lane)];
+        if (contact == ConstraintGraph::kNoContact) continue;
+        TUMBLE_CHECK(contact < contacts.size());
+        const BodyFrame& a = bodies.frames[contacts[contact].body_a];
+        const BodyFrame& b = bodies.frames[contacts[contact].body_b];
+        fill_lane(block, lane, contacts[contact], a, b);
+        is_static = a.inv_mass == 0.0f || b.inv_mass == 0.0f;
+    }
+    block.softness = is_static ? softness.immovable : softness.moving;
+    set_masses(block);
+}
+
+// Only a dynamic body is in one contact of a colour; several threads may have another body.
+void mark_pushed(SolverBody& body) {
+    if (body.flags & kDynamicBody) body.flags |= kPushedBody;
+}
+
+void store_block(const ContactBlock& block, std::span<const std::uint32_t, kLaneCount> lanes,
+                 std::span<Contact> contacts, std::span<SolverBody> bodies) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        const std::uint32_t index = lanes[static_cast<std::size_t>(lane)];
+        if (index == ConstraintGraph::kNoContact) continue;
+        TUMBLE_CHECK(index < contacts.size());
+        Contact& contact = contacts[index];
+        bool has_acted = false;
+        for (int i = 0; i < contact.manifold.point_count; ++i) {
+            const ContactBlockPoint& point = block.points[i];
+            TUMBLE_CHECK(!(point.normal_impulse[lane] < 0.0f));
+            contact.impulses[i] = {point.normal_impulse[lane], point.tangent_impulse[lane]};
+            contact.applied[i] = {point.applied_normal[lane], point.applied_tangent[lane]};
+            contact.is_touching |= point.applied_normal[lane] > 0.0f;
+            has_acted |= point.applied_normal[lane] > 0.0f || contact.manifold.points[i].separation < 0.0f;
         }
-        block.softness = is_static ? static_softness : softness;
-        set_masses(block);
-        if (block.has_restitution) set_approaches(block, bodies, gravity, h);
+        if (has_acted) mark_pushed(bodies[block.body_a[lane]]), mark_pushed(bodies[block.body_b[lane]]);
+        contact.rolling_impulse = block.rolling_impulse[lane];
     }
 }
 
-void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph,
-                    std::span<Contact> contacts) {
-    for (std::size_t index = 0; index < blocks.size(); ++index) {
-        const ContactBlock& block = blocks[index];
+}  // namespace
+
+void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
+                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks, Crew& crew) {
+    TUMBLE_CHECK(h > 0.0f);
+    const ContactSoftness softness{contact_softness(tuning, h), static_contact_softness(tuning, h)};
+    const ContactBlock neutral = make_neutral_block();
+    blocks.resize(graph.block_count());
+    crew.for_each(blocks.size(), kLeastPrepared, [&](std::size_t index) {
         if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
-        for (int lane = 0; lane < kLaneCount; ++lane) {
-            const std::uint32_t contact = graph.block(index)[static_cast<std::size_t>(lane)];
-            if (contact == ConstraintGraph::kNoContact) continue;
-            TUMBLE_CHECK(contact < contacts.size());
-            for (int i = 0; i < contacts[contact].manifold.point_count; ++i) {
-                TUMBLE_CHECK(!(block.points[i].normal_impulse[lane] < 0.0f));
-                contacts[contact].impulses[i] = {block.points[i].normal_impulse[lane],
-                                                 block.points[i].tangent_impulse[lane]};
-                contacts[contact].applied[i] = {block.points[i].applied_normal[lane],
-                                                block.points[i].applied_tangent[lane]};
-                contacts[contact].is_touching |= block.points[i].applied_normal[lane] > 0.0f;
-            }
-            contacts[contact].rolling_impulse = block.rolling_impulse[lane];
-        }
+        ContactBlock& block = blocks[index];
+        block = neutral;
+        fill_block(block, graph.block(index), contacts, bodies, softness);
+        if (block.has_restitution) set_approaches(block, bodies, gravity, h);
+    });
+}
+
+void store_impulses(const std::vector<ContactBlock>& blocks, const ConstraintGraph& graph, std::span<Contact> contacts,
+                    std::span<SolverBody> bodies, Crew& crew) {
+    for (const ConstraintGraph::Color& color : graph.colors()) {
+        const auto store = [&](std::size_t i) {
+            const std::size_t index = color.begin + i;
+            if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
+            store_block(blocks[index], graph.block(index), contacts, bodies);
+        };
+        const std::size_t count = color.end - color.begin;
+        if (color.is_independent)
+            crew.for_each(count, kLeastPrepared, store);
+        else
+            for (std::size_t i = 0; i < count; ++i) store(i);
     }
 }
 

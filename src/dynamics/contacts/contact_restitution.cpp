@@ -73,7 +73,16 @@ TUMBLE_LANE_FUNCTION void solve_restitution(ContactBlock& block, float threshold
     block.points[1].applied_normal += bounce2;
 }
 
-// Step 10: the work that contacts did on each dynamic body in this step instead of absorbing energy, by solver body, J.
+Lanes sum_of_both(const ContactBlock& block, std::span<const float> returned_work) {
+    Lanes sum;
+    for (int lane = 0; lane < kLaneCount; ++lane)
+        sum[lane] = returned_work[block.body_a[lane]] + returned_work[block.body_b[lane]];
+    return sum;
+}
+
+}  // namespace
+
+// Step 10.
 void find_returned_work(std::span<const ContactBlock> blocks, std::span<float> returned_work) {
     std::fill(returned_work.begin(), returned_work.end(), 0.0f);
     for (const ContactBlock& block : blocks) {
@@ -88,22 +97,9 @@ void find_returned_work(std::span<const ContactBlock> blocks, std::span<float> r
     }
 }
 
-Lanes sum_of_both(const ContactBlock& block, std::span<const float> returned_work) {
-    Lanes sum;
-    for (int lane = 0; lane < kLaneCount; ++lane)
-        sum[lane] = returned_work[block.body_a[lane]] + returned_work[block.body_b[lane]];
-    return sum;
-}
-
-}  // namespace
-
 void apply_restitution(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float threshold, float h,
-                       std::vector<float>& returned_work) {
-    if (std::none_of(blocks.begin(), blocks.end(), [](const ContactBlock& block) { return block.has_restitution; }))
-        return;
+                       std::span<const float> returned_work) {
     TUMBLE_CHECK(h > 0.0f);
-    returned_work.resize(bodies.size());
-    find_returned_work(blocks, returned_work);
     for (ContactBlock& block : blocks) {
         if (!block.has_restitution) continue;
         BlockState state = load(block, bodies);

@@ -31,31 +31,56 @@ ContactSolver::~ContactSolver() = default;
 ContactSolver::ContactSolver(ContactSolver&&) noexcept = default;
 ContactSolver& ContactSolver::operator=(ContactSolver&&) noexcept = default;
 
+template <class SolveBlocks>
+void ContactSolver::for_each_color(Crew& crew, SolveBlocks&& solve_blocks) {
+    constexpr std::size_t kLeastSolved = 48;  // in a chunk: about 3 us of work
+    const std::span<ContactBlock> blocks = blocks_;
+    for (const ConstraintGraph::Color& color : graph_.colors()) {
+        const std::span<ContactBlock> own = blocks.subspan(color.begin, color.end - color.begin);
+        if (!color.is_independent) {
+            solve_blocks(own);
+            continue;
+        }
+        crew.for_each_chunk(own.size(), kLeastSolved, [&](const Chunk& chunk) {
+            solve_blocks(own.subspan(chunk.begin, chunk.end - chunk.begin));
+        });
+    }
+}
+
 void ContactSolver::prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning,
-                            Vec2 gravity, float h) {
+                            Vec2 gravity, float h, Crew& crew) {
     graph_.build(contacts, bodies);
-    prepare_contacts(contacts, bodies, graph_, tuning, gravity, h, blocks_);
+    prepare_contacts(contacts, bodies, graph_, tuning, gravity, h, blocks_, crew);
     TUMBLE_CHECK(blocks_.size() == graph_.block_count());
 }
 
-void ContactSolver::warm_start(std::span<SolverBody> bodies) { warm_start_contacts(blocks_, bodies); }
-
-void ContactSolver::solve(std::span<SolverBody> bodies, float inv_h, float push_out_speed) {
-    solve_contacts(blocks_, bodies, inv_h, push_out_speed);
+void ContactSolver::warm_start(std::span<SolverBody> bodies, Crew& crew) {
+    for_each_color(crew, [&](std::span<ContactBlock> blocks) { warm_start_contacts(blocks, bodies); });
 }
 
-void ContactSolver::relax(std::span<SolverBody> bodies, float inv_h, FrictionBound bound) {
-    relax_contacts(blocks_, bodies, inv_h, bound);
+void ContactSolver::solve(std::span<SolverBody> bodies, float inv_h, float push_out_speed, Crew& crew) {
+    for_each_color(crew,
+                   [&](std::span<ContactBlock> blocks) { solve_contacts(blocks, bodies, inv_h, push_out_speed); });
 }
 
-void ContactSolver::apply_restitution(std::span<SolverBody> bodies, float threshold, float h) {
+void ContactSolver::relax(std::span<SolverBody> bodies, float inv_h, FrictionBound bound, Crew& crew) {
+    for_each_color(crew, [&](std::span<ContactBlock> blocks) { relax_contacts(blocks, bodies, inv_h, bound); });
+}
+
+void ContactSolver::apply_restitution(std::span<SolverBody> bodies, float threshold, float h, Crew& crew) {
     TUMBLE_CHECK(threshold >= 0.0f);
-    tumble::apply_restitution(blocks_, bodies, threshold, h, returned_work_);
+    if (std::none_of(blocks_.begin(), blocks_.end(), [](const ContactBlock& block) { return block.has_restitution; }))
+        return;
+    returned_work_.resize(bodies.size());
+    find_returned_work(blocks_, returned_work_);
+    for_each_color(crew, [&](std::span<ContactBlock> blocks) {
+        tumble::apply_restitution(blocks, bodies, threshold, h, returned_work_);
+    });
 }
 
-void ContactSolver::store_impulses(std::span<Contact> contacts) const {
+void ContactSolver::store_impulses(std::span<Contact> contacts, std::span<SolverBody> bodies, Crew& crew) const {
     TUMBLE_CHECK(blocks_.size() == graph_.block_count());
-    tumble::store_impulses(blocks_, graph_, contacts);
+    tumble::store_impulses(blocks_, graph_, contacts, bodies, crew);
 }
 
 std::size_t ContactSolver::bytes() const {

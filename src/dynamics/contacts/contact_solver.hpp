@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dynamics/contacts/constraint_graph.hpp"
+#include "tasks/crew.hpp"
 
 namespace tumble {
 
@@ -23,16 +24,16 @@ public:
 
     // Once a step, with poses and velocities of its start. `h` is the length of a sub-step, s.
     void prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning, Vec2 gravity,
-                 float h);
+                 float h, Crew& crew);
 
     // In each sub-step, in this order: see contact_block.hpp.
-    void warm_start(std::span<SolverBody> bodies);
-    void solve(std::span<SolverBody> bodies, float inv_h, float push_out_speed);
-    void relax(std::span<SolverBody> bodies, float inv_h, FrictionBound bound);
+    void warm_start(std::span<SolverBody> bodies, Crew& crew);
+    void solve(std::span<SolverBody> bodies, float inv_h, float push_out_speed, Crew& crew);
+    void relax(std::span<SolverBody> bodies, float inv_h, FrictionBound bound, Crew& crew);
 
     // After the last sub-step.
-    void apply_restitution(std::span<SolverBody> bodies, float threshold, float h);
-    void store_impulses(std::span<Contact> contacts) const;
+    void apply_restitution(std::span<SolverBody> bodies, float threshold, float h, Crew& crew);
+    void store_impulses(std::span<Contact> contacts, std::span<SolverBody> bodies, Crew& crew) const;
 
     int color_count() const { return graph_.color_count(); }
     std::size_t bytes() const;
@@ -41,6 +42,10 @@ public:
     void audit() const;
 
 private:
+    // Calls solve_blocks(blocks), colour by colour; the blocks of a colour are divided among the crew.
+    template <class SolveBlocks>
+    void for_each_color(Crew& crew, SolveBlocks&& solve_blocks);
+
     ConstraintGraph graph_;
     std::vector<ContactBlock> blocks_;  // in the order of the graph
     std::vector<float> returned_work_;  // scratch of restitution: by solver body, J

@@ -19,6 +19,29 @@ auto* find_in(Contacts& contacts, ProxyPair pair) {
 Contact* ContactStore::find(ProxyPair pair) { return find_in(contacts_, pair); }
 const Contact* ContactStore::find(ProxyPair pair) const { return find_in(contacts_, pair); }
 
+void ContactStore::add(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning) {
+    insert(
+        new_pairs.size(), [&](std::size_t i) { return new_pairs[i]; },
+        [&](std::size_t i) { return make_contact(new_pairs[i], shapes, tuning); });
+}
+
+// Moves the contacts between two removed ones together.
+void ContactStore::remove(const ChunkLists<std::uint32_t>& indices) {
+    if (indices.empty()) return;
+    std::size_t kept = 0, next = 0;
+    const auto keep_up_to = [&](std::size_t end) {
+        TUMBLE_CHECK(next <= end);
+        if (kept == next)
+            kept = end;
+        else
+            for (; next < end; ++next) contacts_[kept++] = contacts_[next];
+        next = end + 1;
+    };
+    indices.for_each(keep_up_to);
+    keep_up_to(contacts_.size());
+    contacts_.resize(kept);
+}
+
 void ContactStore::add_woken(std::span<const Contact> contacts) {
     for (const Contact& contact : contacts) {
         TUMBLE_CHECK(contact.shapes.a < contact.shapes.b);

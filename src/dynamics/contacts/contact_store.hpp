@@ -9,15 +9,17 @@
 #include "debug/check.hpp"
 #include "dynamics/contacts/contact.hpp"
 #include "dynamics/contacts/make_contact.hpp"
+#include "tasks/chunk_lists.hpp"
 
 namespace tumble {
 
 class ContactStore {
 public:
-    // Removes the contacts for which keep(contact) is false, and adds one for each new pair. `new_pairs` is sorted and
-    // contains no pair of all().
-    template <class Keep>
-    void update(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning, Keep&& keep);
+    // Adds a contact for each new pair. `new_pairs` is sorted and contains no pair of all().
+    void add(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning);
+
+    // Removes contacts by their indices, which ascend.
+    void remove(const ChunkLists<std::uint32_t>& indices);
 
     // Removes the contacts for which keep(contact), called in order, is false.
     template <class Keep>
@@ -50,15 +52,6 @@ private:
     std::vector<Contact> contacts_;  // sorted
     std::vector<Contact> woken_;     // in order of waking
 };
-
-template <class Keep>
-void ContactStore::update(const std::vector<ProxyPair>& new_pairs, const ShapeStore& shapes, const Tuning& tuning,
-                          Keep&& keep) {
-    keep_if(keep);
-    insert(
-        new_pairs.size(), [&](std::size_t i) { return new_pairs[i]; },
-        [&](std::size_t i) { return make_contact(new_pairs[i], shapes, tuning); });
-}
 
 template <class PairOf, class Make>
 void ContactStore::insert(std::size_t count, PairOf&& pair_of, Make&& make) {

@@ -12,7 +12,9 @@ namespace tumble {
 namespace {
 
 FreeMotion free_motion(const BodyStore& bodies, std::uint32_t body, const StepAhead& step) {
-    return bodies.free_motion(bodies.frames[body].solver_body, step.gravity, step.duration);
+    const std::uint32_t solver_body = bodies.frames[body].solver_body;
+    return solver_body < step.motions.size() ? step.motions[solver_body]
+                                             : bodies.free_motion(solver_body, step.gravity, step.duration);
 }
 
 // How far the points of the two shapes move against each other, at most, m.

@@ -6,6 +6,8 @@
 // time, so they get no contact.
 #pragma once
 
+#include <span>
+
 #include "dynamics/contacts/chain_crossing.hpp"
 #include "tumble/manifold.hpp"
 
@@ -13,12 +15,14 @@ namespace tumble {
 
 class BodyStore;
 struct Contact;
+struct FreeMotion;
 
 // The step for which contacts are collided.
 struct StepAhead {
-    float duration = 0.0f;  // s
-    Vec2 gravity;           // m/s^2
-    bool predicts = false;  // contacts that begin within the step get their manifold when it starts
+    float duration = 0.0f;                  // s
+    Vec2 gravity;                           // m/s^2
+    std::span<const FreeMotion> motions{};  // by solver body, of those that were awake when the step began
+    bool predicts = false;                  // contacts that begin within the step get their manifold when it starts
 };
 
 // The manifold from A to B with separations and anchors of the start of the step. Without points if the shapes do not

@@ -120,10 +120,10 @@ public:
         do {
             begin_round();
             const double energy = kinetic_energy(group_);
-            while (sweep() > tolerance_ * fastest_ && work_ < kMaxImpactWork) {
+            while (sweep() > tolerance_ * fastest_ && group_.work < kMaxImpactWork) {
             }
             bounce(energy);
-        } while (work_ < kMaxImpactWork && has_impact());
+        } while (group_.work < kMaxImpactWork && has_impact());
         hold();
         for (ImpactBody& body : group_.bodies) drop_rounding(body);
     }
@@ -148,7 +148,7 @@ private:
 
     // One pass of projected Gauss-Seidel over the rows. Returns the largest change of a relative speed, m/s.
     double sweep() {
-        work_ += static_cast<int>(group_.rows.size());
+        group_.work += static_cast<int>(group_.rows.size());
         double largest = 0.0;
         for (ImpactRow& row : group_.rows) {
             largest = std::max(largest, solve_normal(row, &ImpactBody::change));
@@ -212,7 +212,8 @@ private:
     void push_bounces(double part) {
         if (part == 0.0) return;
         for (const ImpactRow& row : group_.rows)
-            if (row.restitution > 0.0) push(row, row.normal, part * row.restitution * row.normal.impulse, &ImpactBody::change);
+            if (row.restitution > 0.0)
+                push(row, row.normal, part * row.restitution * row.normal.impulse, &ImpactBody::change);
     }
 
     // The round left the points that pushed at rest along their normals. So the energy of a part t of the bounce is
@@ -237,7 +238,6 @@ private:
     ImpactGroup& group_;
     double fastest_ = 0.0;  // approach, m/s
     double tolerance_ = kInelasticTolerance;
-    int work_ = 0;
 };
 
 }  // namespace

@@ -82,8 +82,10 @@ struct ImpactGroup {
     std::vector<ImpactBody> bodies;
     std::vector<ImpactPoint> points;
     std::vector<ImpactRow> rows;  // scratch of a round
+    int work = 0;                 // how often a point was solved
 
     void clear() {
+        work = 0;
         bodies.clear();
         points.clear();
     }

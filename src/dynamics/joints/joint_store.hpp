@@ -23,6 +23,7 @@
 #include "dynamics/joints/revolute_joint.hpp"
 #include "dynamics/joints/weld_joint.hpp"
 #include "dynamics/joints/wheel_joint.hpp"
+#include "tasks/crew.hpp"
 #include "tumble/joint.hpp"
 
 namespace tumble {
@@ -85,7 +86,7 @@ public:
     void wake(JointId id);
     void put_to_sleep(std::span<const JointId> ids);
 
-    void prepare(const BodyStore& bodies);
+    void prepare(const BodyStore& bodies, Crew& crew);
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
@@ -107,6 +108,12 @@ public:
         for_each_list(*this, [&](const auto& list) {
             for (const AwakeJoint& awake : list.awake) bodies(ids.at(awake.joint)).for_each_pair(visit);
         });
+    }
+
+    std::size_t awake_count() const {
+        std::size_t count = 0;
+        for_each_list(*this, [&](const auto& list) { count += list.awake.size(); });
+        return count;
     }
 
     // An invariant: each joint has its load.

@@ -85,21 +85,29 @@ double bounce_threshold(const Simulation& simulation, const Contact& contact) {
     return static_cast<double>(2.0f * simulation.settings.duration * acceleration / restitution);
 }
 
+bool note_bounce(const Simulation& simulation, Contact& contact) {
+    const float least = contact.restitution > 0.0f ? 0.0f : simulation.settings.tuning.hit_speed;
+    contact.is_bouncing = contact.is_struck = false;
+    for (int i = 0; i < contact.manifold.point_count; ++i)
+        contact.is_bouncing |= approach_speed(contact, contact.manifold.points[i], simulation.bodies) > least;
+    return contact.is_bouncing;
+}
+
 void find_bounces(Simulation& simulation) {
+    BounceScratch& scratch = simulation.scratch.ordered_impacts.bounces;
+    if (!scratch.has_candidates) return;
     count_touches(simulation);
-    std::vector<Landing>& landings = simulation.scratch.ordered_impacts.bounces.landings;
-    landings.clear();
+    scratch.landings.clear();
     const double hit_speed = static_cast<double>(simulation.settings.tuning.hit_speed);
     for (std::uint32_t i = 0; i < simulation.contacts.all().size(); ++i) {
         Contact& contact = simulation.contacts.all()[i];
+        if (!contact.is_bouncing) continue;
         contact.is_bouncing = false;
-        if (contact.manifold.point_count == 0) continue;
-        contact.is_struck = false;
         if (contact.restitution > 0.0f) {
             mark_bounce(contact, simulation.bodies, bounce_threshold(simulation, contact));
         } else if (is_landing(simulation, contact)) {
             const double speed = mark_bounce(contact, simulation.bodies, hit_speed);
-            if (contact.is_bouncing) landings.push_back({speed, i});
+            if (contact.is_bouncing) scratch.landings.push_back({speed, i});
         }
     }
     keep_slow_landings(simulation);

@@ -11,9 +11,12 @@ namespace tumble {
 // contact: from which it takes part in the impacts of others.
 double bounce_threshold(const Simulation& simulation, const Contact& contact);
 
-// A stage of the step, before constraints are prepared: marks the contacts that bounce, and inelastic ones through
-// which a body lands that carries others. The few sweeps of the solver would leave such a stack with overlap and
-// approaches, from which it rebounds with half of its speed.
+// Marks a contact that has just collided if it may bounce, and returns that.
+bool note_bounce(const Simulation& simulation, Contact& contact);
+
+// A stage of the step, before constraints are prepared: of the contacts that may bounce, keeps the mark of those that
+// do, and of inelastic ones through which a body lands that carries others. The few sweeps of the solver would leave
+// such a stack with overlap and approaches, from which it rebounds with half of its speed.
 void find_bounces(Simulation& simulation);
 
 }  // namespace tumble

@@ -59,23 +59,6 @@ void spin(Simulation& simulation, std::size_t index) {
     body.delta_rotation = make_rotation(flight.gain * t * start + flight.sag * t * t * acceleration);
 }
 
-// True if the solver applied an impulse, or pushed an overlap out.
-bool has_acted(const Contact& contact) {
-    if (contact.kind != ContactKind::solid || contact.is_bouncing) return false;
-    for (int i = 0; i < contact.manifold.point_count; ++i)
-        if (contact.applied[i].normal > 0.0f || contact.manifold.points[i].separation < 0.0f) return true;
-    return false;
-}
-
-void mark_pushed(Simulation& simulation) {
-    BodyStore& bodies = simulation.bodies;
-    for (const Contact& contact : simulation.contacts.all()) {
-        if (!has_acted(contact)) continue;
-        for (const std::uint32_t body : {contact.body_a, contact.body_b})
-            bodies.solver_bodies[bodies.frames[body].solver_body].flags |= kPushedBody;
-    }
-}
-
 }  // namespace
 
 void begin_flight(Simulation& simulation) {
@@ -97,7 +80,6 @@ void begin_flight(Simulation& simulation) {
 }
 
 void end_flight(Simulation& simulation) {
-    mark_pushed(simulation);
     const BodyStore& bodies = simulation.bodies;
     const float limit = simulation.settings.speed_limits().spin;
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {

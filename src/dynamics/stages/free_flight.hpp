@@ -9,8 +9,7 @@ namespace tumble {
 // A stage of the step, before the sub-steps: keeps the velocities, and marks no body as pushed.
 void begin_flight(Simulation& simulation);
 
-// A stage of the step, after the sub-steps: marks the bodies that contacts have pushed, and replaces the motion of the
-// bodies that no contact or joint has pushed.
+// A stage of the step, after the sub-steps: replaces the motion of the bodies that no contact or joint has pushed.
 void end_flight(Simulation& simulation);
 
 }  // namespace tumble

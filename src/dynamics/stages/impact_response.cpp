@@ -8,6 +8,7 @@
 #include "dynamics/contacts/collide_posed.hpp"
 #include "dynamics/contacts/make_contact.hpp"
 #include "dynamics/stages/bounces.hpp"
+#include "dynamics/stages/contact_lists.hpp"
 #include "dynamics/stages/swept_bodies.hpp"
 
 namespace tumble {
@@ -21,35 +22,6 @@ constexpr std::size_t kMaxGroupPoints = 128;
 // this part of its own approach speed. Smaller: impacts on piles cost more (in a tumbler of 2000 boxes five times as
 // much at 0.1). Larger: elastic bodies that touch several others lose energy.
 constexpr double kPassedOn = 0.3;
-
-// The contacts of each body as ranges of one list, in the order of contacts.
-void list_contacts(Simulation& simulation) {
-    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
-    const BodyStore& bodies = simulation.bodies;
-    const auto for_each_end = [&](auto&& visit) {
-        const std::vector<Contact>& contacts = simulation.contacts.all();
-        for (std::uint32_t i = 0; i < contacts.size(); ++i) {
-            if (contacts[i].kind != ContactKind::solid || contacts[i].manifold.point_count == 0) continue;
-            for (const std::uint32_t body : {contacts[i].body_a, contacts[i].body_b})
-                if (bodies.frames[body].solver_body != kStaticSolverBody) visit(bodies.frames[body].solver_body, i);
-        }
-    };
-    std::vector<std::uint32_t>& first = scratch.first_contact;
-    first.assign(bodies.solver_bodies.size() + 2, 0);
-    for_each_end([&](std::uint32_t body, std::uint32_t) { ++first[body + 2]; });
-    for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
-    scratch.contacts.resize(first.back());
-    for_each_end([&](std::uint32_t body, std::uint32_t contact) { scratch.contacts[first[body + 1]++] = contact; });
-}
-
-std::span<const std::uint32_t> contacts_of(Simulation& simulation, std::uint32_t body) {
-    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
-    if (scratch.first_contact.empty()) list_contacts(simulation);
-    const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
-    if (solver_body + 1 >= scratch.first_contact.size()) return {};  // it woke in this step
-    const std::uint32_t first = scratch.first_contact[solver_body], last = scratch.first_contact[solver_body + 1];
-    return {scratch.contacts.data() + first, last - first};
-}
 
 class ImpactResponse {
 public:
@@ -202,18 +174,21 @@ private:
         const std::size_t member_count = scratch_.members.size();
         for (std::size_t i = 0; i < member_count; ++i) {
             if (scratch_.members[i] == kNotSwept || group_.bodies[i].change == Twist{}) continue;
-            for (const std::uint32_t contact : contacts_of(simulation_, scratch_.swept[scratch_.members[i]].body))
-                if (group_.points.size() < kMaxGroupPoints) add_touching(simulation_.contacts.all()[contact], least);
+            for (const BodyContact& contact : contacts_of(simulation_, scratch_.swept[scratch_.members[i]].body))
+                if (group_.points.size() < kMaxGroupPoints && !is_in_group(contact.shapes))
+                    add_touching(simulation_.contacts.all()[contact.index], least);
         }
         return group_.points.size() > before;
+    }
+
+    bool is_in_group(ProxyPair shapes) const {
+        const std::vector<ProxyPair>& own = scratch_.group_shapes;
+        return std::find(own.begin(), own.end(), shapes) != own.end();
     }
 
     void add_touching(const Contact& contact, double least) {
         const double threshold = std::max(least, bounce_threshold(simulation_, contact));
         if (!may_be_approached(contact, threshold)) return;
-        if (std::find(scratch_.group_shapes.begin(), scratch_.group_shapes.end(), contact.shapes) !=
-            scratch_.group_shapes.end())
-            return;
         const std::size_t a = member(contact.body_a), b = member(contact.body_b);
         const std::size_t before = group_.points.size();
         bool is_approached = false;
@@ -341,9 +316,10 @@ private:
 
 bool has_bounce(Simulation& simulation, std::uint32_t swept) {
     const std::uint32_t body = simulation.scratch.ordered_impacts.swept[swept].body;
-    const std::span<const std::uint32_t> contacts = contacts_of(simulation, body);
-    return std::any_of(contacts.begin(), contacts.end(),
-                       [&](std::uint32_t index) { return simulation.contacts.all()[index].is_bouncing; });
+    const std::span<const BodyContact> contacts = contacts_of(simulation, body);
+    return std::any_of(contacts.begin(), contacts.end(), [&](const BodyContact& contact) {
+        return simulation.contacts.all()[contact.index].is_bouncing;
+    });
 }
 
 void respond(Simulation& simulation, const NextImpact& impact) { ImpactResponse(simulation, impact).run(); }

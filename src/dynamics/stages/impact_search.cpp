@@ -6,6 +6,7 @@
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/stages/contact_lists.hpp"
 #include "dynamics/stages/swept_bodies.hpp"
 #include "dynamics/stages/swept_pair.hpp"
 #include "dynamics/state/collision_rules.hpp"
@@ -33,15 +34,30 @@ bool moves_far_in_step(const Simulation& simulation, std::size_t index) {
     return displacement(simulation.bodies.solver_bodies[index], motion) > kContinuousPart * motion.smallest_extent;
 }
 
-// True if a body moves far, and not as foreseen: impacts of its free motion have become contacts, which the solver need
-// not have kept apart.
-bool is_fast(const Simulation& simulation, std::size_t index) {
-    const SolverBody& body = simulation.bodies.solver_bodies[index];
+// Only the impacts of free motions have become contacts.
+bool leaves_foreseen_motion(const Simulation& simulation, std::size_t index) {
     const BodyMotion& motion = simulation.bodies.moving[index].motion;
-    if (!moves_far_in_step(simulation, index)) return false;
-    const StepScratch& scratch = simulation.scratch;
-    return index >= scratch.free_motions.size() || scratch.ordered_impacts.bounces.touch_counts[index] > 0 ||
-           deviation(body, scratch.free_motions[index], motion) > kContinuousPart * motion.smallest_extent;
+    const std::vector<FreeMotion>& foreseen = simulation.scratch.free_motions;
+    return index >= foreseen.size() || deviation(simulation.bodies.solver_bodies[index], foreseen[index], motion) >
+                                           kContinuousPart * motion.smallest_extent;
+}
+
+// How far a point of a body has moved in the step.
+Vec2 shift_of(const BodyStore& bodies, std::uint32_t body, Vec2 anchor) {
+    const SolverBody& moved = bodies.solver_bodies[bodies.frames[body].solver_body];
+    const Vec2 arm = anchor - bodies.frames[body].center_offset;
+    return moved.delta_position + rotate(moved.delta_rotation, arm) - arm;
+}
+
+// True if the solver has left two bodies of which one moves far with an overlap.
+bool is_left_overlapping(const Contact& contact, const BodyStore& bodies) {
+    for (int i = 0; i < contact.manifold.point_count; ++i) {
+        const ManifoldPoint& point = contact.manifold.points[i];
+        const Vec2 moved =
+            shift_of(bodies, contact.body_b, point.anchor_b) - shift_of(bodies, contact.body_a, point.anchor_a);
+        if (point.separation + dot(moved, contact.manifold.normal) < -contact.speculative_distance) return true;
+    }
+    return false;
 }
 
 // True if two points that move along straight lines come as near as `distance`.
@@ -60,6 +76,7 @@ struct Side {
 
 // The motion of a body from a time until the step ends.
 struct MotionAhead {
+    DVec2 center;      // at that time, m
     DVec2 path;        // of the centre of mass, m
     double arc = 0.0;  // a bound of the arc of the farthest point, m
 };
@@ -114,14 +131,16 @@ private:
             if (mover().impact_count == 0) simulation_.scratch.sensor_crossings.push_back(pair);
             return;
         }
-        if (!may_have_impact(pair)) return;
-        const Contact* const contact = simulation_.contacts.find(pair);
-        const bool bounces = contact && contact->is_bouncing;
         const double from = partner ? std::max(mover().time, partner->time) : mover().time;
-        if (!bounces && !move_far(simulation_.shapes[own], simulation_.shapes[other], partner, from)) return;
+        const MotionAhead own_motion = motion_ahead(mover(), from);
+        const MotionAhead motion = partner ? motion_ahead(*partner, from) : motion_ahead(shape(other).body, from);
+        const DVec2 path = motion.path - own_motion.path;
+        if (!come_near(motion.center - own_motion.center, path, reach_of(own) + reach_of(other))) return;
+        const Contact* const contact = find_contact(simulation_, mover().body, pair);
+        const bool bounces = contact && contact->is_bouncing;
+        if (!bounces && !move_far(own, other, length(path) + own_motion.arc + motion.arc)) return;
+        if (!may_have_impact(pair)) return;
         const Side a = side(own, from), b = side(other, from);
-        const DVec2 path = (b.sweep.end - b.sweep.start) - (a.sweep.end - a.sweep.start);
-        if (!come_near(b.sweep.start - a.sweep.start, path, a.reach + b.reach)) return;
         if (crosses_chain(simulation_.chain_contacts(), pair)) return;
         if (bounces && contact->is_struck) return take(from, pair, partner, {});
         PairImpact impact = bounces ? find_bounce(a.shape, a.sweep, b.shape, b.sweep, inset(a, b))
@@ -164,25 +183,33 @@ private:
         return {record, sweep, farthest_distance(record.shape, sweep.local_center)};
     }
 
+    const ShapeRecord& shape(std::uint32_t index) const { return simulation_.shapes[index]; }
+
+    // Of a shape from the centre of mass of its body, m.
+    double reach_of(std::uint32_t index) const {
+        return farthest_distance(shape(index).shape, simulation_.bodies.records[shape(index).body].mass.center);
+    }
+
     // Two dynamic bodies that move by less against each other overlap at most to the middle of the smaller shape, and
     // the solver parts them in the next step.
-    bool move_far(const ShapeRecord& own, const ShapeRecord& other, const SweptBody* partner, double from) const {
-        if (!simulation_.bodies.is_dynamic(own.body) || !simulation_.bodies.is_dynamic(other.body)) return true;
-        const MotionAhead a = motion_ahead(mover(), from);
-        const MotionAhead b = partner ? motion_ahead(*partner, from) : motion_ahead(other.body, from);
-        return length(b.path - a.path) + a.arc + b.arc >
-               static_cast<double>(kContinuousPart * smaller_extent(own, other));
+    bool move_far(std::uint32_t own, std::uint32_t other, double moved) const {
+        const bool are_dynamic =
+            simulation_.bodies.is_dynamic(shape(own).body) && simulation_.bodies.is_dynamic(shape(other).body);
+        return !are_dynamic || moved > static_cast<double>(kContinuousPart * smaller_extent(shape(own), shape(other)));
     }
 
     MotionAhead motion_ahead(const SweptBody& swept, double from) const {
-        const double part = swept.time < 1.0 ? (1.0 - from) / (1.0 - swept.time) : 0.0;
-        return {part * (swept.sweep.end - swept.sweep.start),
-                part * std::abs(swept.sweep.turn) * static_cast<double>(reach(swept.body))};
+        const double passed = from > swept.time ? (from - swept.time) / (1.0 - swept.time) : 0.0;
+        const DVec2 path = swept.sweep.end - swept.sweep.start;
+        return {swept.sweep.start + passed * path, (1.0 - passed) * path,
+                (1.0 - passed) * std::abs(swept.sweep.turn) * static_cast<double>(reach(swept.body))};
     }
     MotionAhead motion_ahead(std::uint32_t body, double from) const {
-        const SolverBody& moved = simulation_.bodies.solver_bodies[simulation_.bodies.frames[body].solver_body];
+        const BodyFrame& frame = simulation_.bodies.frames[body];
+        const SolverBody& moved = simulation_.bodies.solver_bodies[frame.solver_body];
         const double turn = kAnglePerSine * std::abs(static_cast<double>(moved.delta_rotation.s));
-        return {(1.0 - from) * DVec2(moved.delta_position), (1.0 - from) * turn * static_cast<double>(reach(body))};
+        return {frame.center + from * DVec2(moved.delta_position), (1.0 - from) * DVec2(moved.delta_position),
+                (1.0 - from) * turn * static_cast<double>(reach(body))};
     }
 
     float inset(const Side& a, const Side& b) const {
@@ -210,25 +237,38 @@ private:
     std::uint32_t index_;
 };
 
+bool has_far_mover(const Simulation& simulation, const Contact& contact) {
+    const BodyStore& bodies = simulation.bodies;
+    return moves_far_in_step(simulation, bodies.frames[contact.body_a].solver_body) ||
+           moves_far_in_step(simulation, bodies.frames[contact.body_b].solver_body);
+}
+
 // A body in free flight is not swept. Its boxes cover its path, so that it has a contact with each sensor near that.
 bool may_cross_sensor(const Simulation& simulation, const Contact& contact) {
-    const BodyStore& bodies = simulation.bodies;
-    return simulation.settings.continuous && contact.kind != ContactKind::solid &&
-           (moves_far_in_step(simulation, bodies.frames[contact.body_a].solver_body) ||
-            moves_far_in_step(simulation, bodies.frames[contact.body_b].solver_body));
+    return simulation.settings.continuous && contact.kind != ContactKind::solid && has_far_mover(simulation, contact);
+}
+
+bool overlaps_at_speed(const Simulation& simulation, const Contact& contact) {
+    return simulation.settings.continuous && contact.manifold.point_count > 0 && has_far_mover(simulation, contact) &&
+           is_left_overlapping(contact, simulation.bodies);
 }
 
 }  // namespace
 
 void find_fast_bodies(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
+    bool may_concern_contacts = simulation.scratch.ordered_impacts.bounces.has_candidates;
     if (simulation.settings.continuous) {
-        for (std::size_t i = 1; i < bodies.moving.size(); ++i)
-            if (is_fast(simulation, i)) sweep_body(simulation, bodies.moving[i].body);
+        for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
+            if (!moves_far_in_step(simulation, i)) continue;
+            may_concern_contacts = true;
+            if (leaves_foreseen_motion(simulation, i)) sweep_body(simulation, bodies.moving[i].body);
+        }
     }
+    if (!may_concern_contacts) return;
     for (const Contact& contact : simulation.contacts.all()) {
         if (may_cross_sensor(simulation, contact)) simulation.scratch.sensor_crossings.push_back(contact.shapes);
-        if (!contact.is_bouncing) continue;
+        if (!contact.is_bouncing && !overlaps_at_speed(simulation, contact)) continue;
         for (const std::uint32_t body : {contact.body_a, contact.body_b})
             if (bodies.frames[body].solver_body != kStaticSolverBody) sweep_body(simulation, body);
     }

@@ -16,13 +16,11 @@ namespace {
 // impact: the solver parts it in the next step from what it touches.
 void search_again(Simulation& simulation) {
     ImpactScratch& scratch = simulation.scratch.ordered_impacts;
-    const bool is_elastic = std::any_of(scratch.group.points.begin(), scratch.group.points.end(),
-                                        [](const ImpactPoint& point) { return point.restitution > 0.0; });
     for (const std::uint32_t swept : scratch.members)
         if (swept != kNotSwept) update_box(simulation, swept);
     for (const std::uint32_t swept : scratch.members) {
         if (swept == kNotSwept) continue;
-        if (is_elastic || moves_far(simulation, swept) || has_bounce(simulation, swept))
+        if (moves_far(simulation, swept) || has_bounce(simulation, swept))
             find_next_impact(simulation, swept);
         else
             forget_next_impact(simulation, swept);

@@ -2,6 +2,7 @@
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/stages/contact_lists.hpp"
 #include "dynamics/stages/sleep.hpp"
 
 namespace tumble {
@@ -55,7 +56,7 @@ void clear_swept_bodies(Simulation& simulation) {
     scratch.leaves.clear();
     scratch.tree.clear();
     scratch.queue.clear();
-    scratch.first_contact.clear();
+    clear_contact_lists(simulation);
     scratch.impacts.clear();
     scratch.swept_of.assign(simulation.bodies.solver_bodies.size(), kNotSwept);
 }

@@ -29,11 +29,11 @@ PairImpact find_impact(const ShapeRecord& moving, const Sweep& sweep, const Shap
     TUMBLE_CHECK(inset > 0.0f);
     if (other.link && is_behind(other.shape, *other.link, pose_at(other_sweep, 0.0), moving.shape, pose_at(sweep, 0.0)))
         return {};
+    const CastResult surface = time_of_impact(other.shape, other_sweep, moving.shape, sweep);
+    if (surface.status == CastStatus::miss) return {};
     CastResult core = time_of_impact(other.shape, other_sweep, core_of(moving, core_part(moving, inset)), sweep);
-    if (core.status == CastStatus::hit && !pushed) {
-        const CastResult surface = time_of_impact(other.shape, other_sweep, moving.shape, sweep);
-        if (surface.status == CastStatus::hit && surface.fraction > 0.0) return impact_of(surface, false);
-    }
+    if (core.status == CastStatus::hit && !pushed && surface.status == CastStatus::hit && surface.fraction > 0.0)
+        return impact_of(surface, false);
     for (const float part : kContinuousCores) {
         if (core.status != CastStatus::overlapping) break;
         core = time_of_impact(other.shape, other_sweep, core_of(moving, part), sweep);

@@ -13,6 +13,7 @@
 #include "dynamics/joints/joint_store.hpp"
 #include "dynamics/state/sleeping_islands.hpp"
 #include "dynamics/state/step_scratch.hpp"
+#include "tasks/crew.hpp"
 #include "tumble/counters.hpp"
 #include "tumble/events.hpp"
 #include "tumble/impacts.hpp"
@@ -38,12 +39,6 @@ struct StepSettings {
     bool orders_impacts() const { return impacts == ImpactModel::in_order; }
 };
 
-// Contacts with at least one manifold point after a step, awake and asleep.
-struct ContactCounts {
-    std::size_t contacts = 0;
-    std::size_t points = 0;
-};
-
 // All that decides the future of a world, and the events of its last step: what a snapshot contains.
 //
 // A plain aggregate, and the only list of these members. Snapshots and count_memory() find them through the compiler
@@ -66,13 +61,6 @@ struct SimulationState {
     bool is_live(ProxyPair pair) const { return shapes[pair.a].is_placed && shapes[pair.b].is_placed; }
 };
 
-// What the narrow phase did in the last step before the constraints were solved.
-struct CollisionCounts {
-    std::int64_t pairs = 0;       // of solid shapes, collided in full or recycled
-    std::int64_t full = 0;        // of these, collided in full
-    std::int64_t iterations = 0;  // of the distance queries of the full ones
-};
-
 // Measurements of the last step. They do not influence the next one and are not saved.
 struct StepReport {
     CollisionCounts collided;
@@ -83,6 +71,7 @@ struct Simulation : SimulationState {
     StepSettings settings;
     StepScratch scratch;
     StepReport report;
+    Crew crew;  // the threads that make a step
 };
 
 }  // namespace tumble

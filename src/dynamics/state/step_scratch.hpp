@@ -14,6 +14,7 @@
 #include "dynamics/impacts/impact_group.hpp"
 #include "dynamics/impacts/swept_body.hpp"
 #include "dynamics/state/island_finder.hpp"
+#include "tasks/chunk_lists.hpp"
 #include "tumble/cast.hpp"
 #include "tumble/id.hpp"
 
@@ -48,6 +49,34 @@ struct Mover {
     ProxyPair impact{};           // the shapes whose impact stops it, if `fraction` is below 1
     ProxyPair next_impact{};      // the shapes of the impact at `next`
     bool is_bullet = false;
+};
+
+// A shape that has left its box in the broad phase.
+struct MovedBox {
+    std::uint32_t shape = 0;  // index
+    Aabb box;                 // the new one, world
+};
+
+// What the narrow phase did in the last step before the constraints were solved.
+struct CollisionCounts {
+    std::int64_t pairs = 0;       // of solid shapes, collided in full or recycled
+    std::int64_t full = 0;        // of these, collided in full
+    std::int64_t iterations = 0;  // of the distance queries of the full ones
+    std::int64_t bounces = 0;     // contacts that may bounce in this step
+
+    CollisionCounts& operator+=(const CollisionCounts& other) {
+        pairs += other.pairs;
+        full += other.full;
+        iterations += other.iterations;
+        bounces += other.bounces;
+        return *this;
+    }
+};
+
+// Contacts with at least one manifold point after a step, awake and asleep.
+struct ContactCounts {
+    std::size_t contacts = 0;
+    std::size_t points = 0;
 };
 
 // The velocity of a body before the step.
@@ -97,8 +126,20 @@ struct Landing {
 
 // What decides which contacts bounce.
 struct BounceScratch {
+    bool has_candidates = false;              // some contact is marked as one that may bounce
     std::vector<std::uint32_t> touch_counts;  // by solver body: its contacts that have points
     std::vector<Landing> landings;
+};
+
+// A contact in the list of one of its bodies.
+struct BodyContact {
+    ProxyPair shapes{};
+    std::uint32_t index = 0;
+};
+
+struct ContactLists {
+    std::vector<std::uint32_t> first;  // by solver body: its range in `contacts`; empty if there are no lists yet
+    std::vector<BodyContact> contacts;
 };
 
 // What continuous collision works on.
@@ -113,14 +154,30 @@ struct ImpactScratch {
     ImpactGroup group;
     std::vector<std::uint32_t> members;        // by body of the group: index of a swept body, or kNotSwept
     std::vector<ProxyPair> group_shapes;       // by point of the group
-    std::vector<std::uint32_t> first_contact;  // by solver body: its range in `contacts`; empty before the first impact
-    std::vector<std::uint32_t> contacts;       // indices
+    ContactLists contact_lists;
     BounceScratch bounces;
     std::vector<Impact> impacts;
 };
 
+// What the chunks of a stage find. The stages use it one after the other.
+struct ChunkScratch {
+    ChunkLists<std::uint32_t> found;  // indices of contacts
+    ChunkLists<MovedBox> moved_boxes;
+    ChunkLists<GroundContact> ground_contacts;
+    std::vector<CollisionCounts> collision_counts;  // by chunk
+    std::vector<ContactCounts> contact_counts;      // by chunk
+
+    std::size_t bytes() const {
+        return found.bytes() + moved_boxes.bytes() + ground_contacts.bytes() +
+               collision_counts.capacity() * sizeof(CollisionCounts) +
+               contact_counts.capacity() * sizeof(ContactCounts);
+    }
+};
+
 // A plain aggregate: count_memory() finds its members through the compiler, so none can be left out.
 struct StepScratch {
+    ChunkScratch chunks;
+
     // Constraints.
     ContactSolver contact_solver;
     JointSystem joint_system;

@@ -11,7 +11,7 @@
 #include "render/replay/joint_tracks.hpp"
 #include "render/replay/replay_page.hpp"
 #include "render/style/style.hpp"
-#include "tumble/replay.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "tumble/color.hpp"
+#include "tumble/drawing.hpp"
 
 namespace tumble::render {
 

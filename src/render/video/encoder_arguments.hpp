@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tumble/video.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble::render {
 

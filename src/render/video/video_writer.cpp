@@ -7,7 +7,7 @@
 #include "render/video/encoder_arguments.hpp"
 #include "render/video/encoder_process.hpp"
 #include "tumble/file.hpp"
-#include "tumble/video.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble {
 

@@ -185,6 +185,8 @@ void SceneRun::step() {
     }
 }
 
+void SceneRun::set_threads(const Threads& threads) { impl_->built.world.set_threads(threads); }
+
 std::vector<std::byte> SceneRun::save(const Scene& scene) const {
     scene::SavedRun saved{scene_hash(scene), impl_->built.bodies, {}, impl_->built.world.save()};
     for (const ScheduledEvent& event : impl_->events) saved.events.push_back({event.count, event.spawned});

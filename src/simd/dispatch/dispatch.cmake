@@ -1,0 +1,26 @@
+# Adds the dispatched rooms to the library, once for each instruction set; join.sh says how they are joined.
+list(TRANSFORM dispatched_rooms APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
+file(GLOB_RECURSE dispatched_sources CONFIGURE_DEPENDS ${patterns})
+set(dispatch_folder ${CMAKE_CURRENT_BINARY_DIR}/dispatch)
+set(instruction_sets baseline avx2 avx512)
+set(joined_objects ${dispatch_folder}/jumps.o)
+foreach(set ${instruction_sets})
+    string(TOUPPER ${set} upper)
+    add_library(tumble_${set} OBJECT ${dispatched_sources})
+    target_include_directories(tumble_${set} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+    target_compile_features(tumble_${set} PRIVATE cxx_std_20)
+    target_link_libraries(tumble_${set} PRIVATE tumble_flags Eigen3::Eigen)
+    target_compile_options(tumble_${set} PRIVATE ${TUMBLE_${upper}_OPTIONS})
+    file(GENERATE OUTPUT ${dispatch_folder}/${set}.list CONTENT "$<JOIN:$<TARGET_OBJECTS:tumble_${set}>,\n>\n")
+    list(APPEND joined_objects ${dispatch_folder}/${set}.o)
+    list(APPEND parts $<TARGET_OBJECTS:tumble_${set}>)
+endforeach()
+# Half the time to compile; the tests of the house read an object for each source of the baseline.
+set_target_properties(tumble_avx2 tumble_avx512 PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+set(join ${CMAKE_CURRENT_SOURCE_DIR}/simd/dispatch/join.sh)
+add_custom_command(OUTPUT ${joined_objects}
+                   COMMAND ${join} ${CMAKE_CXX_COMPILER} ${CMAKE_LINKER} ${CMAKE_NM} ${CMAKE_OBJCOPY} ${dispatch_folder} ${instruction_sets}
+                   DEPENDS ${join} ${parts} COMMAND_EXPAND_LISTS VERBATIM)
+set_source_files_properties(${joined_objects} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+target_sources(tumble PRIVATE ${joined_objects})
+target_compile_definitions(tumble PRIVATE TUMBLE_DISPATCH)
