@@ -3,7 +3,8 @@
 # and installs it; prints nothing if all packages are installed.
 #   tools/setup.sh build   to build and run tumble (the default)
 #   tools/setup.sh test    to run its tests
-#   tools/setup.sh all     both
+#   tools/setup.sh python  to build the Python package and to run its tests
+#   tools/setup.sh all     all of them
 set -euo pipefail
 
 # One entry per line: PACKAGE:PURPOSE.
@@ -40,6 +41,17 @@ test_packages=(
     'chromium-driver:lets scripts control chromium'
     'python3-selenium:controls chromium from Python'
 )
+python_packages=(
+    'pybind11-dev:binds the library to Python'
+    'python3-dev:headers of Python'
+    'python3-numpy:arrays'
+    'python3-setuptools:builds the wheel'
+    'python3-wheel:builds the wheel'
+    'python3-pip:installs the wheel'
+    'python3-venv:the environment that it is installed into'
+    'python3-pytest:runs the tests of the package'
+    'mypy:checks its types'
+)
 
 say() { echo "setup: $*" >&2; }
 die() { say "$@"; exit 1; }
@@ -47,8 +59,9 @@ die() { say "$@"; exit 1; }
 case ${1-build} in
     build) wanted=("${build_packages[@]}") ;;
     test) wanted=("${test_packages[@]}") ;;
-    all) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
-    *) echo "usage: ${0##*/} [build|test|all]" >&2; exit 2 ;;
+    python) wanted=("${build_packages[@]}" "${python_packages[@]}") ;;
+    all) wanted=("${build_packages[@]}" "${test_packages[@]}" "${python_packages[@]}") ;;
+    *) echo "usage: ${0##*/} [build|test|python|all]" >&2; exit 2 ;;
 esac
 
 if ! type -P dpkg-query apt-get > /dev/null; then

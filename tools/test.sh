@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything with warnings as errors, and runs all tests:
 #   1. the format of all sources, and clang-tidy for those that changed
-#   2. g++, release: every test
+#   2. g++, release: every test; the Python package, installed from its wheel into a virtual environment: its tests, types
 #   3. clang, debug, address and undefined-behaviour sanitizers, TUMBLE_CHECK: the same
 #      state hashes after each step and the same parity results; the tests of the rooms that keep stores, of the command
 #      line (each twelfth shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time
@@ -82,6 +82,9 @@ say "building with g++, release"
 build ci all
 say "running all tests"
 ctest --preset ci --parallel "$jobs"
+say "building the Python package, and running its tests in an environment of its own"
+rm -rf build/python
+TUMBLE_BUILD=$project/build/ci TUMBLE_COMMAND=$project/build/ci/tools/tumble tools/python.sh --test
 say "building with clang, debug, sanitizers"
 build sanitize tumble_cli "${sanitized_rooms[@]/#/test_}" fuzz_targets
 compare_hashes pyramid 5

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "tumble/chain.hpp"
 #include "tumble/id.hpp"
@@ -50,6 +51,7 @@ struct BodyDef {
     BodyLocks locks{};
     bool enabled = true;             // false: it does not collide or move until World::set_enabled()
     std::optional<BodyMass> mass{};  // replaces the mass of the shapes of a dynamic body; mass > 0, inertia >= 0
+    std::uint64_t user_data = 0;     // a number of the caller's: see World::user_data()
 };
 
 // How a surface behaves in contact. A contact of two surfaces has the friction sqrt(f1 f2), the larger restitution, the
@@ -86,6 +88,7 @@ struct ShapeDef {
     bool sensor = false;  // reports overlaps but does not collide, and has no mass; ignores other sensors, and static
                           // bodies if its own body is static
     std::optional<ChainLink> link{};  // if the shape is a chain's segment: see make_chain_links()
+    std::uint64_t user_data = 0;      // a number of the caller's: see World::user_data()
 };
 
 // The pose and velocity of a body at the end of a step.
@@ -93,6 +96,14 @@ struct BodyState {
     Pose pose;                      // of the body's origin
     Vec2 velocity;                  // of the centre of mass, m/s
     float angular_velocity = 0.0f;  // rad/s; a sleeping body has velocity 0
+};
+
+// The arrays that World::read_states() fills: entry i is that of World::bodies()[i]. An empty array is left out.
+struct BodyStateArrays {
+    std::span<DVec2> positions{};           // of the origins, m
+    std::span<double> angles{};             // rad in (-pi, pi]
+    std::span<Vec2> velocities{};           // of the centres of mass, m/s
+    std::span<float> angular_velocities{};  // rad/s
 };
 
 }  // namespace tumble

@@ -1,6 +1,8 @@
-// Events of a step, as lists sorted by ids. Each event is in the list of the step in which it happened.
+// Events of a step, as lists sorted by ids, and the contacts after it. Each event is in the list of the step in which
+// it happened.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "tumble/id.hpp"
@@ -54,6 +56,29 @@ struct StepEvents {
     std::vector<SensorEvent> sensor_ends;
     std::vector<JointId> broken_joints;  // their ids are stale; gears destroyed with them are not listed
     std::vector<BodyId> fell_asleep;
+};
+
+// A contact point of two shapes after a step.
+struct ContactPoint {
+    BodyId body_a;
+    BodyId body_b;
+    ShapeId shape_a;
+    ShapeId shape_b;
+    DVec2 point;                // world, half way between the surfaces, m
+    Vec2 normal;                // world, unit, from A to B
+    std::uint32_t feature = 0;  // identifies the point of this pair from step to step (manifold.hpp)
+    float separation = 0.0f;    // m, negative if the shapes overlap
+
+    // The impulse of A on B in the whole step, N s: along the normal (>= 0), and along the normal rotated by 90 degrees
+    // clockwise. The normal impulses under a resting body add up to its weight times the duration of the step.
+    float normal_impulse = 0.0f;
+    float tangent_impulse = 0.0f;
+};
+
+// Two shapes whose bounding boxes overlap. Most such pairs do not touch.
+struct ShapePair {
+    ShapeId a;
+    ShapeId b;
 };
 
 }  // namespace tumble

@@ -8,7 +8,8 @@
 //
 // A joint whose reaction (JointReaction) exceeds break_force (N) or break_torque (N m) is destroyed at the end of the
 // step, with an event (StepEvents::broken_joints). Both must be greater than 0 and may be infinite. With
-// collide_connected false the shapes of the two bodies do not collide.
+// collide_connected false the shapes of the two bodies do not collide. user_data is a number of the caller's: see
+// World::user_data().
 #pragma once
 
 #include <cstdint>
@@ -85,6 +86,7 @@ struct RevoluteJointDef {
     float break_force = kUnbreakable;     // N
     float break_torque = kUnbreakable;    // N m
     bool collide_connected = false;
+    std::uint64_t user_data = 0;
 };
 
 // Prismatic joint (slider): B moves along an axis fixed in A and does not rotate relative to A. Its free motion is the
@@ -102,6 +104,7 @@ struct PrismaticJointDef {
     float break_force = kUnbreakable;
     float break_torque = kUnbreakable;
     bool collide_connected = false;
+    std::uint64_t user_data = 0;
 };
 
 // Distance joint: constrains the distance of the two anchors.
@@ -120,6 +123,7 @@ struct DistanceJointDef {
     float break_force = kUnbreakable;
     float break_torque = kUnbreakable;
     bool collide_connected = false;
+    std::uint64_t user_data = 0;
 };
 
 // Weld joint: the two anchors coincide and the bodies do not rotate relative to each other, or both only softly, by a
@@ -135,6 +139,7 @@ struct WeldJointDef {
     float break_force = kUnbreakable;
     float break_torque = kUnbreakable;
     bool collide_connected = false;
+    std::uint64_t user_data = 0;
 };
 
 // Wheel joint: a wheel B on a suspension of chassis A. B's anchor moves along an axis fixed in A, with spring and
@@ -151,6 +156,7 @@ struct WheelJointDef {
     float break_force = kUnbreakable;
     float break_torque = kUnbreakable;
     bool collide_connected = false;
+    std::uint64_t user_data = 0;
 };
 
 // Motor joint: drives the pose of B relative to A with a bounded force and torque.
@@ -170,6 +176,7 @@ struct MotorJointDef {
     float break_force = kUnbreakable;
     float break_torque = kUnbreakable;
     bool collide_connected = false;
+    std::uint64_t user_data = 0;
 };
 
 // Mouse joint: a spring pulls B's anchor to A's with a force of at most max_force. To drag B with a pointer, let A be a
@@ -184,12 +191,14 @@ struct MouseJointDef {
     float break_force = kUnbreakable;
     float break_torque = kUnbreakable;
     bool collide_connected = true;
+    std::uint64_t user_data = 0;
 };
 
 // Filter joint: the shapes of the two bodies do not collide. It constrains nothing.
 struct FilterJointDef {
     BodyId body_a{};
     BodyId body_b{};
+    std::uint64_t user_data = 0;
 };
 
 // Pulley joint: a rope from A over two wheels, fixed in the world, to B. The constraint is
@@ -209,6 +218,7 @@ struct PulleyJointDef {
     float break_force = kUnbreakable;  // of the force on B
     float break_torque = kUnbreakable;
     bool collide_connected = false;
+    std::uint64_t user_data = 0;
 };
 
 // Gear joint: couples the free motions of two joints, each revolute or prismatic. The constraint is
@@ -227,6 +237,7 @@ struct GearJointDef {
     float break_force = kUnbreakable;   // of the force on body_b, if joint_b is prismatic
     float break_torque = kUnbreakable;  // of the torque on body_b, if joint_b is revolute
     bool collide_connected = false;
+    std::uint64_t user_data = 0;
 };
 
 using JointDef = std::variant<RevoluteJointDef, DistanceJointDef, PrismaticJointDef, WeldJointDef, WheelJointDef,
@@ -244,6 +255,12 @@ struct JointAnchors {
 struct JointReaction {
     Vec2 force;           // at B's anchor, world axes, N
     float torque = 0.0f;  // N m
+};
+
+// The free motion of a joint in the present state: see World::joint_motion().
+struct JointMotion {
+    double position = 0.0;  // rad or m
+    double speed = 0.0;     // its change in time, rad/s or m/s
 };
 
 }  // namespace tumble

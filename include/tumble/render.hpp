@@ -43,6 +43,10 @@ struct Camera {
 // it before the first step of the world.
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio);
 
+// The camera that shows the present state of a world, with a margin: all bodies that are not static, the ground below
+// them, and all static shapes if they do not make the frame too large.
+Camera make_camera(const World& world, double aspect_ratio);
+
 // The camera moved with the body that it follows. A body that the timeline spawns is followed from the first state that
 // contains it. When the body is destroyed, the camera stays. Call it after every step, drawn or not, so that frames do
 // not depend on how many are drawn.
@@ -94,9 +98,14 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
 
     // Draws the present state of the world, with the scene's name and `time` (s) as text, into `image`, which is
-    // resized. Throws std::invalid_argument for a camera that is not finite or without height.
+    // resized. Bodies and joints that a program added to the run's world are drawn after the scene's own. Throws
+    // std::invalid_argument for a camera that is not finite or without height.
     void draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image,
               const Overlay& overlay = {}, const Marking& marking = {});
+
+    // The same for a world without a scene, with its time as text. Colours follow from types and ids of the bodies.
+    void draw(const World& world, const Camera& camera, Image& image, const Overlay& overlay = {},
+              const Marking& marking = {});
 
 private:
     struct Impl;

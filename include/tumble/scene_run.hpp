@@ -27,6 +27,9 @@ std::vector<std::uint64_t> steps_of_event(const SceneEvent& event, double steps_
 
 // Steps the world of a scene. An event at time t is applied before the first step that begins at t or later; step k
 // (from 0) begins at k / steps_per_second. Events of one time are applied in the order of the file.
+//
+// Between two steps a program may act on world(): forces, motors, new bodies, destroyed ones. The timeline continues,
+// and save() contains what the program did. What it creates has no name, so that events and claims do not find it.
 class SceneRun {
 public:
     // Throws SceneError as build_world() does.
@@ -35,8 +38,9 @@ public:
     SceneRun(SceneRun&&) noexcept;
     SceneRun& operator=(SceneRun&&) noexcept;
 
-    // Applies the events that are due, then advances by one step. Throws SimulationDiverged, and SceneError if the
-    // world refuses a spawned body.
+    // Applies the events that are due, then advances by one step. Throws SimulationDiverged, SceneError if the world
+    // refuses a spawned body, and std::invalid_argument for an event that sets the velocity of a body that the program
+    // has made static or disabled.
     void step();
 
     // The threads that make the steps, as World::set_threads(). They are not saved.
@@ -53,6 +57,7 @@ public:
     double time() const;  // s, of the current state
     const SceneWorld& built() const noexcept;
     const World& world() const noexcept { return built().world; }
+    World& world() noexcept;  // to act on; do not step it, which would leave out the timeline, or assign to it
 
 private:
     struct Impl;
@@ -92,6 +97,12 @@ public:
 
     // [scene.expect.size()]
     std::vector<ExpectationResult> results() const;
+
+    // What the watch has seen, as bytes. With the same scene, and its world at the start (build_world()), load() makes
+    // a watch from them that continues with the run that SceneRun::load() makes. Throws SnapshotError for other bytes,
+    // or those of a scene with other claims.
+    std::vector<std::byte> save() const;
+    static ExpectationWatch load(const Scene& scene, const SceneWorld& start, std::span<const std::byte> saved);
 
 private:
     struct Impl;

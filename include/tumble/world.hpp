@@ -50,29 +50,6 @@ struct WorldDef {
     Threads threads{};  // that make a step; not saved in snapshots
 };
 
-// A contact point of two shapes after a step.
-struct ContactPoint {
-    BodyId body_a;
-    BodyId body_b;
-    ShapeId shape_a;
-    ShapeId shape_b;
-    DVec2 point;                // world, half way between the surfaces, m
-    Vec2 normal;                // world, unit, from A to B
-    std::uint32_t feature = 0;  // identifies the point of this pair from step to step (manifold.hpp)
-    float separation = 0.0f;    // m, negative if the shapes overlap
-
-    // The impulse of A on B in the whole step, N s: along the normal (>= 0), and along the normal rotated by 90 degrees
-    // clockwise. The normal impulses under a resting body add up to its weight times the duration of the step.
-    float normal_impulse = 0.0f;
-    float tangent_impulse = 0.0f;
-};
-
-// Two shapes whose bounding boxes overlap. Most such pairs do not touch.
-struct ShapePair {
-    ShapeId a;
-    ShapeId b;
-};
-
 // A world of rigid bodies. It owns bodies, shapes and joints, and refers to them by ids.
 //
 // Sleep. Dynamic bodies that touch or are joined form an island. An island falls asleep once all of its bodies have
@@ -136,6 +113,14 @@ public:
     BodyType type(BodyId id) const;
     BodyState state(BodyId id) const;  // pose of the origin, velocity of the centre of mass
     BodyMass mass(BodyId id) const;
+
+    // The states of all bodies in the order of bodies(), copied into the caller's arrays. Throws std::invalid_argument
+    // if an array is neither empty nor has bodies().size() entries. O(bodies), without allocation.
+    void read_states(const BodyStateArrays& out) const;
+
+    // The velocity (m/s) of the point of the body that is at a world point (m): that of the centre of mass plus
+    // angular velocity x offset.
+    Vec2 velocity_at(BodyId id, DVec2 point) const;
 
     // The definition that would create the body as it is now, with everything that was set since its creation.
     BodyDef definition(BodyId id) const;
@@ -235,6 +220,16 @@ public:
     // Destroys a joint and the gears on it, and wakes its bodies.
     void destroy_joint(JointId id);
 
+    // Change one member of a joint's definition, and wake its bodies; cheaper than set_joint(). Throw
+    // std::invalid_argument for a joint whose kind has no such member. set_motor_speed() (rad/s or m/s) throws also for
+    // a joint without a motor; set_motor() gives the joint a motor of a largest torque (N m: revolute, wheel) or force
+    // (N: prismatic, distance). set_target() sets the world point (m) to which a mouse joint pulls B.
+    void set_motor_speed(JointId id, float speed);
+    void set_motor(JointId id, float speed, float max_effort);
+    void set_limits(JointId id, const std::optional<JointLimits>& limits);
+    void set_spring(JointId id, const std::optional<JointSpring>& spring);
+    void set_target(JointId id, DVec2 target);
+
     // Changes the parameters of a joint: limits, motor, spring, anchors... The kind, the bodies and the joints of a
     // gear must stay the same. The accumulated impulses are kept, so that a loaded joint stays loaded. Wakes the
     // bodies.
@@ -266,6 +261,22 @@ public:
     //   gear                    motion_a + ratio * motion_b - its value at creation, rad or m
     //   filter                  0
     float joint_position(JointId id) const;
+
+    // The position and speed of the joint's free motion in the present state, after the step. The position is that of
+    // joint_position(), except for revolute joints without limits and spring: their angle is in [-pi, pi], as whole
+    // turns are not counted. For a gear the position is still that at the start of the step.
+    JointMotion joint_motion(JointId id) const;
+
+    // ---- User data ----
+
+    // A number that the caller keeps with a body, a shape or a joint, such as the address or the index of an object of
+    // its own. It is part of definitions and snapshots, and has no effect on the simulation and on state_hash().
+    std::uint64_t user_data(BodyId id) const;
+    std::uint64_t user_data(ShapeId id) const;
+    std::uint64_t user_data(JointId id) const;
+    void set_user_data(BodyId id, std::uint64_t data);
+    void set_user_data(ShapeId id, std::uint64_t data);
+    void set_user_data(JointId id, std::uint64_t data);
 
     // ---- Queries (query.hpp) ----
 

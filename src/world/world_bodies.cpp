@@ -104,7 +104,18 @@ BodyDef World::definition(BodyId id) const {
     def.locks = {has(kLockX), has(kLockY), has(kLockRotation)};
     def.enabled = record.is_enabled;
     def.mass = record.own_mass;
+    def.user_data = record.user_data;
     return def;
+}
+
+std::uint64_t World::user_data(BodyId id) const {
+    impl_->require(id);
+    return impl_->simulation.bodies.records[id.index].user_data;
+}
+
+void World::set_user_data(BodyId id, std::uint64_t data) {
+    impl_->require(id);
+    impl_->simulation.bodies.records[id.index].user_data = data;
 }
 
 void World::set_type(BodyId id, BodyType type) {

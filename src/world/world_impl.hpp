@@ -48,6 +48,11 @@ struct World::Impl {
     // for a gear without two different joints that can be geared.
     JointDef with_gear_bodies(const JointDef& joint) const;
 
+    // world_joints.cpp: calls change(def) with the definition of a joint, which must keep its kind, bodies, anchors and
+    // collide_connected, and wakes its bodies.
+    template <class Change>
+    void change_joint(JointId id, Change&& change);
+
     // world_bodies.cpp: wakes a body and calls change(motion) with its BodyMotion.
     template <class Change>
     void change_motion(BodyId id, Change&& change);

@@ -38,7 +38,21 @@ void settle_sleep(Simulation& simulation, JointId id) {
     if (!all_enabled || (!any_active && sleeper)) simulation.joints.put_to_sleep({&id, 1});
 }
 
+[[noreturn]] void refuse(JointId id, const char* what) {
+    throw std::invalid_argument("joint " + std::to_string(id.index) + " has no " + what);
+}
+
 }  // namespace
+
+template <class Change>
+void World::Impl::change_joint(JointId id, Change&& change) {
+    require(id);
+    JointDef joint = simulation.joints.def(id);
+    std::visit(change, joint);
+    check(joint);
+    for (const BodyId body : simulation.joints.bodies(id)) wake(simulation, body.index);
+    simulation.joints.redefine(id, joint);
+}
 
 JointDef World::Impl::with_gear_bodies(const JointDef& joint) const {
     if (!std::holds_alternative<GearJointDef>(joint)) return joint;
@@ -105,6 +119,56 @@ void World::set_joint(JointId id, const JointDef& def) {
         simulation.joints.redefine(gear, JointDef(simulation.joints.def(gear)));
 }
 
+void World::set_motor_speed(JointId id, float speed) {
+    impl_->change_joint(id, [&](auto& def) {
+        if constexpr (requires { def.motor; }) {
+            if (!def.motor) refuse(id, "motor");
+            def.motor->speed = speed;
+        } else {
+            refuse(id, "motor");
+        }
+    });
+}
+
+void World::set_motor(JointId id, float speed, float max_effort) {
+    impl_->change_joint(id, [&](auto& def) {
+        if constexpr (requires { def.motor; })
+            def.motor = {speed, max_effort};
+        else
+            refuse(id, "motor");
+    });
+}
+
+void World::set_limits(JointId id, const std::optional<JointLimits>& limits) {
+    impl_->change_joint(id, [&](auto& def) {
+        if constexpr (requires { def.limits; })
+            def.limits = limits;
+        else
+            refuse(id, "limits");
+    });
+}
+
+void World::set_spring(JointId id, const std::optional<JointSpring>& spring) {
+    impl_->change_joint(id, [&](auto& def) {
+        if constexpr (requires { def.spring.reset(); })
+            def.spring = spring;
+        else if constexpr (requires { def.spring; })
+            spring ? void(def.spring = *spring) : refuse(id, "other force than its spring, which cannot be removed");
+        else
+            refuse(id, "spring");
+    });
+}
+
+void World::set_target(JointId id, DVec2 target) {
+    check_point(target);
+    impl_->change_joint(id, [&](auto& def) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(def)>, MouseJointDef>)
+            def.anchor_a = to_float(inverse_transform_point(state(def.body_a).pose, target));
+        else
+            refuse(id, "target");
+    });
+}
+
 void World::destroy_joint(JointId id) {
     impl_->require(id);
     impl_->destroy_joint(id);
@@ -139,6 +203,16 @@ std::optional<JointAnchors> World::joint_anchors(JointId id) const {
 float World::joint_position(JointId id) const {
     impl_->require(id);
     return impl_->simulation.joints.position(id);
+}
+
+std::uint64_t World::user_data(JointId id) const {
+    impl_->require(id);
+    return std::visit([](const auto& def) { return def.user_data; }, impl_->simulation.joints.def(id));
+}
+
+void World::set_user_data(JointId id, std::uint64_t data) {
+    impl_->require(id);
+    impl_->simulation.joints.set_user_data(id, data);
 }
 
 }  // namespace tumble

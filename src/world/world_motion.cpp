@@ -20,6 +20,36 @@ MovingBody* wake_dynamic(Simulation& simulation, BodyId id) {
 
 }  // namespace
 
+void World::read_states(const BodyStateArrays& out) const {
+    const BodyStore& bodies = impl_->simulation.bodies;
+    const std::span<const BodyId> ids = bodies.ids.live();
+    // Calls write(entry, index) for each body, if there is an array for it.
+    const auto fill = [&](auto array, const char* name, auto&& write) {
+        if (array.empty()) return;
+        if (array.size() != ids.size())
+            throw std::invalid_argument(std::string(name) + " needs one entry for each body: it has " +
+                                        std::to_string(array.size()) + ", the world has " + std::to_string(ids.size()) +
+                                        " bodies");
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            const BodyFrame& frame = bodies.frames[ids[i].index];
+            array[i] = write(frame, bodies.solver_bodies[frame.solver_body]);
+        }
+    };
+    fill(out.positions, "positions", [](const BodyFrame& frame, const SolverBody&) { return frame.pose.position; });
+    fill(out.angles, "angles", [](const BodyFrame& frame, const SolverBody&) { return angle(frame.pose.rotation); });
+    fill(out.velocities, "velocities", [](const BodyFrame&, const SolverBody& body) { return body.velocity; });
+    fill(out.angular_velocities, "angular_velocities",
+         [](const BodyFrame&, const SolverBody& body) { return body.angular_velocity; });
+}
+
+Vec2 World::velocity_at(BodyId id, DVec2 point) const {
+    impl_->require(id);
+    check_point(point);
+    const BodyFrame& frame = impl_->simulation.bodies.frames[id.index];
+    const SolverBody& body = impl_->simulation.bodies.solver_bodies[frame.solver_body];
+    return body.velocity + cross(body.angular_velocity, to_float(point - frame.center));
+}
+
 void World::set_transform(BodyId id, const Pose& pose) {
     impl_->require(id);
     check_pose(pose, "body");

@@ -89,4 +89,14 @@ BodyId World::body(ShapeId id) const {
     return impl_->simulation.bodies.ids.at(impl_->simulation.shapes[id.index].body);
 }
 
+std::uint64_t World::user_data(ShapeId id) const {
+    impl_->require(id);
+    return impl_->simulation.shapes[id.index].user_data;
+}
+
+void World::set_user_data(ShapeId id, std::uint64_t data) {
+    impl_->require(id);
+    impl_->simulation.shapes.set_user_data(id.index, data);
+}
+
 }  // namespace tumble

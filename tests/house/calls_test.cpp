@@ -170,8 +170,9 @@ TEST_CASE("every source has an object file that the tests of calls have read") {
     for (const char* top : {"src", "tools"})
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kProject / top)) {
             if (entry.path().extension() != ".cpp") continue;
-            ++sources;
             const fs::path source = fs::relative(entry.path(), top == std::string("src") ? kProject / top : kProject);
+            if (first_folder(source.generic_string()) == "python") continue;  // built by its own setup.py
+            ++sources;
             CHECK_MESSAGE(objects().sources.contains(source.generic_string()), source.generic_string());
         }
     CHECK(sources > 200);

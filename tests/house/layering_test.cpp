@@ -89,6 +89,7 @@ const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"stb_truetype.h", {"render"}},
     {"libdeflate.h", {"render"}},
     {"nlohmann", {"scene", "import", "render", "tools", "reference"}},
+    {"pybind11", {"python"}},
     {"rapidjson", {"tools"}},
     {"libfccp", {"tools"}},
     {"CLI", {"tools"}},

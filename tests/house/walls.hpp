@@ -61,6 +61,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"render/output", {}},
     {"render/replay", {"render/style", "render/output"}},
     {"render/video", {}},
+    {"python/bindings", {}},
     {"reference/query", {}},
     {"reference/exact", {"reference/query"}},
     {"reference/box2d", {"reference/query"}},
@@ -102,6 +103,7 @@ inline const std::map<std::string, std::set<std::string>> kNextBelow = {
     {"import", {"scene"}},
     {"render", {"scene"}},
     {"reference", {"scene"}},
+    {"python", {"import", "render"}},
     {"tools", {"import", "render", "reference"}},
 };
 

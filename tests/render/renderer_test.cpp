@@ -1,6 +1,7 @@
 // Whole frames: the same bytes in every run, readable text, and clear errors.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -117,4 +118,41 @@ TEST_CASE("a missing font is an error that names the package and the files searc
         CHECK(message.find("/nowhere/B.ttf") != std::string::npos);
     }
     CHECK_THROWS_AS(render::GlyphAtlas(__FILE__), RenderError);
+}
+
+TEST_CASE("a world without a scene is drawn with the colours of its types, and fills its frame") {
+    World world;
+    const BodyId ground = world.create_body({.type = BodyType::static_body, .pose = {{0.0, -1.0}, {}}});
+    world.add_shape(ground, {.shape = make_box({40.0f, 2.0f})});
+    const BodyId crate = world.create_body({.pose = {{-2.0, 0.5}, {}}});
+    world.add_shape(crate, {.shape = make_box({1.0f, 1.0f})});
+    const BodyId lift = world.create_body({.type = BodyType::kinematic_body, .pose = {{2.0, 0.5}, {}}});
+    world.add_shape(lift, {.shape = make_box({1.0f, 1.0f})});
+    Renderer renderer(640, 360);
+    Image image;
+    renderer.draw(world, {{0.0, 1.0}, 9.0}, image);  // 40 pixels a metre
+    using render::pixel;
+    CHECK(pixel(image, 320 - 80 - 12, 180 + 30) == render::style::kBodies[crate.index % render::style::kBodies.size()]);
+    CHECK(pixel(image, 320 + 80 - 12, 180 + 30) == render::style::kKinematic);
+    CHECK(pixel(image, 600, 180 + 60) == render::style::kStatic);
+
+    const Camera camera = make_camera(world, 16.0 / 9.0);
+    CHECK(std::abs(camera.center.x) < 0.1);  // the two boxes lie symmetrically
+    CHECK(camera.height > 1.0);
+    CHECK(camera.height < 10.0);
+    const Camera empty = make_camera(World(), 1.0);
+    CHECK(empty.height > 0.0);
+    renderer.draw(World(), empty, image);
+    CHECK_THROWS_AS(renderer.draw(world, {{0.0, 0.0}, 0.0}, image), std::invalid_argument);
+}
+
+TEST_CASE("a body that a program adds to the world of a scene is drawn too") {
+    HandMadeScene s = playground();
+    const BodyId added = s.built.world.create_body({.pose = {{0.0, 3.0}, {}}});
+    s.built.world.add_shape(added, {.shape = make_box({1.0f, 1.0f})});
+    Renderer renderer(640, 360);
+    const Image image = frame(renderer, s);
+    CHECK(render::pixel(image, 320 - 12, 180 - 80 + 12) ==
+          render::style::kBodies[added.index % render::style::kBodies.size()]);
+    CHECK(render::pixel(image, 320 - 80, 180 + 20) == render::style::kBodies[0]);
 }

@@ -31,6 +31,7 @@ BodyId BodyStore::create(const BodyDef& def) {
     record.own_mass = def.mass;
     record.type = def.type;
     record.is_enabled = def.enabled;
+    record.user_data = def.user_data;
     record.motion = {def.gravity_scale, def.linear_damping, def.angular_damping, 0.0f, 0.0f, def.allow_sleep};
     if (def.allow_fast_rotation) record.flags |= kFastSpin;
     if (def.bullet) record.flags |= kBulletBody;

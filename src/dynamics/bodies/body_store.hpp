@@ -52,6 +52,7 @@ struct BodyRecord {
     std::uint32_t island = kNoIsland;  // the sleeping island that it belongs to
     std::vector<ShapeId> shapes;       // in order of creation
     std::vector<JointId> joints;       // in order of creation
+    std::uint64_t user_data = 0;
 };
 
 // How far a body moves in a step if nothing acts on it but forces.

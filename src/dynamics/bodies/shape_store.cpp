@@ -26,7 +26,8 @@ ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def) {
     TUMBLE_CHECK(smaller >= 0.0f);
     TUMBLE_CHECK(reach >= 0.0f);
 
-    records_[id.index] = {def.shape, def.material, def.filter, body, smaller, reach, def.sensor, true, false, def.link};
+    records_[id.index] = {def.shape,  def.material, def.filter, body,     smaller,      reach,
+                          def.sensor, true,         false,      def.link, def.user_data};
     return id;
 }
 

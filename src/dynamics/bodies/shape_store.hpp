@@ -26,6 +26,7 @@ struct ShapeRecord {
     bool is_live = false;
     bool is_placed = false;         // has a proxy: the body is enabled
     std::optional<ChainLink> link;  // if the shape is a chain's segment
+    std::uint64_t user_data = 0;
 };
 
 // The extent that scales the contact of two shapes, m. A segment has the extent 0 and leaves the scale to the other
@@ -47,6 +48,7 @@ public:
 
     void set_material(std::uint32_t shape, const SurfaceMaterial& material) { records_[shape].material = material; }
     void set_filter(std::uint32_t shape, const CollisionFilter& filter) { records_[shape].filter = filter; }
+    void set_user_data(std::uint32_t shape, std::uint64_t data) { records_[shape].user_data = data; }
 
     // The index is not used again before forget_destroyed(), because contacts may still refer to it.
     void destroy(ShapeId id, BroadPhase& broad);

@@ -120,6 +120,10 @@ void JointStore::redefine(JointId id, const JointDef& def) {
     });
 }
 
+void JointStore::set_user_data(JointId id, std::uint64_t data) {
+    std::visit([data](auto& def) { def.user_data = data; }, records_[id.index].def);
+}
+
 void JointStore::forget_impulses(JointId id) {
     visit_list_of(*this, id, [&](auto& list, const auto&) { list.joints[records_[id.index].slot].forget_impulses(); });
 }

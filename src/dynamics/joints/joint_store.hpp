@@ -77,6 +77,8 @@ public:
     // Gives a joint another definition of the same kind and bodies. Its accumulated impulses are kept.
     void redefine(JointId id, const JointDef& def);
 
+    void set_user_data(JointId id, std::uint64_t data);
+
     // Clears the accumulated impulses: the next step solves the joint without warm start.
     void forget_impulses(JointId id);
 

@@ -1,6 +1,10 @@
 #include "render/frame/draw_list.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <span>
 #include <variant>
+#include <vector>
 
 #include "debug/check.hpp"
 #include "render/frame/grid.hpp"
@@ -28,51 +32,105 @@ void add_chain_bands(std::vector<MeshVertex>& mesh, const View& view, const Scen
             add_chain_band(mesh, view, chain->points, chain->loop, pose, color);
 }
 
-}  // namespace
-
-void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world, const View& view) {
+void clear(DrawList& list, const View& view) {
     for (Layer* const layer : list.layers()) {
         layer->clear();
         layer->outline_width = style::kOutline * view.detail();
     }
     list.background = style::kBackground;
     add_grid(list.grid, view);
+}
 
+// Adds bodies to a draw list; keeps its buffers between them.
+class BodyPainter {
+public:
+    BodyPainter(DrawList& list, const World& world, const View& view) : list_(list), world_(world), view_(view) {}
+
+    // Draws a body whose shapes have the given paints.
+    void add(BodyId body, std::span<const Paint> paints) {
+        const std::span<const ShapeId> shapes = world_.shapes(body);
+        const Pose pose = world_.state(body).pose;
+        const bool is_static = world_.type(body) == BodyType::static_body;
+        parts_.clear();
+        for (std::size_t k = 0; k < shapes.size(); ++k) {
+            const Shape& shape = world_.shape(shapes[k]);
+            if (world_.is_sensor(shapes[k]))
+                add_sensor_area(list_.sensors, view_, shape, pose, paints[k]);
+            else
+                parts_.push_back({&shape, paints[k]});
+        }
+        find_joined(parts_);
+        Layer& layer = is_static ? list_.ground : list_.bodies;
+        add_joined_parts(layer, view_, parts_, pose);
+        for (const Part& part : parts_) {
+            const double line_width = style::kSegment * view_.detail();
+            if (!part.is_joined) add_shape(layer, view_, *part.shape, pose, part.paint, line_width);
+            if (!is_static && has_mark(*part.shape, shapes.size()))
+                add_orientation_mark(list_.details, view_, *part.shape, pose, faded(part.paint.outline, kMarkOpacity));
+        }
+    }
+
+    // Draws a body that no scene describes.
+    void add_plain(BodyId body) {
+        const BodyType type = world_.type(body);
+        const Color fill = type == BodyType::static_body      ? style::kStatic
+                           : type == BodyType::kinematic_body ? style::kKinematic
+                                                              : style::kBodies[body.index % style::kBodies.size()];
+        paints_.assign(world_.shapes(body).size(), {fill, outline_of(fill)});
+        add(body, paints_);
+    }
+
+private:
+    DrawList& list_;
+    const World& world_;
+    const View& view_;
+    std::vector<Part> parts_;
+    std::vector<Paint> paints_;
+};
+
+// The ids of `all` that are in none of the instances, in order.
+template <class IdType, class Instance>
+std::vector<IdType> ids_without(std::span<const IdType> all, const std::vector<Instance>& instances) {
+    std::vector<IdType> known, others;
+    for (const Instance& instance : instances) known.push_back(instance.id);
+    std::sort(known.begin(), known.end());
+    std::set_difference(all.begin(), all.end(), known.begin(), known.end(), std::back_inserter(others));
+    return others;
+}
+
+}  // namespace
+
+void build_draw_list(DrawList& list, const World& world, const View& view) {
+    clear(list, view);
+    BodyPainter painter(list, world, view);
+    for (const BodyId body : world.bodies()) painter.add_plain(body);
+    add_joints(list.details, view, world, world.joints());
+}
+
+void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world, const View& view) {
+    clear(list, view);
     const Palette palette(scene);
-    const double line_width = style::kSegment * view.detail();
+    BodyPainter painter(list, world.world, view);
     std::vector<Paint> paints;
-    std::vector<Part> parts;
     std::size_t ordinal = 0;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
         const SceneInstance& body = world.bodies[i];
         TUMBLE_CHECK(body.source < scene.bodies.size() + scene.timeline.size());
         ordinal = i > 0 && world.bodies[i - 1].source == body.source ? ordinal + 1 : 0;
         if (!world.world.is_valid(body.id)) continue;
-        const std::span<const ShapeId> shapes = world.world.shapes(body.id);
-        const Pose pose = world.world.state(body.id).pose;
-        const bool is_static = world.world.type(body.id) == BodyType::static_body;
-        paints.resize(shapes.size());
+        paints.resize(world.world.shapes(body.id).size());
         palette.paint_body(body.source, ordinal, paints);
-        if (is_static && !paints.empty())
-            add_chain_bands(list.ground.mesh, view, source_of(scene, body), pose, paints.front().outline);
-        parts.clear();
-        for (std::size_t k = 0; k < shapes.size(); ++k) {
-            const Shape& shape = world.world.shape(shapes[k]);
-            if (world.world.is_sensor(shapes[k]))
-                add_sensor_area(list.sensors, view, shape, pose, paints[k]);
-            else
-                parts.push_back({&shape, paints[k]});
-        }
-        find_joined(parts);
-        Layer& layer = is_static ? list.ground : list.bodies;
-        add_joined_parts(layer, view, parts, pose);
-        for (const Part& part : parts) {
-            if (!part.is_joined) add_shape(layer, view, *part.shape, pose, part.paint, line_width);
-            if (!is_static && has_mark(*part.shape, shapes.size()))
-                add_orientation_mark(list.details, view, *part.shape, pose, faded(part.paint.outline, kMarkOpacity));
-        }
+        if (world.world.type(body.id) == BodyType::static_body && !paints.empty())
+            add_chain_bands(list.ground.mesh, view, source_of(scene, body), world.world.state(body.id).pose,
+                            paints.front().outline);
+        painter.add(body.id, paints);
     }
-    add_joints(list.details, view, world.world, world.joints);
+    for (const BodyId body : ids_without(world.world.bodies(), world.bodies)) painter.add_plain(body);
+    std::vector<JointId> joints;
+    for (const SceneJointInstance& joint : world.joints) joints.push_back(joint.id);
+    const std::vector<JointId> added = ids_without(world.world.joints(), world.joints);
+    joints.insert(joints.end(), added.begin(), added.end());
+    add_joints(list.details, view, world.world, joints);
 }
 
 }  // namespace tumble::render

@@ -9,7 +9,11 @@
 namespace tumble::render {
 
 // Replaces the list by the present state of the world: grid, static bodies, sensors, all other bodies, orientation
-// marks and joints, each in the order of SceneWorld. Destroyed bodies are skipped.
+// marks and joints, each in the order of SceneWorld. Destroyed bodies are skipped. Bodies and joints of the world that
+// the scene does not have follow, with the colours of a world without a scene.
 void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world, const View& view);
+
+// The same for a world without a scene: colours follow from the types and ids of its bodies.
+void build_draw_list(DrawList& list, const World& world, const View& view);
 
 }  // namespace tumble::render

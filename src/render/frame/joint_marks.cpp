@@ -47,11 +47,11 @@ std::vector<DVec2> path_of(const World& world, JointId id) {
 
 }  // namespace
 
-void add_joints(Layer& layer, const View& view, const World& world, std::span<const SceneJointInstance> joints) {
-    for (const SceneJointInstance& joint : joints) {
-        if (!world.is_valid(joint.id)) continue;
+void add_joints(Layer& layer, const View& view, const World& world, std::span<const JointId> joints) {
+    for (const JointId joint : joints) {
+        if (!world.is_valid(joint)) continue;
         std::optional<DVec2> from;
-        for (const DVec2 point : path_of(world, joint.id)) {
+        for (const DVec2 point : path_of(world, joint)) {
             const DVec2 to = view.to_pixels(point);
             if (from && length(to - *from) > 2.0 * style::kAnchor * view.detail())
                 add_line(layer, view, *from, to, style::kMark * view.detail(), style::kJoint);

@@ -5,12 +5,12 @@
 
 #include "render/canvas/primitives.hpp"
 #include "render/view/view.hpp"
-#include "tumble/scene_world.hpp"
+#include "tumble/world.hpp"
 
 namespace tumble::render {
 
 // Appends the joints that are not destroyed: a dot at each anchor, and a line between the anchors if they are apart.
 // The line of a pulley runs over its wheels.
-void add_joints(Layer& layer, const View& view, const World& world, std::span<const SceneJointInstance> joints);
+void add_joints(Layer& layer, const View& view, const World& world, std::span<const JointId> joints);
 
 }  // namespace tumble::render

@@ -19,6 +19,16 @@ struct Renderer::Impl {
     render::GlyphAtlas atlas;
     render::Canvas canvas;
     render::DrawList list;
+
+    // Adds what lies over the bodies to the draw list, and draws it.
+    void finish(const render::View& view, const World& world, render::LabelText text, Image& image,
+                const Overlay& overlay, const Marking& marking) {
+        render::add_overlay(list, view, world, overlay);
+        render::add_marking(list.overlay, view, world, marking);
+        text.legend = render::legend_of(overlay, world);
+        render::add_labels(list, atlas, view, text);
+        canvas.draw(list.background, std::as_const(list).layers(), atlas, image);
+    }
 };
 
 namespace {
@@ -29,6 +39,14 @@ int checked_side(const char* name, int pixels) {
                                     std::to_string(kSmallestFrame) + " to " + std::to_string(kLargestFrame) +
                                     " pixels, got " + std::to_string(pixels));
     return pixels;
+}
+
+render::View checked_view(const Camera& camera, int width, int height) {
+    if (!is_finite(camera.center) || !(camera.height > 0.0) || !std::isfinite(camera.height))
+        throw std::invalid_argument("a camera needs a finite center and a height above 0, got (" +
+                                    std::to_string(camera.center.x) + ", " + std::to_string(camera.center.y) +
+                                    ") and " + std::to_string(camera.height));
+    return render::make_view(camera, width, height);
 }
 
 }  // namespace
@@ -46,17 +64,16 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image,
                     const Overlay& overlay, const Marking& marking) {
-    if (!is_finite(camera.center) || !(camera.height > 0.0) || !std::isfinite(camera.height))
-        throw std::invalid_argument("a camera needs a finite center and a height above 0, got (" +
-                                    std::to_string(camera.center.x) + ", " + std::to_string(camera.center.y) +
-                                    ") and " + std::to_string(camera.height));
-    const render::View view = render::make_view(camera, impl_->width, impl_->height);
+    const render::View view = checked_view(camera, impl_->width, impl_->height);
     render::build_draw_list(impl_->list, scene, world, view);
-    render::add_overlay(impl_->list, view, world.world, overlay);
-    render::add_marking(impl_->list.overlay, view, world.world, marking);
-    const render::LabelText text{scene.name, time, marking.caption, render::legend_of(overlay, world.world)};
-    render::add_labels(impl_->list, impl_->atlas, view, text);
-    impl_->canvas.draw(impl_->list.background, std::as_const(impl_->list).layers(), impl_->atlas, image);
+    impl_->finish(view, world.world, {scene.name, time, marking.caption, {}}, image, overlay, marking);
+}
+
+void Renderer::draw(const World& world, const Camera& camera, Image& image, const Overlay& overlay,
+                    const Marking& marking) {
+    const render::View view = checked_view(camera, impl_->width, impl_->height);
+    render::build_draw_list(impl_->list, world, view);
+    impl_->finish(view, world, {"", world.time(), marking.caption, {}}, image, overlay, marking);
 }
 
 }  // namespace tumble

@@ -2,6 +2,7 @@
 // the world.
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "render/view/fit.hpp"
 #include "tumble/render.hpp"
@@ -44,15 +45,16 @@ Camera camera_following(const Scene& scene, const World& world, BodyId body) {
     return camera;
 }
 
-Camera fixed_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio) {
+// `motions` are those of a preview, for a scene.
+Camera fixed_camera(const Scene& scene, const World& world, const std::vector<render::MotionBounds>& motions,
+                    double aspect_ratio) {
     render::Box box;
-    if (!scene.camera.center || !scene.camera.height)
-        box = render::fitted_box(world.world, render::preview_motion(scene), aspect_ratio);
+    if (!scene.camera.center || !scene.camera.height) box = render::fitted_box(world, motions, aspect_ratio);
     Camera camera;
     camera.center = scene.camera.center.value_or(box.is_empty() ? DVec2{} : box.center());
     camera.height = height_or(scene, box.is_empty() ? 0.0 : kMargin * height_about(camera.center, box, aspect_ratio));
     const bool is_centered = !scene.camera.center && !box.is_empty();
-    if (is_centered && world.world.def().gravity.y < 0.0f) {
+    if (is_centered && world.def().gravity.y < 0.0f) {
         const double spare = std::max(0.0, camera.height - kMargin * box.size().y);
         camera.center.y += (0.5 - kShareBelow) * spare;
     }
@@ -64,8 +66,12 @@ Camera fixed_camera(const Scene& scene, const SceneWorld& world, double aspect_r
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio) {
     if (const SceneInstance* const body = find_body(world, scene.camera.follow))
         return camera_following(scene, world.world, body->id);
-    return fixed_camera(scene, world, aspect_ratio);
+    const bool is_stated = scene.camera.center && scene.camera.height;
+    return fixed_camera(scene, world.world,
+                        is_stated ? std::vector<render::MotionBounds>{} : render::preview_motion(scene), aspect_ratio);
 }
+
+Camera make_camera(const World& world, double aspect_ratio) { return fixed_camera(Scene{}, world, {}, aspect_ratio); }
 
 Camera move_camera(Camera camera, const Scene& scene, const SceneWorld& world) {
     if (camera.follows == BodyId{})

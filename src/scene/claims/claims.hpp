@@ -1,8 +1,11 @@
 // The claims of a scene as measures: how far a state is from one in which the claim holds.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "scene/model/names.hpp"
 #include "tumble/scene.hpp"
@@ -30,6 +33,11 @@ public:
 
     // Of a claim on the state hash: the hash that excess() found.
     virtual std::string state_hash() const { return {}; }
+
+    // What follow() collected from earlier steps, to be saved; set_state() takes it back, and answers whether it can be
+    // the state of this claim.
+    virtual std::vector<std::uint64_t> state() const { return {}; }
+    virtual bool set_state(std::span<const std::uint64_t> state) { return state.empty(); }
 };
 
 // A claim on the world or on bodies. `built` is the world at its start.

@@ -187,6 +187,25 @@ public:
         return gap_ == kAbsent ? "they do not touch" : "they are " + brief(gap_) + " m apart";
     }
 
+    std::vector<std::uint64_t> state() const override {
+        std::vector<std::uint64_t> numbers;
+        for (const auto& [pair, count] : touching_)
+            numbers.insert(numbers.end(), {pair.first.index, pair.first.generation, pair.second.index,
+                                           pair.second.generation, static_cast<std::uint64_t>(count)});
+        return numbers;
+    }
+    bool set_state(std::span<const std::uint64_t> state) override {
+        constexpr std::size_t kNumbers = 5;  // of each pair
+        const auto id = [](std::span<const std::uint64_t> numbers) {
+            return BodyId{static_cast<std::uint32_t>(numbers[0]), static_cast<std::uint32_t>(numbers[1])};
+        };
+        touching_.clear();
+        if (state.size() % kNumbers != 0) return false;
+        for (; !state.empty(); state = state.subspan(kNumbers))
+            touching_[{id(state), id(state.subspan(2))}] = static_cast<int>(state[4]);
+        return true;
+    }
+
 private:
     static constexpr std::size_t kMostPairs = 1000;  // whose distance is measured in every step
 
@@ -256,6 +275,18 @@ public:
     }
     double excess(const SceneWorld&) override { return excess_of(static_cast<double>(count_), allowed_); }
     std::string finding(const SceneWorld&) const override { return "there were " + std::to_string(count_); }
+    std::vector<std::uint64_t> state() const override {
+        std::vector<std::uint64_t> numbers{count_};
+        numbers.insert(numbers.end(), joints_.begin(), joints_.end());
+        return numbers;
+    }
+    bool set_state(std::span<const std::uint64_t> state) override {
+        if (state.empty()) return false;
+        count_ = state.front();
+        joints_.clear();
+        for (const std::uint64_t joint : state.subspan(1)) joints_.insert(static_cast<std::uint32_t>(joint));
+        return true;
+    }
 
 private:
     std::uint64_t count_in_step(const SceneWorld& built) const {

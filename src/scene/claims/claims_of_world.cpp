@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -125,6 +126,15 @@ public:
         return std::max(0.0, gain_ - limit_);
     }
     double severity() const override { return gain_; }
+    std::vector<std::uint64_t> state() const override {
+        if (!first_) return {};
+        return {std::bit_cast<std::uint64_t>(*first_)};
+    }
+    bool set_state(std::span<const std::uint64_t> state) override {
+        first_.reset();
+        if (!state.empty()) first_ = std::bit_cast<double>(state.front());
+        return state.size() <= 1;
+    }
     std::string finding(const SceneWorld&) const override {
         return gain_ > 0.0 ? "the energy is " + brief(gain_) + " J above that of the start" : "the energy never grew";
     }

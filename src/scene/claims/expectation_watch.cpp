@@ -1,12 +1,14 @@
 // Decides in which states a claim is evaluated, and which state decides it: the worst one of a claim that must always
 // hold, the best one of a claim that must hold sometime. The finding is that of the deciding state, so that a report
 // shows how near the claim was to failing or holding.
+#include <bit>
 #include <limits>
 #include <memory>
 
 #include "debug/check.hpp"
 #include "scene/claims/claims.hpp"
 #include "scene/model/names.hpp"
+#include "scene/model/saved_bytes.hpp"
 #include "scene/model/step_time.hpp"
 #include "tumble/scene_run.hpp"
 
@@ -14,6 +16,7 @@ namespace tumble {
 
 namespace {
 
+constexpr std::uint64_t kMagic = 0x31'54'41'57'4c'42'4d'54;  // "TMBLWAT1"
 constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
 
 // Claims on a state have a `when`; the moment of all others is fixed.
@@ -52,6 +55,35 @@ struct Watched {
         return moment == SceneMoment::always ? is_worse : is_better;
     }
 };
+
+void save_to(scene::SaveWriter& writer, const Watched& watched) {
+    writer.text(watched.text);
+    writer.number((watched.reached ? 1u : 0u) | (watched.seen ? 2u : 0u));
+    writer.number(std::bit_cast<std::uint64_t>(watched.excess));
+    writer.number(std::bit_cast<std::uint64_t>(watched.severity));
+    writer.number(watched.step);
+    writer.text(watched.finding);
+    writer.text(watched.state_hash);
+    const std::vector<std::uint64_t> state = watched.claim->state();
+    writer.number(state.size());
+    for (const std::uint64_t number : state) writer.number(number);
+}
+
+void load_from(scene::SaveReader& reader, Watched& watched) {
+    const bool is_same = reader.text() == watched.text;
+    const std::uint64_t flags = reader.number();
+    watched.reached = (flags & 1u) != 0;
+    watched.seen = (flags & 2u) != 0;
+    watched.excess = std::bit_cast<double>(reader.number());
+    watched.severity = std::bit_cast<double>(reader.number());
+    watched.step = reader.number();
+    watched.finding = reader.text();
+    watched.state_hash = reader.text();
+    std::vector<std::uint64_t> state(reader.count(sizeof(std::uint64_t)));
+    for (std::uint64_t& number : state) number = reader.number();
+    if (!is_same || !watched.claim->set_state(state))
+        throw SnapshotError("the saved claims are those of another scene");
+}
 
 }  // namespace
 
@@ -110,6 +142,27 @@ std::vector<ExpectationResult> ExpectationWatch::results() const {
                            watched.state_hash});
     }
     return results;
+}
+
+std::vector<std::byte> ExpectationWatch::save() const {
+    scene::SaveWriter writer;
+    writer.number(kMagic);
+    writer.number(impl_->last_step);
+    writer.number(impl_->watched.size());
+    for (const Watched& watched : impl_->watched) save_to(writer, watched);
+    return writer.finish();
+}
+
+ExpectationWatch ExpectationWatch::load(const Scene& scene, const SceneWorld& start, std::span<const std::byte> saved) {
+    scene::SaveReader reader(saved, "state of claims");
+    if (reader.number() != kMagic) throw SnapshotError("these bytes are no saved claims of this version");
+    ExpectationWatch watch(scene, start);
+    watch.impl_->last_step = reader.number();
+    if (reader.number() != watch.impl_->watched.size())
+        throw SnapshotError("the saved claims are those of another scene");
+    for (Watched& watched : watch.impl_->watched) load_from(reader, watched);
+    reader.finish();
+    return watch;
 }
 
 }  // namespace tumble

@@ -210,6 +210,8 @@ SceneRun SceneRun::load(const Scene& scene, std::span<const std::byte> saved) {
 
 double SceneRun::time() const { return impl_->built.world.time(); }
 
+World& SceneRun::world() noexcept { return impl_->built.world; }
+
 const SceneWorld& SceneRun::built() const noexcept { return impl_->built; }
 
 }  // namespace tumble

@@ -1,0 +1,58 @@
+#include "python/bindings/workers.hpp"
+
+namespace tumble::python {
+
+Workers::Workers(int threads) : errors_(static_cast<std::size_t>(threads)) {
+    for (std::size_t i = 1; i < errors_.size(); ++i) threads_.emplace_back([this, i] { work(i); });
+}
+
+Workers::~Workers() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    wake_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+}
+
+void Workers::run_part(std::size_t thread) {
+    const std::size_t parts = errors_.size();
+    try {
+        (*part_)(count_ * thread / parts, count_ * (thread + 1) / parts);
+    } catch (...) {
+        errors_[thread] = std::current_exception();
+    }
+}
+
+void Workers::run(std::size_t count, const std::function<void(std::size_t, std::size_t)>& part) {
+    {
+        const std::lock_guard lock(mutex_);
+        part_ = &part;
+        count_ = count;
+        busy_ = threads_.size();
+        ++round_;
+        errors_.assign(errors_.size(), nullptr);
+    }
+    wake_.notify_all();
+    run_part(0);
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [this] { return busy_ == 0; });
+    for (const std::exception_ptr& error : errors_)
+        if (error) std::rethrow_exception(error);
+}
+
+void Workers::work(std::size_t thread) {
+    std::size_t seen = 0;
+    while (true) {
+        std::unique_lock lock(mutex_);
+        wake_.wait(lock, [&] { return ends_ || round_ != seen; });
+        if (ends_) return;
+        seen = round_;
+        lock.unlock();
+        run_part(thread);
+        lock.lock();
+        if (--busy_ == 0) done_.notify_one();
+    }
+}
+
+}  // namespace tumble::python

@@ -1,0 +1,137 @@
+#include "python/bindings/world_box.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace tumble::python {
+
+namespace {
+
+constexpr std::chrono::milliseconds kSignalPause{50};  // between two looks for signals
+
+// Takes the flag of a box for the duration of a step.
+class Stepping {
+public:
+    explicit Stepping(std::atomic<bool>& flag) : flag_(flag) {
+        if (flag_.exchange(true)) throw std::runtime_error("another thread is stepping this world");
+    }
+    ~Stepping() { flag_ = false; }
+    Stepping(const Stepping&) = delete;
+    Stepping& operator=(const Stepping&) = delete;
+
+private:
+    std::atomic<bool>& flag_;
+};
+
+template <class T>
+std::span<T> entries_of(const py::array& array, std::size_t count) {
+    return {static_cast<T*>(const_cast<void*>(array.data())), count};
+}
+
+}  // namespace
+
+py::array read_only(py::array array) {
+    py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+    return array;
+}
+
+void WorldBox::require_idle() const {
+    if (is_stepping_) throw std::runtime_error("another thread is stepping this world");
+}
+
+const World& WorldBox::world() const {
+    require_idle();
+    return run_ ? run_->run.world() : *own_;
+}
+
+World& WorldBox::change() {
+    require_idle();
+    is_current_ = {};
+    return run_ ? run_->run.world() : *own_;
+}
+
+WatchedRun& WorldBox::run() {
+    require_idle();
+    if (!run_) throw std::runtime_error("this world has no scene");
+    return *run_;
+}
+
+void WorldBox::step(std::int64_t count) {
+    if (count < 0) throw std::invalid_argument("steps must be at least 0, got " + std::to_string(count));
+    {
+        const Stepping stepping(is_stepping_);
+        is_current_ = {};
+        const py::gil_scoped_release release;
+        auto looked = std::chrono::steady_clock::now();
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (run_) {
+                run_->run.step();
+                run_->watch.observe(run_->run.built());
+            } else {
+                own_->step();
+            }
+            if (count == 1 || std::chrono::steady_clock::now() - looked < kSignalPause) continue;
+            const py::gil_scoped_acquire acquire;
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+            looked = std::chrono::steady_clock::now();
+        }
+    }
+    refresh_held();
+}
+
+void WorldBox::refresh_held() {
+    for (std::size_t i = 0; i < kQuantities; ++i)
+        if (arrays_[i] && Py_REFCNT(arrays_[i].ptr()) > 1) {
+            const std::span<const BodyId> bodies = world().bodies();
+            if (!std::equal(bodies.begin(), bodies.end(), listed_.begin(), listed_.end())) return;
+            fill(static_cast<Quantity>(i));
+        }
+}
+
+void WorldBox::fill(Quantity quantity) {
+    const std::size_t count = listed_.size();
+    bool& is_current = is_current_[static_cast<std::size_t>(quantity)];
+    if (count == 0 || is_current) return;
+    is_current = true;
+    const py::array& array = slot(quantity);
+    switch (quantity) {
+        case Quantity::position: return world().read_states({.positions = entries_of<DVec2>(array, count)});
+        case Quantity::angle: return world().read_states({.angles = entries_of<double>(array, count)});
+        case Quantity::velocity: return world().read_states({.velocities = entries_of<Vec2>(array, count)});
+        case Quantity::angular_velocity:
+            return world().read_states({.angular_velocities = entries_of<float>(array, count)});
+    }
+}
+
+py::array WorldBox::array(Quantity quantity) {
+    const std::span<const BodyId> bodies = world().bodies();
+    if (!std::equal(bodies.begin(), bodies.end(), listed_.begin(), listed_.end())) {
+        listed_.assign(bodies.begin(), bodies.end());
+        arrays_ = {};
+        is_current_ = {};
+    }
+    py::array& kept = slot(quantity);
+    if (!kept || kept.size() == 0) {
+        const py::ssize_t count = static_cast<py::ssize_t>(listed_.size());
+        switch (quantity) {
+            case Quantity::position: kept = py::array_t<double>({count, py::ssize_t{2}}); break;
+            case Quantity::angle: kept = py::array_t<double>(count); break;
+            case Quantity::velocity: kept = py::array_t<float>({count, py::ssize_t{2}}); break;
+            case Quantity::angular_velocity: kept = py::array_t<float>(count); break;
+        }
+        read_only(kept);
+    }
+    fill(quantity);
+    return kept;
+}
+
+py::array_t<std::uint64_t> WorldBox::ids() {
+    const std::span<const BodyId> bodies = world().bodies();
+    py::array_t<std::uint64_t> numbers(static_cast<py::ssize_t>(bodies.size()));
+    std::transform(bodies.begin(), bodies.end(), numbers.mutable_data(),
+                   [](BodyId id) { return std::uint64_t{id.generation} << 32 | id.index; });
+    return numbers;
+}
+
+}  // namespace tumble::python

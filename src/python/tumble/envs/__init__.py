@@ -1,0 +1,1 @@
+"""The scenes of the environments that come with tumble: see tumble.env."""

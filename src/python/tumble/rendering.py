@@ -1,0 +1,65 @@
+"""Frames without a display, as numpy arrays and PNG files."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from tumble import _tumble
+from tumble.shapes import Vector, vector
+
+if TYPE_CHECKING:
+    from tumble.scene import Run
+    from tumble.world import World
+
+
+def render(
+    what: World | Run,
+    width: int = 640,
+    height: int = 360,
+    *,
+    center: Vector | None = None,
+    view_height: float | None = None,
+    overlay: Sequence[str] = (),
+) -> npt.NDArray[np.uint8]:
+    """Draws the present state as an array [height, width, 4] of red, green, blue and alpha, top row first.
+
+    The camera is fitted to the world, or has its middle at `center` (world, m) and shows `view_height` m. Pass both to
+    keep it still from frame to frame: see `fitted_camera`. `overlay` names what to show over the bodies: contacts,
+    normals, aabbs, islands, velocity, joints. Width and height are 16 to 8192 pixels. The same state gives the same
+    pixels on one machine.
+    """
+    world = what if not hasattr(what, "world") else what.world
+    if isinstance(overlay, str):
+        raise TypeError("overlay must be a list of names, not a string")
+    middle = None if center is None else vector(center, "center")
+    return _tumble.render(world._box, world._has_scene, width, height, middle, view_height, list(overlay))
+
+
+def fitted_camera(what: World | Run, aspect_ratio: float = 16.0 / 9.0) -> tuple[tuple[float, float], float]:
+    """The center and the view_height that `render` would choose now. Of a run: before its first step."""
+    world = what if not hasattr(what, "world") else what.world
+    return _tumble.fitted_camera(world._box, world._has_scene, aspect_ratio)
+
+
+def write_png(pixels: npt.NDArray[Any], path: str | os.PathLike[str]) -> None:
+    """Writes pixels [height, width, 4] of uint8. The same pixels give the same bytes."""
+    if not isinstance(pixels, np.ndarray) or pixels.dtype != np.uint8:
+        raise TypeError("pixels must be an array of uint8")
+    if pixels.ndim != 3 or pixels.shape[2] != 4:
+        raise ValueError(f"pixels must have the shape (height, width, 4), got {pixels.shape}")
+    _tumble.write_png(np.ascontiguousarray(pixels), os.fspath(path))
+
+
+def png_bytes(pixels: npt.NDArray[Any]) -> bytes:
+    """The bytes of a PNG file."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "frame.png"
+        write_png(pixels, file)
+        return file.read_bytes()

@@ -1,0 +1,195 @@
+"""Scenes: the description of a world as plain data, with a timeline and claims, and the runs of scenes."""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from tumble import _tumble
+from tumble.shapes import Vector
+from tumble.world import Body, Joint, World
+
+
+class Claim(NamedTuple):
+    """The result of one claim of a scene."""
+
+    passed: bool
+    claim: str  #: "'crate' is inside [0, 0] to [2, 3] at 4 s"
+    finding: str  #: "it is at [2.5, 0.5]"
+    step: int  #: the step that decided it
+    time: float  #: s, of that step
+
+
+class Scene:
+    """A scene as plain data: `scene.data` is the content of its file, to be read and edited.
+
+    >>> scene = Scene.load("scenes/pyramid.json")
+    >>> scene.data["world"] = {"gravity": [0, -1.6]}
+    >>> run = scene.run(duration=2)
+    >>> run.state_hash
+    """
+
+    def __init__(self, data: Mapping[str, Any] | None = None, *, name: str = "scene") -> None:
+        """Takes a copy of the data. SceneError names what is wrong in it when it runs, or by `check`."""
+        self.data: dict[str, Any] = copy.deepcopy(dict(data)) if data is not None else {"format": 1}
+        self.data.setdefault("format", 1)
+        self._name = name
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], *, set: Sequence[str] = (), seed: int | None = None) -> Scene:
+        """Reads a scene file and the files that it includes.
+
+        `set` has overrides as on the command line, "/world/duration=3". Raises SceneError with file, line and column, or
+        FileError.
+        """
+        text = _tumble.load_scene(os.fspath(path), list(set), seed)
+        return cls(json.loads(text), name=Path(path).name)
+
+    @classmethod
+    def parse(cls, text: str, name: str = "scene") -> Scene:
+        """Reads the text of a scene file, which may have comments. Raises SceneError with line and column."""
+        return cls(json.loads(_tumble.check_scene(text, name)), name=name)
+
+    def check(self) -> None:
+        """Raises SceneError if the data is not a valid scene."""
+        _tumble.check_scene(self._text(), self._name)
+
+    def to_json(self) -> str:
+        """The canonical text of the scene."""
+        return _tumble.check_scene(self._text(), self._name)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the canonical text."""
+        Path(path).write_text(self.to_json(), encoding="utf-8")
+
+    @property
+    def hash(self) -> str:
+        """16 hexadecimal digits of what is simulated: equal for scenes that run alike."""
+        return f"{_tumble.scene_hash(self._text()):016x}"
+
+    @property
+    def bodies(self) -> list[dict[str, Any]]:
+        """The bodies of the data, to be edited."""
+        bodies: list[dict[str, Any]] = self.data.setdefault("bodies", [])
+        return bodies
+
+    def start(self) -> Run:
+        """A run at its first state, to be stepped."""
+        return Run(self)
+
+    def run(self, duration: float | None = None) -> Run:
+        """Runs the scene for `duration` s, by default its own, and evaluates its claims."""
+        scene = self
+        if duration is not None:
+            scene = Scene(self.data, name=self._name)
+            scene.data.setdefault("world", {})["duration"] = duration
+        run = Run(scene)
+        run.finish()
+        return run
+
+    def copy(self) -> Scene:
+        return Scene(self.data, name=self._name)
+
+    def _text(self) -> str:
+        try:
+            return json.dumps(self.data, allow_nan=False)
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"the data of a scene must be JSON: {error}") from None
+
+    def __repr__(self) -> str:
+        name = self.data.get("name") or self._name
+        return f"<Scene {name!r}: {len(self.data.get('bodies', []))} bodies, {len(self.data.get('joints', []))} joints>"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and self.data == other.data
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def _repr_png_(self) -> bytes:
+        return self.start()._repr_png_()
+
+
+class Run:
+    """A scene that runs: its world, its timeline and its claims.
+
+    You may act on `world` between steps; the timeline continues.
+    """
+
+    def __init__(self, scene: Scene, *, _box: _tumble.World | None = None) -> None:
+        text = scene._text()
+        self._steps = _tumble.count_steps(text)
+        self._box = _box if _box is not None else _tumble.start(text, scene._name)
+        self.scene = scene.copy()
+        self.world = World._of(self._box, True)
+
+    def __repr__(self) -> str:
+        return f"<Run of {self.scene!r} at {self.time:.3f} s, hash {self.state_hash}>"
+
+    def step(self, count: int = 1) -> None:
+        """Makes steps with the timeline, and observes the claims."""
+        self._box.step(count)
+
+    def finish(self) -> None:
+        """Steps to the end of the scene's duration."""
+        self._box.step(max(0, self._steps - self._box.step_count()))
+
+    @property
+    def time(self) -> float:
+        """s."""
+        return self._box.time()
+
+    @property
+    def state_hash(self) -> str:
+        """16 hexadecimal digits, as `tumble run` prints them."""
+        return self.world.state_hash
+
+    @property
+    def bodies(self) -> dict[str, Body]:
+        """The bodies by name; those without a name are body[i]. Spawned ones appear, destroyed ones disappear."""
+        return {name: Body(self.world, id) for name, id in _tumble.run_bodies(self._box).items()}
+
+    @property
+    def joints(self) -> dict[str, Joint]:
+        """The joints by name; those without a name are joint[i]."""
+        return {name: Joint(self.world, id) for name, id in _tumble.run_joints(self._box).items()}
+
+    @property
+    def claims(self) -> list[Claim]:
+        """The results of the claims so far, in the order of the scene."""
+        return [Claim(*result) for result in _tumble.run_claims(self._box)]
+
+    @property
+    def passed(self) -> bool:
+        """Whether all claims hold."""
+        return all(claim.passed for claim in self.claims)
+
+    def save(self) -> tuple[str, bytes, bytes]:
+        """The run with its timeline and claims, for `Run.load` and for pickle."""
+        return _tumble.save_run(self._box)
+
+    @staticmethod
+    def load(saved: tuple[str, bytes, bytes]) -> Run:
+        """Continues a saved run. Raises SnapshotError."""
+        text, run, watch = saved
+        return Run(Scene(json.loads(text)), _box=_tumble.load_run(text, run, watch))
+
+    def copy(self) -> Run:
+        return Run.load(self.save())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Run.load, (self.save(),)
+
+    def render(self, width: int = 640, height: int = 360, *, center: Vector | None = None,
+               view_height: float | None = None, overlay: Sequence[str] = ()) -> npt.NDArray[np.uint8]:  # fmt: skip
+        """A frame as an array [height, width, 4]: see `tumble.render`."""
+        return self.world.render(width, height, center=center, view_height=view_height, overlay=overlay)
+
+    def _repr_png_(self) -> bytes:
+        return self.world._repr_png_()

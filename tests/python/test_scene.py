@@ -1,0 +1,113 @@
+"""Scenes and runs: the hashes of the command line, plain data, claims, errors with their place."""
+
+import json
+import os
+import pickle
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import tumble
+
+SCENES = Path(__file__).resolve().parents[2] / "scenes"
+COMMAND = os.environ.get("TUMBLE_COMMAND")
+
+
+@pytest.mark.skipif(COMMAND is None, reason="TUMBLE_COMMAND names no binary")
+@pytest.mark.parametrize("name", ["pyramid", "machines", "bridge", "fountain", "breakable_bridge", "double_pendulums"])
+def test_a_scene_has_the_hash_of_the_command_line(name, tmp_path):
+    scene = tumble.Scene.load(SCENES / f"{name}.json")
+    run = scene.run(duration=2)
+    subprocess.run([COMMAND, "run", SCENES / f"{name}.json", "--duration", "2", "--no-frames", "-o", tmp_path / "out"],
+                   check=True, capture_output=True)  # fmt: skip
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert run.state_hash == summary["state_hash"]
+    assert scene.hash == tumble.Scene.load(SCENES / f"{name}.json").hash
+
+
+def test_a_scene_is_plain_data():
+    scene = tumble.Scene.load(SCENES / "see_saw.json", seed=3)
+    assert scene.data["world"]["seed"] == 3
+    scene.data["world"]["gravity"] = [0, 0]
+    run = scene.run(duration=0.5)
+    assert run.time == 0.5
+    assert scene.data["world"].get("duration") != 0.5
+    made = tumble.Scene({"bodies": [{"name": "ball", "position": [0, 3], "shapes": [{"circle": {"radius": 0.5}}]}]})
+    assert made.run(duration=1).bodies["ball"].position[1] == pytest.approx(-2, abs=0.1)
+    assert made == made.copy() and repr(made) == "<Scene 'scene': 1 bodies, 0 joints>"
+
+
+def test_a_scene_is_written_and_read_again(tmp_path):
+    scene = tumble.Scene.load(SCENES / "machines.json")
+    scene.save(tmp_path / "copy.json")
+    assert tumble.Scene.load(tmp_path / "copy.json").hash == scene.hash
+
+
+def test_claims_are_evaluated():
+    run = tumble.Scene.load(SCENES / "pyramid.json").run()
+    assert run.passed and len(run.claims) > 0
+    scene = tumble.Scene.load(SCENES / "pyramid.json")
+    scene.data["expect"] = [{"max_penetration": 0}]
+    run = scene.run()
+    assert not run.passed
+    assert "penetrat" in run.claims[0].claim or "overlap" in run.claims[0].claim
+
+
+def test_a_run_can_be_acted_on_saved_and_continued():
+    scene = tumble.Scene.load(SCENES / "fountain.json")
+    run = scene.start()
+    run.step(60)
+    count = len(run.world)
+    run.world.add_body(shapes=[tumble.circle(0.3)], position=(0, 8))
+    twin = pickle.loads(pickle.dumps(run))
+    other = run.copy()
+    for each in (run, twin, other):
+        each.step(60)
+    assert len(run.world) > count + 1  # the timeline went on
+    assert twin.state_hash == run.state_hash == other.state_hash
+    assert twin.claims == run.claims
+    assert set(twin.bodies) == set(run.bodies)
+    with pytest.raises(tumble.SnapshotError):
+        tumble.Run.load((run.save()[0], b"nonsense", run.save()[2]))
+
+
+def test_errors_have_their_place():
+    with pytest.raises(tumble.SceneError) as caught:
+        tumble.Scene.parse('{"format": 1,\n "bodies": [{"shapes": [{"circle": {"radius": -1}}]}]}', "ball.json")
+    error = caught.value
+    assert (error.file, error.line, error.column) == ("ball.json", 2, 47)  # of the number
+    assert error.diagnostics[0].pointer == "/bodies/0/shapes/0/circle/radius"
+    assert "must be greater than 0" in str(error)
+    assert pickle.loads(pickle.dumps(error)).diagnostics == error.diagnostics
+    with pytest.raises(tumble.FileError):
+        tumble.Scene.load("no/such/file.json")
+    scene = tumble.Scene({"bodies": [{"shapes": [{"cirle": {}}]}]})
+    with pytest.raises(tumble.SceneError, match="circle"):
+        scene.run()
+    scene.data["bodies"] = [np.nan]
+    with pytest.raises(ValueError, match="JSON"):
+        scene.check()
+
+
+def test_a_run_is_drawn_with_the_camera_of_its_scene():
+    run = tumble.Scene.load(SCENES / "pyramid.json").start()
+    first = run.render(320, 180)
+    run.step(30)
+    assert run.render(320, 180).shape == (180, 320, 4)
+    assert not np.array_equal(first, run.render(320, 180))
+    center, height = tumble.fitted_camera(run)
+    assert height > 0
+    assert run._repr_png_().startswith(b"\x89PNG")
+
+
+def test_a_world_diverges_with_an_exception():
+    world = tumble.World(gravity=(0, 0))
+    body = world.add_body(shapes=[tumble.circle(0.5)])
+    body.position = (1e300, 0)
+    body.velocity = (3e38, 0)
+    try:
+        world.step(5)
+    except tumble.SimulationDiverged as error:
+        assert error.body == body.id

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Runs Python with the package tumble. Installs missing packages, and builds and installs the wheel into build/python
+# first if a source has changed.
+#   tools/python.sh SCRIPT.py ARGS...   runs a script
+#   tools/python.sh -m pytest ...       any arguments of python3
+#   tools/python.sh --test              runs the tests of the package, and checks its types
+# TUMBLE_BUILD names the build folder of the library (default: build/release).
+set -euo pipefail
+
+project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
+export TUMBLE_BUILD=${TUMBLE_BUILD-$project/build/release}
+environment=$project/build/python
+
+"$project/tools/setup.sh" python
+mkdir -p "$environment"
+[[ -x $environment/venv/bin/python ]] || /usr/bin/python3 -m venv --system-site-packages "$environment/venv"
+python=$environment/venv/bin/python
+
+# The package is as new as this file if no source is newer.
+installed=$environment/installed
+if [[ ! -f $installed || -n $(find "$project"/{src,include,CMakeLists.txt} -newer "$installed" -print -quit) ]]; then
+    started=$(mktemp -p "$environment")
+    rm -rf "$environment"/{source,wheel}
+    cp -r "$project/src/python" "$environment/source"
+    (cd -- "$environment/source" && TUMBLE_PROJECT=$project "$python" -m pip --quiet wheel --no-deps --no-build-isolation \
+        --no-index --wheel-dir "$environment/wheel" .) >&2
+    "$python" -m pip --quiet install --no-deps --no-index --force-reinstall "$environment"/wheel/*.whl >&2
+    mv -- "$started" "$installed"
+fi
+
+if [[ ${1-} == --test ]]; then
+    shift
+    "$python" -m pytest -q -p no:cacheprovider "$project/tests/python" "$@"
+    cd -- "$project/src/python"
+    exec /usr/bin/python3 -m mypy --strict --no-incremental --cache-dir=/dev/null -p tumble
+fi
+exec "$python" "$@"
