@@ -101,7 +101,8 @@ TUMBLE_LANE_FUNCTION void take_equal(Mask4& mask, const Double4& a, const Double
 #if defined(__AVX__)
     mask = reinterpret_cast<Mask4>(_mm256_cmp_pd(a, b, _CMP_EQ_OQ));
 #else
-    mask = a == b;
+    // Not `a == b`: g++ 12 at -O1 turns that into a wrong mask where `a < b` is needed too.
+    mask = (a <= b) & (b <= a);
 #endif
 }
 
