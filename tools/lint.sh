@@ -42,7 +42,7 @@ configure() {
     shift
     mkdir -p build
     cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++-14 \
-        -DTUMBLE_FUZZ=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON "$@" > "$folder.log" || { cat "$folder.log" >&2; return 1; }
+        -DTUMBLE_FUZZ=ON -DTUMBLE_PYTHON=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON "$@" > "$folder.log" || { cat "$folder.log" >&2; return 1; }
 }
 
 # tidy FOLDER CHECKS: reads the names of sources, one a line. CHECKS are added to those of .clang-tidy.

@@ -35,6 +35,7 @@ py::list to_list(const std::vector<Diagnostic>& diagnostics) {
 }  // namespace
 
 void add_errors(py::module_&) {
+    // pybind11 passes it by value. NOLINTNEXTLINE(performance-unnecessary-value-param)
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
             if (thrown) std::rethrow_exception(thrown);

@@ -2,7 +2,8 @@
 
 namespace tumble::python {
 
-Workers::Workers(int threads) : errors_(static_cast<std::size_t>(threads)) {
+Workers::Workers(int threads) {
+    errors_.resize(static_cast<std::size_t>(threads));
     for (std::size_t i = 1; i < errors_.size(); ++i) threads_.emplace_back([this, i] { work(i); });
 }
 
