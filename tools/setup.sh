@@ -40,6 +40,11 @@ test_packages=(
     'chromium:opens replay pages'
     'chromium-driver:lets scripts control chromium'
     'python3-selenium:controls chromium from Python'
+    'g++-aarch64-linux-gnu:the compiler for another processor: must give the same bits'
+    'qemu-user:runs what it builds'
+    'dpkg-dev:finds the packages that the .deb depends on'
+    'file:tells the package builder which files are programs'
+    'man-db:reads the manual page of the package'
 )
 python_packages=(
     'pybind11-dev:binds the library to Python'

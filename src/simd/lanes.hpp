@@ -1,9 +1,10 @@
 // Eight float lanes as an Eigen array, and the operations that Eigen does not compile to packed code.
 //
-// Sums, products, quotients, min, max and sqrt of whole arrays are packed on every instruction set and give the same
-// bits on all of them (no contraction, exact square root). `(a < b).select(x, y)` is not packed: use select_less().
-// Reductions (.sum(), .dot()) depend on the width of a register and are forbidden in anything that reaches the state.
-// Give every intermediate result its type: `auto` would store an Eigen expression, which may outlive its operands.
+// Sums, products, quotients and sqrt of whole arrays are packed on every instruction set and give the same bits on all
+// of them (no contraction, exact square root). `(a < b).select(x, y)` is not packed: use select_less(). `.max()` and
+// `.min()` of 0 and -0 differ between processors: use larger() and smaller(). Reductions (.sum(), .dot()) depend on the
+// width of a register and are forbidden in anything that reaches the state. Give every intermediate result its type:
+// `auto` would store an Eigen expression, which may outlive its operands.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,10 +37,29 @@ TUMBLE_LANE_FUNCTION Lanes select_less(const Lanes& a, const Lanes& b, const Lan
     return result;
 }
 
+// For each lane the larger number. Of equal numbers (0 and -0 are), and if one is NaN, it is a. An x86 processor has
+// one instruction that does this; that of aarch64 takes 0 for larger than -0.
+TUMBLE_LANE_FUNCTION Lanes larger(const Lanes& a, const Lanes& b) {
+#if defined(__SSE2__)
+    return a.max(b);
+#else
+    return select_less(a, b, b, a);
+#endif
+}
+
+// For each lane the smaller number, else as larger().
+TUMBLE_LANE_FUNCTION Lanes smaller(const Lanes& a, const Lanes& b) {
+#if defined(__SSE2__)
+    return a.min(b);
+#else
+    return select_less(b, a, b, a);
+#endif
+}
+
 // Every lane limited to [-limit, limit], limit >= 0.
 TUMBLE_LANE_FUNCTION Lanes clamp_magnitude(const Lanes& value, const Lanes& limit) {
     const Lanes negative = -limit;
-    return value.max(negative).min(limit);
+    return smaller(larger(value, negative), limit);
 }
 
 }  // namespace tumble

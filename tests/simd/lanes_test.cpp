@@ -49,6 +49,22 @@ TEST_CASE("select_less takes equal values as not less") {
     CHECK(select_less(one, one, two, three)[5] == 3.0f);
 }
 
+TEST_CASE("larger and smaller take the first of equal numbers and if one is NaN, on every processor") {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float firsts[] = {0.0f, -0.0f, 3.0f, 1.0f, nan}, seconds[] = {-0.0f, 0.0f, 3.0f, nan, 1.0f};
+    for (int i = 0; i < 5; ++i) {
+        CAPTURE(i);
+        const Lanes first = Lanes::Constant(firsts[i]), second = Lanes::Constant(seconds[i]);
+        CHECK(bits(larger(first, second)[6]) == bits(firsts[i]));
+        CHECK(bits(smaller(first, second)[6]) == bits(firsts[i]));
+    }
+    const Lanes one = Lanes::Constant(1.0f), two = Lanes::Constant(2.0f);
+    CHECK(larger(one, two)[3] == 2.0f);
+    CHECK(larger(two, one)[3] == 2.0f);
+    CHECK(smaller(one, two)[3] == 1.0f);
+    CHECK(smaller(two, one)[3] == 1.0f);
+}
+
 TEST_CASE("clamp_magnitude limits both signs") {
     std::mt19937 random(2);
     for (int round = 0; round < 50; ++round) {

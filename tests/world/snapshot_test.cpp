@@ -121,9 +121,14 @@ TEST_CASE("an incomplete, damaged or foreign snapshot throws") {
     std::vector<std::byte> longer = whole;
     longer.push_back(std::byte{});
     CHECK_THROWS_AS(World::load(longer), SnapshotError);
-    std::vector<std::byte> newer = whole;
-    newer[8] = std::byte{99};
-    CHECK_THROWS_WITH(World::load(newer), "snapshot: it has version 99, this build reads version 7");
+}
+
+TEST_CASE("a snapshot of another version is refused, and the error names both versions") {
+    std::vector<std::byte> snapshot = saved_after(3, 10);
+    snapshot[8] = std::byte{99};
+    CHECK_THROWS_WITH(World::load(snapshot), "snapshot: it has version 99, this build reads version 7");
+    snapshot[8] = std::byte{6};
+    CHECK_THROWS_WITH(World::load(snapshot), "snapshot: it has version 6, this build reads version 7");
 }
 
 // After a change of the contents of snapshots, raise kVersion in snapshot.cpp and update the size here.

@@ -14,7 +14,7 @@ namespace {
 TUMBLE_LANE_FUNCTION Lanes kept_impulse(const ContactBlock& block, const ContactBlockPoint& point) {
     const float back = block.softness.impulse_scale, fresh_back = std::min(kFreshSoftness * back, 1.0f);
     const float keeps_fresh = 1.0f - fresh_back, keeps_more_carried = fresh_back - kCarriedSoftness * back;
-    return keeps_fresh * point.normal_impulse + keeps_more_carried * point.carried.min(point.normal_impulse);
+    return keeps_fresh * point.normal_impulse + keeps_more_carried * smaller(point.carried, point.normal_impulse);
 }
 
 // A gap is speculative: the row is rigid and lets the gap close within the sub-step. Overlap is removed by an implicit
@@ -24,10 +24,10 @@ TUMBLE_LANE_FUNCTION NormalRow make_soft_row(const ContactBlock& block, const Co
                                              const BlockState& state) {
     const Lanes zero = Lanes::Zero();
     const Lanes separation = current_separation(block, point, shift, state);
-    const Lanes gap = separation.max(zero), overlap = separation.min(zero);
+    const Lanes gap = larger(separation, zero), overlap = smaller(separation, zero);
     TUMBLE_CHECK(block.softness.mass_scale > 0.0f);
     const float max_push = push_out_speed / block.softness.mass_scale;  // before the mass scale
-    const Lanes bias = gap * inv_h + (overlap * block.softness.bias_rate).max(-max_push);
+    const Lanes bias = gap * inv_h + larger(overlap * block.softness.bias_rate, Lanes::Constant(-max_push));
     const Lanes soft = point.inverse_mass * (1.0f / block.softness.mass_scale);
     const Lanes diagonal = select_less(zero, separation, point.inverse_mass, soft);
     const Lanes kept = select_less(zero, separation, point.normal_impulse, kept_impulse(block, point));
@@ -36,7 +36,7 @@ TUMBLE_LANE_FUNCTION NormalRow make_soft_row(const ContactBlock& block, const Co
 
 TUMBLE_LANE_FUNCTION NormalRow make_rigid_row(const ContactBlock& block, const ContactBlockPoint& point,
                                               const Lanes& shift, float inv_h, const BlockState& state) {
-    const Lanes gap = current_separation(block, point, shift, state).max(Lanes::Zero());
+    const Lanes gap = larger(current_separation(block, point, shift, state), Lanes::Zero());
     return {point.inverse_mass,
             normal_velocity(point, state) + gap * inv_h - point.inverse_mass * point.normal_impulse};
 }

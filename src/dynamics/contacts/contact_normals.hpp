@@ -20,12 +20,12 @@ TUMBLE_LANE_FUNCTION void solve_both(const NormalProblem& p, Lanes& x1, Lanes& x
     const Lanes scale = Lanes::Ones() / (p.a11 * p.a22 - p.a12 * p.a12);
     const Lanes both1 = scale * (p.a12 * p.q2 - p.a22 * p.q1);
     const Lanes both2 = scale * (p.a12 * p.q1 - p.a11 * p.q2);
-    const Lanes first = (-p.q1 / p.a11).max(zero);
-    const Lanes second = (-p.q2 / p.a22).max(zero);
+    const Lanes first = larger(-p.q1 / p.a11, zero);
+    const Lanes second = larger(-p.q2 / p.a22, zero);
     const Lanes residual2 = p.a12 * first + p.q2;
     const Lanes lone1 = select_less(residual2, zero, zero, first);
     const Lanes lone2 = select_less(residual2, zero, second, zero);
-    const Lanes least = both1.min(both2);
+    const Lanes least = smaller(both1, both2);
     x1 = select_less(least, zero, lone1, both1);
     x2 = select_less(least, zero, lone2, both2);
 }

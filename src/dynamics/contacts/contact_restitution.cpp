@@ -26,7 +26,7 @@ TUMBLE_LANE_FUNCTION Bounce make_bounce(const ContactBlock& block, int index, co
     const Lanes happens = select_less(zero, point.applied_normal, was_fast, zero);
     const Lanes rebound = block.restitution * approach;
     const Lanes separation = current_separation(block, point, shift, state);
-    const Lanes speed_sq = speed_sq_after(rebound, separation, block.acceleration).max(zero);
+    const Lanes speed_sq = larger(speed_sq_after(rebound, separation, block.acceleration), zero);
     const Lanes speed = speed_sq.sqrt() - 0.5f * h * block.acceleration;
     const Lanes free_sq = speed_sq_after(approach, separation, block.acceleration);
     return {happens, speed, select_less(zero, happens * free_sq, speed * speed / free_sq, zero)};
@@ -47,8 +47,8 @@ TUMBLE_LANE_FUNCTION Lanes affordable_part(const ContactBlock& block, const Lane
     const Lanes linear = power(block, x1, x2, state);
     const Lanes square = x1 * x1 * block.points[0].inverse_mass + 2.0f * x1 * x2 * block.coupling +
                          x2 * x2 * block.points[1].inverse_mass;
-    const Lanes root = (linear * linear + 2.0f * square * energy.max(zero)).sqrt();
-    return select_less(zero, square, (root - linear).max(zero) / square, one).min(one);
+    const Lanes root = (linear * linear + 2.0f * square * larger(energy, zero)).sqrt();
+    return smaller(select_less(zero, square, larger(root - linear, zero) / square, one), one);
 }
 
 // Both points at once (step 6), limited to the energy that the contact may return (step 11). `returned` is the work
@@ -62,8 +62,8 @@ TUMBLE_LANE_FUNCTION void solve_restitution(ContactBlock& block, float threshold
     const NormalRow row2 = make_bounce_row(block.points[1], second, state);
     Lanes change1, change2;
     find_changes(block, block.coupling * first.happens * second.happens, row1, row2, change1, change2);
-    const Lanes absorbed = block.absorbed - block.friction_work.max(Lanes::Zero()) - returned;
-    const Lanes energy = first.part.max(second.part) * absorbed;
+    const Lanes absorbed = block.absorbed - larger(block.friction_work, Lanes::Zero()) - returned;
+    const Lanes energy = larger(first.part, second.part) * absorbed;
     const Lanes part = affordable_part(block, change1, change2, energy, state);
     TUMBLE_CHECK(!(part > 1.0f).any());
     TUMBLE_CHECK(!(part < 0.0f).any());
