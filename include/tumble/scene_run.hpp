@@ -21,12 +21,14 @@ std::uint64_t count_steps(const Scene& scene);
 
 // The numbers k (from 0) of the steps before which the run of a scene applies an event: for an event that repeats one a
 // time (`every` is at least a step), for a force or torque the first only. In order, at most `most` of them, and none
-// above `last`.
+// above `last`. None for an event with a `when`.
 std::vector<std::uint64_t> steps_of_event(const SceneEvent& event, double steps_per_second, std::uint64_t last,
                                           std::size_t most);
 
 // Steps the world of a scene. An event at time t is applied before the first step that begins at t or later; step k
 // (from 0) begins at k / steps_per_second. Events of one time are applied in the order of the file.
+// The condition of a `when` is evaluated in the initial state and after each step; the event is applied before the
+// first step that begins `delay` seconds after the first state in which it holds. A stop ends the run in that state.
 //
 // Between two steps a program may act on world(): forces, motors, new bodies, destroyed ones. The timeline continues,
 // and save() contains what the program did. What it creates has no name, so that events and claims do not find it.
@@ -54,6 +56,9 @@ public:
     // scene with another scene_hash().
     static SceneRun load(const Scene& scene, std::span<const std::byte> saved);
 
+    // Whether an event of the timeline has ended the run: its state stays, and step() must not be called again.
+    bool is_stopped() const noexcept;
+
     double time() const;  // s, of the current state
     const SceneWorld& built() const noexcept;
     const World& world() const noexcept { return built().world; }
@@ -72,6 +77,10 @@ struct ExpectationResult {
     std::uint64_t step = 0;    // that decided it; the last one if the run ended too early
     double time = 0.0;         // s, of that step
     std::string state_hash{};  // of a state_hash claim: the hash in that step, 16 hexadecimal digits
+
+    // False for a claim that a watch cannot decide, because it needs frames or another scene: max_time_ratio, picture.
+    // `tumble check` decides them. `passed` is true then.
+    bool is_decided = true;
 };
 
 // Watches a run and decides the claims of its scene (Scene::expect).

@@ -59,6 +59,8 @@ public:
         out = value.get<std::string>();
         if (field.text == Text::name && (out.empty() || out.size() > kMaxNameBytes))
             wrong(location, "a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes", value);
+        if (field.text == Text::expression && (out.empty() || out.size() > kMaxExpressionBytes))
+            wrong(location, "an expression of 1 to " + std::to_string(kMaxExpressionBytes) + " bytes", value);
         if (field.text == Text::color && !is_color(out))
             wrong(location, "a colour, \"#rgb\" or \"#rrggbb\"", value, hint_for_color(out));
     }
