@@ -127,6 +127,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     report_.scene_name = scene.name;
     report_.scene_hash = scene_hash(scene);
     report_.seed = scene.world.seed;
+    report_.draws = scene.draws;
     report_.dt = 1.0 / scene.world.steps_per_second;
     const bool draws = !options.no_frames || !options.video.empty();
     if (!options.video.empty()) require_video(options, schedule_);
