@@ -222,7 +222,7 @@ struct SceneFrame {
 struct SceneEvent {
     std::optional<double> at;         // s
     std::optional<double> every;      // s
-    std::string when;                 // a condition (expression.hpp): the event happens when it first holds
+    std::string when;                 // a condition (Expression): the event happens when it first holds
     std::optional<double> delay;      // s from then to the event; default: 0
     std::optional<SceneFrame> frame;  // of the coordinates in `when`; default: the world's
     std::optional<double> from;       // s: the first repetition; default: 0
@@ -282,7 +282,7 @@ struct SceneExpectation {
     std::optional<SceneInterval> event_count;  // * events so far of the kind `event`, of `body` or of all
     std::optional<SceneEventKind> event;
     std::string state_hash;  // * 16 hexadecimal digits
-    std::string that;        // * a condition on a state (expression.hpp); with `before`, of an order
+    std::string that;        // * a condition on a state (Expression); with `before`, of an order
     std::string before;      // a condition: `that` must hold in a state before the first in which this does
     std::optional<double> max_ms_per_step;  // * ms of wall clock, mean of the steps
     std::optional<double> max_time_ratio;   // * of the time of a step to that of `reference`

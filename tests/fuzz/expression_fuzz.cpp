@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "scene/expressions/program.hpp"
-#include "tumble/expression.hpp"
 #include "tumble/scene_file.hpp"
+#include "tumble/scene_run.hpp"
 
 using namespace tumble;
 

@@ -83,8 +83,6 @@ std::unique_ptr<Claim> make_claim(const SceneExpectation& claim, const KnownName
     return make_claim_of_bodies(claim, names.bodies);
 }
 
-bool is_decided_by_watch(const SceneExpectation& claim) { return !claim.max_time_ratio && claim.picture.empty(); }
-
 bool can_have_frame(const SceneExpectation& claim) {
     return claim.inside || claim.outside || claim.height || claim.angle || claim.count || !claim.that.empty();
 }

@@ -49,6 +49,8 @@ public:
 
 }  // namespace
 
+bool is_decided_by_watch(const SceneExpectation& claim) { return !claim.max_time_ratio && claim.picture.empty(); }
+
 std::unique_ptr<Claim> make_claim_of_runs(const SceneExpectation& claim) {
     if (claim.max_ms_per_step) return std::make_unique<StepTime>(claim);
     if (!is_decided_by_watch(claim)) return std::make_unique<Undecided>();

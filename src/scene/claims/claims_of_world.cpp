@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "scene/claims/claims.hpp"
+#include "scene/expressions/energy.hpp"
 #include "scene/model/display.hpp"
-#include "scene/model/energy.hpp"
 #include "scene/model/joint_gap.hpp"
 #include "scene/model/names.hpp"
 #include "tumble/world_limits.hpp"

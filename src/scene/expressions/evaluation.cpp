@@ -6,8 +6,8 @@
 
 #include "debug/check.hpp"
 #include "scene/expressions/contact_state.hpp"
+#include "scene/expressions/energy.hpp"
 #include "scene/model/degrees.hpp"
-#include "scene/model/energy.hpp"
 #include "scene/model/frame.hpp"
 #include "scene/model/joint_gap.hpp"
 

@@ -1,5 +1,5 @@
 // The public class.
-#include "tumble/expression.hpp"
+#include "tumble/scene_run.hpp"
 
 #include "scene/expressions/evaluate.hpp"
 #include "scene/expressions/program.hpp"

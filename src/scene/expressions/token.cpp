@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "scene/model/names.hpp"
-#include "tumble/expression.hpp"
+#include "tumble/scene_run.hpp"
 
 namespace tumble::scene {
 

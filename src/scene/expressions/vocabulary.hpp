@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tumble/expression.hpp"
+#include "tumble/scene_run.hpp"
 
 namespace tumble::scene {
 

@@ -6,10 +6,10 @@
 #include <type_traits>
 
 #include "debug/check.hpp"
+#include "scene/expressions/energy.hpp"
 #include "scene/expressions/evaluate.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/model/degrees.hpp"
-#include "scene/model/energy.hpp"
 #include "scene/model/place_copies.hpp"
 #include "scene/model/repeat.hpp"
 #include "scene/model/step_time.hpp"

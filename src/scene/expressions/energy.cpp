@@ -1,4 +1,4 @@
-#include "scene/model/energy.hpp"
+#include "scene/expressions/energy.hpp"
 
 namespace tumble::scene {
 
