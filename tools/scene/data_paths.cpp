@@ -32,7 +32,7 @@ bool is_scene(const fs::path& file) { return file.extension() == ".json" && file
 
 fs::path find_scenes_folder() {
     std::error_code ignored;
-    const fs::path folder = fs::canonical(scenes_of_prefix(), ignored);
+    fs::path folder = fs::canonical(scenes_of_prefix(), ignored);
     if (folder.empty()) throw FileError(scenes_of_prefix(), "the shipped scenes are missing");
     return folder;
 }
