@@ -48,7 +48,7 @@ std::string window_text(const SceneExpectation& claim) {
 // "at 4 s", "always from 2 s on".
 std::string time_text(const SceneExpectation& claim) {
     if (claim.at) return " at " + number_text(*claim.at) + " s";
-    const std::string window = window_text(claim);
+    std::string window = window_text(claim);
     switch (claim.when) {
         case SceneMoment::end: return " at the end" + window;
         case SceneMoment::always: return " always" + window;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "debug/check.hpp"
 #include "scene/expressions/contact_state.hpp"
 #include "scene/expressions/energy.hpp"
 #include "scene/model/degrees.hpp"
