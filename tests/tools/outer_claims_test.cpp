@@ -11,7 +11,6 @@
 using nlohmann::json;
 using tumble::test::Answer;
 using tumble::test::Folder;
-using tumble::test::read_text;
 using tumble::test::run_tumble;
 
 namespace {

@@ -1,10 +1,8 @@
 #include "scene/format/draw.hpp"
 
 #include <cmath>
+#include <string_view>
 #include <vector>
-
-#define XXH_INLINE_ALL
-#include <xxhash.h>
 
 #include "scene/format/random.hpp"
 #include "scene/json/pointer.hpp"
@@ -15,6 +13,13 @@ namespace {
 
 constexpr int kMostTries = 1000;
 constexpr std::size_t kMostChoices = 1000;
+
+// FNV-1a (Fowler, Noll, Vo): the stream of a key. Random mixes its bits.
+std::uint64_t stream_of(std::string_view key) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const char c : key) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    return hash;
+}
 
 // True with the probability exp(-p), p in [0, 1], by comparisons only (von Neumann 1951): the length of the longest
 // falling sequence of uniform numbers below p is even.
@@ -106,7 +111,7 @@ double draw_number(const Json& declaration, const std::string& key, std::uint64_
         if (!is_in_range(number)) throw WrongDraw{kind, "leaves the range of this key"};
         if (whole && number != std::floor(number)) throw WrongDraw{kind, "must contain whole numbers only"};
     }
-    Random random(seed, XXH64(key.data(), key.size(), 0));
+    Random random(seed, stream_of(key));
     if (kind == "uniform") return draw_uniform(numbers, whole, random);
     if (kind == "normal") return draw_normal(numbers, random, is_in_range) + 0.0;
     return numbers[static_cast<std::size_t>(random.unit() * static_cast<double>(numbers.size()))];
