@@ -211,12 +211,21 @@ struct SceneJoint {
     std::string custom;
 };
 
-// An action during the run, once (`at`) or repeatedly (`every`, `from` a time `until` a time); exactly one of the
-// actions is set. An event on a body or joint that does not exist at that time has no effect.
+// A coordinate frame: a rotation, then a translation.
+struct SceneFrame {
+    DVec2 position;
+    double angle = 0.0;  // degrees
+};
+
+// An action during the run, once (`at`, `when`) or repeatedly (`every`, `from` a time `until` a time); exactly one of
+// the actions is set. An event on a body or joint that does not exist at that time has no effect.
 struct SceneEvent {
-    std::optional<double> at;     // s
-    std::optional<double> every;  // s
-    std::optional<double> from;   // s: the first repetition; default: 0
+    std::optional<double> at;         // s
+    std::optional<double> every;      // s
+    std::string when;                 // a condition (Expression): the event happens when it first holds
+    std::optional<double> delay;      // s from then to the event; default: 0
+    std::optional<SceneFrame> frame;  // of the coordinates in `when`; default: the world's
+    std::optional<double> from;       // s: the first repetition; default: 0
 
     // s: the last repetition, or the end of a force or torque; default: the end of the run.
     std::optional<double> until;
@@ -235,6 +244,7 @@ struct SceneEvent {
     std::optional<SceneBody> spawn;          // a new body; with `every` the bodies are named name[0], name[1], ...
     std::string despawn;                     // name of a body to destroy
     std::string release;                     // name of a joint to destroy
+    bool stop = false;                       // ends the run
 };
 
 // When a claim on a state must hold: in the last state, in all states, or in at least one.
@@ -251,12 +261,6 @@ enum class SceneEventKind {
 };
 
 using SceneBox = std::pair<DVec2, DVec2>;  // lower left and upper right corner, m
-
-// A coordinate frame: a rotation, then a translation.
-struct SceneFrame {
-    DVec2 position;
-    double angle = 0.0;  // degrees
-};
 
 // A claim that ExpectationWatch (scene_run.hpp) evaluates: exactly one of the starred members is set.
 struct SceneExpectation {
@@ -277,12 +281,19 @@ struct SceneExpectation {
     std::optional<SceneBox> region;
     std::optional<SceneInterval> event_count;  // * events so far of the kind `event`, of `body` or of all
     std::optional<SceneEventKind> event;
-    std::string state_hash;               // * 16 hexadecimal digits
-    std::optional<SceneFrame> frame;      // in which boxes, heights and angles are measured; default: the world's
-    SceneMoment when = SceneMoment::end;  // for claims on a state
-    std::optional<double> at;             // s: in the state at this time; replaces `when`
-    std::optional<double> from;           // s: earlier states do not count
-    std::optional<double> until;          // s: later states do not count
+    std::string state_hash;  // * 16 hexadecimal digits
+    std::string that;        // * a condition on a state (Expression); with `before`, of an order
+    std::string before;      // a condition: `that` must hold in a state before the first in which this does
+    std::optional<double> max_ms_per_step;  // * ms of wall clock, mean of the steps
+    std::optional<double> max_time_ratio;   // * of the time of a step to that of `reference`
+    std::string reference;                  // path of a scene file, relative to that of the scene
+    std::string picture;                    // * path of a PNG file that the frame at `at` must equal
+    std::optional<double> tolerance;        // of `picture`: levels, 0 to 255
+    std::optional<SceneFrame> frame;        // in which boxes, heights and angles are measured; default: the world's
+    SceneMoment when = SceneMoment::end;    // for claims on a state
+    std::optional<double> at;               // s: in the state at this time; replaces `when`
+    std::optional<double> from;             // s: earlier states do not count
+    std::optional<double> until;            // s: later states do not count
 };
 
 // Another scene file whose bodies, joints, materials, events and claims become part of this scene. What applies to a
@@ -292,6 +303,14 @@ struct SceneInclude {
     DVec2 position;      // of its origin in this scene
     double angle = 0.0;  // degrees, about that point
     std::string prefix;  // put before each of its names
+};
+
+// A number of a scene file that is drawn at random: {"uniform": [1, 2]}.
+struct SceneDraw {
+    std::string pointer;      // JSON pointer of the number in its file: "/bodies/3/velocity/0"
+    std::string key;          // the pointer with names in place of indices, and the prefix of an included file
+    std::string declaration;  // JSON text
+    double value = 0.0;       // what was drawn
 };
 
 struct Scene {
@@ -306,7 +325,8 @@ struct Scene {
     std::vector<SceneJoint> joints;
     std::vector<SceneEvent> timeline;
     std::vector<SceneExpectation> expect;
-    std::string custom;  // JSON text, or empty
+    std::string custom;            // JSON text, or empty
+    std::vector<SceneDraw> draws;  // of its own file, then of the files that it includes (with an empty pointer)
 };
 
 }  // namespace tumble

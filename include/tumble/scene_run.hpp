@@ -1,11 +1,13 @@
-// Running a scene: its world, the events of its timeline, and the evaluation of its claims.
+// Running a scene: its world, the events of its timeline, the evaluation of its claims and of expressions.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tumble/scene.hpp"
@@ -21,12 +23,62 @@ std::uint64_t count_steps(const Scene& scene);
 
 // The numbers k (from 0) of the steps before which the run of a scene applies an event: for an event that repeats one a
 // time (`every` is at least a step), for a force or torque the first only. In order, at most `most` of them, and none
-// above `last`.
+// above `last`. None for an event with a `when`.
 std::vector<std::uint64_t> steps_of_event(const SceneEvent& event, double steps_per_second, std::uint64_t last,
                                           std::size_t most);
 
+// Expressions over the bodies, joints and the world of a scene, "ball.x > 3 and not touching(ball, floor)": claims and
+// events of scene files are written in them, and a program may use them for plots, filters and rewards. The grammar is
+// on the page of the scene format. Lengths are m, times s, angles degrees and angular velocities degrees/s, as in scene
+// files. The value of an expression has the same bits on every machine.
+
+// A text that is no expression, or one with a name that the scene does not have.
+class ExpressionError : public std::invalid_argument {
+public:
+    ExpressionError(std::size_t at, const std::string& message, std::string advice = {})
+        : std::invalid_argument(message), offset(at), hint(std::move(advice)) {}
+
+    std::size_t offset;  // bytes from the start of the text
+    std::string hint;    // may be empty
+};
+
+class Expression {
+public:
+    enum class Kind { number, condition };
+
+    // The names are those of the scene, also of bodies that its timeline spawns later. Positions, angles and velocities
+    // are measured in the frame. The text has at most 2000 bytes. Throws ExpressionError.
+    Expression(std::string_view text, const Scene& scene, const SceneFrame& frame = {});
+    ~Expression();
+    Expression(Expression&&) noexcept;
+    Expression& operator=(Expression&&) noexcept;
+
+    Kind kind() const noexcept;
+
+    // The value in a state of the scene's world: of a condition 1 (holds) or 0; NaN if it is unknown, for example of a
+    // body that does not exist.
+    double value(const SceneWorld& built) const;
+
+    // Whether a condition holds; false if it is unknown, and for numbers.
+    bool holds(const SceneWorld& built) const;
+
+    // How far a condition is from holding: positive if it does not hold, infinite if it is unknown. If it holds, at
+    // most 0, the larger the nearer it is to failing. Of comparisons the difference of both sides; of bare conditions 1
+    // or -1.
+    double shortfall(const SceneWorld& built) const;
+
+    // The values that an expression is made of: "a.x is 3, touching(a, b) is false".
+    std::string finding(const SceneWorld& built) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
 // Steps the world of a scene. An event at time t is applied before the first step that begins at t or later; step k
 // (from 0) begins at k / steps_per_second. Events of one time are applied in the order of the file.
+// The condition of a `when` is evaluated in the initial state and after each step; the event is applied before the
+// first step that begins `delay` seconds after the first state in which it holds. A stop ends the run in that state.
 //
 // Between two steps a program may act on world(): forces, motors, new bodies, destroyed ones. The timeline continues,
 // and save() contains what the program did. What it creates has no name, so that events and claims do not find it.
@@ -54,6 +106,9 @@ public:
     // scene with another scene_hash().
     static SceneRun load(const Scene& scene, std::span<const std::byte> saved);
 
+    // Whether an event of the timeline has ended the run: its state stays, and step() must not be called again.
+    bool is_stopped() const noexcept;
+
     double time() const;  // s, of the current state
     const SceneWorld& built() const noexcept;
     const World& world() const noexcept { return built().world; }
@@ -72,6 +127,10 @@ struct ExpectationResult {
     std::uint64_t step = 0;    // that decided it; the last one if the run ended too early
     double time = 0.0;         // s, of that step
     std::string state_hash{};  // of a state_hash claim: the hash in that step, 16 hexadecimal digits
+
+    // False for a claim that a watch cannot decide, because it needs frames or another scene: max_time_ratio, picture.
+    // `tumble check` decides them. `passed` is true then.
+    bool is_decided = true;
 };
 
 // Watches a run and decides the claims of its scene (Scene::expect).

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <vector>
 
 #include "render/pixels.hpp"
@@ -174,9 +175,28 @@ TEST_CASE("text has its colour and position, and the same pixels wherever its gl
     CHECK(other.draw(layer).rgba == first.rgba);
 }
 
-TEST_CASE("a character without a glyph has no width") {
-    PixelCanvas canvas(64, 32);
-    const double plain = canvas.atlas().width("chain", 12.0);
-    CHECK(plain > 20.0);
-    CHECK(canvas.atlas().width("\U0001F9F2chain\U0001FAE0", 12.0) == plain);  // a magnet and a melting face
+TEST_CASE("a character that no font has is a box, and signs without a shape take no room") {
+    const std::filesystem::path font = find_font(font_candidates());
+    GlyphAtlas atlas(font, {});
+    const double plain = atlas.width("chain", 12.0), box = atlas.width("\U0001F9F2", 12.0);  // a magnet
+    CHECK(box > 3.0);
+    CHECK(atlas.width("\u4e2d", 12.0) == box);
+    CHECK(near(atlas.width("\U0001F9F2chain\U0001FAE0", 12.0), plain + 2.0 * box, relative(1e-9)));
+    CHECK(atlas.width("ch\u200dain\ufe0f", 12.0) == plain);
+    Layer layer;
+    atlas.layout("\u4e2d", 24.0, 10.0, 40, 160, 60, kWhite, layer.glyphs);
+    CHECK(layer.glyphs.size() == 1);
+}
+
+TEST_CASE("characters that the font lacks come from the first wide font that can be read") {
+    const std::filesystem::path sans = find_font(font_candidates());
+    const std::filesystem::path mono = sans.parent_path() / "DejaVuSansMono.ttf";
+    REQUIRE(std::filesystem::exists(mono));
+    const std::filesystem::path wide[] = {"/no/such/font.ttf", __FILE__, sans};
+    GlyphAtlas alone(mono, {}), with_wide(mono, wide), own(sans, {});
+    const char* const alef = "\u05d0";  // Hebrew, which the fixed-width font lacks
+    CHECK(alone.width(alef, 12.0) == alone.width("\u4e2d", 12.0));
+    CHECK(with_wide.width(alef, 12.0) == own.width(alef, 12.0));
+    CHECK(with_wide.width(alef, 12.0) != alone.width(alef, 12.0));
+    CHECK(with_wide.width("chain", 12.0) == alone.width("chain", 12.0));
 }

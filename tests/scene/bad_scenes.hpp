@@ -43,6 +43,14 @@ inline std::string with_gear(const std::string& keys) {
         R"(}, {"type": "prismatic", "name": "rail", "axis": [1, 0], "bodies": ["a", "b"], "anchor": [0, 0])");
 }
 
+// Two bodies and a claim, or an event.
+inline std::string with_claim(const std::string& keys) {
+    return R"({"format": 1, "bodies": [{"name": "a"}, {"name": "b"}], "expect": [{)" + keys + "}]}";
+}
+inline std::string with_event(const std::string& keys) {
+    return R"({"format": 1, "bodies": [{"name": "a"}, {"name": "b"}], "timeline": [{)" + keys + "}]}";
+}
+
 inline const std::string kShape = "/bodies/0/shapes/0";
 
 inline const std::vector<BadScene> kBadScenes = {
@@ -314,6 +322,31 @@ inline const std::vector<BadScene> kBadScenes = {
      "only scenes that are read from files", kFiles},
     {R"({"format": 1, "bodies": [{"name": ")" + std::string(257, 'n') + R"("}]})", "/bodies/0/name",
      "must be a name of 1 to 256 bytes", kForm},
+    // conditions
+    {with_claim(R"("that": "a.x >")"), "/expect/0/that", "expected a value, got the end", kForm},
+    {with_claim(R"("that": "c.x > 1")"), "/expect/0/that", "there is no body or joint 'c'", kNames},
+    {with_claim(R"("that": "a.x")"), "/expect/0/that", "must be a condition, and this is a number", kForm},
+    {with_claim(R"("that": "")"), "/expect/0/that", "must be an expression of 1 to 2000 bytes"},
+    {with_claim(R"("that": 5)"), "/expect/0/that", "must be a string, got 5"},
+    {with_claim(R"("that": "true", "body": "a")"), "/expect/0/body", "belongs to claims on a body", kKinds},
+    {with_claim(R"("that": "true", "before": "a.y")"), "/expect/0/before", "must be a condition", kForm},
+    {with_claim(R"("that": "true", "before": "true", "when": "always")"), "/expect/0/when",
+     "belongs to claims on a state", kKinds},
+    {with_claim(R"("at_rest_by": 1, "before": "true")"), "/expect/0/before", "belongs to 'that'", kKinds},
+    {with_claim(R"("max_time_ratio": 2)"), "/expect/0", "the key 'reference' is missing", kNeeds},
+    {with_claim(R"("at_rest_by": 1, "reference": "a.json")"), "/expect/0/reference", "belongs to 'max_time_ratio'",
+     kKinds},
+    {with_claim(R"("at_rest_by": 1, "tolerance": 1)"), "/expect/0/tolerance", "belongs to 'picture'", kKinds},
+    {with_event(R"("when": "a.x > 'b", "despawn": "a")"), "/timeline/0/when", "the quote ' is not closed", kForm},
+    {with_event(R"("when": "true", "at": 1, "despawn": "a")"), "/timeline/0/when", "only one of them is allowed"},
+    {with_event(R"("when": "true", "until": 1, "despawn": "a")"), "/timeline/0/until", "belongs to events with 'every'",
+     kKinds},
+    {with_event(R"("at": 1, "delay": 1, "despawn": "a")"), "/timeline/0/delay", "belongs to events with 'when'",
+     kKinds},
+    {with_event(R"("at": 1, "frame": {}, "despawn": "a")"), "/timeline/0/frame", "belongs to events with 'when'",
+     kKinds},
+    {with_event(R"("at": 1, "stop": false)"), "/timeline/0/stop", "must be true, got false", kNumbers},
+    {with_event(R"("every": 1, "stop": true)"), "/timeline/0/every", "a run ends once", kKinds},
 };
 
 }  // namespace tumble::test

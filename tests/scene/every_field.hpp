@@ -72,8 +72,14 @@ inline std::vector<std::string> scenes_with_every_field() {
           R"("body": "a", "outside": [[0, 0], [1, 1]], "when": "always")", R"("body": "a", "height": [0, 1], "at": 1)",
           R"("body": "a", "speed": [0, 1])", R"("body": "a", "angle": [-5, 5])", R"("body": "a", "touches": "ground")",
           R"("body": "a", "never_touches": "ground")", R"("count": [0, 1], "region": [[0, 0], [1, 1]])",
-          R"("event_count": [0, 9], "event": "contact_begin")", R"("state_hash": "0123456789abcdef")"})
+          R"("event_count": [0, 9], "event": "contact_begin")", R"("state_hash": "0123456789abcdef")",
+          R"("that": "a.y > 1", "before": "time > 1")", R"("max_ms_per_step": 2)",
+          R"("max_time_ratio": 2, "reference": "other.json")", R"("picture": "golden.png", "tolerance": 2)"})
         scenes.push_back(claim_start + claim + "}]");
+    const std::string reaction =
+        bodies +
+        R"~("timeline": [{"when": "touching(a, ground)", "delay": 0.5, "frame": {"position": [1, 2], "angle": 3}, )~";
+    scenes.push_back(reaction + R"("stop": true}])");
     for (std::string& scene : scenes) scene = R"({"format": 1, )" + scene + "}";
     return scenes;
 }

@@ -43,6 +43,9 @@ private:
             const std::string target = reference->get<std::string>();
             return descend(pointer, root_.at(json::json_pointer(target.substr(1))), target);
         }
+        // A number or a declaration of a random one.
+        if (schema.contains("oneOf") && schema["oneOf"][0].contains("type"))
+            return descend(pointer, schema["oneOf"][0], name);
         values_.push_back({pointer, &schema, name});
         const json& value = document_.at(json::json_pointer(pointer));
         if (value.is_object() && schema.contains("additionalProperties")) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "scene/model/random.hpp"
+#include "scene/format/random.hpp"
 #include "scene/model/repeat.hpp"
 
 using namespace tumble;

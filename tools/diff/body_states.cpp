@@ -124,7 +124,7 @@ public:
         : scene_(load_scene_input(file, changes)), run_(scene_), last_step_(count_steps(scene_)) {}
 
     bool next(StepStates& states) override {
-        if (started_ && run_.world().step_count() >= last_step_) return false;
+        if (started_ && (run_.world().step_count() >= last_step_ || run_.is_stopped())) return false;
         if (started_) run_.step();
         started_ = true;
         states.step = run_.world().step_count();

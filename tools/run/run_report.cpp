@@ -83,9 +83,11 @@ std::string to_json(const RunReport& report) {
         .member("version", version())
         .member("scene", report.scene_name)
         .member("scene_hash", to_hex(report.scene_hash))
-        .member("seed", report.seed)
-        .member("dt", report.dt)
-        .member("steps", report.steps);
+        .member("seed", report.seed);
+    json.key("draws").open_object();
+    for (const SceneDraw& draw : report.draws) json.member(draw.key, draw.value);
+    json.close_object();
+    json.member("dt", report.dt).member("steps", report.steps);
     json.key("wall_s")
         .open_object()
         .member("simulate", report.simulate_seconds)

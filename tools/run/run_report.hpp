@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tumble/counters.hpp"
+#include "tumble/scene.hpp"
 
 namespace tumble::tools {
 
@@ -21,6 +22,7 @@ struct WrittenFiles {
 struct RunReport {
     std::string scene_name;
     std::uint64_t scene_hash = 0;
+    std::vector<SceneDraw> draws;  // the numbers of the scene that were drawn at random
     std::uint64_t seed = 0;
     double dt = 0.0;                // s per step
     std::uint64_t steps = 0;        // done

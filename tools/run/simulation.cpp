@@ -127,6 +127,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     report_.scene_name = scene.name;
     report_.scene_hash = scene_hash(scene);
     report_.seed = scene.world.seed;
+    report_.draws = scene.draws;
     report_.dt = 1.0 / scene.world.steps_per_second;
     const bool draws = !options.no_frames || !options.video.empty();
     if (!options.video.empty()) require_video(options, schedule_);
@@ -207,7 +208,7 @@ void Simulation::run() {
     run_.set_threads({.count = options_.threads});
     Progress progress("step", step_count);
     if (!resumed_) record_step();
-    for (std::uint64_t step = first_step_; step < step_count && !is_interrupted(); ++step) {
+    for (std::uint64_t step = first_step_; step < step_count && !run_.is_stopped() && !is_interrupted(); ++step) {
         const Stopwatch watch;
         run_.step();
         report_.simulate_seconds += watch.seconds();
@@ -216,7 +217,7 @@ void Simulation::run() {
         progress.show(step + 1);
         if (options_.checkpoint && since_checkpoint_.seconds() >= *options_.checkpoint) save_checkpoint();
     }
-    const bool is_complete = run_.world().step_count() == step_count;
+    const bool is_complete = run_.world().step_count() == step_count || run_.is_stopped();
     if (options_.checkpoint && is_interrupted()) save_checkpoint();
     close_files(is_complete);
     if (resumed_) remove_kept_tables(options_);

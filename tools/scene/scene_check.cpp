@@ -10,6 +10,7 @@
 #include "tools/cli/interrupt.hpp"
 #include "tools/measure/stopwatch.hpp"
 #include "tools/output/standard_input.hpp"
+#include "tools/scene/outer_claims.hpp"
 #include "tools/scene/scene_options.hpp"
 
 namespace tumble::tools {
@@ -28,18 +29,23 @@ void simulate_and_check(const Scene& scene, const CheckOptions& options, SceneCh
     ExpectationWatch watch(scene, run.built());
     watch.observe(run.built());
     const std::uint64_t step_count = count_steps(scene);
-    while (check.steps < step_count && !is_interrupted()) {
+    while (check.steps < step_count && !run.is_stopped() && !is_interrupted()) {
         run.step();
         watch.observe(run.built());
         ++check.steps;
     }
     check.state_hash = run.world().state_hash();
     check.expectations = watch.results();
-    if (check.steps < step_count) {
+    if (check.steps < step_count && !run.is_stopped()) {
         check.code = interruption_code();
         check.error = "interrupted at step " + std::to_string(check.steps) + " of " + std::to_string(step_count);
         return;
     }
+    const std::filesystem::path folder =
+        is_standard_input(check.file) ? std::filesystem::path() : std::filesystem::path(check.file).parent_path();
+    for (std::size_t i = 0; i < scene.expect.size(); ++i)
+        if (!check.expectations[i].is_decided)
+            decide_outer_claim(scene, scene.expect[i], folder, check.steps, check.expectations[i]);
     check.was_simulated = true;
     for (const ExpectationResult& result : check.expectations)
         if (!result.passed) check.code = ExitCode::failed;

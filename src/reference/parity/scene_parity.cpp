@@ -47,7 +47,7 @@ ParityResult run_scene_parity(const Scene& scene, const ParityOptions& options, 
     result.seed = options.seed;
     ParityRow& row = result.families.emplace_back();
     row.name = scene.name;
-    for (std::uint64_t step = 0; step < steps; ++step) {
+    for (std::uint64_t step = 0; step < steps && !run.is_stopped(); ++step) {
         run.step();
         compare_step(row, candidate_queries(run.world()), options);
         if (options.progress) options.progress(row.pairs);

@@ -23,12 +23,17 @@ std::filesystem::path find_font(std::span<const std::filesystem::path> candidate
 // The paths of DejaVu Sans in common distributions.
 std::span<const std::filesystem::path> font_candidates();
 
+// The paths of fonts with the characters of many scripts, Chinese ones too, in common distributions.
+std::span<const std::filesystem::path> wide_font_candidates();
+
 class GlyphAtlas {
 public:
     static constexpr int kSize = 512;  // texels a side
 
-    // Throws RenderError if the file is not a font.
-    explicit GlyphAtlas(const std::filesystem::path& font);
+    // Characters that the font lacks come from the first of the wide fonts that exists; those that it lacks too are
+    // boxes. Throws RenderError if the file is not a font.
+    explicit GlyphAtlas(const std::filesystem::path& font,
+                        std::span<const std::filesystem::path> wide_fonts = wide_font_candidates());
     ~GlyphAtlas();
     GlyphAtlas(const GlyphAtlas&) = delete;
     GlyphAtlas& operator=(const GlyphAtlas&) = delete;
@@ -46,16 +51,17 @@ public:
 
 private:
     struct Font;
+    struct Fonts;
     struct Glyph {
         int x = 0, y = 0, width = 0, height = 0;  // in the atlas
         int offset_x = 0, offset_y = 0;           // of the top left corner from the pen, y downwards
         bool stored = false;
     };
-    using Key = std::tuple<int, int, int>;  // glyph index, size in 1/16 pixels, quarter of a pixel
+    using Key = std::tuple<bool, int, int, int>;  // wide font, glyph index, size in 1/16 pixels, quarter of a pixel
 
-    const Glyph& find_or_draw(int index, double size, int quarter);
+    const Glyph& find_or_draw(bool is_wide, int index, double size, int quarter);
 
-    std::unique_ptr<Font> font_;
+    std::unique_ptr<Fonts> fonts_;
     std::map<Key, Glyph> glyphs_;
     std::vector<std::uint8_t> texels_;
     std::uint64_t revision_ = 1;

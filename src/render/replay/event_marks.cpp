@@ -15,6 +15,7 @@ std::string text_of(const SceneEvent& event) {
     if (event.spawn) return "new body " + quoted(event.spawn->name);
     if (!event.despawn.empty()) return "body " + quoted(event.despawn) + " is removed";
     if (!event.release.empty()) return "joint " + quoted(event.release) + " is released";
+    if (event.stop) return "the run ends";
     if (event.gravity) return "gravity changes";
     if (event.motor_speed) return "motor speed of " + quoted(event.joint);
     if (event.target) return "target of " + quoted(event.joint);

@@ -30,7 +30,7 @@ void run(const Scene& scene, std::vector<MotionBounds>& motions) {
     record(run.built(), motions);
     const std::uint64_t steps = count_steps(scene);
     std::size_t left = kBodyStepBudget;
-    for (std::uint64_t step = 1; step <= steps && run.built().bodies.size() <= left; ++step) {
+    for (std::uint64_t step = 1; step <= steps && !run.is_stopped() && run.built().bodies.size() <= left; ++step) {
         left -= run.built().bodies.size();
         const std::size_t bodies_before = motions.size();
         run.step();

@@ -51,4 +51,10 @@ const SceneJoint* References::joint(const std::string& name, const std::string& 
     return nullptr;
 }
 
+std::optional<KnownNames> References::known_names() const {
+    if (resolved_.bodies_unread || diagnostics_.has_errors_in("/joints") || diagnostics_.has_errors_in("/timeline"))
+        return std::nullopt;
+    return KnownNames{scene_, resolved_.body_names, resolved_.joint_names};
+}
+
 }  // namespace tumble::scene

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scene/build/resolved_scene.hpp"
+#include "scene/expressions/program.hpp"
 #include "scene/json/diagnostics.hpp"
 
 namespace tumble::scene {
@@ -36,6 +37,9 @@ public:
     const SceneBody* definition(const std::string& name) const {
         return find_definition(scene_, resolved_.body_names, name);
     }
+
+    // The names that expressions may use. Nothing if bodies or joints are unread: then no name is reported.
+    std::optional<KnownNames> known_names() const;
 
 private:
     const Scene& scene_;

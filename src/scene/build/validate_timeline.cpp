@@ -5,6 +5,7 @@
 #include "scene/build/element.hpp"
 #include "scene/build/resolve.hpp"
 #include "scene/build/validate_body.hpp"
+#include "scene/build/validate_expression.hpp"
 #include "scene/json/json_text.hpp"
 #include "scene/model/repeat.hpp"
 
@@ -24,6 +25,7 @@ public:
             lasts || event.impulse || event.angular_impulse || event.velocity || event.angular_velocity;
         const bool on_joint = event.motor_speed || event.target;
         validate_times(event, pointer, lasts);
+        validate_when(event, pointer);
         if (on_body) references_.any_body(event.body, pointer, "body");
         if (on_body) validate_new_velocity(event, pointer);
         if (!on_body && !event.body.empty()) error(pointer + "/body", "belongs to impulses, forces and velocities");
@@ -32,6 +34,8 @@ public:
         if (!on_joint && !event.joint.empty()) error(pointer + "/joint", "belongs to motor speeds and targets");
         if (!event.release.empty()) references_.joint(event.release, pointer, "release");
         if (event.spawn) validate_spawn(*event.spawn, pointer + "/spawn");
+        if (!event.stop && !has_other_action(event)) error(pointer + "/stop", "must be true, got false");
+        if (event.stop && event.every) error(pointer + "/every", "belongs to events that can repeat: a run ends once");
     }
 
     void validate_period(const SceneEvent& event, const std::string& pointer) {
@@ -51,6 +55,18 @@ private:
         if (event.until && !event.every && !lasts)
             error(pointer + "/until", "belongs to events with 'every', and to forces and torques");
         if (event.until && event.at && *event.until <= *event.at) error(pointer + "/until", "must be after 'at'");
+    }
+
+    void validate_when(const SceneEvent& event, const std::string& pointer) {
+        if (!event.when.empty()) return validate_condition(event.when, pointer + "/when", references_, diagnostics_);
+        if (event.delay) error(pointer + "/delay", "belongs to events with 'when'");
+        if (event.frame) error(pointer + "/frame", "belongs to events with 'when'");
+    }
+
+    static bool has_other_action(const SceneEvent& event) {
+        return event.impulse || event.angular_impulse || event.force || event.torque || event.velocity ||
+               event.angular_velocity || event.motor_speed || event.target || event.gravity || event.spawn ||
+               !event.despawn.empty() || !event.release.empty();
     }
 
     void validate_new_velocity(const SceneEvent& event, const std::string& pointer) {

@@ -37,12 +37,18 @@ std::string frame_text(const SceneExpectation& claim) {
     return " in the frame at " + brief(claim.frame->position) + turn;
 }
 
-// "at 4 s", "always from 2 s on".
-std::string time_text(const SceneExpectation& claim) {
-    if (claim.at) return " at " + number_text(*claim.at) + " s";
+// " from 2 s until 3 s", or nothing.
+std::string window_text(const SceneExpectation& claim) {
     std::string window;
     if (claim.from) window += " from " + number_text(*claim.from) + " s" + (claim.until ? "" : " on");
     if (claim.until) window += " until " + number_text(*claim.until) + " s";
+    return window;
+}
+
+// "at 4 s", "always from 2 s on".
+std::string time_text(const SceneExpectation& claim) {
+    if (claim.at) return " at " + number_text(*claim.at) + " s";
+    std::string window = window_text(claim);
     switch (claim.when) {
         case SceneMoment::end: return " at the end" + window;
         case SceneMoment::always: return " always" + window;
@@ -70,13 +76,15 @@ std::string event_count_text(const SceneExpectation& claim) {
 
 }  // namespace
 
-std::unique_ptr<Claim> make_claim(const SceneExpectation& claim, const BodyNames& names, const SceneWorld& built) {
-    std::unique_ptr<Claim> of_world = make_claim_of_world(claim, built);
-    return of_world ? std::move(of_world) : make_claim_of_bodies(claim, names);
+std::unique_ptr<Claim> make_claim(const SceneExpectation& claim, const KnownNames& names, const SceneWorld& built) {
+    if (std::unique_ptr<Claim> of_world = make_claim_of_world(claim, built)) return of_world;
+    if (std::unique_ptr<Claim> of_conditions = make_claim_of_conditions(claim, names)) return of_conditions;
+    if (std::unique_ptr<Claim> of_runs = make_claim_of_runs(claim)) return of_runs;
+    return make_claim_of_bodies(claim, names.bodies);
 }
 
 bool can_have_frame(const SceneExpectation& claim) {
-    return claim.inside || claim.outside || claim.height || claim.angle || claim.count;
+    return claim.inside || claim.outside || claim.height || claim.angle || claim.count || !claim.that.empty();
 }
 
 std::string claim_text(const SceneExpectation& claim) {
@@ -87,7 +95,8 @@ std::string claim_text(const SceneExpectation& claim) {
         return "the anchors of " + (claim.joint.empty() ? "all joints" : "'" + claim.joint + "'") + " stay within " +
                number_text(*claim.max_joint_error) + " m";
     if (claim.max_energy_gain)
-        return "the energy does not grow by more than " + number_text(*claim.max_energy_gain) + " J";
+        return "the energy does not grow by more than " + number_text(*claim.max_energy_gain) + " J" +
+               window_text(claim);
     if (claim.inside) return body + " is inside " + box_text(*claim.inside) + frame_text(claim) + time_text(claim);
     if (claim.outside) return body + " is outside " + box_text(*claim.outside) + frame_text(claim) + time_text(claim);
     if (claim.height) return measure_text("height", claim, *claim.height, "m") + frame_text(claim) + time_text(claim);
@@ -98,6 +107,16 @@ std::string claim_text(const SceneExpectation& claim) {
     if (!claim.never_touches.empty()) return body + " never touches '" + claim.never_touches + "'";
     if (claim.count) return count_text(claim) + frame_text(claim) + time_text(claim);
     if (claim.event_count) return event_count_text(claim);
+    if (!claim.before.empty()) return claim.that + frame_text(claim) + " before " + claim.before;
+    if (!claim.that.empty()) return claim.that + frame_text(claim) + time_text(claim);
+    if (claim.max_ms_per_step)
+        return "a step takes at most " + number_text(*claim.max_ms_per_step) + " ms" + window_text(claim);
+    if (claim.max_time_ratio)
+        return "a step takes at most " + number_text(*claim.max_time_ratio) + " times as long as one of " +
+               claim.reference;
+    if (!claim.picture.empty())
+        return "the frame equals " + claim.picture + " up to " + number_text(claim.tolerance.value_or(0.0)) +
+               " levels" + time_text(claim);
     return "the state hash is " + claim.state_hash + time_text(claim);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/expressions/program.hpp"
 #include "scene/model/names.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_world.hpp"
@@ -41,16 +42,26 @@ public:
 };
 
 // A claim on the world or on bodies. `built` is the world at its start.
-std::unique_ptr<Claim> make_claim(const SceneExpectation& expectation, const BodyNames& names, const SceneWorld& built);
+std::unique_ptr<Claim> make_claim(const SceneExpectation& expectation, const KnownNames& names,
+                                  const SceneWorld& built);
 
 // Claims on the whole world: rest, penetration, joint error, energy, state hash. Null for other claims.
 std::unique_ptr<Claim> make_claim_of_world(const SceneExpectation& expectation, const SceneWorld& built);
+
+// Conditions and the order of two conditions. Null for other claims.
+std::unique_ptr<Claim> make_claim_of_conditions(const SceneExpectation& expectation, const KnownNames& names);
+
+// Claims on the time of a step, and those that a watch cannot decide. Null for other claims.
+std::unique_ptr<Claim> make_claim_of_runs(const SceneExpectation& expectation);
+
+// Whether a watch can decide the claim: it needs neither frames nor another scene.
+bool is_decided_by_watch(const SceneExpectation& expectation);
 
 // Claims on bodies: position, speed, angle, touching, counts of bodies and of events. A claim on the common name of
 // copies must hold for every copy; a `touches` claim holds if any copy touches.
 std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& expectation, const BodyNames& names);
 
-// Whether the claim is on a position or an angle, which can be measured in a frame.
+// Whether the claim is on a position, an angle or a condition, which can be measured in a frame.
 bool can_have_frame(const SceneExpectation& expectation);
 
 // "'crate' is inside [0, 0] to [2, 3] at 4 s".

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "scene/claims/claims.hpp"
+#include "scene/expressions/contact_state.hpp"
 #include "scene/model/body_lookup.hpp"
 #include "scene/model/degrees.hpp"
 #include "scene/model/display.hpp"
+#include "scene/model/frame.hpp"
 #include "scene/model/names.hpp"
-#include "tumble/distance.hpp"
 
 namespace tumble::scene {
 
@@ -38,16 +39,7 @@ double distance_to_outside(const SceneBox& box, DVec2 p) {
     return std::max(least, std::numeric_limits<double>::min());
 }
 
-// Claims are measured in a frame. The default, the frame of the world, changes no bit of a pose.
-Pose make_frame(const SceneExpectation& claim) {
-    const SceneFrame frame = claim.frame.value_or(SceneFrame{});
-    return {frame.position, make_rotation_degrees(frame.angle)};
-}
-
-Pose seen_from(const Pose& frame, const Pose& pose) {
-    const Rotation f = frame.rotation, q = pose.rotation;
-    return {inverse_transform_point(frame, pose.position), {f.c * q.c + f.s * q.s, f.c * q.s - f.s * q.c}};
-}
+Pose frame_of(const SceneExpectation& claim) { return make_frame(claim.frame.value_or(SceneFrame{})); }
 
 // A claim on the state of a body, or of every copy: the copy with the largest excess decides.
 class OfBody : public Claim {
@@ -55,7 +47,7 @@ public:
     OfBody(const SceneExpectation& claim, bool of_copies)
         : bodies_(claim.body, of_copies),
           of_copies_(of_copies),
-          frame_(make_frame(claim)),
+          frame_(frame_of(claim)),
           may_be_absent_(of_copies && claim.when == SceneMoment::always && !claim.at) {}
 
     void follow(const SceneWorld& built) override { bodies_.update(built); }
@@ -128,19 +120,6 @@ private:
     const char* before_;
     const char* unit_;
 };
-
-// The distance of the nearest shapes of two bodies that can cause contact or sensor events (m); 0 if they overlap.
-double gap_between(const World& world, BodyId a, BodyId b) {
-    const DistanceResult nearest = world.distance(a, b).nearest;  // of the shapes that are no sensors
-    double gap = nearest.status == DistanceStatus::invalid ? kAbsent : nearest.distance;
-    for (const ShapeId one : world.shapes(a))
-        for (const ShapeId other : world.shapes(b))
-            if (world.is_sensor(one) != world.is_sensor(other))
-                gap = std::min(gap, tumble::distance(world.shape(one), world.state(a).pose, world.shape(other),
-                                                     world.state(b).pose)
-                                        .distance);
-    return std::max(gap, 0.0);
-}
 
 // A claim that two bodies, or any of their copies, touch or never touch, by the events of every step.
 class Touching final : public Claim {
@@ -242,7 +221,7 @@ bool is_one_of(const std::string& name, const SceneInstance& body) {
 class Count final : public Claim {
 public:
     explicit Count(const SceneExpectation& claim)
-        : of_(claim.body), frame_(make_frame(claim)), region_(claim.region.value()), allowed_(claim.count.value()) {}
+        : of_(claim.body), frame_(frame_of(claim)), region_(claim.region.value()), allowed_(claim.count.value()) {}
 
     double excess(const SceneWorld& built) override {
         count_ = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/claims/claims.hpp"
+#include "scene/expressions/energy.hpp"
 #include "scene/model/display.hpp"
 #include "scene/model/joint_gap.hpp"
 #include "scene/model/names.hpp"
@@ -118,47 +119,42 @@ class EnergyGain final : public Claim {
 public:
     explicit EnergyGain(double limit) : limit_(limit) {}
 
-    void follow(const SceneWorld& built) override {
-        if (!first_) first_ = energy_of(built.world);
-    }
+    // The first state that counts is the start.
     double excess(const SceneWorld& built) override {
-        gain_ = energy_of(built.world) - *first_;
+        const double energy = energy_of(built.world).total() - built.work;
+        if (!first_) {
+            first_ = energy;
+            work_ = built.work;
+        }
+        gain_ = energy - *first_;
+        has_work_ = built.work != work_;
         return std::max(0.0, gain_ - limit_);
     }
     double severity() const override { return gain_; }
     std::vector<std::uint64_t> state() const override {
         if (!first_) return {};
-        return {std::bit_cast<std::uint64_t>(*first_)};
+        return {std::bit_cast<std::uint64_t>(*first_), std::bit_cast<std::uint64_t>(work_)};
     }
     bool set_state(std::span<const std::uint64_t> state) override {
         first_.reset();
-        if (!state.empty()) first_ = std::bit_cast<double>(state.front());
-        return state.size() <= 1;
+        if (state.empty()) return true;
+        if (state.size() != 2) return false;
+        first_ = std::bit_cast<double>(state[0]);
+        work_ = std::bit_cast<double>(state[1]);
+        return true;
     }
     std::string finding(const SceneWorld&) const override {
-        return gain_ > 0.0 ? "the energy is " + brief(gain_) + " J above that of the start" : "the energy never grew";
+        if (!(gain_ > 0.0)) return "the energy never grew";
+        return "the energy is " + brief(gain_) + " J above that of the start" +
+               (has_work_ ? " and the work of the timeline" : "");
     }
 
 private:
-    static double energy_of(const World& world) {
-        const DVec2 gravity(world.def().gravity);
-        double energy = 0.0;
-        for (const BodyId id : world.bodies()) {
-            if (world.type(id) != BodyType::dynamic_body) continue;
-            const BodyMass own = world.mass(id);
-            const BodyState state = world.state(id);
-            const double speed_sq =
-                double{state.velocity.x} * state.velocity.x + double{state.velocity.y} * state.velocity.y;
-            const double turn = double{state.angular_velocity};
-            energy += 0.5 * double{own.mass} * speed_sq + 0.5 * double{own.inertia} * turn * turn -
-                      double{own.mass} * dot(gravity, transform_point(state.pose, own.center));
-        }
-        return energy;
-    }
-
     double limit_;
-    std::optional<double> first_;
+    std::optional<double> first_;  // J, without the work of the timeline
+    double work_ = 0.0;            // J, up to the first state that counts
     double gain_ = 0.0;
+    bool has_work_ = false;
 };
 
 class StateHash final : public Claim {

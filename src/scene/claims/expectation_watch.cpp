@@ -16,7 +16,7 @@ namespace tumble {
 
 namespace {
 
-constexpr std::uint64_t kMagic = 0x31'54'41'57'4c'42'4d'54;  // "TMBLWAT1"
+constexpr std::uint64_t kMagic = 0x32'54'41'57'4c'42'4d'54;  // "TMBLWAT2"
 constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
 
 // Claims on a state have a `when`; the moment of all others is fixed.
@@ -32,6 +32,7 @@ struct Watched {
     std::unique_ptr<scene::Claim> claim;
     std::string text;
     SceneMoment moment = SceneMoment::end;
+    bool is_decided = true;
     std::uint64_t from = 0;       // the first step that counts
     std::uint64_t to = kForever;  // the last one
     bool reached = false;         // whether the run has had a step that counts
@@ -96,12 +97,15 @@ struct ExpectationWatch::Impl {
 ExpectationWatch::ExpectationWatch(const Scene& scene, const SceneWorld& built) : impl_(std::make_unique<Impl>()) {
     const double rate = double{built.world.def().steps_per_second};
     impl_->rate = rate;
-    const scene::BodyNames names(scene);
+    const scene::BodyNames bodies(scene);
+    const scene::JointNames joints(scene);
+    const scene::KnownNames names{scene, bodies, joints};
     for (const SceneExpectation& expectation : scene.expect) {
         Watched& watched = impl_->watched.emplace_back();
         watched.claim = scene::make_claim(expectation, names, built);
         watched.text = scene::claim_text(expectation);
         watched.moment = moment_of(expectation);
+        watched.is_decided = scene::is_decided_by_watch(expectation);
         if (expectation.from) watched.from = scene::first_step_at(*expectation.from, rate);
         if (expectation.until) watched.to = scene::first_step_at(*expectation.until, rate);
         if (expectation.at_rest_by) watched.from = scene::first_step_at(*expectation.at_rest_by, rate);
@@ -139,7 +143,7 @@ std::vector<ExpectationResult> ExpectationWatch::results() const {
         const bool passed = watched.seen && watched.excess == 0.0;
         const std::uint64_t step = watched.seen ? watched.step : impl_->last_step;
         results.push_back({passed, watched.text, watched.finding_text(), step, static_cast<double>(step) / impl_->rate,
-                           watched.state_hash});
+                           watched.state_hash, watched.is_decided});
     }
     return results;
 }

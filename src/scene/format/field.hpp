@@ -47,10 +47,11 @@ inline constexpr Range kCount{1.0, kMost};
 inline constexpr Range kBits{0.0, 4294967295.0};
 inline constexpr Range kSeed{0.0, 0x1p64};
 
-inline constexpr std::size_t kMaxNameBytes = 256;  // bytes
+inline constexpr std::size_t kMaxNameBytes = 256;         // bytes
+inline constexpr std::size_t kMaxExpressionBytes = 2000;  // bytes
 
 // What a text may contain.
-enum class Text { any, name, color };
+enum class Text { any, name, color, expression };
 
 struct Field {
     std::string_view name;

@@ -35,7 +35,9 @@ void visit_fields(V& v, Type<SceneSettings>) {
         {"substeps", "Solver sub-steps in a step. More sub-steps make joints and stacks stiffer.", "", {1.0, 1000.0}},
         &SceneSettings::substeps);
     v.field({"duration", "Simulated time of a run.", "s", kTime}, &SceneSettings::duration);
-    v.field({"seed", "Seed of the random numbers that scatter repeaters draw.", "", kSeed}, &SceneSettings::seed);
+    v.field(
+        {"seed", "Seed of the positions of scatter repeaters and of numbers that are declared as random.", "", kSeed},
+        &SceneSettings::seed);
     v.field({"sleeping", "Whether bodies at rest fall asleep, which saves computing time."}, &SceneSettings::sleeping);
     v.field({"continuous",
              "Whether fast bodies are swept against static and kinematic bodies, so that they do not pass through thin "

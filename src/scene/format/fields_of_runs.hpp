@@ -19,11 +19,25 @@ inline constexpr std::array<std::pair<SceneEventKind, std::string_view>, 7> kEnu
      {SceneEventKind::fell_asleep, "fell_asleep"}}};
 
 template <class V>
+void visit_fields(V& v, Type<SceneFrame>) {
+    v.field({"position", "Position of the frame's origin in the world.", "m", kPosition}, &SceneFrame::position);
+    v.field({"angle", "Rotation of the frame.", "degrees"}, &SceneFrame::angle);
+}
+
+template <class V>
 void visit_fields(V& v, Type<SceneEvent>) {
     v.field({"at", "Time of a single event.", "s", kTime}, &SceneEvent::at);
     v.field({"every", "Interval of a repeated event, which happens first at time 0 or at 'from'.", "s", kInterval},
             &SceneEvent::every);
-    v.exactly_one({"at", "every"});
+    v.field({.name = "when",
+             .description =
+                 "Condition on the state, for example \"touching(ball, bell)\": the event happens once, when the "
+                 "condition first holds.",
+             .text = Text::expression},
+            &SceneEvent::when);
+    v.exactly_one({"at", "every", "when"});
+    v.field({"delay", "Time from the state in which 'when' first holds to the event.", "s", kTime}, &SceneEvent::delay);
+    v.field({"frame", "Coordinate frame in which 'when' measures. Default: that of the world."}, &SceneEvent::frame);
     v.field({"from", "Time of the first repetition.", "s", kTime}, &SceneEvent::from);
     v.field({"until", "Time of the last repetition, or the end of a force or torque.", "s", kTime}, &SceneEvent::until);
     v.field({.name = "body", .description = "Name of the body that the event acts on.", .text = Text::name},
@@ -47,14 +61,9 @@ void visit_fields(V& v, Type<SceneEvent>) {
             &SceneEvent::despawn);
     v.field({.name = "release", .description = "Name of a joint that is removed.", .text = Text::name},
             &SceneEvent::release);
+    v.field({"stop", "true: the run ends."}, &SceneEvent::stop);
     v.exactly_one({"impulse", "angular_impulse", "force", "torque", "velocity", "angular_velocity", "motor_speed",
-                   "target", "gravity", "spawn", "despawn", "release"});
-}
-
-template <class V>
-void visit_fields(V& v, Type<SceneFrame>) {
-    v.field({"position", "Position of the frame's origin in the world.", "m", kPosition}, &SceneFrame::position);
-    v.field({"angle", "Rotation of the frame.", "degrees"}, &SceneFrame::angle);
+                   "target", "gravity", "spawn", "despawn", "release", "stop"});
 }
 
 template <class V>
@@ -121,10 +130,46 @@ void visit_fields(V& v, Type<SceneExpectation>) {
     v.field({"event", "Kind of the events that 'event_count' counts."}, &SceneExpectation::event);
     v.field({"state_hash", "Expected state hash: 16 hexadecimal digits, as the run command prints them."},
             &SceneExpectation::state_hash);
+    v.field({.name = "that",
+             .description = "Condition on the state that must hold, for example \"a.x < b.x - 1\".",
+             .text = Text::expression},
+            &SceneExpectation::that);
+    v.field(
+        {.name = "before",
+         .description = "Condition: 'that' must hold in a state before the first one in which this condition holds.",
+         .text = Text::expression},
+        &SceneExpectation::before);
+    v.field(
+        {"max_ms_per_step", "Greatest allowed mean time of a step, on the wall clock.", "ms", {0.0, kLongest, true}},
+        &SceneExpectation::max_ms_per_step);
+    v.field({"max_time_ratio",
+             "Greatest allowed ratio of the time of a step to that of the scene 'reference', which the check command "
+             "measures in turns.",
+             "", kInterval},
+            &SceneExpectation::max_time_ratio);
+    v.field({.name = "reference",
+             .description = "Path of the scene file that 'max_time_ratio' compares with, relative to the folder of the "
+                            "scene.",
+             .text = Text::name},
+            &SceneExpectation::reference);
+    v.field({.name = "picture",
+             .description =
+                 "Path of a PNG file, relative to the folder of the scene, that the frame of its size must equal "
+                 "at the end or at 'at'. The check command draws it.",
+             .text = Text::name},
+            &SceneExpectation::picture);
+    v.field({"tolerance",
+             "Greatest allowed difference of a colour component of a pixel from 'picture', in levels.",
+             "",
+             {0.0, 255.0}},
+            &SceneExpectation::tolerance);
     v.exactly_one({"at_rest_by", "max_penetration", "max_joint_error", "max_energy_gain", "inside", "outside", "height",
-                   "speed", "angle", "touches", "never_touches", "count", "event_count", "state_hash"});
-    v.field({"frame", "Coordinate frame in which boxes, heights and angles are measured. Default: that of the world."},
-            &SceneExpectation::frame);
+                   "speed", "angle", "touches", "never_touches", "count", "event_count", "state_hash", "that",
+                   "max_ms_per_step", "max_time_ratio", "picture"});
+    v.field(
+        {"frame",
+         "Coordinate frame in which boxes, heights, angles and conditions are measured. Default: that of the world."},
+        &SceneExpectation::frame);
     v.field({"when",
              "When a claim about a state must hold. end: in the last state; always: in every state; sometime: in at "
              "least one."},

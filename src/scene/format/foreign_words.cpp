@@ -39,7 +39,11 @@ constexpr ForeignKey kKeys[] = {
     {"velocity", "touches", R"("speed": [lower, upper])"},
     {"time", "touches", R"("at": seconds)"},
     {"time", "despawn", R"("at": seconds)"},
-    {"when", "despawn", R"("at": seconds)"},
+    {"if", "despawn", R"~("when": "touching(a, b)")~"},
+    {"on", "despawn", R"~("when": "touching(a, b)")~"},
+    {"trigger", "despawn", R"~("when": "touching(a, b)")~"},
+    {"condition", "despawn", R"~("when": "touching(a, b)")~"},
+    {"end", "despawn", R"("stop": true)"},
 };
 
 // Objects that are often written as a number: the key, and what is around the number in this format.

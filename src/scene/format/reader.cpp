@@ -26,6 +26,10 @@ bool is_color(const std::string& text) {
 class Reader {
 public:
     Reader(Diagnostics& diagnostics, bool for_query) : diagnostics_(diagnostics), for_query_(for_query) {}
+    Reader(Diagnostics& diagnostics, const Json& root, const DrawContext& context)
+        : diagnostics_(diagnostics), root_(&root), context_(context) {}
+
+    std::vector<SceneDraw> take_draws() { return std::move(draws_); }
 
     void error(const Location& location, const std::string& message, const std::string& hint = "",
                Diagnostics::At at = Diagnostics::At::value) {
@@ -37,12 +41,19 @@ public:
     }
 
     void read(const Json& value, const Location& location, const Field& field, double& out) {
+        if (value.is_object() && root_ != nullptr) return draw(value, location, field, false, out);
         if (!value.is_number()) return wrong(location, "a number", value);
         if (in_range(value, location, field)) out = value.get<double>() + 0.0;  // + 0.0 turns -0 into 0
     }
 
     template <std::integral Integer>
     void read(const Json& value, const Location& location, const Field& field, Integer& out) {
+        const bool can_be_drawn = root_ != nullptr && field.range.max != kSeed.max;
+        if (double number = 0.0; value.is_object() && can_be_drawn) {
+            draw(value, location, field, true, number);
+            out = static_cast<Integer>(number);
+            return;
+        }
         if (!value.is_number()) return wrong(location, "a whole number", value);
         if (value.is_number_float() && value.get<double>() != std::floor(value.get<double>()))
             return wrong(location, "a whole number", value);
@@ -59,6 +70,8 @@ public:
         out = value.get<std::string>();
         if (field.text == Text::name && (out.empty() || out.size() > kMaxNameBytes))
             wrong(location, "a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes", value);
+        if (field.text == Text::expression && (out.empty() || out.size() > kMaxExpressionBytes))
+            wrong(location, "an expression of 1 to " + std::to_string(kMaxExpressionBytes) + " bytes", value);
         if (field.text == Text::color && !is_color(out))
             wrong(location, "a colour, \"#rgb\" or \"#rrggbb\"", value, hint_for_color(out));
     }
@@ -143,6 +156,23 @@ public:
     }
 
 private:
+    static bool is_within(double number, const Range& range) {
+        return (range.above_min ? number > range.min : number >= range.min) && number <= range.max;
+    }
+
+    void draw(const Json& value, const Location& location, const Field& field, bool whole, double& out) {
+        const std::string pointer = pointer_to(location);
+        const std::string key = draw_key(*root_, pointer, context_);
+        try {
+            out = draw_number(value, key, context_.seed, whole,
+                              [&](double number) { return is_within(number, field.range); });
+            draws_.push_back({pointer, key, compact_text(value), out});
+        } catch (const WrongDraw& wrong) {
+            const std::string place = wrong.key.empty() ? pointer : append_key(pointer, wrong.key);
+            diagnostics_.error(place, wrong.message);
+        }
+    }
+
     bool in_range(const Json& value, const Location& location, const Field& field) {
         const Range& range = field.range;
         const double number = value.get<double>();
@@ -162,6 +192,9 @@ private:
 
     Diagnostics& diagnostics_;
     bool for_query_ = false;
+    const Json* root_ = nullptr;  // of a file whose numbers may be drawn
+    DrawContext context_{};
+    std::vector<SceneDraw> draws_;
 };
 
 // Visits the fields of `out` with the members of one JSON object.
@@ -329,10 +362,18 @@ void Reader::read(const Json& value, const Location& location, const Field&, T& 
 
 }  // namespace
 
-Scene read_scene(const Json& value, Diagnostics& diagnostics) {
+Scene read_scene(const Json& value, Diagnostics& diagnostics, const DrawContext& context) {
     Scene scene;
-    Reader(diagnostics, false).read(value, Location{}, Field{}, scene);
+    Reader reader(diagnostics, value, context);
+    reader.read(value, Location{}, Field{}, scene);
+    scene.draws = reader.take_draws();
     return scene;
+}
+
+std::uint64_t seed_of(const Json& scene) {
+    const bool has_seed = scene.is_object() && scene.contains("world") && scene["world"].is_object() &&
+                          scene["world"].contains("seed") && scene["world"]["seed"].is_number_unsigned();
+    return has_seed ? scene["world"]["seed"].get<std::uint64_t>() : SceneSettings{}.seed;
 }
 
 ShapeGeometry read_query_geometry(const Json& value, Diagnostics& diagnostics) {

@@ -29,6 +29,24 @@ Json number_schema(std::string_view type, const Range& range) {
     return schema;
 }
 
+// A number, or a declaration of a random one.
+Json drawable(const Json& number) { return {{"oneOf", Json::array({number, Json{{"$ref", "#/definitions/random"}}})}}; }
+
+Json random_schema() {
+    const auto list = [](const char* title, const char* description, int least, int most) -> Json {
+        return {{"title", title},    {"description", description},
+                {"type", "array"},   {"items", {{"type", "number"}}},
+                {"minItems", least}, {"maxItems", most}};
+    };
+    Json schema{{"type", "object"}, {"additionalProperties", false}};
+    schema["properties"]["uniform"] = list("Uniform", "Lower and upper end of equally likely numbers.", 2, 2);
+    schema["properties"]["normal"] = list("Normal", "Mean and standard deviation.", 2, 2);
+    schema["properties"]["choice"] = list("Choice", "Equally likely numbers.", 1, 1000);
+    for (const char* key : {"uniform", "normal", "choice"})
+        schema["allOf"][0]["oneOf"].push_back({{"required", Json::array({key})}});
+    return schema;
+}
+
 Json pair_schema(const Json& element) {
     return {{"type", "array"}, {"items", element}, {"minItems", 2}, {"maxItems", 2}};
 }
@@ -36,15 +54,20 @@ Json pair_schema(const Json& element) {
 // The schema of a value of a type, by overloads on a pointer to it.
 class Schema {
 public:
-    Json of(const double*, const Field& field) { return number_schema("number", field.range); }
+    Json of(const double*, const Field& field) { return drawable(number_schema("number", field.range)); }
     Json of(const bool*, const Field&) { return {{"type", "boolean"}}; }
-    Json of(const std::integral auto*, const Field& field) { return number_schema("integer", field.range); }
-    Json of(const DVec2*, const Field& field) { return pair_schema(number_schema("number", field.range)); }
-    Json of(const SceneInterval*, const Field& field) { return pair_schema(number_schema("number", field.range)); }
+    Json of(const std::integral auto*, const Field& field) {
+        const Json number = number_schema("integer", field.range);
+        return field.range.max == kSeed.max ? number : drawable(number);
+    }
+    Json of(const DVec2*, const Field& field) { return pair_schema(drawable(number_schema("number", field.range))); }
+    Json of(const SceneInterval*, const Field& field) {
+        return pair_schema(drawable(number_schema("number", field.range)));
+    }
 
     Json of(const std::string*, const Field& field) {
         Json schema{{"type", "string"}};
-        if (field.text == Text::name) schema["minLength"] = 1;
+        if (field.text == Text::name || field.text == Text::expression) schema["minLength"] = 1;
         if (field.text == Text::color) schema["pattern"] = "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$";
         return schema;
     }
@@ -209,6 +232,7 @@ std::string scene_schema() {
         {"description", "A 2D rigid-body world, its camera and its run. SI units, y up, angles in degrees."}};
     schema.update(types.object<Scene>());
     schema["definitions"]["body"] = types.object<SceneBody>();
+    schema["definitions"]["random"] = scene::random_schema();
     return scene::pretty_text(schema);
 }
 

@@ -11,7 +11,7 @@ namespace tumble {
 
 namespace scene {
 
-Json write_scene(const Scene& scene, bool with_defaults) { return Writer(with_defaults).write(scene); }
+Json write_scene(const Scene& scene, bool with_defaults) { return Writer(with_defaults, scene.draws).write(scene); }
 
 namespace {
 
@@ -24,6 +24,7 @@ Scene simulated_part(Scene scene) {
     for (std::string* text : {&scene.schema, &scene.name, &scene.description, &scene.custom}) text->clear();
     scene.camera = {};
     scene.expect.clear();
+    scene.draws.clear();
     for (SceneMaterial& material : scene.materials) material.color.clear();
     for (SceneBody& body : scene.bodies) leave_out_custom(body);
     for (SceneJoint& joint : scene.joints) joint.custom.clear();

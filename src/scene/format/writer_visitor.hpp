@@ -2,66 +2,89 @@
 #pragma once
 
 #include <concepts>
+#include <map>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 #include "scene/format/fields.hpp"
 #include "scene/json/json.hpp"
+#include "scene/json/pointer.hpp"
 
 namespace tumble::scene {
 
 class Writer {
 public:
-    explicit Writer(bool with_defaults) : with_defaults_(with_defaults) {}
+    // Numbers that were drawn are written as they were declared, unless they have been changed since.
+    explicit Writer(bool with_defaults, std::span<const SceneDraw> draws = {}) : with_defaults_(with_defaults) {
+        for (const SceneDraw& draw : draws)
+            if (!draw.pointer.empty()) draws_.emplace(draw.pointer, &draw);
+    }
 
-    Json write(double value) const { return value; }
-    Json write(bool value) const { return value; }
-    Json write(std::integral auto value) const { return value; }
-    Json write(const std::string& value) const { return value; }
-    Json write(DVec2 value) const { return Json::array({value.x, value.y}); }
-    Json write(const SceneInterval& value) const { return Json::array({value.lower, value.upper}); }
+    Json write(double value, const Location& at = {}) const { return declared(value, value, at); }
+    Json write(bool value, const Location& = {}) const { return value; }
+    Json write(std::integral auto value, const Location& at = {}) const {
+        return declared(value, static_cast<double>(value), at);
+    }
+    Json write(const std::string& value, const Location& = {}) const { return value; }
+    Json write(DVec2 value, const Location& at = {}) const { return pair(value.x, value.y, at); }
+    Json write(const SceneInterval& value, const Location& at = {}) const { return pair(value.lower, value.upper, at); }
 
     template <class Enum>
-    requires std::is_enum_v<Enum> Json write(Enum value)
+    requires std::is_enum_v<Enum> Json write(Enum value, const Location& = {})
     const { return enum_name(value); }
 
     template <class First, class Second>
-    Json write(const std::pair<First, Second>& value) const {
-        return Json::array({write(value.first), write(value.second)});
+    Json write(const std::pair<First, Second>& value, const Location& at = {}) const {
+        return pair(value.first, value.second, at);
     }
 
     template <class T>
-    Json write(const std::optional<T>& value) const {
-        return value ? write(*value) : Json();
+    Json write(const std::optional<T>& value, const Location& at = {}) const {
+        return value ? write(*value, at) : Json();
     }
 
     template <class T>
-    Json write(const std::vector<T>& value) const {
+    Json write(const std::vector<T>& value, const Location& at = {}) const {
         Json array = Json::array();
-        for (const T& element : value) array.push_back(write(element));
+        for (const T& element : value) array.push_back(write(element, child(at, array.size())));
         return array;
     }
 
     template <class... T>
-    Json write(const std::variant<T...>& value) const;
+    Json write(const std::variant<T...>& value, const Location& at = {}) const;
 
     template <class T>
-    requires std::is_class_v<T> Json write(const T& value)
+    requires std::is_class_v<T> Json write(const T& value, const Location& at = {})
     const;
 
     bool with_defaults() const { return with_defaults_; }
 
 private:
+    template <class First, class Second>
+    Json pair(const First& first, const Second& second, const Location& at) const {
+        return Json::array({write(first, child(at, 0)), write(second, child(at, 1))});
+    }
+
+    Json declared(const Json& written, double value, const Location& at) const {
+        if (draws_.empty() || at.parent == nullptr) return written;
+        const auto found = draws_.find(pointer_to(at));
+        if (found == draws_.end() || found->second->value != value) return written;
+        return Json::parse(found->second->declaration);
+    }
+
     bool with_defaults_ = false;
+    std::map<std::string, const SceneDraw*> draws_;  // by pointer
 };
 
 template <class T>
 class ObjectWriter {
 public:
-    ObjectWriter(const Writer& writer, const T& value) : writer_(writer), value_(value) {}
+    ObjectWriter(const Writer& writer, const T& value, const Location& at) : writer_(writer), value_(value), at_(at) {}
 
     void field(const Field& field, auto T::*member) {
-        put(field, writer_.write(value_.*member), writer_.write(defaults_.*member));
+        put(field, writer_.write(value_.*member, child(at_, field.name)), writer_.write(defaults_.*member));
     }
 
     void pair(const Field& field, std::string T::*first, std::string T::*second) {
@@ -72,7 +95,9 @@ public:
     template <class Element>
     void named(const Field& field, std::vector<Element> T::*member) {
         Json elements = Json::object();
-        for (const Element& element : value_.*member) elements[element.name] = writer_.write(element);
+        const Location at = child(at_, field.name);
+        for (const Element& element : value_.*member)
+            elements[element.name] = writer_.write(element, child(at, element.name));
         put(field, std::move(elements), Json::object());
     }
 
@@ -88,7 +113,7 @@ public:
 
     template <class Variant>
     void one_of(const Field&, Variant T::*member) {
-        object.update(writer_.write(value_.*member));
+        object.update(writer_.write(value_.*member, at_));
     }
 
     void exactly_one(std::initializer_list<std::string_view>) {}
@@ -105,19 +130,20 @@ private:
 
     const Writer& writer_;
     const T& value_;
+    const Location& at_;
     const T defaults_{};
 };
 
 template <class... T>
-Json Writer::write(const std::variant<T...>& value) const {
+Json Writer::write(const std::variant<T...>& value, const Location& at) const {
     const std::string key(alternative_name(value));
-    return {{key, std::visit([&](const auto& held) { return write(held); }, value)}};
+    return {{key, std::visit([&](const auto& held) { return write(held, child(at, key)); }, value)}};
 }
 
 template <class T>
-requires std::is_class_v<T> Json Writer::write(const T& value)
+requires std::is_class_v<T> Json Writer::write(const T& value, const Location& at)
 const {
-    ObjectWriter<T> object(*this, value);
+    ObjectWriter<T> object(*this, value, at);
     visit_fields(object, Type<T>{});
     return std::move(object.object);
 }

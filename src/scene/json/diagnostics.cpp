@@ -83,16 +83,23 @@ void Diagnostics::error(std::string pointer, std::string message, std::string hi
         overflowed_ = true;
         return;
     }
-    errors_.push_back({std::move(pointer), std::move(message), std::move(hint), at, std::string_view::npos});
+    errors_.push_back(
+        {std::move(pointer), std::move(message), std::move(hint), at, std::string_view::npos, std::string_view::npos});
 }
 
 void Diagnostics::warning(std::string pointer, std::string message, std::string hint) {
     if (warnings_.size() == kMaxDiagnostics) return;
-    warnings_.push_back({std::move(pointer), std::move(message), std::move(hint), At::value, std::string_view::npos});
+    warnings_.push_back({std::move(pointer), std::move(message), std::move(hint), At::value, std::string_view::npos,
+                         std::string_view::npos});
+}
+
+void Diagnostics::error_in_text(std::string pointer, std::size_t inside, std::string message, std::string hint) {
+    error(std::move(pointer), std::move(message), std::move(hint));
+    if (!overflowed_) errors_.back().inside = inside;
 }
 
 void Diagnostics::error_at_offset(std::size_t offset, std::string message, std::string hint) {
-    errors_.push_back({"", std::move(message), std::move(hint), At::value, offset});
+    errors_.push_back({"", std::move(message), std::move(hint), At::value, offset, std::string_view::npos});
 }
 
 bool Diagnostics::has_errors_in(std::string_view pointer) const {
@@ -126,8 +133,9 @@ Diagnostic Diagnostics::locate(const Entry& entry, Diagnostic::Severity severity
     }
     if (text_.empty()) return d;
     const bool known = entry.offset != std::string_view::npos;
-    const std::size_t offset =
+    std::size_t offset =
         std::min(known ? entry.offset : find_offset(text_, entry.pointer, entry.at == At::key), text_.size());
+    if (entry.inside != std::string_view::npos) offset = offset_in_string(text_, offset, entry.inside);
     const std::size_t newline = text_.substr(0, offset).rfind('\n');
     const std::size_t start = newline == std::string_view::npos ? 0 : newline + 1;
     const std::string_view rest = text_.substr(start);

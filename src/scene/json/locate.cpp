@@ -3,6 +3,7 @@
 #include "scene/json/locate.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 
 #include "scene/json/json.hpp"
@@ -111,6 +112,14 @@ Found find_element(Tokenizer tokens, const std::string& name) {
     return {};
 }
 
+// How many bytes of UTF-8 a code of four hexadecimal digits stands for; 2 for half of a surrogate pair.
+std::size_t utf8_size(std::string_view digits) {
+    unsigned code = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+    const bool is_half_of_pair = code >= 0xD800u && code < 0xE000u;
+    return code < 0x80u ? 1 : code < 0x800u || is_half_of_pair ? 2 : 3;
+}
+
 }  // namespace
 
 std::size_t find_offset(std::string_view text, std::string_view pointer, bool at_key) {
@@ -125,6 +134,18 @@ std::size_t find_offset(std::string_view text, std::string_view pointer, bool at
         offset += found.value;
     }
     return at_key ? key_offset : offset;
+}
+
+std::size_t offset_in_string(std::string_view text, std::size_t string, std::size_t inside) {
+    if (string >= text.size() || text[string] != '"') return string;
+    std::size_t at = string + 1;
+    while (inside > 0 && at < text.size() && text[at] != '"') {
+        const bool is_escape = text[at] == '\\', is_code = is_escape && text.substr(at + 1, 1) == "u";
+        const std::size_t bytes = is_code ? utf8_size(text.substr(std::min(at + 2, text.size()), 4)) : 1;
+        at = std::min(text.size(), at + (is_code ? 6 : is_escape ? 2 : 1));
+        inside -= std::min(inside, bytes);
+    }
+    return at;
 }
 
 }  // namespace tumble::scene

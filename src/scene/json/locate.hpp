@@ -11,4 +11,8 @@ namespace tumble::scene {
 // is that of the innermost value that exists. O(length of the text).
 std::size_t find_offset(std::string_view text, std::string_view pointer, bool at_key);
 
+// The offset of the byte that is `inside` bytes from the start of a string, whose opening quote is at `string`. Escapes
+// count as the bytes that they stand for. At most the offset of the closing quote.
+std::size_t offset_in_string(std::string_view text, std::size_t string, std::size_t inside);
+
 }  // namespace tumble::scene

@@ -22,6 +22,7 @@ public:
         if (event.at) lint_time(*event.at, 1, pointer + "/at", "the event never happens");
         if (event.from) lint_time(*event.from, 1, pointer + "/from", "the event never happens");
         lint_push(event, pointer);
+        if (!event.when.empty()) return;  // its time is not known
         const double time = event.at.value_or(event.from.value_or(0.0));
         if (!names_.is_spawned(event.body)) lint_removed(event.body, time, &SceneEvent::despawn, pointer + "/body");
         lint_removed(event.joint, time, &SceneEvent::release, pointer + "/joint");
@@ -58,7 +59,7 @@ private:
     void lint_removed(const std::string& name, double time, std::string SceneEvent::*removed,
                       const std::string& pointer) {
         for (const SceneEvent& end : scene_.timeline) {
-            if (name.empty() || end.*removed != name || time <= end.at.value()) continue;
+            if (name.empty() || end.*removed != name || !end.at || time <= *end.at) continue;
             diagnostics_.warning(
                 pointer,
                 quoted(name) + " is removed at " + number_text(*end.at) + " s: a later event has no effect on it",

@@ -26,6 +26,7 @@ void keep_own(Scene& scene, const scene::SceneSizes& own) {
     cut(scene.joints, own.joints);
     cut(scene.timeline, own.timeline);
     cut(scene.expect, own.expect);
+    std::erase_if(scene.draws, [](const SceneDraw& draw) { return draw.pointer.empty(); });
 }
 
 }  // namespace

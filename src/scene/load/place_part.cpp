@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "scene/claims/claims.hpp"
+#include "scene/expressions/program.hpp"
 #include "scene/format/fields.hpp"
 #include "scene/model/turn.hpp"
 
@@ -39,6 +40,10 @@ public:
 
     void place(SceneEvent& event) const {
         for (std::string* name : {&event.body, &event.joint, &event.despawn, &event.release}) rename(*name);
+        if (!event.when.empty()) {
+            rename_in(event.when);
+            place(event.frame);
+        }
         if (event.impulse) turn(*event.impulse, kForce);
         if (event.force) turn(*event.force, kForce);
         if (event.velocity) turn(*event.velocity);
@@ -48,11 +53,9 @@ public:
 
     void place(SceneExpectation& claim) const {
         for (std::string* name : {&claim.body, &claim.joint, &claim.touches, &claim.never_touches}) rename(*name);
-        if (!can_have_frame(claim)) return;
-        SceneFrame frame = claim.frame.value_or(SceneFrame{});
-        move(frame.position);
-        add_angle(frame.angle);
-        claim.frame = frame;
+        for (std::string* condition : {&claim.that, &claim.before})
+            if (!condition->empty()) rename_in(*condition);
+        if (can_have_frame(claim)) place(claim.frame);
     }
 
 private:
@@ -62,6 +65,21 @@ private:
         if (name.size() > kMaxNameBytes)
             throw std::invalid_argument("the name '" + name + "' is longer than " + std::to_string(kMaxNameBytes) +
                                         " bytes");
+    }
+
+    // The names in an expression.
+    void rename_in(std::string& text) const {
+        text = with_prefix(text, include_.prefix);
+        if (text.size() > kMaxExpressionBytes)
+            throw std::invalid_argument("makes the expression '" + text + "' longer than " +
+                                        std::to_string(kMaxExpressionBytes) + " bytes");
+    }
+
+    void place(std::optional<SceneFrame>& placed) const {
+        SceneFrame frame = placed.value_or(SceneFrame{});
+        move(frame.position);
+        add_angle(frame.angle);
+        placed = frame;
     }
 
     void move(DVec2& point) const {
@@ -89,12 +107,15 @@ private:
     SinCos turn_;
 };
 
-bool is_of_world(const SceneExpectation& claim) { return claim.body.empty() && claim.joint.empty(); }
+bool is_of_world(const SceneExpectation& claim) {
+    const bool has_names = !claim.that.empty() && refers_to_names(claim.that);
+    return claim.body.empty() && claim.joint.empty() && !has_names;
+}
 
 }  // namespace
 
 void place_part(Scene& part, const SceneInclude& include) {
-    std::erase_if(part.timeline, [](const SceneEvent& event) { return event.gravity.has_value(); });
+    std::erase_if(part.timeline, [](const SceneEvent& event) { return event.gravity || event.stop; });
     std::erase_if(part.expect, is_of_world);
     const PartPlacer placer(include);
     for (SceneMaterial& material : part.materials) placer.place(material);

@@ -49,7 +49,8 @@ ReadScene Reading::read(std::string_view text, const std::filesystem::path& file
     std::optional<Json> value = parse_json(text, diagnostics, R"(the smallest scene is {"format": 1})");
     if (!value) return {};
     apply_overrides(changes, *value, diagnostics);
-    ReadScene result{.scene = read_scene(*value, diagnostics)};
+    if (open_.empty()) context_.seed = seed_of(*value);
+    ReadScene result{.scene = read_scene(*value, diagnostics, context_)};
     value.reset();
     result.own = sizes_of(result.scene);
     open_.push_back(file.lexically_normal());
@@ -66,7 +67,10 @@ void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagn
         const SceneInclude& include = scene.include[i];
         const std::string pointer = "/include/" + std::to_string(i);
         if (diagnostics.has_errors_in(pointer)) continue;
+        const std::string outer = context_.part;
+        context_.part += include.prefix.empty() ? pointer + "/" : include.prefix;
         const Scene* part = find_part((file.parent_path() / include.file).lexically_normal(), pointer, diagnostics);
+        context_.part = outer;
         if (part == nullptr) continue;
         const SceneSizes size = sizes_of(*part);
         entries_ += 1 + size.materials + size.bodies + size.joints + size.timeline + size.expect;
@@ -91,6 +95,8 @@ void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagn
         append(scene.joints, placed.joints);
         append(scene.timeline, placed.timeline);
         append(scene.expect, placed.expect);
+        for (SceneDraw& draw : placed.draws) draw.pointer.clear();
+        append(scene.draws, placed.draws);
     }
     diagnostics.set_included(std::move(included));
 }
@@ -98,7 +104,9 @@ void Reading::include_all(Scene& scene, const std::filesystem::path& file, Diagn
 const Scene* Reading::find_part(const std::filesystem::path& file, const std::string& include,
                                 Diagnostics& diagnostics) {
     auto part = parts_.find(file);
-    if (part == parts_.end()) part = parts_.emplace(file, read_part(file, include, diagnostics)).first;
+    // Each place of a file with random numbers has numbers of its own.
+    const bool is_reusable = part != parts_.end() && (!part->second || part->second->draws.empty());
+    if (!is_reusable) part = parts_.insert_or_assign(file, read_part(file, include, diagnostics)).first;
     return part->second ? &*part->second : nullptr;  // its errors were reported where it was first included
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/build/resolved_scene.hpp"
+#include "scene/format/draw.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/json/included_parts.hpp"
 #include "scene/model/scene_sizes.hpp"
@@ -46,6 +47,7 @@ private:
     ReadIncluded read_;
     std::map<std::filesystem::path, std::optional<Scene>> parts_;  // nothing for a file with errors
     std::vector<std::filesystem::path> open_;                      // from the scene down to the file that is being read
+    DrawContext context_;                                          // of the file that is being read
     std::size_t entries_ = 0;                                      // copied so far
 };
 

@@ -74,6 +74,7 @@ BodyNames::BodyNames(const Scene& scene) {
         first_built_.push_back(built);
         built += count;
     }
+    built_count_ = built;
     for (std::size_t i = 0; i < scene.timeline.size(); ++i) {
         const SceneEvent& event = scene.timeline[i];
         if (event.spawn && !event.spawn->name.empty())

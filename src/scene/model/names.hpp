@@ -78,6 +78,9 @@ public:
     // How many copies of the same body follow this one; nothing if the name is not that of a copy.
     std::optional<std::size_t> copies_after(std::string_view name) const;
 
+    // The number of bodies that are there from the start, copies included.
+    std::size_t built_count() const { return built_count_; }
+
     // Why no body has this name at the start, for a hint; may be empty.
     std::string hint(std::string_view name) const;
 
@@ -89,6 +92,7 @@ private:
 
     EntryNames entries_;
     std::vector<std::size_t> first_built_;  // [Scene::bodies]: the built body that is its first copy
+    std::size_t built_count_ = 0;
     std::map<std::string, Spawned, std::less<>> spawned_;
 };
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "debug/check.hpp"
-#include "scene/model/random.hpp"
+#include "scene/format/random.hpp"
 #include "scene/model/turn.hpp"
 
 namespace tumble::scene {

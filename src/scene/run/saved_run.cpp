@@ -1,5 +1,7 @@
 #include "scene/run/saved_run.hpp"
 
+#include <bit>
+
 #include "scene/model/saved_bytes.hpp"
 #include "tumble/world.hpp"
 
@@ -7,7 +9,7 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr std::uint64_t kMagic = 0x31'4e'55'52'4c'42'4d'54;  // "TMBLRUN1"
+constexpr std::uint64_t kMagic = 0x32'4e'55'52'4c'42'4d'54;  // "TMBLRUN2"
 
 }  // namespace
 
@@ -26,7 +28,9 @@ std::vector<std::byte> to_bytes(const SavedRun& run) {
     for (const SavedEvent& event : run.events) {
         writer.number(event.count);
         writer.number(event.spawned);
+        writer.number(event.held);
     }
+    writer.number(std::bit_cast<std::uint64_t>(run.work));
     writer.block(run.world);
     return writer.finish();
 }
@@ -43,10 +47,13 @@ SavedRun read_saved_run(std::span<const std::byte> bytes) {
         body.source = reader.number();
         body.name = reader.text();
     }
-    for (std::size_t left = reader.count(2 * sizeof(std::uint64_t)); left > 0; --left) {
-        const std::uint64_t count = reader.number();
-        run.events.push_back({count, reader.number()});
+    for (std::size_t left = reader.count(3 * sizeof(std::uint64_t)); left > 0; --left) {
+        SavedEvent& event = run.events.emplace_back();
+        event.count = reader.number();
+        event.spawned = reader.number();
+        event.held = reader.number();
     }
+    run.work = std::bit_cast<double>(reader.number());
     const std::span<const std::byte> world = reader.block();
     run.world.assign(world.begin(), world.end());
     reader.finish();

@@ -14,13 +14,15 @@ namespace tumble::scene {
 struct SavedEvent {
     std::uint64_t count = 0;    // how often it has occurred
     std::uint64_t spawned = 0;  // how many bodies it has spawned
+    std::uint64_t held = 0;     // 1 + the step whose state its condition first held in; 0: none yet
 };
 
 struct SavedRun {
     std::uint64_t scene_hash = 0;
     std::vector<SceneInstance> bodies;  // SceneWorld::bodies
     std::vector<SavedEvent> events;     // [Scene::timeline.size()]
-    std::vector<std::byte> world;       // World::save()
+    double work = 0.0;                  // SceneWorld::work
+    std::vector<std::byte> world{};     // World::save()
 };
 
 // Little-endian numbers, and a hash of all bytes at the end.

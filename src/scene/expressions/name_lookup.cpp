@@ -1,0 +1,173 @@
+#include "scene/expressions/name_lookup.hpp"
+
+#include <algorithm>
+
+#include "tumble/suggest.hpp"
+
+namespace tumble::scene {
+
+namespace {
+
+constexpr std::size_t kLeastLikeness = 2;  // letters
+
+std::string in_expression(const std::string& name) { return is_plain_name(name) ? name : quoted_name(name); }
+
+// A name with signs in it, of which the word is the beginning: 'car1/wheel' for car1.
+std::string hint_for_quotes(const std::string& word, const Scene& scene) {
+    if (word.size() < kLeastLikeness) return {};
+    const auto is_meant = [&](const std::string& name) { return name.starts_with(word) && !is_plain_name(name); };
+    std::string meant;
+    for (const SceneBody& body : scene.bodies)
+        if (meant.empty() && is_meant(body.name)) meant = body.name;
+    for (const SceneJoint& joint : scene.joints)
+        if (meant.empty() && is_meant(joint.name)) meant = joint.name;
+    return meant.empty() ? "" : "a name with other signs than letters, digits and _ is quoted: " + quoted_name(meant);
+}
+
+// Which properties a joint of a type has beside force, torque, gap and exists.
+bool has_property(SceneJointType type, JointProperty property) {
+    using enum SceneJointType;
+    const bool turns = type == revolute || type == weld || type == motor;
+    const bool slides = type == prismatic || type == wheel;
+    const bool has_length = type == distance || type == mouse || type == pulley;
+    switch (property) {
+        case JointProperty::angle: return turns;
+        case JointProperty::translation: return slides;
+        case JointProperty::length: return has_length;
+        case JointProperty::speed: return turns || slides || has_length;
+        default: return true;
+    }
+}
+
+}  // namespace
+
+std::size_t NameLookup::add(BodyRef body) {
+    program_.bodies.push_back(std::move(body));
+    return program_.bodies.size() - 1;
+}
+
+bool NameLookup::is_known_body(const std::string& name) const {
+    return known_->bodies.find(name) || known_->bodies.is_spawned(name) || known_->bodies.is_shared(name);
+}
+
+void NameLookup::enter(const Token& function) {
+    const bool may_be_other = function.text == "min" || function.text == "max";
+    if (!may_be_other && std::ranges::any_of(around_, &Around::is_about_copies))
+        throw ExpressionError(function.begin, "a function about copies cannot be inside another one");
+    around_.push_back({.is_about_copies = !may_be_other});
+}
+
+std::optional<std::size_t> NameLookup::leave() {
+    const std::optional<std::size_t> copies = around_.back().copies;
+    around_.pop_back();
+    return copies;
+}
+
+// The function whose copies a common name means: the one that is always about copies, or else the innermost.
+NameLookup::Around& NameLookup::around_copies() {
+    const auto found = std::ranges::find(around_, true, &Around::is_about_copies);
+    return found == around_.end() ? around_.back() : *found;
+}
+
+// The copy that the function around the name goes through.
+std::size_t NameLookup::current_copy(const Token& name) {
+    std::optional<std::size_t>& copies = around_copies().copies;
+    if (copies && program_.bodies[*copies].name != name.text)
+        throw ExpressionError(name.begin, "a function about copies takes the copies of one body: '" +
+                                              program_.bodies[*copies].name + "' and '" + name.text + "' are two");
+    if (!copies) {
+        const std::string first = copy_name(name.text, 0);
+        const std::optional<std::size_t> built = known_->bodies.find(first);
+        const std::size_t count = built ? known_->bodies.copies_after(first).value() + 1 : 0;
+        copies = add({.name = name.text, .built = built, .count = count, .is_common = true});
+    }
+    return add({.name = name.text, .is_current = true});
+}
+
+std::size_t NameLookup::body(const Token& name, Use use) {
+    program_.spans.push_back({name.begin, name.end, name.text});
+    if (is_unchecked()) return add({.name = name.text});
+    if (const std::optional<std::size_t> built = known_->bodies.find(name.text))
+        return add({.name = name.text, .built = built});
+    if (known_->bodies.is_shared(name.text)) {
+        if (!around_.empty()) return current_copy(name);
+        const std::string first = copy_name(name.text, 0);
+        const std::optional<std::size_t> built = known_->bodies.find(first);
+        if (use == Use::as_argument)
+            return add({.name = name.text,
+                        .built = built,
+                        .count = built ? known_->bodies.copies_after(first).value() + 1 : 0,
+                        .is_common = true});
+        const std::string shown = in_expression(name.text);
+        throw ExpressionError(name.begin, "'" + name.text + "' stands for several copies",
+                              "name one, " + in_expression(first) + ", or all of them: all(" + shown + ".y > 0), any(" +
+                                  shown + ".y > 0), max(" + shown + ".y)");
+    }
+    if (known_->bodies.is_spawned(name.text)) return add({.name = name.text});
+    refuse_unknown(name, "body");
+}
+
+Node NameLookup::property(const Token& name, const Token& word) {
+    const Word<BodyProperty>* of_body = find_word(body_words(), word.text);
+    const Word<JointProperty>* of_joint = find_word(joint_words(), word.text);
+    const std::optional<NamedCopy> joint = is_unchecked() ? std::nullopt : known_->joints.find(name.text);
+    const bool is_body = is_unchecked() || is_known_body(name.text);
+    if (joint && of_joint && !(is_body && of_body)) return joint_property(name, *joint, word);
+    if (!is_body && !joint) refuse_unknown(name, "body or joint");
+    if (of_body == nullptr && !(is_unchecked() && of_joint)) {
+        const bool has_joint_words = !is_body || is_unchecked();
+        const std::vector<std::string_view> words = has_joint_words ? names_of(joint_words()) : names_of(body_words());
+        throw ExpressionError(word.begin,
+                              std::string("a ") + (is_body ? "body" : "joint") + " has no property '" + word.text + "'",
+                              suggestion(word.text, words));
+    }
+    if (of_body == nullptr) {
+        body(name, Use::of_property);
+        return {.op = Op::joint_value, .kind = of_joint->kind};
+    }
+    return {.op = Op::body_value,
+            .kind = of_body->kind,
+            .code = static_cast<int>(of_body->code),
+            .names = {body(name, Use::of_property)}};
+}
+
+Node NameLookup::joint_property(const Token& name, const NamedCopy& joint, const Token& word) {
+    const Word<JointProperty>& found = *find_word(joint_words(), word.text);
+    const SceneJointType type = known_->scene.joints[joint.source].type;
+    if (!has_property(type, found.code)) {
+        std::vector<std::string_view> words;
+        for (const Word<JointProperty>& one : joint_words())
+            if (has_property(type, one.code)) words.push_back(one.name);
+        throw ExpressionError(word.begin, "the joint '" + name.text + "' has no " + word.text,
+                              "joints of its type have: " + join_words(words));
+    }
+    program_.spans.push_back({name.begin, name.end, name.text});
+    program_.joints.push_back({name.text, known_->joints.built_index(joint), type});
+    return {.op = Op::joint_value,
+            .kind = found.kind,
+            .code = static_cast<int>(found.code),
+            .names = {program_.joints.size() - 1}};
+}
+
+void NameLookup::refuse_alone(const Token& name) const {
+    if (is_unchecked() || is_known_body(name.text))
+        throw ExpressionError(name.begin, "the body '" + name.text + "' alone is no value",
+                              "ask for a property: " + in_expression(name.text) + ".x");
+    if (known_->joints.find(name.text))
+        throw ExpressionError(name.begin, "the joint '" + name.text + "' alone is no value",
+                              "ask for a property: " + in_expression(name.text) + ".force");
+    std::string hint = hint_for_quotes(name.text, known_->scene);
+    if (hint.empty()) hint = suggestion(name.text, names_of(world_words()));
+    throw ExpressionError(name.begin, "unknown name '" + name.text + "'", hint);
+}
+
+void NameLookup::refuse_unknown(const Token& name, const std::string& what) const {
+    std::string hint = hint_for_quotes(name.text, known_->scene);
+    if (hint.empty()) hint = known_->bodies.hint(name.text);
+    if (!hint.starts_with("did you mean") && what != "body")
+        if (const std::string of_joint = known_->joints.hint(name.text); of_joint.starts_with("did you mean"))
+            hint = of_joint;
+    throw ExpressionError(name.begin, "there is no " + what + " '" + name.text + "'", hint);
+}
+
+}  // namespace tumble::scene

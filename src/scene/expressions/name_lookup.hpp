@@ -1,0 +1,57 @@
+// Looks up the bodies, joints and properties that an expression names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/expressions/program.hpp"
+#include "scene/expressions/token.hpp"
+
+namespace tumble::scene {
+
+// Adds what it finds to a program. All functions throw ExpressionError at the token that is wrong.
+class NameLookup {
+public:
+    // Without `known`, every name is taken for that of a body.
+    NameLookup(const KnownNames* known, Program& program) : known_(known), program_(program) {}
+
+    bool is_unchecked() const { return known_ == nullptr; }
+
+    enum class Use { of_property, as_argument };
+
+    // The index in Program::bodies.
+    std::size_t body(const Token& name, Use use);
+
+    // The node of "body.property" or "joint.property", without its place in the text.
+    Node property(const Token& name, const Token& word);
+
+    // To be called for a name without a property, which is no value of the world.
+    [[noreturn]] void refuse_alone(const Token& name) const;
+
+    // The arguments of a function about copies are between the two. The result is the index in Program::bodies of the
+    // copies that they name, if they do.
+    void enter(const Token& function);
+    std::optional<std::size_t> leave();
+
+private:
+    // A function whose arguments are being read, and the copies that they name. min and max may be about copies or not.
+    struct Around {
+        bool is_about_copies = false;
+        std::optional<std::size_t> copies{};
+    };
+
+    Node joint_property(const Token& name, const NamedCopy& joint, const Token& word);
+    bool is_known_body(const std::string& name) const;
+    Around& around_copies();
+    std::size_t current_copy(const Token& name);
+    [[noreturn]] void refuse_unknown(const Token& name, const std::string& what) const;
+    std::size_t add(BodyRef body);
+
+    const KnownNames* known_;
+    Program& program_;
+
+    std::vector<Around> around_;
+};
+
+}  // namespace tumble::scene

@@ -1,0 +1,328 @@
+// A recursive descent with one loop for all binary operators, which climbs by their precedence (Richards 1979). Names
+// are looked up and kinds are checked while parsing, so that every error has its place in the text.
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "scene/expressions/name_lookup.hpp"
+#include "scene/expressions/program.hpp"
+#include "scene/expressions/token.hpp"
+#include "scene/model/frame.hpp"
+#include "tumble/suggest.hpp"
+
+namespace tumble::scene {
+
+namespace {
+
+constexpr double kMaxExponent = 64.0;
+
+struct Operator {
+    std::string_view sign;
+    int level;  // operators of a higher level bind first
+    Op op;
+    ValueKind takes;
+};
+constexpr int kOr = 1, kAnd = 2, kCompare = 3, kSum = 4, kProduct = 5, kSign = 6;
+constexpr ValueKind kNumber = ValueKind::number, kCondition = ValueKind::condition;
+constexpr std::array<Operator, 12> kOperators{{
+    {"or", kOr, Op::either, kCondition},
+    {"and", kAnd, Op::both, kCondition},
+    {"<", kCompare, Op::less, kNumber},
+    {"<=", kCompare, Op::less_equal, kNumber},
+    {">", kCompare, Op::greater, kNumber},
+    {">=", kCompare, Op::greater_equal, kNumber},
+    {"==", kCompare, Op::equal, kNumber},
+    {"!=", kCompare, Op::not_equal, kNumber},
+    {"+", kSum, Op::add, kNumber},
+    {"-", kSum, Op::subtract, kNumber},
+    {"*", kProduct, Op::multiply, kNumber},
+    {"/", kProduct, Op::divide, kNumber},
+}};
+
+const Operator* find_operator(const Token& token) {
+    for (const Operator& known : kOperators)
+        if (token.is(known.sign)) return &known;
+    return nullptr;
+}
+
+// The word of this grammar for a sign of other languages.
+std::string_view own_word(std::string_view sign) {
+    if (sign == "&&" || sign == "&") return "write 'and'";
+    if (sign == "||" || sign == "|") return "write 'or'";
+    if (sign == "!") return "write 'not'";
+    if (sign == "=") return "a comparison is written ==";
+    if (sign == "**") return "a power is written ^";
+    return {};
+}
+
+class Parser {
+public:
+    Parser(std::string_view text, const KnownNames* known)
+        : text_(text), tokens_(read_tokens(text)), lookup_(known, program_) {
+        program_.text = std::string(text);
+    }
+
+    Program parse() {
+        program_.root = expression(kOr);
+        if (now().kind != Token::Kind::end) unexpected("an operator or the end");
+        return std::move(program_);
+    }
+
+private:
+    const Token& now() const { return tokens_[at_]; }
+    const Token& next() const { return tokens_[std::min(at_ + 1, tokens_.size() - 1)]; }
+    Token take() { return now().kind == Token::Kind::end ? now() : tokens_[at_++]; }
+    std::string source(const Node& node) const { return std::string(text_.substr(node.begin, node.end - node.begin)); }
+
+    [[noreturn]] void unexpected(const std::string& wanted) const {
+        const Token& token = now();
+        const std::string got = token.kind == Token::Kind::end
+                                    ? "the end"
+                                    : "'" + std::string(text_.substr(token.begin, token.end - token.begin)) + "'";
+        const std::string_view hint = token.kind == Token::Kind::sign ? own_word(token.text) : "";
+        throw ExpressionError(token.begin, "expected " + wanted + ", got " + got, std::string(hint));
+    }
+
+    void expect(std::string_view sign) {
+        if (!now().is(sign)) unexpected("'" + std::string(sign) + "'");
+        take();
+    }
+
+    std::size_t add(Node node) {
+        program_.nodes.push_back(std::move(node));
+        return program_.nodes.size() - 1;
+    }
+
+    void require_kind(std::size_t index, ValueKind kind, const std::string& where) const {
+        const Node& node = program_.nodes[index];
+        if (node.kind == kind) return;
+        const bool is_number = node.kind == kNumber;
+        throw ExpressionError(
+            node.begin,
+            where + " needs a " + (is_number ? "condition" : "number") + "; '" + source(node) + "' is a " +
+                (is_number ? "number" : "condition"),
+            is_number ? "compare it: " + source(node) + " > 0" : "if(" + source(node) + ", 1, 0) is a number");
+    }
+
+    std::size_t expression(int least_level) {
+        if (++depth_ > kMaxExpressionDepth)
+            throw ExpressionError(
+                now().begin, "the expression is nested deeper than " + std::to_string(kMaxExpressionDepth) + " levels");
+        std::size_t left = prefix();
+        std::size_t last_compared = 0;  // right side of the comparison before, in a < b < c
+        bool is_chain = false;
+        for (const Operator* found = find_operator(now()); found != nullptr && found->level >= least_level;
+             found = find_operator(now())) {
+            const Operator op = *found;
+            take();
+            const std::size_t right = expression(op.level + 1);
+            if (op.level == kCompare && is_chain) {
+                const std::size_t more = binary(op, last_compared, right);
+                left = binary(kOperators[1], left, more);
+            } else {
+                left = binary(op, left, right);
+            }
+            is_chain = op.level == kCompare;
+            last_compared = right;
+        }
+        --depth_;
+        return left;
+    }
+
+    std::size_t binary(const Operator& op, std::size_t left, std::size_t right) {
+        const bool of_any_kind = op.op == Op::equal || op.op == Op::not_equal;
+        const ValueKind takes = of_any_kind ? program_.nodes[left].kind : op.takes;
+        const std::string where = "'" + std::string(op.sign) + "'";
+        require_kind(left, takes, where);
+        require_kind(right, takes, where);
+        const bool is_condition = op.level <= kCompare;
+        return add({.op = op.op,
+                    .kind = is_condition ? kCondition : kNumber,
+                    .operands = {left, right},
+                    .begin = program_.nodes[left].begin,
+                    .end = program_.nodes[right].end});
+    }
+
+    std::size_t prefix() {
+        const std::size_t begin = now().begin;
+        if (now().is("not")) {
+            take();
+            const std::size_t operand = expression(kCompare);
+            require_kind(operand, kCondition, "'not'");
+            return add({.op = Op::negation,
+                        .kind = kCondition,
+                        .operands = {operand},
+                        .begin = begin,
+                        .end = program_.nodes[operand].end});
+        }
+        if (now().is("-")) {
+            take();
+            const std::size_t operand = expression(kSign);
+            require_kind(operand, kNumber, "'-'");
+            return add({.op = Op::negate, .operands = {operand}, .begin = begin, .end = program_.nodes[operand].end});
+        }
+        return power();
+    }
+
+    std::size_t power() {
+        const std::size_t base = primary();
+        if (!now().is("^")) return base;
+        require_kind(base, kNumber, "'^'");
+        take();
+        const bool is_negative = now().is("-");
+        if (is_negative) take();
+        const Token exponent = take();
+        if (exponent.kind != Token::Kind::number || exponent.number != std::floor(exponent.number) ||
+            exponent.number > kMaxExponent)
+            throw ExpressionError(exponent.begin, "an exponent must be a whole number of at most 64",
+                                  "sqrt(a) is the square root");
+        return add({.op = Op::power,
+                    .number = is_negative ? -exponent.number : exponent.number,
+                    .operands = {base},
+                    .begin = program_.nodes[base].begin,
+                    .end = exponent.end});
+    }
+
+    std::size_t primary() {
+        const Token token = now();
+        if (token.kind == Token::Kind::number) {
+            take();
+            return add({.number = token.number, .begin = token.begin, .end = token.end});
+        }
+        if (token.is("(")) {
+            take();
+            const std::size_t inner = expression(kOr);
+            expect(")");
+            return inner;
+        }
+        if (token.kind != Token::Kind::name || token.is("and") || token.is("or")) unexpected("a value");
+        if (token.is("true") || token.is("false")) {
+            take();
+            return add(
+                {.kind = kCondition, .number = token.is("true") ? 1.0 : 0.0, .begin = token.begin, .end = token.end});
+        }
+        if (!token.is_quoted && next().is("(")) return call();
+        if (next().is(".")) return property();
+        return world_value();
+    }
+
+    std::size_t world_value() {
+        const Token token = take();
+        const Word<WorldValue>* word = token.is_quoted ? nullptr : find_word(world_words(), token.text);
+        if (word == nullptr) lookup_.refuse_alone(token);
+        return add({.op = Op::world_value,
+                    .kind = word->kind,
+                    .code = static_cast<int>(word->code),
+                    .begin = token.begin,
+                    .end = token.end});
+    }
+
+    std::size_t property() {
+        const Token name = take();
+        take();
+        const Token word = now();
+        if (word.kind != Token::Kind::name) unexpected("a property after '.'");
+        take();
+        Node node = lookup_.property(name, word);
+        node.begin = name.begin;
+        node.end = word.end;
+        return add(std::move(node));
+    }
+
+    std::size_t call() {
+        const Token name = take();
+        const FunctionWord* word = find_word(function_words(), name.text);
+        if (word == nullptr)
+            throw ExpressionError(name.begin, "there is no function '" + name.text + "'",
+                                  suggestion(name.text, names_of(function_words())));
+        take();
+        Node node{.op = Op::call, .kind = word->kind, .code = static_cast<int>(word->code), .begin = name.begin};
+        const bool may_be_about_copies = is_about_copies(word->code, 1);
+        if (may_be_about_copies) lookup_.enter(name);
+        std::size_t count = 0;
+        do {
+            if (count > 0) take();
+            argument(*word, count++, node);
+        } while (now().is(","));
+        if (count < arguments_of(*word)) unexpected("',': " + std::string(word->form));
+        node.end = now().end;
+        expect(")");
+        if (may_be_about_copies) leave(*word, count, node);
+        return add(std::move(node));
+    }
+
+    static std::size_t arguments_of(const FunctionWord& word) {
+        return word.takes.ends_with('+') ? 1 : word.takes.size();
+    }
+
+    void argument(const FunctionWord& word, std::size_t index, Node& node) {
+        const bool repeats = word.takes.ends_with('+');
+        if (index >= arguments_of(word) && !repeats)
+            throw ExpressionError(now().begin, "too many arguments", std::string(word.form));
+        const char wanted = word.takes[repeats ? 0 : index];
+        if (wanted == 'b') {
+            if (now().kind != Token::Kind::name) unexpected("the name of a body: " + std::string(word.form));
+            node.names.push_back(lookup_.body(take(), NameLookup::Use::as_argument));
+            return;
+        }
+        node.operands.push_back(expression(kOr));
+        require_kind(node.operands.back(), wanted == 'c' ? kCondition : kNumber, "'" + std::string(word.name) + "'");
+    }
+
+    void leave(const FunctionWord& word, std::size_t arguments, Node& node) {
+        const std::optional<std::size_t> copies = lookup_.leave();
+        if (!is_about_copies(word.code, arguments)) {
+            if (copies)
+                throw ExpressionError(node.begin, "'" + program_.bodies[*copies].name + "' stands for several copies",
+                                      std::string(word.name) + "(" + program_.bodies[*copies].name +
+                                          ".y) with one argument is that of all copies");
+            return;
+        }
+        if (copies) node.names.push_back(*copies);
+        const bool may_lack_copies = lookup_.is_unchecked() || arguments != 1;
+        if (!copies && !may_lack_copies)
+            throw ExpressionError(node.begin, "'" + std::string(word.name) + "' needs the common name of copies",
+                                  std::string(word.form) + ", if there is a body 'crate' with a \"repeat\"");
+    }
+
+    std::string_view text_;
+    std::vector<Token> tokens_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+    Program program_;
+    NameLookup lookup_;
+};
+
+}  // namespace
+
+Program compile(std::string_view text, const KnownNames* known, const SceneFrame& frame) {
+    if (text.size() > kMaxExpressionBytes)
+        throw ExpressionError(kMaxExpressionBytes,
+                              "an expression has at most " + std::to_string(kMaxExpressionBytes) + " bytes");
+    Program program = Parser(text, known).parse();
+    program.frame = make_frame(frame);
+    if (known != nullptr) program.first_spawned = known->bodies.built_count();
+    return program;
+}
+
+Program compile_condition(std::string_view text, const KnownNames* known, const SceneFrame& frame) {
+    Program program = compile(text, known, frame);
+    if (program.kind() == kCondition) return program;
+    throw ExpressionError(0, "must be a condition, and this is a number", "compare it: " + program.text + " > 0");
+}
+
+bool refers_to_names(std::string_view text) { return !compile(text, nullptr).spans.empty(); }
+
+std::string with_prefix(std::string_view text, std::string_view prefix) {
+    std::string result;
+    std::size_t done = 0;
+    for (const NameSpan& span : compile(text, nullptr).spans) {
+        const std::string name = std::string(prefix) + span.name;
+        result += text.substr(done, span.begin - done);
+        result += is_plain_name(name) ? name : quoted_name(name);
+        done = span.end;
+    }
+    return result + std::string(text.substr(done));
+}
+
+}  // namespace tumble::scene

@@ -1,0 +1,188 @@
+#include "scene/run/timeline_run.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+
+#include "debug/check.hpp"
+#include "scene/expressions/energy.hpp"
+#include "scene/expressions/evaluate.hpp"
+#include "scene/json/diagnostics.hpp"
+#include "scene/model/degrees.hpp"
+#include "scene/model/place_copies.hpp"
+#include "scene/model/repeat.hpp"
+#include "scene/model/step_time.hpp"
+
+namespace tumble::scene {
+
+namespace {
+
+// Does nothing if the joint has no motor.
+void set_motor_speed(JointDef& joint, double speed) {
+    std::visit(
+        [speed](auto& def) {
+            if constexpr (requires { def.motor; }) {
+                if (!def.motor) return;
+                const bool turns = std::is_same_v<std::decay_t<decltype(*def.motor)>, AngularMotor>;
+                def.motor->speed = static_cast<float>(turns ? speed * kRadians : speed);
+            }
+        },
+        joint);
+}
+
+DVec2 center_of(const World& world, BodyId body) {
+    return transform_point(world.state(body).pose, world.mass(body).center);
+}
+
+bool is_due(const ScheduledEvent& scheduled, const World& world) {
+    const SceneEvent& event = scheduled.event;
+    const double slack = kTimeSlack / world.def().steps_per_second;
+    const double now = world.time() + slack;
+    std::optional<double> at = event.at;
+    if (scheduled.when) {
+        if (scheduled.state.held == 0) return false;
+        at = static_cast<double>(scheduled.state.held - 1) / world.def().steps_per_second + event.delay.value_or(0.0);
+    }
+    if (at && scheduled.lasts()) return now >= *at && (!event.until || now < *event.until);
+    if (at) return scheduled.state.count == 0 && now >= *at;
+    const double due =
+        event.from.value_or(0.0) + static_cast<double>(scheduled.state.count) * event.every.value_or(0.0);
+    return now >= due && due <= event.until.value_or(std::numeric_limits<double>::infinity()) + slack;
+}
+
+void act_on_body(World& world, const SceneEvent& event, BodyId body) {
+    const BodyState state = world.state(body);
+    if (event.impulse) world.apply_impulse(body, to_float(*event.impulse), center_of(world, body));
+    if (event.angular_impulse) world.apply_angular_impulse(body, static_cast<float>(*event.angular_impulse));
+    if (event.force) world.apply_force(body, to_float(*event.force), center_of(world, body));
+    if (event.torque) world.apply_torque(body, static_cast<float>(*event.torque));
+    if (event.velocity) world.set_velocity(body, to_float(*event.velocity), state.angular_velocity);
+    if (event.angular_velocity)
+        world.set_velocity(body, state.velocity, static_cast<float>(*event.angular_velocity * kRadians));
+    if (!event.despawn.empty()) world.destroy_body(body);
+}
+
+void act_on_joint(World& world, const SceneEvent& event, JointId joint) {
+    JointDef def = world.joint(joint);
+    if (event.motor_speed) set_motor_speed(def, *event.motor_speed);
+    if (event.target) {
+        auto& mouse = std::get<MouseJointDef>(def);
+        mouse.anchor_a = to_float(inverse_transform_point(world.state(mouse.body_a).pose, *event.target));
+    }
+    if (event.release.empty())
+        world.set_joint(joint, def);
+    else
+        world.destroy_joint(joint);
+}
+
+}  // namespace
+
+TimelineRun::TimelineRun(const Scene& scene, SceneWorld& built)
+    : scene_name_(scene.name), seed_(scene.world.seed), bodies_of_file_(scene.bodies.size()) {
+    const bool has_conditions =
+        std::ranges::any_of(scene.timeline, [](const SceneEvent& event) { return !event.when.empty(); });
+    const BodyNames bodies(has_conditions ? scene : Scene{});
+    const JointNames joints(has_conditions ? scene : Scene{});
+    const KnownNames names{scene, bodies, joints};
+    for (std::size_t i = 0; i < scene.timeline.size(); ++i) {
+        const SceneEvent& event = scene.timeline[i];
+        ScheduledEvent& scheduled = events_.emplace_back();
+        scheduled.event = event;
+        scheduled.index = i;
+        scheduled.body = BodyLookup(event.despawn.empty() ? event.body : event.despawn);
+        const std::string& joint = event.release.empty() ? event.joint : event.release;
+        const auto found = std::ranges::find(built.joints, joint, &SceneJointInstance::name);
+        if (!joint.empty() && found != built.joints.end()) scheduled.joint = found->id;
+        if (event.spawn) scheduled.plan = plan_body(scene, *event.spawn);
+        if (!event.when.empty())
+            scheduled.when = compile_condition(event.when, &names, event.frame.value_or(SceneFrame{}));
+    }
+    watch(built);
+}
+
+void TimelineRun::apply_due(SceneWorld& built) {
+    std::optional<double> before;  // J
+    for (ScheduledEvent& scheduled : events_) {
+        if (scheduled.event.stop || !is_due(scheduled, built.world)) continue;
+        if (!before && !scheduled.lasts()) before = energy_of(built.world).total();
+        apply(scheduled, built);
+    }
+    if (before) built.work += energy_of(built.world).total() - *before;
+    for (Push& push : pushes_) {
+        push.center = center_of(built.world, push.body);
+        push.rotation = built.world.state(push.body).pose.rotation;
+    }
+}
+
+void TimelineRun::watch(SceneWorld& built) {
+    for (const Push& push : pushes_) {
+        if (built.world.type(push.body) != BodyType::dynamic_body) continue;
+        const Rotation p = push.rotation, q = built.world.state(push.body).pose.rotation;
+        built.work += dot(push.force, center_of(built.world, push.body) - push.center) +
+                      push.torque * angle(Rotation{p.c * q.c + p.s * q.s, p.c * q.s - p.s * q.c});
+    }
+    pushes_.clear();
+    for (ScheduledEvent& scheduled : events_)
+        if (scheduled.when && scheduled.state.held == 0 && holds(*scheduled.when, built))
+            scheduled.state.held = 1 + built.world.step_count();
+}
+
+bool TimelineRun::is_stopped(const SceneWorld& built) const {
+    return std::ranges::any_of(events_, [&](const ScheduledEvent& scheduled) {
+        return scheduled.event.stop && is_due(scheduled, built.world);
+    });
+}
+
+void TimelineRun::apply(ScheduledEvent& scheduled, SceneWorld& built) {
+    const SceneEvent& event = scheduled.event;
+    World& world = built.world;
+    if (event.gravity) world.set_gravity(to_float(*event.gravity));
+    if (event.spawn) spawn(scheduled, built);
+    if (scheduled.joint && world.is_valid(*scheduled.joint)) act_on_joint(world, event, *scheduled.joint);
+    if (const SceneInstance* body = scheduled.body.find(built)) {
+        const BodyId id = body->id;
+        act_on_body(world, event, id);
+        if (scheduled.lasts())
+            pushes_.push_back(
+                {.body = id, .force = event.force.value_or(DVec2{}), .torque = event.torque.value_or(0.0)});
+        else if (!event.despawn.empty())
+            std::erase_if(pushes_, [&](const Push& push) { return push.body == id; });
+    }
+    ++scheduled.state.count;
+}
+
+void TimelineRun::spawn(ScheduledEvent& scheduled, SceneWorld& built) {
+    TUMBLE_CHECK(scheduled.plan.has_value());
+    const SceneBody& body = *scheduled.event.spawn;
+    const std::size_t source = bodies_of_file_ + scheduled.index;
+    const bool is_one = !scheduled.event.every && !body.repeat;
+    const std::int64_t count = static_cast<std::int64_t>(built.world.bodies().size()) + copy_count(body);
+    try {
+        if (count > kMaxBodies)
+            throw std::invalid_argument("brings the number of bodies to " + std::to_string(count) + "; at most " +
+                                        std::to_string(kMaxBodies) + " are allowed");
+        for (const PlacedBody& copy : place_copies(body, seed_ + scheduled.state.count, source)) {
+            const BodyId id = create_body(built.world, *scheduled.plan, copy.pose);
+            built.bodies.push_back({id, source, is_one ? body.name : copy_name(body.name, scheduled.state.spawned++)});
+        }
+    } catch (const std::invalid_argument& refusal) {
+        Diagnostics diagnostics(scene_name_.empty() ? "scene" : scene_name_, "");
+        diagnostics.error("/timeline/" + std::to_string(scheduled.index) + "/spawn", refusal.what());
+        diagnostics.finish(nullptr);
+    }
+}
+
+std::vector<SavedEvent> TimelineRun::state() const {
+    std::vector<SavedEvent> states;
+    for (const ScheduledEvent& scheduled : events_) states.push_back(scheduled.state);
+    return states;
+}
+
+bool TimelineRun::set_state(const std::vector<SavedEvent>& state) {
+    if (state.size() != events_.size()) return false;
+    for (std::size_t i = 0; i < state.size(); ++i) events_[i].state = state[i];
+    return true;
+}
+
+}  // namespace tumble::scene
