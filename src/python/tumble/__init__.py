@@ -10,12 +10,15 @@
 Units are m, kg, s and rad; y is up and counter-clockwise is positive.
 """
 
+from tumble.bodies import Body, BodyShape
 from tumble.distances import STATUS, Certificate, Distance, Trace, distance, distances, trace_distance
 from tumble.errors import Diagnostic, FileError, RenderError, SceneError, SimulationDiverged, SnapshotError
+from tumble.joints import Joint
+from tumble.queries import BodyDistance, Closest, Hit
 from tumble.rendering import fitted_camera, png_bytes, render, write_png
 from tumble.scene import Claim, Run, Scene
 from tumble.shapes import Shape, box, capsule, circle, polygon, segment
-from tumble.world import Body, BodyDistance, BodyShape, Closest, Hit, Joint, World
+from tumble.world import World
 
 __version__ = "0.2.0"
 

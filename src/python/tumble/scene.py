@@ -13,8 +13,10 @@ import numpy as np
 import numpy.typing as npt
 
 from tumble import _tumble
+from tumble.bodies import Body
+from tumble.joints import Joint
 from tumble.shapes import Vector
-from tumble.world import Body, Joint, World
+from tumble.world import World
 
 
 class Claim(NamedTuple):

@@ -1,0 +1,334 @@
+"""Bodies and their shapes.
+
+Units are m, kg, s and rad; y is up and counter-clockwise is positive.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy.typing as npt
+
+from tumble.parts import Part, index_of
+from tumble.shapes import Shape, Vector, points_array, vector
+
+if TYPE_CHECKING:
+    from tumble.joints import Joint
+
+STATIC, KINEMATIC, DYNAMIC = "static", "kinematic", "dynamic"
+BODY_TYPES = (STATIC, KINEMATIC, DYNAMIC)
+
+
+class Body(Part):
+    """A rigid body. Its properties can be read and set; a destroyed body raises ValueError."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        if not self.is_alive:
+            return f"<Body {self._id & 0xFFFFFFFF}, destroyed>"
+        x, y = self.position
+        return f"<Body {self._id & 0xFFFFFFFF}, {self.type}, at ({x:.3g}, {y:.3g}) m, {len(self.shapes)} shapes>"
+
+    @property
+    def is_alive(self) -> bool:
+        return self._box.is_body(self._id)
+
+    def destroy(self) -> None:
+        """Removes the body with its shapes and joints."""
+        self._box.destroy_body(self._id)
+
+    @property
+    def type(self) -> str:
+        """"static", "kinematic" or "dynamic"."""
+        return BODY_TYPES[self._box.type(self._id)]
+
+    @type.setter
+    def type(self, value: str) -> None:
+        self._box.set_type(self._id, index_of(BODY_TYPES, value, "type"))
+
+    @property
+    def position(self) -> tuple[float, float]:
+        """Of the origin, world, m. Setting it moves the body at once, without collisions on the way."""
+        x, y, *_ = self._box.state(self._id)
+        return x, y
+
+    @position.setter
+    def position(self, value: Vector) -> None:
+        self._box.set_pose(self._id, vector(value, "position"), self.angle)
+
+    @property
+    def angle(self) -> float:
+        """rad in (-pi, pi]."""
+        return float(self._box.state(self._id)[2])
+
+    @angle.setter
+    def angle(self, value: float) -> None:
+        self._box.set_pose(self._id, self.position, value)
+
+    @property
+    def velocity(self) -> tuple[float, float]:
+        """Of the centre of mass, m/s."""
+        _, _, _, x, y, _ = self._box.state(self._id)
+        return x, y
+
+    @velocity.setter
+    def velocity(self, value: Vector) -> None:
+        self._box.set_velocity(self._id, vector(value, "velocity"), self.angular_velocity)
+
+    @property
+    def angular_velocity(self) -> float:
+        """rad/s, counter-clockwise positive."""
+        return float(self._box.state(self._id)[5])
+
+    @angular_velocity.setter
+    def angular_velocity(self, value: float) -> None:
+        self._box.set_velocity(self._id, self.velocity, value)
+
+    def velocity_at(self, point: Vector) -> tuple[float, float]:
+        """The velocity (m/s) of the point of the body that is at a world point."""
+        return self._box.velocity_at(self._id, vector(point, "point"))
+
+    def move_towards(self, position: Vector, angle: float = 0.0) -> None:
+        """Sets the velocity that reaches a pose in the next step: for kinematic bodies."""
+        self._box.move_towards(self._id, vector(position, "position"), angle)
+
+    @property
+    def mass(self) -> float:
+        """kg; 0 for bodies that are not dynamic. Setting it scales the inertia of the shapes too."""
+        return self._box.mass(self._id)[0]
+
+    @mass.setter
+    def mass(self, value: float) -> None:
+        mass, center, inertia = self._box.mass(self._id)
+        self._box.set_mass(self._id, (value, center, inertia * value / mass if mass > 0.0 else 0.0))
+
+    @property
+    def inertia(self) -> float:
+        """About the centre of mass, kg m^2; 0 means that nothing turns the body."""
+        return self._box.mass(self._id)[2]
+
+    @property
+    def center_of_mass(self) -> tuple[float, float]:
+        """In coordinates of the body, m."""
+        return self._box.mass(self._id)[1]
+
+    def set_mass(self, mass: float, center: Vector = (0.0, 0.0), inertia: float = 0.0) -> None:
+        """Replaces mass (kg), centre (body coordinates, m) and inertia (kg m^2) of the shapes."""
+        self._box.set_mass(self._id, (mass, vector(center, "center"), inertia))
+
+    def reset_mass(self) -> None:
+        """Takes the mass of the shapes again."""
+        self._box.set_mass(self._id, None)
+
+    def apply_force(self, force: Vector, point: Vector | None = None) -> None:
+        """A force (N, world axes) during the next step, at a world point or at the centre of mass."""
+        self._box.apply_force(self._id, vector(force, "force"), None if point is None else vector(point, "point"))
+
+    def apply_impulse(self, impulse: Vector, point: Vector | None = None) -> None:
+        """An impulse (N s, world axes) at once, at a world point or at the centre of mass."""
+        self._box.apply_impulse(self._id, vector(impulse, "impulse"), None if point is None else vector(point, "point"))
+
+    def apply_torque(self, torque: float) -> None:
+        """A torque (N m) during the next step."""
+        self._box.apply_torque(self._id, torque)
+
+    def apply_angular_impulse(self, impulse: float) -> None:
+        """An angular impulse (N m s) at once."""
+        self._box.apply_angular_impulse(self._id, impulse)
+
+    @property
+    def awake(self) -> bool:
+        return self._box.is_awake(self._id)
+
+    @awake.setter
+    def awake(self, value: bool) -> None:
+        self._box.set_awake(self._id, value)
+
+    def _member(self, name: str) -> Any:
+        return self._box.body_definition(self._id)[name]
+
+    @property
+    def enabled(self) -> bool:
+        """A disabled body keeps its place, but does not move or collide."""
+        return bool(self._member("enabled"))
+
+    @enabled.setter
+    def enabled(self, value: bool) -> None:
+        self._box.set_enabled(self._id, value)
+
+    @property
+    def bullet(self) -> bool:
+        """Whether it does not pass through dynamic bodies either, however fast it is."""
+        return bool(self._member("bullet"))
+
+    @bullet.setter
+    def bullet(self, value: bool) -> None:
+        self._box.set_bullet(self._id, value)
+
+    @property
+    def gravity_scale(self) -> float:
+        return float(self._member("gravity_scale"))
+
+    @gravity_scale.setter
+    def gravity_scale(self, value: float) -> None:
+        self._box.set_gravity_scale(self._id, value)
+
+    @property
+    def linear_damping(self) -> float:
+        """1/s."""
+        return float(self._member("linear_damping"))
+
+    @linear_damping.setter
+    def linear_damping(self, value: float) -> None:
+        self._box.set_damping(self._id, value, self.angular_damping)
+
+    @property
+    def angular_damping(self) -> float:
+        """1/s."""
+        return float(self._member("angular_damping"))
+
+    @angular_damping.setter
+    def angular_damping(self, value: float) -> None:
+        self._box.set_damping(self._id, self.linear_damping, value)
+
+    def lock(self, *, x: bool = False, y: bool = False, rotation: bool = False) -> None:
+        """Locks motions along the world axes and the rotation; those left out are free."""
+        self._box.set_locks(self._id, x, y, rotation)
+
+    @property
+    def user_data(self) -> int:
+        """A number of yours, 0 to 2^64 - 1. It is saved with the world."""
+        return self._box.body_user_data(self._id)
+
+    @user_data.setter
+    def user_data(self, value: int) -> None:
+        self._box.set_body_user_data(self._id, value)
+
+    @property
+    def shapes(self) -> list[BodyShape]:
+        return [BodyShape(self._world, id) for id in self._box.shapes_of(self._id)]
+
+    @property
+    def joints(self) -> list[Joint]:
+        return self._world._joints_of(self._id)
+
+    @property
+    def contacts(self) -> npt.NDArray[Any]:
+        """The contact points of this body after the last step, as `World.contacts`."""
+        return self._box.contacts_of(self._id)
+
+    def add_shape(
+        self,
+        shape: Shape,
+        *,
+        density: float = 1.0,
+        friction: float = 0.6,
+        restitution: float = 0.0,
+        rolling_resistance: float = 0.0,
+        tangent_speed: float = 0.0,
+        sensor: bool = False,
+        category: int = 1,
+        mask: int = 0xFFFFFFFFFFFFFFFF,
+        group: int = 0,
+        user_data: int = 0,
+    ) -> BodyShape:
+        """Adds a shape. Density is in kg/m^2; a sensor reports what touches it and has no mass."""
+        id = self._box.add_shape(
+            self._id,
+            shape,
+            {
+                "material": {
+                    "density": density,
+                    "friction": friction,
+                    "restitution": restitution,
+                    "rolling_resistance": rolling_resistance,
+                    "tangent_speed": tangent_speed,
+                },
+                "filter": {"category": category, "mask": mask, "group": group},
+                "sensor": sensor,
+                "user_data": user_data,
+            },
+        )
+        return BodyShape(self._world, id)
+
+    def add_chain(
+        self, points: Any, *, loop: bool = False, two_sided: bool = False, friction: float = 0.6, restitution: float = 0.0
+    ) -> list[BodyShape]:
+        """Adds segments through `points` [n, 2] over which shapes slide smoothly, solid on the left of their direction."""
+        material = {"friction": friction, "restitution": restitution}
+        ids = self._box.add_chain(self._id, points_array(points, "points"), loop, two_sided, {"material": material})
+        return [BodyShape(self._world, id) for id in ids]
+
+
+class BodyShape(Part):
+    """A shape of a body."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        if not self.is_alive:
+            return f"<BodyShape {self._id & 0xFFFFFFFF}, removed>"
+        return f"<BodyShape {self._id & 0xFFFFFFFF} of body {self.body.id & 0xFFFFFFFF}, {self.shape!r}>"
+
+    @property
+    def is_alive(self) -> bool:
+        return self._box.is_shape(self._id)
+
+    def remove(self) -> None:
+        self._box.remove_shape(self._id)
+
+    @property
+    def body(self) -> Body:
+        return Body(self._world, self._box.shape_body(self._id))
+
+    @property
+    def shape(self) -> Shape:
+        """The outline, in coordinates of the body."""
+        return self._box.shape(self._id)
+
+    @property
+    def sensor(self) -> bool:
+        return self._box.is_sensor(self._id)
+
+    @property
+    def user_data(self) -> int:
+        """A number of yours, 0 to 2^64 - 1. It is saved with the world."""
+        return self._box.shape_user_data(self._id)
+
+    @user_data.setter
+    def user_data(self, value: int) -> None:
+        self._box.set_shape_user_data(self._id, value)
+
+    @property
+    def friction(self) -> float:
+        return float(self._box.material(self._id)["friction"])
+
+    @friction.setter
+    def friction(self, value: float) -> None:
+        self.set_material(friction=value)
+
+    @property
+    def restitution(self) -> float:
+        return float(self._box.material(self._id)["restitution"])
+
+    @restitution.setter
+    def restitution(self, value: float) -> None:
+        self.set_material(restitution=value)
+
+    @property
+    def density(self) -> float:
+        """kg/m^2."""
+        return float(self._box.material(self._id)["density"])
+
+    @density.setter
+    def density(self, value: float) -> None:
+        self.set_material(density=value)
+
+    def set_material(self, **members: float) -> None:
+        """Changes density, friction, restitution, rolling_resistance or tangent_speed."""
+        self._box.set_material(self._id, {**self._box.material(self._id), **members})
+
+    def set_filter(self, **members: int) -> None:
+        """Changes category, mask or group."""
+        self._box.set_filter(self._id, {**self._box.filter(self._id), **members})

@@ -1,0 +1,160 @@
+"""Joints of two bodies.
+
+Units are m, kg, s and rad; y is up and counter-clockwise is positive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from tumble.bodies import Body
+from tumble.parts import Part
+from tumble.shapes import Vector, vector
+
+
+class Joint(Part):
+    """A joint of two bodies. `World.add_joint` lists the kinds and their members."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        if not self.is_alive:
+            return f"<Joint {self._id & 0xFFFFFFFF}, destroyed>"
+        return f"<Joint {self._id & 0xFFFFFFFF}, {self.kind}, position {self.position:.3g}, speed {self.speed:.3g}>"
+
+    @property
+    def is_alive(self) -> bool:
+        return self._box.is_joint(self._id)
+
+    def destroy(self) -> None:
+        self._box.destroy_joint(self._id)
+
+    @property
+    def kind(self) -> str:
+        return self._box.joint(self._id)[0]
+
+    @property
+    def definition(self) -> dict[str, Any]:
+        """All members of the joint, as `World.add_joint` takes them; bodies by their ids."""
+        return self._box.joint(self._id)[1]
+
+    def change(self, **members: Any) -> None:
+        """Changes members: joint.change(limits=(-1, 1), motor=(2, 100))."""
+        self._box.change_joint(self._id, plain_members(members))
+
+    @property
+    def body_a(self) -> Body:
+        return Body(self._world, self.definition["body_a"])
+
+    @property
+    def body_b(self) -> Body:
+        return Body(self._world, self.definition["body_b"])
+
+    @property
+    def position(self) -> float:
+        """The present angle (rad), displacement or length (m) of the free motion."""
+        return self._box.joint_motion(self._id)[0]
+
+    @property
+    def speed(self) -> float:
+        """The present speed of the free motion, rad/s or m/s."""
+        return self._box.joint_motion(self._id)[1]
+
+    @property
+    def motor_speed(self) -> float:
+        """rad/s or m/s. ValueError if the joint has no motor."""
+        motor = self.definition.get("motor")
+        if motor is None:
+            raise ValueError(f"{self!r} has no motor")
+        return float(motor[0])
+
+    @motor_speed.setter
+    def motor_speed(self, value: float) -> None:
+        self._box.set_motor_speed(self._id, value)
+
+    @property
+    def motor(self) -> tuple[float, float] | None:
+        """Speed (rad/s or m/s) and the largest torque (N m) or force (N); None: no motor."""
+        return self.definition.get("motor")
+
+    @motor.setter
+    def motor(self, value: Vector | None) -> None:
+        self.change(motor=value)
+
+    @property
+    def limits(self) -> tuple[float, float] | None:
+        """The range of the free motion, rad or m; None: no limits."""
+        return self.definition.get("limits")
+
+    @limits.setter
+    def limits(self, value: Vector | None) -> None:
+        self.change(limits=value)
+
+    @property
+    def spring(self) -> tuple[float, float] | None:
+        """Frequency (Hz) and damping ratio; None: no spring."""
+        return self.definition.get("spring")
+
+    @spring.setter
+    def spring(self, value: Vector | None) -> None:
+        self.change(spring=value)
+
+    def set_target(self, point: Vector) -> None:
+        """The world point (m) to which a mouse joint pulls its body B."""
+        self._box.set_target(self._id, vector(point, "point"))
+
+    @property
+    def force(self) -> tuple[float, float]:
+        """On body B in the last step, N, world axes."""
+        return self._box.reaction(self._id)[0]
+
+    @property
+    def torque(self) -> float:
+        """On body B in the last step, N m."""
+        return self._box.reaction(self._id)[1]
+
+    @property
+    def anchors(self) -> tuple[tuple[float, float], tuple[float, float]] | None:
+        """The points on A and B at which it acts, world, m."""
+        return self._box.joint_anchors(self._id)
+
+    @property
+    def user_data(self) -> int:
+        """A number of yours, 0 to 2^64 - 1. It is saved with the world."""
+        return self._box.joint_user_data(self._id)
+
+    @user_data.setter
+    def user_data(self, value: int) -> None:
+        self._box.set_joint_user_data(self._id, value)
+
+
+def plain_members(members: Mapping[str, Any]) -> dict[str, Any]:
+    """Bodies and joints by id, vectors as tuples."""
+    plain: dict[str, Any] = {}
+    for name, value in members.items():
+        if isinstance(value, Part):
+            value = value.id
+        elif isinstance(value, (list, np.ndarray)):
+            value = vector(value, name)
+        plain[name] = value
+    return plain
+
+
+def wrapped(angle: float) -> float:
+    return float((angle + np.pi) % (2.0 * np.pi) - np.pi)
+
+
+def to_local(body: Body, point: tuple[float, float]) -> tuple[float, float]:
+    x, y = body.position
+    c, s = np.cos(body.angle), np.sin(body.angle)
+    dx, dy = point[0] - x, point[1] - y
+    return float(c * dx + s * dy), float(c * dy - s * dx)
+
+
+def to_world(body: Body, point: tuple[float, float]) -> tuple[float, float]:
+    x, y = body.position
+    c, s = np.cos(body.angle), np.sin(body.angle)
+    return float(x + c * point[0] - s * point[1]), float(y + s * point[0] + c * point[1])
