@@ -23,7 +23,6 @@ struct Operator {
     ValueKind takes;
 };
 constexpr int kOr = 1, kAnd = 2, kCompare = 3, kSum = 4, kProduct = 5, kSign = 6;
-constexpr ValueKind kNumber = ValueKind::number, kCondition = ValueKind::condition;
 constexpr std::array<Operator, 12> kOperators{{
     {"or", kOr, Op::either, kCondition},
     {"and", kAnd, Op::both, kCondition},

@@ -4,8 +4,6 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr ValueKind kNumber = ValueKind::number, kCondition = ValueKind::condition;
-
 constexpr Word<BodyProperty> kBodyWords[] = {
     {"x", BodyProperty::x, kNumber},
     {"y", BodyProperty::y, kNumber},

@@ -11,6 +11,7 @@
 namespace tumble::scene {
 
 using ValueKind = Expression::Kind;
+inline constexpr ValueKind kNumber = ValueKind::number, kCondition = ValueKind::condition;
 
 enum class BodyProperty { x, y, angle, vx, vy, speed, spin, mass, awake, exists };
 
