@@ -40,6 +40,7 @@ struct SimplexCache {
     Side reference_side = Side::none;
     std::uint16_t reference_edge = 0;  // by its first vertex
     std::uint16_t iterations = 0;      // of the last manifold's distance query, to be counted
+    float distance = 0.0f;             // of the surfaces when the last manifold was found, m; 0 for invalid input
 };
 
 enum class DistanceStatus : std::uint8_t {

@@ -27,7 +27,7 @@ struct SceneSettings {
     bool sleeping = true;
     bool continuous = true;
     JointSolver joints = JointSolver::iterative;
-    ImpactModel impacts = ImpactModel::at_step_end;
+    ImpactModel impacts = ImpactModel::in_order;
     double scale = 1.0;  // m, the size of a typical body: see WorldDef
 };
 

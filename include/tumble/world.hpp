@@ -40,7 +40,7 @@ struct WorldDef {
     bool sleeping = true;            // islands at rest fall asleep
     bool continuous = true;          // continuous collision keeps fast bodies from passing through thin ones
     JointSolver joints = JointSolver::iterative;
-    ImpactModel impacts = ImpactModel::at_step_end;
+    ImpactModel impacts = ImpactModel::in_order;
 
     // The size of a typical body, m, > 0. The solver's own constants are for bodies of 1 m. For a scale s its lengths
     // are multiplied by s, its speeds by sqrt(s) and its frequencies by 1 / sqrt(s), as under equal gravity. A world of

@@ -6,7 +6,10 @@
 namespace tumble {
 
 void BroadPhase::add(std::uint32_t key, const Aabb& box, ProxyLayer layer) {
-    if (key >= proxies_.size()) proxies_.resize(key + 1);
+    if (key >= proxies_.size()) {
+        proxies_.resize(key + 1);
+        is_touched_.resize(key + 1);
+    }
     Proxy& proxy = proxies_[key];
     TUMBLE_CHECK(proxy.leaf == AabbTree::kNone);
     proxy.box = box;
@@ -33,8 +36,8 @@ void BroadPhase::move(std::uint32_t key, const Aabb& box) {
 
 void BroadPhase::touch(std::uint32_t key) {
     TUMBLE_CHECK(has(key));
-    if (proxies_[key].is_touched) return;
-    proxies_[key].is_touched = true;
+    if (is_touched_[key]) return;
+    is_touched_[key] = 1;
     touched_.push_back(key);
 }
 

@@ -36,6 +36,9 @@ public:
     // True if a proxy was added, moved or touched since the last search. If not, no pair has begun or ended.
     bool has_moved() const { return !touched_.empty(); }
 
+    // True if this proxy was.
+    bool has_moved(std::uint32_t key) const { return key < is_touched_.size() && is_touched_[key] != 0; }
+
     const Aabb& box(std::uint32_t key) const {
         TUMBLE_CHECK(has(key));
         return proxies_[key].box;
@@ -83,7 +86,7 @@ public:
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.trees_, self.proxies_, self.touched_, self.pairs_);
+        visit(self.trees_, self.proxies_, self.touched_, self.is_touched_, self.pairs_);
     }
 
 private:
@@ -91,7 +94,6 @@ private:
         Aabb box;
         AabbTree::Node leaf = AabbTree::kNone;  // kNone: no proxy under this key
         ProxyLayer layer = ProxyLayer::fixed;
-        bool is_touched = false;  // its key is in touched_
     };
 
     static constexpr std::size_t kLeastQueries = 16;  // in a chunk: some us of work
@@ -106,9 +108,10 @@ private:
     const AabbTree& tree(ProxyLayer layer) const { return trees_[static_cast<std::size_t>(layer)]; }
     AabbTree& tree(ProxyLayer layer) { return trees_[static_cast<std::size_t>(layer)]; }
 
-    std::array<AabbTree, 3> trees_;       // by layer
-    std::vector<Proxy> proxies_;          // by key
-    std::vector<std::uint32_t> touched_;  // keys added, moved or touched since the last search
+    std::array<AabbTree, 3> trees_;         // by layer
+    std::vector<Proxy> proxies_;            // by key
+    std::vector<std::uint32_t> touched_;    // keys added, moved or touched since the last search
+    std::vector<std::uint8_t> is_touched_;  // by key, 1 for these
     std::vector<ProxyPair> new_pairs_;
     ChunkLists<ProxyPair> found_;
     std::vector<AabbTree::NodePair> waiting_;             // parts of a walk of the dynamic tree
@@ -135,7 +138,7 @@ const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept, Crew& 
     found_.for_each([&](ProxyPair pair) { new_pairs_.push_back(pair); });
     std::sort(new_pairs_.begin(), new_pairs_.end());
     for (const ProxyPair pair : new_pairs_) pairs_.insert(pair);
-    for (const std::uint32_t key : touched_) proxies_[key].is_touched = false;
+    for (const std::uint32_t key : touched_) is_touched_[key] = 0;
     touched_.clear();
     return new_pairs_;
 }
@@ -147,7 +150,7 @@ void BroadPhase::walk_dynamic(Consider& consider, Crew& crew) {
     const std::size_t parts = crew.chunk_count(tree.leaf_count(), kLeastLeaves);
     const auto visit = [&](std::vector<ProxyPair>& found) {
         return [&](std::uint32_t a, std::uint32_t b) {
-            if (proxies_[a].is_touched || proxies_[b].is_touched) consider(a, b, found);
+            if (is_touched_[a] || is_touched_[b]) consider(a, b, found);
         };
     };
     tree.begin_pairs(waiting_, parts > 1 ? kPartsOfChunk * parts : 1, visit(new_pairs_));
@@ -169,7 +172,7 @@ void BroadPhase::find_pairs_of(std::uint32_t key, bool dynamic_are_found, Visito
     const Proxy& proxy = proxies_[key];
     if (proxy.leaf == AabbTree::kNone) return;
     const auto visit_others = [&](std::uint32_t other) {
-        if (other != key && !(proxies_[other].is_touched && other < key)) visit(other);
+        if (other != key && !(is_touched_[other] && other < key)) visit(other);
     };
     const ProxyLayer first = proxy.layer == ProxyLayer::fixed ? ProxyLayer::kinematic : ProxyLayer::fixed;
     const bool skips_dynamic = proxy.layer == ProxyLayer::dynamic && dynamic_are_found;

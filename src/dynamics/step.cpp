@@ -67,22 +67,11 @@ void collide_and_count(const Simulation& simulation, Contact& contact, Collision
     const StepAhead ahead = step_ahead(simulation);
     const bool in_full = collide_contact(contact, simulation.bodies, simulation.shapes, ahead);
     if (ahead.predicts) counts.bounces += note_bounce(simulation, contact);
+    counts.crossings += contact.chain_state == ChainState::crossing;
     ++counts.pairs;
     if (!in_full) return;
     ++counts.full;
     counts.iterations += contact.cache.iterations;
-}
-
-// A contact with a chain follows what other contacts have become in this step, so that the order counts.
-bool is_with_chain(const Simulation& simulation, const Contact& contact) {
-    return simulation.shapes[contact.shapes.a].link || simulation.shapes[contact.shapes.b].link;
-}
-
-void collide_with_chains(Simulation& simulation, Contact& contact) {
-    const bool was_apart = contact.chain_state == ChainState::apart;
-    collide_and_count(simulation, contact, simulation.report.collided);
-    if (was_apart) follow_neighbors(simulation.chain_contacts(), contact);
-    simulation.chain_crossings.now |= contact.chain_state == ChainState::crossing;
 }
 
 // Collides the solid contacts for which is_chosen(contact) holds.
@@ -90,23 +79,32 @@ template <class IsChosen>
 void collide_all(Simulation& simulation, IsChosen&& is_chosen) {
     std::vector<Contact>& contacts = simulation.contacts.all();
     Crew& crew = simulation.crew;
-    std::vector<CollisionCounts>& counts = simulation.scratch.chunks.collision_counts;
-    counts.assign(crew.chunk_count(contacts.size(), kLeastCollided), {});
-    const auto collide_chunk = [&](const Chunk& chunk, std::vector<std::uint32_t>& with_chain) {
+    ChunkScratch& scratch = simulation.scratch.chunks;
+    scratch.collision_counts.assign(crew.chunk_count(contacts.size(), kLeastCollided), {});
+    const auto collide_chunk = [&](const Chunk& chunk, std::vector<std::uint32_t>& newcomers) {
         CollisionCounts own;
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-            if (contacts[i].kind != ContactKind::solid || !is_chosen(contacts[i])) continue;
-            if (is_with_chain(simulation, contacts[i]))
-                with_chain.push_back(static_cast<std::uint32_t>(i));
-            else
-                collide_and_count(simulation, contacts[i], own);
+            Contact& contact = contacts[i];
+            if (contact.kind != ContactKind::solid || !is_chosen(contact)) continue;
+            const bool was_apart = contact.chain_state == ChainState::apart;
+            collide_and_count(simulation, contact, own);
+            if (was_apart && contact.chain_state != ChainState::apart)
+                newcomers.push_back(static_cast<std::uint32_t>(i));
         }
-        counts[chunk.index] = own;
+        scratch.collision_counts[chunk.index] = own;
     };
-    simulation.scratch.chunks.found.fill_by_chunk(crew, contacts.size(), kLeastCollided, collide_chunk);
-    for (const CollisionCounts& own : counts) simulation.report.collided += own;
-    simulation.scratch.chunks.found.for_each([&](std::uint32_t i) { collide_with_chains(simulation, contacts[i]); });
+    scratch.found.fill_by_chunk(crew, contacts.size(), kLeastCollided, collide_chunk);
+    for (const CollisionCounts& own : scratch.collision_counts) simulation.report.collided += own;
     simulation.scratch.ordered_impacts.bounces.has_candidates |= simulation.report.collided.bounces > 0;
+    simulation.chain_crossings.now |= simulation.report.collided.crossings > 0;
+    scratch.newcomers.clear();
+    scratch.found.for_each([&](std::uint32_t i) { scratch.newcomers.push_back(i); });
+    follow_neighbors(simulation.chain_contacts(), contacts, scratch.newcomers);
+}
+
+// True if contacts of shapes that have not moved may end.
+bool may_end_anywhere(const Simulation& simulation) {
+    return simulation.shapes.has_destroyed() || simulation.filters_changed;
 }
 
 // A measure of the work of a step: see Threads::least_work.
@@ -213,11 +211,10 @@ void cover_free_motions(Simulation& simulation) {
 // New pairs begin, and pairs end, only where a box has moved.
 void find_pairs(Simulation& simulation) {
     simulation.contacts.merge_woken();
-    const bool moved = simulation.broad.has_moved();
+    if (!simulation.broad.has_moved() && !may_end_anywhere(simulation)) return;
+    end_contacts(simulation);
     const std::vector<ProxyPair>& new_pairs =
         simulation.broad.find_new_pairs([&](ProxyPair pair) { return may_collide(simulation, pair); }, simulation.crew);
-    if (!moved && !simulation.shapes.has_destroyed() && !simulation.filters_changed) return;
-    end_contacts(simulation);
     simulation.contacts.add(new_pairs, simulation.shapes, simulation.settings.tuning);
     simulation.shapes.forget_destroyed();
     simulation.filters_changed = false;
@@ -227,8 +224,10 @@ void find_pairs(Simulation& simulation) {
 void end_contacts(Simulation& simulation) {
     std::vector<Contact>& contacts = simulation.contacts.all();
     ChunkLists<std::uint32_t>& ended = simulation.scratch.chunks.found;
+    const bool may_end_all = may_end_anywhere(simulation);
     const auto find_ended = [&](std::size_t i, std::vector<std::uint32_t>& found) {
         const ProxyPair shapes = contacts[i].shapes;
+        if (!may_end_all && !simulation.broad.has_moved(shapes.a) && !simulation.broad.has_moved(shapes.b)) return;
         const bool keep =
             simulation.broad.overlap(shapes) && !(simulation.filters_changed && !may_collide(simulation, shapes));
         if (!keep) found.push_back(static_cast<std::uint32_t>(i));

@@ -46,7 +46,8 @@ std::vector<const Contact*> sorted_contacts(const Simulation& simulation, std::u
 std::vector<ContactPoint> report_contacts(const Simulation& simulation, std::uint32_t body) {
     std::vector<ContactPoint> points;
     for (const Contact* contact : sorted_contacts(simulation, body))
-        for (int i = 0; i < contact->manifold.point_count; ++i) points.push_back(report_point(simulation, *contact, i));
+        for (int i = 0; i < contact->manifold.point_count; ++i)
+            if (is_shown(*contact, i)) points.push_back(report_point(simulation, *contact, i));
     return points;
 }
 

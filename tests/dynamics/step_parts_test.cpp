@@ -54,42 +54,44 @@ TEST_CASE("a recycled manifold moves with the bodies") {
     reference.manifold.points[0] = {{0.5f, 0.5005f}, {0.5f, -0.5005f}, 0.001f, 7};
     reference.offset = {0.0, 1.001};
     reference.is_valid = true;
-    constexpr float kReach = 0.7072f, kTolerance = 5e-4f;
-    Manifold manifold;
     const Pose a;
 
     Pose b{{0.0, 1.0012}, {}};
-    REQUIRE(recycle(reference, a, b, kReach, kReach, kTolerance, manifold));
+    Manifold manifold = recycled(reference, a, b);
     CHECK(near(manifold.points[0].separation, 0.0012, kFloat));
     CHECK(manifold.points[0].feature == 7);
 
     // B turns by 0.5 mrad about its centre: its anchor (0.5, -0.5005) rises by 0.5 sin + 0.5005 (1 - cos) of that. The
     // anchors are floats of half a metre.
     b = {{0.0, 1.001}, make_rotation(5e-4)};
-    REQUIRE(recycle(reference, a, b, kReach, kReach, kTolerance, manifold));
+    manifold = recycled(reference, a, b);
     CHECK(near(manifold.points[0].separation, 0.001 + 0.5 * std::sin(5e-4) + 0.5005 * (1.0 - std::cos(5e-4)),
                absolute(1e-7)));
 
     // Both turn and travel together, far: nothing has moved between them.
     const Pose turn{{1000.0, -50.0}, make_rotation(1.0)};
     const Pose moved_b{turn.position + rotate(turn.rotation, DVec2{0.0, 1.001}), turn.rotation};
-    REQUIRE(recycle(reference, turn, moved_b, kReach, kReach, kTolerance, manifold));
+    CHECK(displacement_since(reference, turn, moved_b, 0.7072f, 0.7072f) < 1e-6f);
+    manifold = recycled(reference, turn, moved_b);
     CHECK(near(manifold.points[0].separation, 0.001, absolute(1e-7)));
     CHECK(near(manifold.normal.x, -std::sin(1.0), kFloat));
 }
 
-TEST_CASE("a manifold is not recycled beyond the tolerance, nor without a reference") {
+TEST_CASE("the displacement since a reference bounds that of every point") {
     ManifoldReference reference;
-    Manifold manifold;
-    CHECK_FALSE(recycle(reference, {}, {}, 1.0f, 1.0f, 1e-3f, manifold));
+    CHECK(std::isinf(displacement_since(reference, {}, {}, 1.0f, 1.0f)));
     reference.is_valid = true;
-    CHECK(recycle(reference, {}, {{0.0009, 0.0}, {}}, 1.0f, 1.0f, 1e-3f, manifold));
-    CHECK_FALSE(recycle(reference, {}, {{0.0011, 0.0}, {}}, 1.0f, 1.0f, 1e-3f, manifold));
-    CHECK_FALSE(recycle(reference, {}, {{}, make_rotation(0.0011)}, 1.0f, 1.0f, 1e-3f, manifold));
-    // Half a turn has no sine, and is a large motion all the same.
-    CHECK_FALSE(recycle(reference, {}, {{}, {-1.0f, 0.0f}}, 1.0f, 1.0f, 1e-3f, manifold));
+    CHECK(near(displacement_since(reference, {}, {{0.0009, 0.0}, {}}, 1.0f, 1.0f), 0.0009, kFloat));
+    // A point at the reach moves along a chord. Half a turn has no sine, and is a large motion all the same.
+    for (const double turn : {0.001, 0.1, 1.0, 1.5}) {
+        const double chord = 2.0 * std::sin(0.5 * turn);
+        const double bound = displacement_since(reference, {}, {{}, make_rotation(turn)}, 1.0f, 1.0f);
+        CHECK(bound >= chord * (1.0 - 1e-6));
+        CHECK(bound <= 1.05 * chord);
+    }
+    CHECK(std::isinf(displacement_since(reference, {}, {{}, {-1.0f, 0.0f}}, 1.0f, 1.0f)));
     // The smaller of the two reaches bounds the displacement by a rotation.
-    CHECK(recycle(reference, {}, {{}, make_rotation(0.001)}, 1000.0f, 0.5f, 1e-3f, manifold));
+    CHECK(near(displacement_since(reference, {}, {{}, make_rotation(0.001)}, 1000.0f, 0.5f), 0.0005, relative(1e-5)));
 }
 
 TEST_CASE("an id pool uses an index again only when it is recycled") {

@@ -127,7 +127,8 @@ inline void add_joints(World& world) {
     world.create_joint(pulley);
 }
 
-// Bullets that fly towards a thin wall, a ball about to cross the chain, and a filter that was just changed.
+// Bullets that fly towards a thin wall, a ball about to bounce, one about to cross the chain, and a filter that was
+// just changed.
 inline void add_last_things(World& world) {
     add_static(world, {14.0, 5.0}, make_box({0.02f, 4.0f}));
     for (int i = 0; i < 3; ++i) {
@@ -139,6 +140,8 @@ inline void add_last_things(World& world) {
         bullet.angular_velocity = 30.0f;
         world.add_shape(world.create_body(bullet), {make_capsule({-0.2f, 0.0f}, {0.1f, 0.0f}, 0.05f)});
     }
+    const BodyId bouncer = add_dynamic(world, {-26.0, 0.41}, make_circle(0.3f), {.restitution = 0.7f});
+    world.set_velocity(bouncer, {0.0f, -4.0f}, 0.0f);
     const BodyId riser = add_dynamic(world, {4.4, 0.75}, make_circle(0.3f));
     world.set_velocity(riser, {0.1f, 3.0f}, 0.0f);
     world.step();

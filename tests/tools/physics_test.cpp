@@ -45,7 +45,7 @@ TEST_CASE("the short form of physics measures its rows in both engines, and its 
         CHECK(row["findings"].size() >= 1);
         for (const json& finding : row["findings"]) {
             CHECK(finding["tumble"].size() >= 1);
-            CHECK(finding["tumble"].size() == finding["in_order"].size());
+            CHECK(finding["tumble"].size() == finding["at_step_end"].size());
             CHECK(finding["tumble"].size() == finding["box2d"].size());
             for (const json& value : finding["tumble"])
                 holds = holds && value.is_number() &&

@@ -97,6 +97,7 @@ TEST_CASE("Space acts once: on a button that has the focus, else on the player")
 TEST_CASE("bodies touch where a contact has an impulse") {
     const Folder folder;
     json scene = json::parse(tumble::test::small_scene());
+    scene["world"]["impacts"] = "at_step_end";  // so that a contact is near for a step before it pushes
     scene["world"]["duration"] = 2;
     const std::string page = make_page(folder, folder.write("small.json", scene.dump()));
     const json found = browse({"ask", page, R"({ const p = replay.player, run = p.run;

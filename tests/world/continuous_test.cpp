@@ -39,13 +39,14 @@ BodyId shoot(World& world, const Shape& shape, DVec2 from, Vec2 velocity, float 
 
 // Shots at a wall of 1 cm at x = 10 with 400 m/s, 6.7 m a step, from random positions and angles: how many end up
 // behind.
-int count_through(BodyType wall_type, bool bullet, bool continuous) {
+int count_through(BodyType wall_type, bool bullet, bool continuous, ImpactModel impacts) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
     int through = 0;
     for (int shot = 0; shot < 1000; ++shot) {
         WorldDef def;
         def.continuous = continuous;
+        def.impacts = impacts;
         World world(def);
         const BodyId wall = add_body(world, wall_type, {10.0, 0.0}, make_box({0.01f, 40.0f}), {.density = 1000.0f});
         const double away = static_cast<double>(unit(random)), turn = static_cast<double>(unit(random));
@@ -62,14 +63,20 @@ int count_through(BodyType wall_type, bool bullet, bool continuous) {
 }  // namespace
 
 TEST_CASE("of 1000 shots at 400 m/s none passes through a wall of 1 cm") {
-    CHECK(count_through(BodyType::static_body, false, true) == 0);
-    CHECK(count_through(BodyType::kinematic_body, false, true) == 0);
-    CHECK(count_through(BodyType::static_body, false, false) > 900);  // without it most pass through
+    for (const ImpactModel impacts : {ImpactModel::in_order, ImpactModel::at_step_end}) {
+        CHECK(count_through(BodyType::static_body, false, true, impacts) == 0);
+        CHECK(count_through(BodyType::kinematic_body, false, true, impacts) == 0);
+        CHECK(count_through(BodyType::dynamic_body, true, true, impacts) == 0);
+    }
 }
 
-TEST_CASE("bullets do not pass through a dynamic wall, other bodies do") {
-    CHECK(count_through(BodyType::dynamic_body, true, true) == 0);
-    CHECK(count_through(BodyType::dynamic_body, false, true) > 900);
+TEST_CASE("without continuous collision most shots pass through") {
+    CHECK(count_through(BodyType::static_body, false, false, ImpactModel::at_step_end) > 900);
+}
+
+TEST_CASE("only bullets need to collide continuously with dynamic bodies at the step's end, all bodies in order") {
+    CHECK(count_through(BodyType::dynamic_body, false, true, ImpactModel::at_step_end) > 900);
+    CHECK(count_through(BodyType::dynamic_body, false, true, ImpactModel::in_order) == 0);
 }
 
 TEST_CASE("two bullets that fly at each other collide, at any phase of the step") {

@@ -45,15 +45,15 @@ const Finding* telling(const reference::RowResult& result) {
 void add_summary(HtmlPage& page, const PhysicsResult& result) {
     page.paragraph(
         std::to_string(result.holding()) + " of " + std::to_string(result.rows.size()) + " rows hold, " +
-        std::to_string(result.holding(Engine::in_order)) +
-        " with impacts in order. Each row compares tumble, tumble with the world's option "
-        "\"impacts\": \"in_order\", and Box2D 2.4.1 with an exact answer. The same scene runs in each, with the "
+        std::to_string(result.holding(Engine::at_step_end)) +
+        " with impacts at the end of the step. Each row compares tumble, tumble with the world's option "
+        "\"impacts\": \"at_step_end\", and Box2D 2.4.1 with an exact answer. The same scene runs in each, with the "
         "same step; Box2D makes 8 velocity and 3 position iterations in it. The "
         "table shows one condition of each row: the first that fails, or the first. Values are the worst of "
         "all phases. The " +
         std::string(result.is_short ? "short" : "full") + " form took " + seconds_text(result.seconds) + ".");
     const std::vector<std::string> header = {"row",    "subject",  "measured", "condition", "exact", "passes",
-                                             "tumble", "in order", "Box2D",    "verdict",   "time"};
+                                             "tumble", "at step end", "Box2D",    "verdict",   "time"};
     std::vector<std::vector<HtmlCell>> rows;
     for (const MeasuredRow& measured : result.rows) {
         std::vector<HtmlCell> cells = {plain(measured.row->name), plain(measured.row->title)};
@@ -63,7 +63,7 @@ void add_summary(HtmlPage& page, const PhysicsResult& result) {
             cells.push_back(finding_number(finding->exact.value_or(NAN)));
             cells.push_back(plain(bar_text(finding->bar)));
             cells.push_back(engine_value(*finding, Engine::tumble));
-            cells.push_back(engine_value(*finding, Engine::in_order));
+            cells.push_back(engine_value(*finding, Engine::at_step_end));
             cells.push_back(engine_value(*finding, Engine::box2d));
         } else {
             cells.resize(cells.size() + 7);
@@ -98,12 +98,12 @@ Plot plot_of(const Chart& chart) {
 
 void add_findings(HtmlPage& page, const std::vector<Finding>& findings) {
     const std::vector<std::string> header = {"condition", "measured", "exact", "passes",
-                                             "tumble",    "in order", "Box2D", "verdict"};
+                                             "tumble",    "at step end", "Box2D", "verdict"};
     std::vector<std::vector<HtmlCell>> rows;
     for (const Finding& finding : findings)
         rows.push_back({plain(finding.condition), plain(with_unit(finding)),
                         finding_number(finding.exact.value_or(NAN)), plain(bar_text(finding.bar)),
-                        engine_value(finding, Engine::tumble), engine_value(finding, Engine::in_order),
+                        engine_value(finding, Engine::tumble), engine_value(finding, Engine::at_step_end),
                         engine_value(finding, Engine::box2d), verdict(finding.holds(Engine::tumble))});
     page.table(header, rows);
 }

@@ -29,10 +29,10 @@ void write_finding(JsonWriter& json, const Finding& finding) {
         .member("upper", finding.bar.upper)
         .member("holds", finding.holds(Engine::tumble))
         .member("worst_tumble", finding.worst(Engine::tumble))
-        .member("worst_in_order", finding.worst(Engine::in_order))
+        .member("worst_at_step_end", finding.worst(Engine::at_step_end))
         .member("worst_box2d", finding.worst(Engine::box2d));
     write_values(json, "tumble", finding, Engine::tumble);
-    write_values(json, "in_order", finding, Engine::in_order);
+    write_values(json, "at_step_end", finding, Engine::at_step_end);
     write_values(json, "box2d", finding, Engine::box2d);
     json.close_object();
 }
@@ -47,7 +47,7 @@ std::string finding_line(const Finding& finding) {
     const std::string unit = finding.unit.empty() ? "" : ", " + finding.unit;
     return "  " + padded(finding.condition + ": " + finding.quantity + unit, 72) + " " +
            padded(bar_text(finding.bar), 20) + " " + padded(value_text(finding.worst(Engine::tumble)), 12) +
-           padded(value_text(finding.worst(Engine::in_order)), 12) +
+           padded(value_text(finding.worst(Engine::at_step_end)), 12) +
            padded(value_text(finding.worst(Engine::box2d)), 12) + (finding.holds(Engine::tumble) ? "holds" : "FAILS") +
            "\n";
 }
@@ -82,7 +82,7 @@ void write_physics_json(JsonWriter& json, const PhysicsResult& result) {
             .member("formula", measured.row->formula)
             .member("bar", measured.row->bar)
             .member("holds", measured.result.holds())
-            .member("holds_in_order", measured.result.holds(Engine::in_order))
+            .member("holds_at_step_end", measured.result.holds(Engine::at_step_end))
             .member("failure", measured.result.failure)
             .member("seconds", measured.result.seconds)
             .key("findings")
@@ -92,7 +92,7 @@ void write_physics_json(JsonWriter& json, const PhysicsResult& result) {
     }
     json.close_array()
         .member("holding", result.holding())
-        .member("holding_in_order", result.holding(Engine::in_order))
+        .member("holding_at_step_end", result.holding(Engine::at_step_end))
         .member("passed", result.passed())
         .member("seconds", result.seconds)
         .close_object();
@@ -100,7 +100,7 @@ void write_physics_json(JsonWriter& json, const PhysicsResult& result) {
 
 std::string physics_table(const PhysicsResult& result) {
     std::string table = padded("row: condition: quantity", 75) + padded("passes", 21) + padded("tumble", 12) +
-                        padded("in order", 12) + padded("Box2D", 12) + "\n";
+                        padded("at step end", 12) + padded("Box2D", 12) + "\n";
     for (const MeasuredRow& measured : result.rows) {
         table += std::string(measured.row->name) + "  " + std::string(measured.row->title) + ": " +
                  (measured.result.holds() ? "holds" : "FAILS") + "\n";
@@ -108,7 +108,7 @@ std::string physics_table(const PhysicsResult& result) {
         if (!measured.result.failure.empty()) table += "  " + measured.result.failure + "\n";
     }
     return table + std::to_string(result.holding()) + " of " + std::to_string(result.rows.size()) + " rows hold, " +
-           std::to_string(result.holding(Engine::in_order)) + " with impacts in order\n";
+           std::to_string(result.holding(Engine::at_step_end)) + " with impacts at the end of the step\n";
 }
 
 }  // namespace tumble::tools

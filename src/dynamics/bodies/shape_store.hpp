@@ -22,6 +22,7 @@ struct ShapeRecord {
     std::uint32_t body = 0;       // index
     float smaller_extent = 0.0f;  // m
     float reach = 0.0f;           // distance of the farthest point from the body's origin, m
+    Vec2 center;                  // of its area, body coordinates
     bool is_sensor = false;
     bool is_live = false;
     bool is_placed = false;         // has a proxy: the body is enabled

@@ -1,5 +1,7 @@
 #include "dynamics/contacts/chain_crossing.hpp"
 
+#include <algorithm>
+
 #include "debug/check.hpp"
 #include "dynamics/bodies/shape_store.hpp"
 #include "dynamics/contacts/contact_store.hpp"
@@ -16,9 +18,14 @@ ChainState next_state(ChainState state, LinkSide side, bool came_through) {
     return side == LinkSide::solid || came_through ? ChainState::crossing : ChainState::open;
 }
 
-// The second table. `neighbors` is apart if no neighbour decides.
-ChainState agreed_state(ChainState state, ChainState neighbors) {
-    return neighbors == ChainState::apart ? state : neighbors;
+// The second table, if a neighbour decides.
+void agree(Contact& contact, ChainState neighbors) {
+    TUMBLE_CHECK(neighbors != ChainState::apart);
+    const bool begins_to_cross = contact.chain_state == ChainState::open && neighbors == ChainState::crossing;
+    contact.chain_state = neighbors;
+    if (!begins_to_cross) return;
+    remove_manifold(contact);
+    contact.reference.is_valid = false;  // or recycling would restore the manifold
 }
 
 bool came_through(const PosedShape& segment, const PosedShape& other, Vec2 displacement, Vec2 normal) {
@@ -34,16 +41,17 @@ bool continues(const Shape& segment, const Shape& other) {
     return is_adjacent && dot(segment.vertex(1) - segment.vertex(0), other.vertex(1) - other.vertex(0)) > 0.0f;
 }
 
-// The state that follows from a shape's contacts with a segment and with those that continue it, without the contact
-// `except`.
+// The state that follows from a shape's contacts with a segment and with those that continue it, except the contacts
+// for which is_undecided(contact) holds.
+template <class IsUndecided>
 ChainState state_of_neighbors(const ChainContacts& chains, const ShapeRecord& segment, std::uint32_t shape,
-                              const Contact* except) {
+                              IsUndecided&& is_undecided) {
     ChainState state = ChainState::apart;
     for (const ShapeId id : chains.bodies.records[segment.body].shapes) {
         const ShapeRecord& neighbor = chains.shapes[id.index];
         if (!neighbor.link || !continues(neighbor.shape, segment.shape)) continue;
         const Contact* const contact = chains.contacts.find(make_pair_of(id.index, shape));
-        if (!contact || contact == except) continue;
+        if (!contact || is_undecided(*contact)) continue;
         if (contact->chain_state == ChainState::crossing) state = ChainState::crossing;
         const bool pushes = contact->manifold.point_count > 0 || contact->was_touching;
         if (contact->chain_state == ChainState::open && pushes) return ChainState::open;
@@ -52,11 +60,12 @@ ChainState state_of_neighbors(const ChainContacts& chains, const ShapeRecord& se
 }
 
 // The same for a pair; apart if neither is a one-sided segment.
-ChainState state_of_neighbors(const ChainContacts& chains, ProxyPair pair, const Contact* except) {
+template <class IsUndecided>
+ChainState state_of_neighbors(const ChainContacts& chains, ProxyPair pair, IsUndecided&& is_undecided) {
     const bool segment_is_a = chains.shapes[pair.a].link.has_value();
     const ShapeRecord& segment = chains.shapes[segment_is_a ? pair.a : pair.b];
     if (!segment.link || !segment.link->one_sided) return ChainState::apart;
-    return state_of_neighbors(chains, segment, segment_is_a ? pair.b : pair.a, except);
+    return state_of_neighbors(chains, segment, segment_is_a ? pair.b : pair.a, is_undecided);
 }
 
 }  // namespace
@@ -72,19 +81,30 @@ Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, 
     return contact.chain_state == ChainState::crossing ? Manifold{} : seen.manifold;
 }
 
-void follow_neighbors(const ChainContacts& chains, Contact& contact) {
-    TUMBLE_CHECK(contact.kind == ContactKind::solid);
-    const ChainState found = contact.chain_state;
-    if (found == ChainState::apart || (found == ChainState::open && !chains.crossings.any())) return;
-    contact.chain_state = agreed_state(found, state_of_neighbors(chains, contact.shapes, &contact));
-    if (found != ChainState::open || contact.chain_state != ChainState::crossing) return;
-    remove_manifold(contact);
-    contact.reference.is_valid = false;  // or recycling would restore the manifold
+void follow_neighbors(const ChainContacts& chains, std::span<Contact> contacts, std::vector<std::uint32_t>& newcomers) {
+    if (!chains.crossings.any()) return;
+    const auto is_undecided = [&](const Contact& contact) {
+        const auto index = static_cast<std::uint32_t>(&contact - contacts.data());
+        return std::binary_search(newcomers.begin(), newcomers.end(), index);
+    };
+    const auto is_crossing = [&](std::uint32_t i) { return contacts[i].chain_state == ChainState::crossing; };
+    std::vector<std::uint32_t> left;
+    while (!newcomers.empty()) {
+        left.clear();
+        for (const std::uint32_t i : newcomers) {
+            const ChainState state = state_of_neighbors(chains, contacts[i].shapes, is_undecided);
+            state == ChainState::apart ? left.push_back(i) : agree(contacts[i], state);
+        }
+        const bool is_stuck = left.size() == newcomers.size();
+        newcomers.swap(left);
+        if (is_stuck && std::erase_if(newcomers, is_crossing) == 0) return;
+    }
 }
 
 bool crosses_chain(const ChainContacts& chains, ProxyPair pair) {
     TUMBLE_CHECK(pair.a < pair.b);
-    return chains.crossings.any() && state_of_neighbors(chains, pair, nullptr) == ChainState::crossing;
+    return chains.crossings.any() &&
+           state_of_neighbors(chains, pair, [](const Contact&) { return false; }) == ChainState::crossing;
 }
 
 }  // namespace tumble

@@ -19,9 +19,11 @@
 //
 // The shape came through if it moves away from the segment and its middle was on the solid side one step earlier.
 //
-// Second transition, for a contact that left `apart` in this step: by the shape's contacts with the segments that
-// continue this one. A segment continues another if they share a point and turn by less than a right angle: beyond
-// that they have no solid side in common.
+// Second transition, for the contacts that left `apart` in this step, the newcomers: by the shape's contacts with the
+// segments that continue this one, except undecided newcomers. A newcomer is decided when a neighbour decides; when
+// none does, those that cross are. Thus a fast shape crosses several new segments in one step, in whatever order they
+// are. A segment continues another if they share a point and turn by less than a right angle: beyond that they have no
+// solid side in common.
 //
 //   state      no neighbour decides   one crosses, none pushes            one is open and pushes
 //   open       open                   crossing; the manifold is removed   open
@@ -32,6 +34,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "broad/pair_set.hpp"
 #include "tumble/manifold.hpp"
@@ -47,7 +51,7 @@ struct ShapeRecord;
 
 enum class ChainState : std::uint8_t { apart, open, crossing };
 
-// Whether any contact is in the state `crossing`.
+// Whether a contact may be in the state `crossing`.
 struct ChainCrossings {
     bool before = false;  // after the last step's collisions
     bool now = false;     // after those of this step, as far as pairs have been collided
@@ -74,8 +78,8 @@ struct PosedShape {
 Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, float reach, Vec2 displacement,
                             Contact& contact);
 
-// The second transition. No effect on a contact that is apart.
-void follow_neighbors(const ChainContacts& chains, Contact& contact);
+// The second transition. `newcomers` are indices of contacts in ascending order; on return, those that nothing decided.
+void follow_neighbors(const ChainContacts& chains, std::span<Contact> contacts, std::vector<std::uint32_t>& newcomers);
 
 // True if one of the pair is a one-sided segment and the other crosses it, or a segment that it continues. Costs
 // O(segments of the body * log(contacts)), and O(1) while nothing crosses any chain.

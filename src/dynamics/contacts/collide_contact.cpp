@@ -1,6 +1,10 @@
 #include "dynamics/contacts/collide_contact.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "debug/check.hpp"
+#include "dynamics/bodies/ballistics.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/shape_store.hpp"
 #include "dynamics/contacts/collide_posed.hpp"
@@ -35,9 +39,20 @@ int idle_point(const Contact& contact) {
     return other < contact.manifold.point_count && contact.impulses[other].normal == 0.0f ? other : -1;
 }
 
+// The approach speed at which a point meets the surface, if only gravity and forces act until then, m/s.
+float speed_at_impact(const Contact& contact, const ManifoldPoint& point, const BodyStore& bodies,
+                      const StepAhead& step) {
+    const float speed = approach_speed(contact, point, bodies);
+    if (!step.predicts || !(speed > 0.0f) || !(point.separation > 0.0f)) return speed;
+    const Vec2 acceleration = bodies.free_acceleration(bodies.frames[contact.body_a].solver_body, step.gravity) -
+                              bodies.free_acceleration(bodies.frames[contact.body_b].solver_body, step.gravity);
+    const float square = speed_sq_after(speed, point.separation, dot(acceleration, contact.manifold.normal));
+    return square > 0.0f ? std::sqrt(square) : speed;
+}
+
 // Sets is_touching, and the watched point with its approach. The velocities are those before the step, or after it if
 // continuous collision stopped a body.
-void update_touch(Contact& contact, const BodyStore& bodies) {
+void update_touch(Contact& contact, const BodyStore& bodies, const StepAhead& step) {
     contact.is_touching = false;
     contact.watched = -1;
     if (contact.manifold.point_count == 0) return;
@@ -49,7 +64,7 @@ void update_touch(Contact& contact, const BodyStore& bodies) {
     contact.watched = static_cast<std::int8_t>(watched);
     const ManifoldPoint& point = contact.manifold.points[watched];
     contact.approach = {bodies.frames[contact.body_a].pose.position + DVec2(point.anchor_a), contact.manifold.normal,
-                        approach_speed(contact, point, bodies)};
+                        speed_at_impact(contact, point, bodies, step)};
 }
 
 void set_manifold(Contact& contact, const Manifold& manifold) {
@@ -63,8 +78,14 @@ void set_manifold(Contact& contact, const Manifold& manifold) {
 void collide_in_full(Contact& contact, const PosedShape& a, const PosedShape& b, Vec2 displacement) {
     const Manifold manifold = collide_posed(a, b, contact, contact.speculative_distance, displacement);
     set_manifold(contact, manifold);
-    contact.reference = {manifold, a.world_from_body.rotation, b.world_from_body.rotation,
-                         b.world_from_body.position - a.world_from_body.position, true};
+    const bool is_with_chain = a.record.link || b.record.link;
+    const float gap = is_with_chain ? 0.0f : std::max(contact.cache.distance - contact.speculative_distance, 0.0f);
+    contact.reference = {manifold,
+                         a.world_from_body.rotation,
+                         b.world_from_body.rotation,
+                         b.world_from_body.position - a.world_from_body.position,
+                         manifold.point_count > 0 ? 0.0f : gap,
+                         true};
 }
 
 // The displacement of B's centre relative to A's in a step, m.
@@ -75,11 +96,11 @@ Vec2 displacement_in_step(const Contact& contact, const BodyStore& bodies, float
 }
 
 // Returns true if the contact has a predicted manifold now. Poses later in the step decide that one, so that it is not
-// recycled.
-bool look_ahead(Contact& contact, const PosedShape& a, const PosedShape& b, const BodyStore& bodies,
+// recycled. The shapes are at least `gap` (m) farther apart than the points of a manifold.
+bool look_ahead(Contact& contact, const PosedShape& a, const PosedShape& b, float gap, const BodyStore& bodies,
                 const StepAhead& step) {
     if (contact.manifold.point_count == 2) return false;
-    const Manifold manifold = predict_manifold(contact, a, b, bodies, step);
+    const Manifold manifold = predict_manifold(contact, a, b, gap, bodies, step);
     if (manifold.point_count == 0) return false;
     set_manifold(contact, manifold);
     contact.reference.is_valid = false;
@@ -103,15 +124,19 @@ bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
     const Pose& pose_a = bodies.frames[contact.body_a].pose;
     const Pose& pose_b = bodies.frames[contact.body_b].pose;
     const PosedShape posed_a{a, pose_a}, posed_b{b, pose_b};
-    const float tolerance = kRecyclingPart * contact.speculative_distance;
-    const bool is_recycled = recycle(contact.reference, pose_a, pose_b, a.reach, b.reach, tolerance, contact.manifold);
-    if (!is_recycled) {
+    const float moved = displacement_since(contact.reference, pose_a, pose_b, a.reach, b.reach);
+    const float tolerance = std::max(kRecyclingPart * contact.speculative_distance, contact.reference.gap);
+    const bool is_recycled = moved <= tolerance;
+    if (is_recycled) {
+        contact.manifold = recycled(contact.reference, pose_a, pose_b);
+    } else {
         const bool is_with_chain = a.link || b.link;
         collide_in_full(contact, posed_a, posed_b,
                         is_with_chain ? displacement_in_step(contact, bodies, step.duration) : Vec2{});
     }
-    const bool is_predicted = step.predicts && look_ahead(contact, posed_a, posed_b, bodies, step);
-    update_touch(contact, bodies);
+    const float gap = contact.reference.gap - (is_recycled ? moved : 0.0f);
+    const bool is_predicted = step.predicts && look_ahead(contact, posed_a, posed_b, gap, bodies, step);
+    update_touch(contact, bodies, step);
     contact.is_new = false;
     return !is_recycled || is_predicted;
 }

@@ -71,6 +71,18 @@ struct Contact {
 // The tangent of a contact normal: the normal turned clockwise. With B on top of A it points to the right.
 constexpr Vec2 contact_tangent(Vec2 normal) { return -perp(normal); }
 
+// False for a point that was foreseen when the step began, and at which the shapes neither pushed nor were near.
+inline bool is_shown(const Contact& contact, int point) {
+    return contact.manifold.points[point].separation <= contact.speculative_distance ||
+           contact.applied[point].normal > 0.0f;
+}
+
+inline int shown_points(const Contact& contact) {
+    int count = 0;
+    for (int i = 0; i < contact.manifold.point_count; ++i) count += is_shown(contact, i);
+    return count;
+}
+
 // Removes the manifold and the impulses: the two shapes do not push each other in this step.
 inline void remove_manifold(Contact& contact) {
     contact.manifold.point_count = 0;

@@ -1,5 +1,6 @@
 #include "dynamics/contacts/predicted_manifold.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dynamics/bodies/shape_store.hpp"
@@ -28,6 +29,10 @@ Vec2 turned(Vec2 v, double angle) {
     return to_float(DVec2{at.cos * from.x - at.sin * from.y, at.sin * from.x + at.cos * from.y});
 }
 
+// An anchor before a turn: its core turns with the body, but the rounding around the core has no orientation.
+// `rounding` is from the core to the surface, m.
+Vec2 turned_anchor(Vec2 anchor, Vec2 rounding, double angle) { return turned(anchor - rounding, angle) + rounding; }
+
 // The manifold at a fraction of the two sweeps, with the separations and anchors that its points have at the start.
 Manifold manifold_at(Contact& contact, const PosedShape& a, const Sweep& sweep_a, const PosedShape& b,
                      const Sweep& sweep_b, double fraction) {
@@ -38,8 +43,8 @@ Manifold manifold_at(Contact& contact, const PosedShape& a, const Sweep& sweep_a
                                       to_float(displacement));
     for (int i = 0; i < manifold.point_count; ++i) {
         ManifoldPoint& point = manifold.points[i];
-        point.anchor_a = turned(point.anchor_a, -fraction * sweep_a.turn);
-        point.anchor_b = turned(point.anchor_b, -fraction * sweep_b.turn);
+        point.anchor_a = turned_anchor(point.anchor_a, contact.radius_a * manifold.normal, -fraction * sweep_a.turn);
+        point.anchor_b = turned_anchor(point.anchor_b, -contact.radius_b * manifold.normal, -fraction * sweep_b.turn);
         point.separation += dot(to_float(offset) + (point.anchor_b - point.anchor_a), manifold.normal);
     }
     return manifold;
@@ -47,11 +52,11 @@ Manifold manifold_at(Contact& contact, const PosedShape& a, const Sweep& sweep_a
 
 }  // namespace
 
-Manifold predict_manifold(Contact& contact, const PosedShape& a, const PosedShape& b, const BodyStore& bodies,
-                          const StepAhead& step) {
+Manifold predict_manifold(Contact& contact, const PosedShape& a, const PosedShape& b, float gap,
+                          const BodyStore& bodies, const StepAhead& step) {
     const FreeMotion of_a = free_motion(bodies, contact.body_a, step), of_b = free_motion(bodies, contact.body_b, step);
     const float moved = relative_displacement(a, of_a, b, of_b);
-    if (!(moved > contact.speculative_distance)) return {};
+    if (!(moved > std::max(contact.speculative_distance, gap))) return {};
     const float reach = contact.speculative_distance + moved;
     if (contact.manifold.point_count > 0) return collide_posed(a, b, contact, reach, of_b.path - of_a.path);
     // Most pairs move in parallel or apart: one distance rules them out.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/solver_body.hpp"
@@ -23,26 +24,33 @@ Vec2 displacement(Rotation q, Vec2 v) {
 
 }  // namespace
 
-bool recycle(const ManifoldReference& reference, const Pose& a, const Pose& b, float reach_a, float reach_b,
-             float tolerance, Manifold& manifold) {
-    if (!reference.is_valid) return false;
-    TUMBLE_CHECK(reference.manifold.point_count <= 2);
-    TUMBLE_CHECK(tolerance >= 0.0f);
+float displacement_since(const ManifoldReference& reference, const Pose& a, const Pose& b, float reach_a,
+                         float reach_b) {
+    constexpr float kUnknown = std::numeric_limits<float>::infinity();
     TUMBLE_CHECK(reach_a >= 0.0f);
     TUMBLE_CHECK(reach_b >= 0.0f);
+    if (!reference.is_valid) return kUnknown;
     const Rotation turn_a = rotation_between(reference.rotation_a, a.rotation);
     const Rotation turn_b = rotation_between(reference.rotation_b, b.rotation);
     // In the frame of the body that reaches farther, the other's origin has moved by `relative_shift`, and its points
-    // by the relative rotation.
-    const DVec2 offset = b.position - a.position;
-    const Vec2 shift = to_float(offset - reference.offset);
+    // by the relative rotation t: along a chord 2 sin(t / 2) = sin(t) f, f = sqrt(2 / (1 + cos t)), which is convex in
+    // cos t, so that it stays below its chord from 1 at cos t = 1 to sqrt(2) at 0.
+    const Vec2 shift = to_float(b.position - a.position - reference.offset);
     const Rotation frame = reach_a >= reach_b ? turn_a : turn_b;
     const Vec2 relative_shift = shift - displacement(frame, to_float(reference.offset));
     const Rotation relative_turn = rotation_between(turn_a, turn_b);
-    const float moved = length(relative_shift) + std::abs(relative_turn.s) * std::min(reach_a, reach_b);
-    if (!(moved <= tolerance && relative_turn.c > 0.0f)) return false;
+    if (!(relative_turn.c > 0.0f)) return kUnknown;
+    const float chord = std::abs(relative_turn.s) * (1.0f + 0.41422f * (1.0f - relative_turn.c));
+    return length(relative_shift) + chord * std::min(reach_a, reach_b);
+}
 
-    manifold = reference.manifold;
+Manifold recycled(const ManifoldReference& reference, const Pose& a, const Pose& b) {
+    Manifold manifold = reference.manifold;
+    TUMBLE_CHECK(manifold.point_count <= 2);
+    if (manifold.point_count == 0) return manifold;
+    const Rotation turn_a = rotation_between(reference.rotation_a, a.rotation);
+    const Rotation turn_b = rotation_between(reference.rotation_b, b.rotation);
+    const Vec2 shift = to_float(b.position - a.position - reference.offset);
     manifold.normal = rotate(turn_a, manifold.normal);
     for (int i = 0; i < manifold.point_count; ++i) {
         ManifoldPoint& point = manifold.points[i];
@@ -51,7 +59,7 @@ bool recycle(const ManifoldReference& reference, const Pose& a, const Pose& b, f
         point.anchor_a += change_a;
         point.anchor_b += change_b;
     }
-    return true;
+    return manifold;
 }
 
 }  // namespace tumble

@@ -76,6 +76,9 @@ struct ImpactRow {
     ImpactDirection normal, tangent;
     double friction = 0.0;
     double restitution = 0.0;  // 0 if it does not bounce in this round
+    bool is_paired = false;    // the next row is the other point of the same contact: both normals are solved at once
+    double coupling =
+        0.0;  // of a paired row: what a unit impulse along one normal adds to the speed of the other, 1/kg
 };
 
 struct ImpactGroup {

@@ -1,11 +1,10 @@
 // The motion of a body during the part of a step that is still ahead of it.
 //
-// Times are fractions of the step, 0 at its start and 1 at its end. A body without contact or joint flies freely: it
-// has an acceleration, and its mean velocity differs from the velocity that it starts with. The solver has decided the
-// motion of any other body: an impact changes its velocity and its mean velocity by the same.
+// Times are fractions of the step, 0 at its start and 1 at its end. A body without contact or joint flies freely along
+// a parabola; sweeps are the chords of it. The solver has decided the motion of any other body: an impact changes its
+// velocity and its mean velocity by the same.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 #include "debug/check.hpp"
@@ -38,11 +37,14 @@ struct SweptBody {
     std::uint32_t body = 0;  // index
     double time = 0.0;       // at which the sweep starts; it ends at time 1
     Sweep sweep;
-    Twist velocity;      // at `time`
-    Twist acceleration;  // of a free body; zero otherwise
+    double first_angle = 0.0;  // when the step began, rad
+    Twist velocity;            // at `time`
+    Twist acceleration;        // of any other body the part of its free acceleration that it has had
     bool is_free = false;
-    bool has_stopped = false;  // it has had as many impacts as a step allows, and rests until the step ends
+    bool is_off_course = false;  // contacts with points may not keep it apart from all that it meets
+    bool has_stopped = false;    // it has had as many impacts as a step allows, and rests until the step ends
     int impact_count = 0;
+    int last_impact = -1;  // index among all impacts of the step; -1 for none
 
     // The motion from a time on, which must not be before `time`.
     Sweep sweep_from(double from) const {
@@ -58,8 +60,14 @@ struct SweptBody {
 
     Twist final_velocity(double duration) const { return velocity + (1.0 - time) * duration * acceleration; }
 
-    // Moves the start of the sweep to a later time.
+    // Moves the start of the sweep to a later time. A free body leaves the chord for its parabola.
     void advance(double to, double duration);
+
+    // How far the parabola of a free body is from its chord at a time, m.
+    DVec2 bulge(double at, double duration) const {
+        if (!is_free || has_stopped) return {};
+        return (-0.5 * (at - time) * (1.0 - at) * duration * duration) * acceleration.linear;
+    }
 
     // Changes the velocity at `time`, and the motion ahead.
     void push(const Twist& change, double duration) {
@@ -82,32 +90,32 @@ struct SweptBody {
         sweep.turn = 0.0;
         has_stopped = true;
     }
-};
 
-// A free body moves along a chord of its parabola. The speed along the acceleration a follows from v^2 - 2 a x, so that
-// a body that bounces keeps its energy wherever it meets the surface.
-inline DVec2 velocity_after(DVec2 velocity, DVec2 acceleration, double time, DVec2 displacement) {
-    const double size = length(acceleration);
-    if (!(size > 0.0)) return velocity;
-    const DVec2 along = (1.0 / size) * acceleration;
-    const double start = dot(velocity, along), later = start + size * time;
-    const double square = start * start + 2.0 * size * dot(displacement, along);
-    const double speed = std::copysign(std::sqrt(square > 0.0 ? square : 0.0), later);
-    return velocity + (speed - start) * along;
-}
+private:
+    // Along the parabola for a time; from then on a time is ahead, s.
+    void fly(double passed, double ahead);
+};
 
 inline void SweptBody::advance(double to, double duration) {
     TUMBLE_CHECK(!(to > 1.0));
     if (!(to > time)) return;
-    const double passed = (to - time) * duration, ahead = (1.0 - to) * duration;
-    const Sweep rest = sweep_from(to);
-    velocity.linear = velocity_after(velocity.linear, acceleration.linear, passed, rest.start - sweep.start);
-    velocity.angular += passed * acceleration.angular;
-    sweep = rest;
+    const double passed = (to - time) * duration;
+    if (is_free && !has_stopped)
+        fly(passed, (1.0 - to) * duration);
+    else
+        sweep = sweep_from(to);
+    velocity = velocity + passed * acceleration;
     time = to;
-    if (!is_free || has_stopped) return;
-    sweep.end = sweep.start + ahead * (velocity.linear + 0.5 * ahead * acceleration.linear);
-    sweep.turn = ahead * (velocity.angular + 0.5 * ahead * acceleration.angular);
+}
+
+inline void SweptBody::fly(double passed, double ahead) {
+    const Twist path = passed * (velocity + 0.5 * passed * acceleration);
+    sweep.start += path.linear;
+    sweep.start_angle += path.angular;
+    const Twist later = velocity + passed * acceleration;
+    const Twist rest = ahead * (later + 0.5 * ahead * acceleration);
+    sweep.end = sweep.start + rest.linear;
+    sweep.turn = rest.angular;
 }
 
 }  // namespace tumble

@@ -15,8 +15,9 @@ double bounce_threshold(const Simulation& simulation, const Contact& contact);
 bool note_bounce(const Simulation& simulation, Contact& contact);
 
 // A stage of the step, before constraints are prepared: of the contacts that may bounce, keeps the mark of those that
-// do, and of inelastic ones through which a body lands that carries others. The few sweeps of the solver would leave
-// such a stack with overlap and approaches, from which it rebounds with half of its speed.
+// do, and of two kinds of inelastic ones. A body lands that carries others: the few sweeps of the solver would leave
+// such a stack with overlap and approaches, from which it rebounds with half of its speed. Or the impact is so fast
+// that the sub-steps are too long for it.
 void find_bounces(Simulation& simulation);
 
 }  // namespace tumble

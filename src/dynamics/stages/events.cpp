@@ -108,24 +108,46 @@ void report_passing(Simulation& simulation, const Impact& impact) {
     events.contact_ends.push_back({a, b});
 }
 
-// What a contact shows of an impact: it touches in this step, although its shapes may part again. Of several impacts
-// the first counts for its approach, and all for its impulses.
+bool has_acted(const Contact& contact) {
+    const auto acts = [](const PointImpulse& impulse) { return impulse.normal != 0.0f || impulse.tangent != 0.0f; };
+    return acts(contact.applied[0]) || acts(contact.applied[1]);
+}
+
+int nearest_point(const Manifold& manifold, const ManifoldPoint& to) {
+    TUMBLE_CHECK(manifold.point_count > 0);
+    if (manifold.point_count == 1) return 0;
+    const auto distance_sq = [&](int i) { return length_sq(manifold.points[i].anchor_a - to.anchor_a); };
+    return distance_sq(1) < distance_sq(0) ? 1 : 0;
+}
+
+// Adds the impulses of an impact to those of a contact, whose normal may differ. Their sum stays the same.
+void add_impulses(Contact& contact, const Impact& impact) {
+    const Vec2 normal = contact.manifold.normal, tangent = -perp(normal);
+    const Vec2 impact_normal = impact.manifold.normal, impact_tangent = -perp(impact_normal);
+    for (int i = 0; i < impact.manifold.point_count; ++i) {
+        const Vec2 impulse = impact.applied[i].normal * impact_normal + impact.applied[i].tangent * impact_tangent;
+        PointImpulse& sum = contact.applied[nearest_point(contact.manifold, impact.manifold.points[i])];
+        sum.normal += dot(impulse, normal);
+        sum.tangent += dot(impulse, tangent);
+    }
+}
+
+// What a contact shows of an impact: it touches in this step, although its shapes may part again. It has the manifold
+// of the first impact, unless the solver pushed its shapes too. Of several impacts the fastest counts for its approach,
+// and all for its impulses.
 void show_impact(Contact& contact, Impact& impact) {
     TUMBLE_CHECK(contact.kind == ContactKind::solid);
     impact.is_reported = true;
     if (impact.manifold.point_count == 0) return;
-    if (contact.manifold.point_count == 0) {
+    if (contact.manifold.point_count == 0 || !has_acted(contact)) {
         contact.manifold = impact.manifold;
+        contact.impulses[0] = contact.impulses[1] = {};
         contact.reference.is_valid = false;
     }
-    const int last = contact.manifold.point_count - 1;
-    for (int i = 0; i < impact.manifold.point_count; ++i) {
-        contact.applied[std::min(i, last)].normal += impact.applied[i].normal;
-        contact.applied[std::min(i, last)].tangent += impact.applied[i].tangent;
-    }
+    add_impulses(contact, impact);
     contact.is_touching = true;
     contact.watched = 0;
-    if (impact.approach.speed > contact.approach.speed) contact.approach = impact.approach;
+    if (impact.approach.speed >= contact.approach.speed) contact.approach = impact.approach;
 }
 
 // A body that touched a sensor during the step and does not overlap it at the end has entered and left it.
@@ -176,8 +198,9 @@ void find_changed_contacts(Simulation& simulation) {
         simulation.crew, contacts.size(), kLeastReported, [&](const Chunk& chunk, std::vector<std::uint32_t>& changed) {
             ContactCounts own;
             for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-                own.contacts += contacts[i].manifold.point_count > 0;
-                own.points += static_cast<std::size_t>(contacts[i].manifold.point_count);
+                const int shown = shown_points(contacts[i]);
+                own.contacts += shown > 0;
+                own.points += static_cast<std::size_t>(shown);
                 if (has_changed(simulation, contacts[i])) changed.push_back(static_cast<std::uint32_t>(i));
             }
             counts[chunk.index] = own;

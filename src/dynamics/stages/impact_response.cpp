@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/constants.hpp"
@@ -30,13 +31,12 @@ public:
           scratch_(simulation.scratch.ordered_impacts),
           group_(scratch_.group),
           impact_(impact),
+          first_(scratch_.impacts.size()),
           duration_(simulation.settings.duration) {}
 
     void run() {
-        scratch_.impacts.emplace_back();
-        scratch_.impacts.back().shapes = impact_.shapes;
         clear();
-        add_manifold();
+        add_manifold(impact_.shapes);
         solve();
         if (!has_changed() && impact_.normal != DVec2{}) {
             clear();
@@ -45,13 +45,16 @@ public:
         }
         for (std::size_t i = 0; i < scratch_.members.size(); ++i) apply(i);
         store_impulses();
+        for (std::size_t i = first_; i < scratch_.impacts.size(); ++i) link(static_cast<int>(i));
     }
 
 private:
     void clear() {
         group_.clear();
         scratch_.members.clear();
-        scratch_.group_shapes.clear();
+        scratch_.member_turns.clear();
+        scratch_.group_points.clear();
+        scratch_.impacts.resize(first_);
     }
 
     void solve() {
@@ -73,8 +76,12 @@ private:
         if (found != scratch_.members.end()) return static_cast<std::size_t>(found - scratch_.members.begin());
         scratch_.members.push_back(swept);
         group_.bodies.push_back(swept == kNotSwept ? ImpactBody{} : make_body(scratch_.swept[swept]));
+        scratch_.member_turns.push_back(swept == kNotSwept ? SinCos{} : turn_of(scratch_.swept[swept]));
         return scratch_.members.size() - 1;
     }
+
+    // Since the step began.
+    static SinCos turn_of(const SweptBody& swept) { return sin_cos(swept.sweep.start_angle - swept.first_angle); }
 
     ImpactBody make_body(SweptBody& swept) {
         const BodyFrame& frame = simulation_.bodies.frames[swept.body];
@@ -95,25 +102,33 @@ private:
         return swept == kNotSwept ? simulation_.bodies.frames[body].pose : pose_at(scratch_.swept[swept].sweep, 0.0);
     }
 
-    // The points at which the two shapes touch now.
-    void add_manifold() {
-        Contact contact = make_contact(impact_.shapes, simulation_.shapes, simulation_.settings.tuning);
+    Impact& begin_impact(ProxyPair shapes) {
+        scratch_.impacts.emplace_back();
+        scratch_.impacts.back().shapes = shapes;
+        return scratch_.impacts.back();
+    }
+
+    // The points at which two shapes touch now.
+    void add_manifold(ProxyPair shapes) {
+        Contact contact = make_contact(shapes, simulation_.shapes, simulation_.settings.tuning);
         const std::size_t a = member(contact.body_a), b = member(contact.body_b);
         const Pose pose_a = pose(contact.body_a, a), pose_b = pose(contact.body_b, b);
-        const PosedShape shape_a{simulation_.shapes[impact_.shapes.a], pose_a};
-        const PosedShape shape_b{simulation_.shapes[impact_.shapes.b], pose_b};
+        const PosedShape shape_a{simulation_.shapes[shapes.a], pose_a}, shape_b{simulation_.shapes[shapes.b], pose_b};
         contact.manifold = collide_posed(shape_a, shape_b, contact, contact.speculative_distance, {});
         const float depth = std::max(deepest(contact.manifold), 0.0f) + touching_distance(contact);
-        Manifold& taking_part = scratch_.impacts.back().manifold = {};
+        Manifold& taking_part = begin_impact(shapes).manifold;
         taking_part.normal = contact.manifold.normal;
         for (int i = 0; i < contact.manifold.point_count; ++i) {
             const ManifoldPoint& point = contact.manifold.points[i];
             if (point.separation > depth) continue;
-            taking_part.points[taking_part.point_count++] = point;
             add_point(contact, a, b, DVec2(contact.manifold.normal), pose_a.position + DVec2(point.anchor_a),
                       point.separation);
+            scratch_.group_points.back() = {shapes, taking_part.point_count, last_impact()};
+            taking_part.points[taking_part.point_count++] = point;
         }
     }
+
+    int last_impact() const { return static_cast<int>(scratch_.impacts.size()) - 1; }
 
     // The point that the search has found: a manifold of shapes that overlap deeply may have another normal.
     void add_touching_point() {
@@ -122,7 +137,8 @@ private:
         add_point(contact, a, b, impact_.normal, impact_.point, 0.0);
         const DVec2 from_a = impact_.point - pose(contact.body_a, a).position;
         const DVec2 from_b = impact_.point - pose(contact.body_b, b).position;
-        Manifold& manifold = scratch_.impacts.back().manifold = {};
+        Manifold& manifold = begin_impact(impact_.shapes).manifold;
+        scratch_.group_points.back().impact = last_impact();
         manifold.normal = to_float(impact_.normal);
         manifold.point_count = 1;
         manifold.points[0] = {to_float(from_a), to_float(from_b), 0.0f, 0};
@@ -162,7 +178,7 @@ private:
         point.least_response = static_cast<double>(kDeadPoint * (inv_mass(contact.body_a) + inv_mass(contact.body_b)));
         point.tangent_speed = contact.tangent_speed;
         group_.points.push_back(point);
-        scratch_.group_shapes.push_back(contact.shapes);
+        scratch_.group_points.push_back({contact.shapes});
     }
 
     // Without locks, 1/kg.
@@ -174,16 +190,48 @@ private:
         const std::size_t member_count = scratch_.members.size();
         for (std::size_t i = 0; i < member_count; ++i) {
             if (scratch_.members[i] == kNotSwept || group_.bodies[i].change == Twist{}) continue;
-            for (const BodyContact& contact : contacts_of(simulation_, scratch_.swept[scratch_.members[i]].body))
-                if (group_.points.size() < kMaxGroupPoints && !is_in_group(contact.shapes))
-                    add_touching(simulation_.contacts.all()[contact.index], least);
+            const std::uint32_t body = scratch_.swept[scratch_.members[i]].body;
+            for (const BodyContact& contact : contacts_of(simulation_, body))
+                if (may_add(contact.shapes)) add_touching(simulation_.contacts.all()[contact.index], least);
+            add_earlier(body, scratch_.swept[scratch_.members[i]].last_impact, least);
         }
         return group_.points.size() > before;
     }
 
+    bool may_add(ProxyPair shapes) const { return group_.points.size() < kMaxGroupPoints && !is_in_group(shapes); }
+
+    // The shapes of earlier impacts of a body in this step may touch still. They need not have a contact.
+    void add_earlier(std::uint32_t body, int last_impact, double least) {
+        for (int i = last_impact; i >= 0;) {
+            const Impact& earlier = scratch_.impacts[static_cast<std::size_t>(i)];
+            i = body_of(earlier.shapes.a) == body ? earlier.previous_of_a : earlier.previous_of_b;
+            if (may_add(earlier.shapes)) add_if_approached(ProxyPair(earlier.shapes), least);
+        }
+    }
+
+    std::uint32_t body_of(std::uint32_t shape) const { return simulation_.shapes[shape].body; }
+
+    void add_if_approached(ProxyPair shapes, double least) {
+        const std::size_t before = group_.points.size();
+        add_manifold(shapes);
+        const bool is_approached =
+            std::any_of(group_.points.begin() + static_cast<std::ptrdiff_t>(before), group_.points.end(),
+                        [&](const ImpactPoint& point) {
+                            return approach_at_impact(group_, point) < -std::max(least, point.threshold);
+                        });
+        if (is_approached) return;
+        forget_points(before);
+        scratch_.impacts.pop_back();
+    }
+
+    void forget_points(std::size_t from) {
+        group_.points.resize(from);
+        scratch_.group_points.resize(from);
+    }
+
     bool is_in_group(ProxyPair shapes) const {
-        const std::vector<ProxyPair>& own = scratch_.group_shapes;
-        return std::find(own.begin(), own.end(), shapes) != own.end();
+        return std::any_of(scratch_.group_points.begin(), scratch_.group_points.end(),
+                           [&](const GroupPoint& own) { return own.shapes == shapes; });
     }
 
     void add_touching(const Contact& contact, double least) {
@@ -193,11 +241,12 @@ private:
         const std::size_t before = group_.points.size();
         bool is_approached = false;
         for (int i = 0; i < contact.manifold.point_count; ++i)
-            if (add_touching_point(contact, contact.manifold.points[i], a, b))
+            if (add_touching_point(contact, contact.manifold.points[i], a, b)) {
+                scratch_.group_points.back().manifold_point = i;
                 is_approached |= approach_at_impact(group_, group_.points.back()) < -threshold;
+            }
         if (is_approached) return;
-        group_.points.resize(before);
-        scratch_.group_shapes.resize(before);
+        forget_points(before);
     }
 
     // A quick test, which adds no members. The arms are those of the start of the step.
@@ -246,19 +295,18 @@ private:
         const DVec2 before = DVec2(anchor) - DVec2(frame.center_offset);
         const std::uint32_t swept = scratch_.members[index];
         if (swept == kNotSwept) return {before, {}};
-        const Sweep& sweep = scratch_.swept[swept].sweep;
-        const SinCos turn = sin_cos(sweep.start_angle - angle(frame.pose.rotation));
+        const SinCos turn = scratch_.member_turns[index];
         const DVec2 now{turn.cos * before.x - turn.sin * before.y, turn.sin * before.x + turn.cos * before.y};
-        return {now, (sweep.start - frame.center) + (now - before)};
+        return {now, (scratch_.swept[swept].sweep.start - frame.center) + (now - before)};
     }
 
     // Of the impact itself, for events.
     void record_approach() {
         if (group_.points.empty()) return;
         const ImpactPoint& point = group_.points.front();
-        const DVec2 at = center_now(point.a, simulation_.shapes[impact_.shapes.a].body) + point.arm_a;
-        scratch_.impacts.back().approach = {at, to_float(point.normal),
-                                            static_cast<float>(-approach_at_impact(group_, point))};
+        const DVec2 at = center_now(point.a, body_of(impact_.shapes.a)) + point.arm_a;
+        scratch_.impacts[first_].approach = {at, to_float(point.normal),
+                                             static_cast<float>(-approach_at_impact(group_, point))};
     }
 
     bool has_changed() const {
@@ -283,21 +331,30 @@ private:
 
     // What contacts report: the impulses of impacts count as applied in this step.
     void store_impulses() {
-        Impact& impact = scratch_.impacts.back();
-        int own = 0;
         for (std::size_t i = 0; i < group_.points.size(); ++i) {
             const PointImpulse applied{static_cast<float>(group_.points[i].normal_impulse),
                                        static_cast<float>(group_.points[i].tangent_impulse)};
-            if (scratch_.group_shapes[i] == impact_.shapes) {
-                impact.applied[own++] = applied;
-                continue;
-            }
-            Contact& contact = *simulation_.contacts.find(scratch_.group_shapes[i]);
-            const bool is_second = scratch_.group_shapes[i - 1] == contact.shapes && contact.manifold.point_count > 1;
-            add(contact.applied[is_second ? 1 : 0], applied);
-            contact.is_bouncing = false;
+            const GroupPoint& own = scratch_.group_points[i];
+            if (own.impact >= 0)
+                scratch_.impacts[static_cast<std::size_t>(own.impact)].applied[own.manifold_point] = applied;
+            Contact* const contact = simulation_.contacts.find(own.shapes);
+            if (!contact) continue;
+            if (own.impact < 0) add(contact->applied[own.manifold_point], applied);
+            contact->is_bouncing = false;
         }
         if (Contact* const contact = simulation_.contacts.find(impact_.shapes)) contact->is_bouncing = false;
+    }
+
+    // Makes an impact the last one of its two bodies.
+    void link(int index) {
+        Impact& impact = scratch_.impacts[static_cast<std::size_t>(index)];
+        impact.previous_of_a = exchange_last(body_of(impact.shapes.a), index);
+        impact.previous_of_b = exchange_last(body_of(impact.shapes.b), index);
+    }
+
+    int exchange_last(std::uint32_t body, int index) {
+        const std::uint32_t swept = find_swept(simulation_, body);
+        return swept == kNotSwept ? -1 : std::exchange(scratch_.swept[swept].last_impact, index);
     }
 
     static void add(PointImpulse& sum, const PointImpulse& impulse) {
@@ -309,7 +366,8 @@ private:
     ImpactScratch& scratch_;
     ImpactGroup& group_;
     NextImpact impact_;
-    double duration_;  // of the step, s
+    std::size_t first_;  // of this group among all impacts of the step
+    double duration_;    // of the step, s
 };
 
 }  // namespace

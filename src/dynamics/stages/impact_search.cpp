@@ -49,15 +49,25 @@ Vec2 shift_of(const BodyStore& bodies, std::uint32_t body, Vec2 anchor) {
     return moved.delta_position + rotate(moved.delta_rotation, arm) - arm;
 }
 
-// True if the solver has left two bodies of which one moves far with an overlap.
-bool is_left_overlapping(const Contact& contact, const BodyStore& bodies) {
+// True if the solver has left two bodies with an overlap, although their points moved by more than `least` (m) against
+// each other.
+bool is_left_overlapping(const Contact& contact, float least, const BodyStore& bodies) {
     for (int i = 0; i < contact.manifold.point_count; ++i) {
         const ManifoldPoint& point = contact.manifold.points[i];
         const Vec2 moved =
             shift_of(bodies, contact.body_b, point.anchor_b) - shift_of(bodies, contact.body_a, point.anchor_a);
-        if (point.separation + dot(moved, contact.manifold.normal) < -contact.speculative_distance) return true;
+        const float separation = point.separation + dot(moved, contact.manifold.normal);
+        if (separation < -contact.speculative_distance && length_sq(moved) > least * least) return true;
     }
     return false;
+}
+
+// Continuous collision leaves two shapes to the solver if they move by no more than this against each other, m. Two
+// dynamic bodies then overlap at most to the middle of the smaller shape, and the solver parts them in the next step.
+float least_displacement(const Simulation& simulation, std::uint32_t a, std::uint32_t b) {
+    const ShapeRecord &shape_a = simulation.shapes[a], &shape_b = simulation.shapes[b];
+    const bool are_dynamic = simulation.bodies.is_dynamic(shape_a.body) && simulation.bodies.is_dynamic(shape_b.body);
+    return are_dynamic ? kContinuousPart * smaller_extent(shape_a, shape_b) : 0.0f;
 }
 
 // True if two points that move along straight lines come as near as `distance`.
@@ -66,6 +76,9 @@ bool come_near(DVec2 offset, DVec2 path, double distance) {
     const double nearest = square > 0.0 ? std::clamp(-dot(offset, path) / square, 0.0, 1.0) : 0.0;
     return length_sq(offset + nearest * path) <= distance * distance;
 }
+
+// A pair that needs longer than this part of a step from its chords to its parabolas only grazes.
+constexpr double kLongestDelay = 0.1;
 
 // One of the two bodies of a pair, from the time at which both have their motion ahead.
 struct Side {
@@ -90,7 +103,10 @@ public:
         forget_next_impact(simulation_, index_);
         NextImpact& next = scratch_.next[index_];
         if (mover().has_stopped || !(mover().time < 1.0)) return;
-        for (const ShapeId own : simulation_.bodies.records[mover().body].shapes) search(own.index);
+        if (mover().is_off_course)
+            for (const ShapeId own : simulation_.bodies.records[mover().body].shapes) search(own.index);
+        else
+            search_bounces();
         if (next.time >= 1.0) return;
         scratch_.queue.push_back({next.time, next.shapes, index_, next.version});
         std::push_heap(scratch_.queue.begin(), scratch_.queue.end(), std::greater<>{});
@@ -113,6 +129,18 @@ private:
             if (swept != index_ && comes_near(scratch_.swept[swept]))
                 for (const ShapeId other : simulation_.bodies.records[scratch_.swept[swept].body].shapes)
                     consider(own, other.index, &scratch_.swept[swept]);
+    }
+
+    // The solver keeps a body that is on its course apart from all others.
+    void search_bounces() {
+        for (const BodyContact& contact : contacts_of(simulation_, mover().body)) {
+            if (!simulation_.contacts.all()[contact.index].is_bouncing) continue;
+            const bool is_first = simulation_.shapes[contact.shapes.a].body == mover().body;
+            const std::uint32_t own = is_first ? contact.shapes.a : contact.shapes.b;
+            const std::uint32_t other = is_first ? contact.shapes.b : contact.shapes.a;
+            const std::uint32_t partner = find_swept(simulation_, simulation_.shapes[other].body);
+            consider(own, other, partner == kNotSwept ? nullptr : &scratch_.swept[partner]);
+        }
     }
 
     // The discs around the two bodies meet.
@@ -145,14 +173,24 @@ private:
         if (bounces && contact->is_struck) return take(from, pair, partner, {});
         PairImpact impact = bounces ? find_bounce(a.shape, a.sweep, b.shape, b.sweep, inset(a, b))
                                     : find_impact(a.shape, a.sweep, b.shape, b.sweep, inset(a, b), is_pushed(contact));
-        if (own == pair.a) impact.normal = -impact.normal;
         if (!(impact.fraction < 1.0)) return;
         double time = from + impact.fraction * (1.0 - from);
+        time = std::max(from, time + delay(time, (1.0 / (1.0 - from)) * path, impact.normal, partner));
+        if (own == pair.a) impact.normal = -impact.normal;
         if (impact.touched && mover().impact_count > 0) time = std::max(time, from + rest_after_impact(a, b, path));
         if (time < 1.0) take(time, pair, partner, impact);
     }
 
     bool is_sensor(std::uint32_t shape) const { return simulation_.shapes[shape].is_sensor; }
+
+    // How much later than their chords two bodies meet on their parabolas: a step of Newton's method. `speed` is that
+    // of the other body along its chord, `normal` points from it to the moving one. In parts of the step.
+    double delay(double time, DVec2 speed, DVec2 normal, const SweptBody* partner) const {
+        const double duration = static_cast<double>(simulation_.settings.duration), approach = dot(speed, normal);
+        const DVec2 bulge = mover().bulge(time, duration) - (partner ? partner->bulge(time, duration) : DVec2{});
+        const double gap = dot(bulge, normal);
+        return std::abs(gap) < approach * kLongestDelay ? gap / approach : 0.0;
+    }
 
     // For how long two shapes that touch after an impact are left alone, as a fraction of the step: until they may have
     // sunk in by the inset. Each further impact of the body makes it longer, so that a ball driven by a turning paddle
@@ -190,12 +228,8 @@ private:
         return farthest_distance(shape(index).shape, simulation_.bodies.records[shape(index).body].mass.center);
     }
 
-    // Two dynamic bodies that move by less against each other overlap at most to the middle of the smaller shape, and
-    // the solver parts them in the next step.
     bool move_far(std::uint32_t own, std::uint32_t other, double moved) const {
-        const bool are_dynamic =
-            simulation_.bodies.is_dynamic(shape(own).body) && simulation_.bodies.is_dynamic(shape(other).body);
-        return !are_dynamic || moved > static_cast<double>(kContinuousPart * smaller_extent(shape(own), shape(other)));
+        return moved > static_cast<double>(least_displacement(simulation_, own, other));
     }
 
     MotionAhead motion_ahead(const SweptBody& swept, double from) const {
@@ -249,8 +283,17 @@ bool may_cross_sensor(const Simulation& simulation, const Contact& contact) {
 }
 
 bool overlaps_at_speed(const Simulation& simulation, const Contact& contact) {
-    return simulation.settings.continuous && contact.manifold.point_count > 0 && has_far_mover(simulation, contact) &&
-           is_left_overlapping(contact, simulation.bodies);
+    if (!simulation.settings.continuous || contact.manifold.point_count == 0 || !has_far_mover(simulation, contact))
+        return false;
+    const float least = least_displacement(simulation, contact.shapes.a, contact.shapes.b);
+    return is_left_overlapping(contact, least, simulation.bodies);
+}
+
+void sweep_on_course(Simulation& simulation, std::uint32_t body) { sweep_body(simulation, body); }
+
+void sweep_off_course(Simulation& simulation, std::uint32_t body) {
+    const std::uint32_t swept = sweep_body(simulation, body);
+    simulation.scratch.ordered_impacts.swept[swept].is_off_course = true;
 }
 
 }  // namespace
@@ -262,15 +305,17 @@ void find_fast_bodies(Simulation& simulation) {
         for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
             if (!moves_far_in_step(simulation, i)) continue;
             may_concern_contacts = true;
-            if (leaves_foreseen_motion(simulation, i)) sweep_body(simulation, bodies.moving[i].body);
+            if (leaves_foreseen_motion(simulation, i)) sweep_off_course(simulation, bodies.moving[i].body);
         }
     }
     if (!may_concern_contacts) return;
     for (const Contact& contact : simulation.contacts.all()) {
         if (may_cross_sensor(simulation, contact)) simulation.scratch.sensor_crossings.push_back(contact.shapes);
-        if (!contact.is_bouncing && !overlaps_at_speed(simulation, contact)) continue;
+        const bool overlaps = overlaps_at_speed(simulation, contact);
+        if (!contact.is_bouncing && !overlaps) continue;
         for (const std::uint32_t body : {contact.body_a, contact.body_b})
-            if (bodies.frames[body].solver_body != kStaticSolverBody) sweep_body(simulation, body);
+            if (bodies.frames[body].solver_body != kStaticSolverBody)
+                overlaps ? sweep_off_course(simulation, body) : sweep_on_course(simulation, body);
     }
 }
 
@@ -281,6 +326,15 @@ void forget_next_impact(Simulation& simulation, std::uint32_t swept) {
     const std::uint32_t version = next.version + 1;
     next = {};
     next.version = version;
+}
+
+void note_course(Simulation& simulation, std::uint32_t swept) {
+    SweptBody& body = simulation.scratch.ordered_impacts.swept[swept];
+    const Sweep solved = sweep_of(simulation.bodies, body.body);
+    const double turn = (body.sweep.start_angle + body.sweep.turn) - (solved.start_angle + solved.turn);
+    const BodyMotion& motion = simulation.bodies.records[body.body].motion;
+    const double deviation = length(body.sweep.end - solved.end) + std::abs(turn) * static_cast<double>(motion.reach);
+    body.is_off_course |= deviation > static_cast<double>(kContinuousPart * motion.smallest_extent);
 }
 
 bool moves_far(const Simulation& simulation, std::uint32_t swept) {

@@ -15,6 +15,9 @@ void find_next_impact(Simulation& simulation, std::uint32_t swept);
 // The body has none until it is searched for again.
 void forget_next_impact(Simulation& simulation, std::uint32_t swept);
 
+// Notes if impacts have taken a body off the course on which the solver kept it apart from others.
+void note_course(Simulation& simulation, std::uint32_t swept);
+
 // True if a body moves by more than half of its extent until the step ends.
 bool moves_far(const Simulation& simulation, std::uint32_t swept);
 

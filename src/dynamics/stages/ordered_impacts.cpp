@@ -20,7 +20,9 @@ void search_again(Simulation& simulation) {
         if (swept != kNotSwept) update_box(simulation, swept);
     for (const std::uint32_t swept : scratch.members) {
         if (swept == kNotSwept) continue;
-        if (moves_far(simulation, swept) || has_bounce(simulation, swept))
+        note_course(simulation, swept);
+        const bool is_lost = scratch.swept[swept].is_off_course && moves_far(simulation, swept);
+        if (is_lost || has_bounce(simulation, swept))
             find_next_impact(simulation, swept);
         else
             forget_next_impact(simulation, swept);

@@ -27,7 +27,7 @@ Shape core_of(const ShapeRecord& record, float part) {
     TUMBLE_CHECK(part >= 0.0f);
     TUMBLE_CHECK(part < 1.0f);
     const Shape& shape = record.shape;
-    const Vec2 middle = mass_properties(shape).center;
+    const Vec2 middle = record.center;
     if (part == 0.0f || shape.vertex_count() > Shape::kInlineVertices)
         return make_circle(0.5f * part * record.smaller_extent, middle);
     const Vec2 along = long_axis(shape), across = perp(along);

@@ -1,5 +1,7 @@
 #include "dynamics/stages/swept_bodies.hpp"
 
+#include <algorithm>
+
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
 #include "dynamics/stages/contact_lists.hpp"
@@ -9,6 +11,14 @@ namespace tumble {
 
 namespace {
 
+// The part of its free acceleration that a body that contacts or joints push has had in the step. What they did to it
+// may have been at any time, and counts from the start.
+DVec2 acceleration_of_pushed(DVec2 change, DVec2 free_acceleration, double duration) {
+    const double square = length_sq(free_acceleration);
+    if (!(square > 0.0)) return {};
+    return std::clamp(dot(change, free_acceleration) / (square * duration), 0.0, 1.0) * free_acceleration;
+}
+
 SweptBody make_swept(const Simulation& simulation, std::uint32_t index) {
     const BodyStore& bodies = simulation.bodies;
     const std::uint32_t solver_body = bodies.frames[index].solver_body;
@@ -16,15 +26,22 @@ SweptBody make_swept(const Simulation& simulation, std::uint32_t index) {
     SweptBody swept;
     swept.body = index;
     swept.sweep = sweep_of(bodies, index);
+    swept.first_angle = swept.sweep.start_angle;
     swept.velocity = {DVec2(body.velocity), body.angular_velocity};
-    const bool has_flown = solver_body < simulation.scratch.start_velocities.size();
-    swept.is_free = has_flown && (body.flags & kDynamicBody) && !(body.flags & kPushedBody);
-    if (!swept.is_free) return swept;
+    const bool was_awake = solver_body < simulation.scratch.start_velocities.size();
+    if (!was_awake || !(body.flags & kDynamicBody)) return swept;
     const StartVelocity& start = simulation.scratch.start_velocities[solver_body];
-    const double per_time = 1.0 / static_cast<double>(simulation.settings.duration);
-    swept.acceleration = {per_time * (swept.velocity.linear - start.linear),
-                          per_time * (swept.velocity.angular - static_cast<double>(start.angular))};
-    swept.velocity = {start.linear, start.angular};
+    const double duration = static_cast<double>(simulation.settings.duration);
+    const Twist change{swept.velocity.linear - start.linear,
+                       swept.velocity.angular - static_cast<double>(start.angular)};
+    swept.is_free = !(body.flags & kPushedBody);
+    if (swept.is_free) {
+        swept.acceleration = (1.0 / duration) * change;
+    } else {
+        const DVec2 free_acceleration(bodies.free_acceleration(solver_body, simulation.settings.gravity));
+        swept.acceleration.linear = acceleration_of_pushed(change.linear, free_acceleration, duration);
+    }
+    swept.velocity = swept.velocity + -duration * swept.acceleration;
     return swept;
 }
 

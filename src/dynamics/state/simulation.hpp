@@ -29,7 +29,7 @@ struct StepSettings {
     bool sleeping = true;
     bool continuous = true;
     JointSolver joints = JointSolver::iterative;
-    ImpactModel impacts = ImpactModel::at_step_end;
+    ImpactModel impacts = ImpactModel::in_order;
     Tuning tuning;
 
     float substep_duration() const { return duration / static_cast<float>(substeps); }

@@ -63,12 +63,14 @@ struct CollisionCounts {
     std::int64_t full = 0;        // of these, collided in full
     std::int64_t iterations = 0;  // of the distance queries of the full ones
     std::int64_t bounces = 0;     // contacts that may bounce in this step
+    std::int64_t crossings = 0;   // contacts in ChainState::crossing
 
     CollisionCounts& operator+=(const CollisionCounts& other) {
         pairs += other.pairs;
         full += other.full;
         iterations += other.iterations;
         bounces += other.bounces;
+        crossings += other.crossings;
         return *this;
     }
 };
@@ -113,7 +115,15 @@ struct Impact {
     Approach approach;
     Manifold manifold;  // of the points that took part
     PointImpulse applied[2];
+    int previous_of_a = -1, previous_of_b = -1;  // the impact before this one of the body of each shape; -1 for none
     bool is_reported = false;
+};
+
+// Where a point of an impact group comes from.
+struct GroupPoint {
+    ProxyPair shapes{};
+    int manifold_point = 0;  // index in the manifold of the impact, or of the contact
+    int impact = -1;         // index; -1 if the contact has taken part
 };
 
 // A contact through which a body lands that carries others.
@@ -152,8 +162,9 @@ struct ImpactScratch {
     std::vector<QueuedImpact> queue;         // a heap, the earliest on top
     std::vector<std::uint32_t> near_shapes;  // indices
     ImpactGroup group;
-    std::vector<std::uint32_t> members;   // by body of the group: index of a swept body, or kNotSwept
-    std::vector<ProxyPair> group_shapes;  // by point of the group
+    std::vector<std::uint32_t> members;  // by body of the group: index of a swept body, or kNotSwept
+    std::vector<SinCos> member_turns;    // by body of the group: how far it has turned since the step began
+    std::vector<GroupPoint> group_points;
     ContactLists contact_lists;
     BounceScratch bounces;
     std::vector<Impact> impacts;
@@ -161,15 +172,16 @@ struct ImpactScratch {
 
 // What the chunks of a stage find. The stages use it one after the other.
 struct ChunkScratch {
-    ChunkLists<std::uint32_t> found;  // indices of contacts
+    ChunkLists<std::uint32_t> found;       // indices of contacts
+    std::vector<std::uint32_t> newcomers;  // contacts that left ChainState::apart
     ChunkLists<MovedBox> moved_boxes;
     ChunkLists<GroundContact> ground_contacts;
     std::vector<CollisionCounts> collision_counts;  // by chunk
     std::vector<ContactCounts> contact_counts;      // by chunk
 
     std::size_t bytes() const {
-        return found.bytes() + moved_boxes.bytes() + ground_contacts.bytes() +
-               collision_counts.capacity() * sizeof(CollisionCounts) +
+        return found.bytes() + newcomers.capacity() * sizeof(std::uint32_t) + moved_boxes.bytes() +
+               ground_contacts.bytes() + collision_counts.capacity() * sizeof(CollisionCounts) +
                contact_counts.capacity() * sizeof(ContactCounts);
     }
 };

@@ -42,6 +42,7 @@ Manifold corner_manifold(const CorePair& pair, const ContactFeature& core, doubl
 Manifold collide(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                  double speculative_distance, SimplexCache& cache) noexcept {
     const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
+    cache.distance = 0.0f;
     if (!is_valid(pair, a, b)) return {};
     return measure_cores(
         pair, &cache, [&](const CoreDistance& core) __attribute__((always_inline)) {
@@ -55,6 +56,7 @@ Manifold collide(const Shape& a, const Pose& world_from_a, const Shape& b, const
             feature.pairs[1].b = core.pairs[1].b;
             feature.pair_count = core.pair_count;
             cache.iterations = static_cast<std::uint16_t>(core.iterations);
+            cache.distance = static_cast<float>(core.distance - (a.radius() + b.radius()));
             return manifold_of(pair, feature, a.radius(), b.radius(), speculative_distance, cache);
         });
 }

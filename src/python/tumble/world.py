@@ -46,7 +46,7 @@ class World(Queries):
         sleeping: bool = True,
         continuous: bool = True,
         joints: str = "iterative",
-        impacts: str = "at_step_end",
+        impacts: str = "in_order",
         scale: float = 1.0,
     ) -> None:
         self._has_scene = False

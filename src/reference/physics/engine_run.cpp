@@ -134,7 +134,7 @@ bool EngineRun::all_asleep() const {
 std::unique_ptr<EngineRun> start(Engine engine, const Scene& scene) {
     if (engine == Engine::box2d) return std::make_unique<Box2dRun>(scene);
     Scene own = scene;
-    if (engine == Engine::in_order) own.world.impacts = ImpactModel::in_order;
+    if (engine == Engine::at_step_end) own.world.impacts = ImpactModel::at_step_end;
     return std::make_unique<TumbleRun>(own);
 }
 

@@ -11,9 +11,9 @@
 
 namespace tumble::reference {
 
-// tumble with the impacts of the scene, tumble with ImpactModel::in_order, and Box2D.
-enum class Engine { tumble, in_order, box2d };
-inline constexpr Engine kEngines[] = {Engine::tumble, Engine::in_order, Engine::box2d};
+// tumble with the impacts of the scene, tumble with ImpactModel::at_step_end, and Box2D.
+enum class Engine { tumble, at_step_end, box2d };
+inline constexpr Engine kEngines[] = {Engine::tumble, Engine::at_step_end, Engine::box2d};
 
 // World coordinates, SI units.
 struct BodyMotion {

@@ -10,7 +10,7 @@ std::string rate_text(SceneRate rate) {
 }
 
 std::string name_of(Engine engine) {
-    constexpr std::array<std::string_view, std::size(kEngines)> kNames = {"tumble", "in order", "Box2D"};
+    constexpr std::array<std::string_view, std::size(kEngines)> kNames = {"tumble", "at step end", "Box2D"};
     return std::string(kNames[static_cast<std::size_t>(engine)]);
 }
 

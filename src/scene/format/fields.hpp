@@ -48,8 +48,9 @@ void visit_fields(V& v, Type<SceneSettings>) {
              "open under load and keep the energy of pendulums and chains, but take longer."},
             &SceneSettings::joints);
     v.field({"impacts",
-             "When impacts happen: 'at_step_end', or 'in_order', each at its time within the step. In order, bounces "
-             "keep their energy and their times, and fast bodies collide with all others; a step takes longer."},
+             "When impacts happen: 'in_order', each at its time within the step, or 'at_step_end'. In order, bounces "
+             "keep their energy and their times, and fast bodies collide with all others. At the step's end a step is "
+             "faster."},
             &SceneSettings::impacts);
     v.field({"scale",
              "Size of a typical body: 1 for human scale, 0.02 for marbles. The lengths, speeds and frequencies inside "
