@@ -129,8 +129,8 @@ TEST_CASE("import writes a valid scene and refuses to replace one") {
 }
 
 TEST_CASE("bench times both engines on the same scenes") {
-    const Answer answer = run_tumble(
-        {"bench", "--pairs", "64", "--scenes", "pyramid,box_stack", "--steps", "5", "--runs", "1", "--json"});
+    const Answer answer =
+        run_tumble({"bench", "--pairs", "64", "--scenes", "pyramid,arch", "--steps", "5", "--runs", "1", "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const json result = json::parse(answer.out);
     for (const char* key : {"distance", "step", "render", "machine"}) CHECK(result.contains(key));
