@@ -18,10 +18,10 @@ using tumble::test::kDouble;
 using tumble::test::near;
 using tumble::test::run_tumble;
 
-TEST_CASE("without arguments six lines show the usage and a command to copy") {
+TEST_CASE("without arguments seven lines show the usage and a command to copy") {
     const Answer answer = run_tumble({});
     CHECK(answer.code == 0);
-    CHECK(std::count(answer.out.begin(), answer.out.end(), '\n') == 7);
+    CHECK(std::count(answer.out.begin(), answer.out.end(), '\n') == 8);
     CHECK(answer.out.find("\nTry: ") != std::string::npos);
     CHECK(answer.err.empty());
 }
