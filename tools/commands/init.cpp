@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string name_of(const fs::path& folder) {
+std::string project_name(const fs::path& folder) {
     const fs::path last = fs::absolute(folder / "").lexically_normal().parent_path().filename();
     return last.empty() ? "physics" : last.string();
 }
@@ -32,7 +32,7 @@ void write_hash(const fs::path& scene) {
 }
 
 ExitCode init(const Command& command, const fs::path& folder) {
-    const std::vector<ProjectFile> files = project_files(name_of(folder));
+    const std::vector<ProjectFile> files = project_files(project_name(folder));
     for (const ProjectFile& file : files) refuse_to_overwrite(folder / file.path, false);
     std::vector<std::string> paths;
     for (const ProjectFile& file : files) {

@@ -40,7 +40,7 @@ void add_trail(Layer& layer, const View& view, const Trail& trail, Color color) 
     }
 }
 
-MeshVertex vertex(DVec2 at, Color color) {
+MeshVertex skin_vertex(DVec2 at, Color color) {
     // Deep inside the shape, so that no edge is drawn.
     constexpr float kDeep = -1e4f;
     return {static_cast<float>(at.x), static_cast<float>(at.y), kDeep, flat(color)};
@@ -52,7 +52,8 @@ void add_skin(Layer& layer, const View& view, const std::vector<DVec2>& loop, do
     for (const DVec2 point : loop) middle = middle + (1.0 / static_cast<double>(loop.size())) * point;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const DVec2 from = loop[i], to = loop[(i + 1) % loop.size()];
-        for (const DVec2 corner : {middle, from, to}) layer.mesh.push_back(vertex(corner, faded(fill, kSkinOpacity)));
+        for (const DVec2 corner : {middle, from, to})
+            layer.mesh.push_back(skin_vertex(corner, faded(fill, kSkinOpacity)));
         if (length(to - from) > 0.0) add_line(layer, view, from, to, width, fill);
     }
 }
