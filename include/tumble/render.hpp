@@ -39,8 +39,9 @@ struct Camera {
 // of every dynamic and kinematic body, including those that the timeline spawns; their motions, except of bodies that
 // leave a frame three times as high; the ground below them; and all static shapes, or those nearby if all would need
 // too large a frame. The motions come from a run of the scene of about 0.1 s of wall time, which is left out if it has
-// thousands of bodies. The frame of a camera that follows a body is five times as high as the body's larger side. Call
-// it before the first step of the world.
+// thousands of bodies. If half of the moving bodies leave that frame sideways, and the scene states no centre, the
+// camera follows the largest of them. The frame of a camera that follows a body is five times as high as the body's
+// larger side. Call it before the first step of the world.
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio);
 
 // The camera that shows the present state of a world, with a margin: all bodies that are not static, the ground below
