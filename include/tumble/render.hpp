@@ -39,8 +39,9 @@ struct Camera {
 // of every dynamic and kinematic body, including those that the timeline spawns; their motions, except of bodies that
 // leave a frame three times as high; the ground below them; and all static shapes, or those nearby if all would need
 // too large a frame. The motions come from a run of the scene of about 0.1 s of wall time, which is left out if it has
-// thousands of bodies. The frame of a camera that follows a body is five times as high as the body's larger side. Call
-// it before the first step of the world.
+// thousands of bodies. If half of the moving bodies leave that frame sideways, and the scene states no centre, the
+// camera follows the largest of them. The frame of a camera that follows a body is five times as high as the body's
+// larger side. Call it before the first step of the world.
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio);
 
 // The camera that shows the present state of a world, with a margin: all bodies that are not static, the ground below
@@ -52,12 +53,27 @@ Camera make_camera(const World& world, double aspect_ratio);
 // not depend on how many are drawn.
 Camera move_camera(Camera camera, const Scene& scene, const SceneWorld& world);
 
+// The path of a body so far: its centre of mass after every `stride` steps.
+struct Trail {
+    BodyId body;
+    std::uint64_t stride = 1;
+    std::vector<DVec2> points{};
+};
+
+// At most this many points are kept of a trail: when it is full, every second point goes and the stride doubles.
+inline constexpr std::size_t kMostTrailPoints = 4096;
+
+// Appends the present position of each body of the scene that has a trail. Call it after every step, and once before
+// the first.
+void record_trails(std::vector<Trail>& trails, const Scene& scene, const SceneWorld& world);
+
 // Highlights of a frame: strong outlines of regions and bodies, and arrows at the edge of the frame towards those out
 // of view.
 struct Marking {
     std::vector<std::array<DVec2, 4>> regions{};  // corners in order, world coordinates
     std::vector<BodyId> bodies{};
     std::vector<std::string> caption{};  // lines below the time
+    std::vector<Trail> trails{};         // lines below the bodies; only in frames of a scene
 };
 
 // The camera with the frame grown to contain the marking. Regions and bodies that need a frame more than three times as
@@ -72,6 +88,12 @@ struct Overlay {
     bool islands = false;   // one colour per island, pale if the island sleeps
     bool velocity = false;  // of each centre of mass
     bool joints = false;    // lines from the centres of mass to the anchors
+
+    // Parts of every frame, which can be left out.
+    bool title = true;
+    bool time = true;
+    bool scale_bar = true;
+    bool grid = true;
 };
 
 struct OverlayPart {
@@ -84,6 +106,13 @@ inline constexpr std::array<OverlayPart, 6> kOverlayParts{{{"contacts", &Overlay
                                                            {"islands", &Overlay::islands},
                                                            {"velocity", &Overlay::velocity},
                                                            {"joints", &Overlay::joints}}};
+
+// Those of every frame.
+inline constexpr std::array<OverlayPart, 4> kFrameParts{
+    {{"title", &Overlay::title}, {"time", &Overlay::time}, {"scale", &Overlay::scale_bar}, {"grid", &Overlay::grid}}};
+
+// Frames with less width or height have no text: it would hide their bodies.
+inline constexpr int kSmallestTextWidth = 400, kSmallestTextHeight = 225;  // pixels
 
 inline constexpr int kSmallestFrame = 16, kLargestFrame = 8192;  // pixels per side
 

@@ -152,6 +152,8 @@ struct SceneBody {
     bool allow_fast_rotation = false;
     std::optional<SceneMass> mass{};  // default: that of the shapes
     std::optional<SceneRepeat> repeat;
+    bool trail = false;  // frames show the path of the body
+    bool skin = false;   // frames fill the loop through the copies of the body
     std::vector<SceneShape> shapes;
     std::string custom;
 };

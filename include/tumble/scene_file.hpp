@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -29,9 +30,11 @@ struct Diagnostic {
     std::string hint;                        // may be empty
     std::vector<std::string> included_by{};  // "file:line:column" of the entries that include the file, innermost first
     bool is_of_argument = false;             // the value comes from LoadOptions: an override or the seed
+    std::string code{};                      // of its page in problems()
 };
 
-// "file:line:column: pointer: message", then the source line, a caret, the hint, and the files that include this one.
+// "file:line:column: pointer: message [code]", then the source line, a caret, the hint, and the files that include this
+// one.
 std::string to_string(const Diagnostic& diagnostic);
 
 // A scene that is not valid: its errors, at most 20. what() is their text.
@@ -91,5 +94,23 @@ std::uint64_t scene_hash(const Scene& scene);
 // polygon is the exact hull of its vertices, as make_exact_shapes() makes it. The result is one shape, or several for
 // chains and outlines. Throws SceneError, with `source` as the name of the file.
 std::vector<Shape> parse_shapes(std::string_view text, const std::string& source);
+
+// What tumble reports, by code: warnings and errors of scenes, and exit codes. One table for lints, errors and help.
+struct ProblemPage {
+    enum class Kind { warning, error, exit_code };
+
+    Kind kind = Kind::warning;
+    std::string_view code;     // "stiff-spring", as in Diagnostic::code
+    std::string_view title;    // one line
+    std::string_view meaning;  // sentences
+    std::string_view example;  // a scene with the problem; for an exit code, a command
+    std::string_view remedy;   // sentences
+};
+
+// Warnings, errors and exit codes, in this order.
+std::span<const ProblemPage> problems();
+
+// The page of a code; null for another text.
+const ProblemPage* find_problem(std::string_view code);
 
 }  // namespace tumble

@@ -6,6 +6,7 @@
 #include "render/hand_made_scene.hpp"
 #include "support/near.hpp"
 #include "tumble/render.hpp"
+#include "tumble/scene_file.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -154,6 +155,32 @@ TEST_CASE("a body that falls off the level does not enlarge the frame") {
     const Camera camera = make_camera(s.scene, s.built, kAspect);
     CHECK(camera.height < 6.0);
     CHECK(Framing(camera, kAspect).contains({-3.0, -0.3}, {3.7, 1.0}));
+}
+
+TEST_CASE("the camera follows a vehicle that drives away, and stays if most bodies do") {
+    const std::string floor =
+        R"({"name": "floor", "type": "static", "shapes": [{"segment": {"from": [-9, 0], "to": [900, 0]}}]})";
+    const std::string wheel =
+        R"({"name": "wheel", "position": [0, 0.5], "velocity": [30, 0], "shapes": [{"circle": {"radius": 0.5}}]})";
+    const std::string box =
+        R"({"name": "box", "position": [1, 4], "velocity": [30, 0], "gravity_scale": 0, "shapes": [{"box": {"size": [2, 1]}}]})";
+    const std::string still =
+        R"({"position": [-3, 0.5], "repeat": {"grid": {"columns": 3, "spacing": [-1, 0]}}, "shapes": [{"box": {"size": [0.5, 1]}}]})";
+    const auto camera_of = [&](const std::string& bodies, SceneWorld& built) {
+        const Scene scene = parse_scene(R"({"format": 1, "bodies": [)" + bodies + "]}", "scene.json");
+        built = build_world(scene);
+        return make_camera(scene, built, kAspect);
+    };
+    SceneWorld built = build_world({});
+    const Camera following = camera_of(floor + ", " + wheel + ", " + box, built);
+    CHECK(following.follows == built.bodies.at(2).id);  // the larger of the two
+    CHECK(following.center == DVec2{1.0, 4.0});
+    CHECK(camera_of(floor + ", " + wheel + ", " + still, built).follows == BodyId{});
+    const std::string stated =
+        R"({"format": 1, "camera": {"center": [0, 2]}, "bodies": [)" + floor + ", " + wheel + "]}";
+    const Scene scene = parse_scene(stated, "scene.json");
+    built = build_world(scene);
+    CHECK(make_camera(scene, built, kAspect).follows == BodyId{});
 }
 
 TEST_CASE("a sensor does not count as ground, and a small static body nearby is shown whole") {

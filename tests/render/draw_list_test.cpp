@@ -162,7 +162,7 @@ TEST_CASE("a joint has a dot at each anchor, and a line between anchors that are
     CHECK(near(rod.details.boxes.at(0).half_x, 20.0, kFloat));
 }
 
-TEST_CASE("a pulley is drawn over its wheels, a gear from its axle to the nearest point of the rail") {
+TEST_CASE("a pulley is drawn over two wheels, a gear from its axle to the nearest point of the rail") {
     HandMadeScene s;
     World& world = s.built.world;
     const BodyId a = s.add_dynamic("a", {98.0, 50.0}, make_circle(0.2f));
@@ -171,10 +171,16 @@ TEST_CASE("a pulley is drawn over its wheels, a gear from its axle to the neares
         .body_a = a, .body_b = b, .ground_anchor_a = {98.0, 54.0}, .ground_anchor_b = {102.0, 54.0}, .length = 8.0f});
     s.built.joints = {{rope, 0, ""}};
     const DrawList pulley = build(s);
-    CHECK(pulley.details.circles.size() == 4);
-    REQUIRE(pulley.details.boxes.size() == 3);
-    for (const BoxInstance& line : pulley.details.boxes) CHECK(near(std::max(line.half_x, line.half_y), 20.0, kFloat));
-    CHECK(near(pulley.details.circles.at(1).y, 40.0, kFloat));
+    // Two wheels of 0.25 m beside the ground anchors, the axle of each, and the anchors of the bodies.
+    REQUIRE(pulley.details.circles.size() == 6);
+    CHECK(near(pulley.details.circles.at(0).x, -17.5, kFloat));
+    CHECK(near(pulley.details.circles.at(2).x, 17.5, kFloat));
+    for (const std::size_t wheel : {0u, 2u}) {
+        CHECK(near(pulley.details.circles.at(wheel).y, 40.0, kFloat));
+        CHECK(near(pulley.details.circles.at(wheel).radius, 2.5, kFloat));
+    }
+    CHECK(near(pulley.details.boxes.front().half_x, 20.0, kFloat));  // straight up from the body to its wheel
+    CHECK(near(pulley.details.boxes.back().half_x, 20.0, kFloat));
 
     const BodyId wall = s.add_dynamic("wall", {100.0, 42.0}, make_circle(0.2f));
     const JointId hinge = world.create_joint(RevoluteJointDef{.body_a = wall, .body_b = a, .anchor_a = {-2.0f, 8.0f}});
@@ -186,6 +192,25 @@ TEST_CASE("a pulley is drawn over its wheels, a gear from its axle to the neares
     CHECK(near(gear.details.circles.at(0).x, -20.0, kFloat));
     CHECK(near(gear.details.circles.at(1).x, 20.0, kFloat));
     CHECK(gear.details.circles.at(1).y == 0.0f);  // not at the anchor, 3 m up the rail
+}
+
+TEST_CASE("a spring is a coil, and a rope without slack a line") {
+    HandMadeScene s;
+    const BodyId a = s.add_dynamic("a", {98.0, 50.0}, make_circle(0.2f));
+    const BodyId b = s.add_dynamic("b", {102.0, 50.0}, make_circle(0.2f));
+    DistanceJointDef joint{a, b, {}, {}, 4.0f};
+    joint.spring = JointSpring{1.0f, 0.5f};
+    const JointId spring = s.built.world.create_joint(joint);
+    s.built.joints = {{spring, 0, ""}};
+    CHECK(build(s).details.boxes.size() > 10);
+    s.built.world.destroy_joint(spring);
+    joint.spring.reset();
+    joint.limits = JointLimits{0.0f, 4.0f};
+    s.built.joints = {{s.built.world.create_joint(joint), 0, ""}};
+    const DrawList rope = build(s);
+    REQUIRE(rope.details.boxes.size() == 1);
+    CHECK(near(rope.details.boxes.at(0).half_x, 20.0, kFloat));
+    CHECK(rope.details.circles.size() == 2);
 }
 
 TEST_CASE("the solid side of a chain, on the left of its direction, has a band that fades") {

@@ -54,10 +54,10 @@ TEST_CASE("a frame shows bodies at their poses, on the background, with opaque p
 
 TEST_CASE("frames repeat byte for byte, in one renderer and in another") {
     const HandMadeScene s = playground();
-    Renderer first(320, 180);
+    Renderer first(640, 360);
     const Image image = frame(first, s);
     CHECK(frame(first, s).rgba == image.rgba);
-    Renderer second(320, 180);
+    Renderer second(640, 360);
     CHECK(frame(second, s).rgba == image.rgba);
     CHECK(frame(first, s, 0.75).rgba != image.rgba);  // the clock is in the frame
     Renderer moved = std::move(second);
@@ -104,6 +104,31 @@ TEST_CASE("sizes and cameras out of range are errors that state the value") {
     Image image;
     CHECK_THROWS_AS(renderer.draw(s.scene, s.built, {{0.0, 0.0}, 0.0}, 0.0, image), std::invalid_argument);
     CHECK_THROWS_AS(renderer.draw(s.scene, s.built, {{0.0, std::nan("")}, 1.0}, 0.0, image), std::invalid_argument);
+}
+
+TEST_CASE("title, time, scale bar and grid can be left out, and small frames have no text") {
+    HandMadeScene s;
+    s.scene.name = "empty";
+    const Camera camera{{0.0, 1.0}, 9.0};
+    const auto marked_pixels = [&](int width, int height, const Overlay& overlay) {
+        Renderer renderer(width, height);
+        Image image;
+        renderer.draw(s.scene, s.built, camera, 0.5, image, overlay);
+        int count = 0;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) count += render::pixel(image, x, y) != render::style::kBackground;
+        return count;
+    };
+    Overlay none;
+    for (const OverlayPart& part : kFrameParts) none.*part.member = false;
+    CHECK(marked_pixels(640, 360, none) == 0);
+    for (const OverlayPart& part : kFrameParts) {
+        CAPTURE(part.name);
+        Overlay one = none;
+        one.*part.member = true;
+        CHECK(marked_pixels(640, 360, one) > 0);
+        CHECK((marked_pixels(256, 144, one) > 0) == (part.member == &Overlay::grid));
+    }
 }
 
 TEST_CASE("a missing font is an error that names the package and the files searched") {

@@ -18,6 +18,8 @@
 #include "render/replay/body_tracks.hpp"
 #include "render/replay/event_marks.hpp"
 #include "tumble/recording.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_run.hpp"
 
 using namespace tumble;
 
@@ -215,6 +217,30 @@ TEST_CASE("marks of broken joints and of the timeline are in the order of time")
     REQUIRE(events.size() == 2);
     CHECK(events[0]["text"] == "joint 'rope' breaks");
     CHECK(events[1] == nlohmann::json{{"step", 31}, {"text", "gravity changes"}});
+}
+
+TEST_CASE("an event with a condition is marked in the first state with its effect") {
+    const Scene scene = parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
+        {"name": "puck", "velocity": [3, 0], "shapes": [{"circle": {"radius": 0.5}}]}], "timeline": [
+        {"when": "puck.x > 0.99", "body": "puck", "velocity": [0, 3]},
+        {"when": "puck.y > 0.99", "delay": 0.5, "stop": true},
+        {"when": "puck.x > 9", "gravity": [0, 0]}]})",
+                                    "scene.json");
+    SceneRun run(scene);
+    ReplayRecorder recorder(scene, {});
+    recorder.record(run.built(), {});
+    std::uint64_t turned = 0;
+    while (!run.is_stopped()) {
+        run.step();
+        recorder.record(run.built(), {});
+        if (turned == 0 && run.world().state(run.built().bodies[0].id).velocity.y > 0.0f)
+            turned = run.world().step_count();
+    }
+    const nlohmann::json events = header_of(recorder.page({}, true))["events"];
+    REQUIRE(events.size() == 2);
+    CHECK(turned == 21);  // x is 1 m after 20 steps of 5 cm
+    CHECK(events[0] == nlohmann::json{{"step", turned}, {"text", "velocity of 'puck'"}});
+    CHECK(events[1] == nlohmann::json{{"step", run.world().step_count()}, {"text", "the run ends"}});
 }
 
 TEST_CASE("events after the last step are not marked") {

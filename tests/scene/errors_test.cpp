@@ -41,7 +41,7 @@ TEST_CASE("each bad scene is rejected at its location with its reason") {
 TEST_CASE("an error reads as file, line, column, pointer, message, source line, caret and hint") {
     const Diagnostic error = error_of("{\n  \"format\": 1,\n  \"world\": {\"substep\": 8}\n}");
     CHECK(to_string(error) ==
-          "scene.json:3:13: /world/substep: unknown key \"substep\"\n"
+          "scene.json:3:13: /world/substep: unknown key \"substep\" [world]\n"
           "    \"world\": {\"substep\": 8}\n"
           "              ^\n"
           "  hint: did you mean 'substeps'?");

@@ -25,7 +25,7 @@ inline std::vector<std::string> scenes_with_every_field() {
            "materials": {"ice": {"density": 1, "friction": 0.1, "restitution": 0.2, "rolling_resistance": 0.1, "tangent_speed": 1, "color": "#9bd"}},
            "bodies": [{"name": "a", "type": "dynamic", "position": [0, 1], "angle": 1, "velocity": [1, 2], "angular_velocity": 3, "linear_damping": 0.1,
                        "angular_damping": 0.2, "gravity_scale": 1, "bullet": true, "awake": true, "fixed_rotation": false, "lock_x": false, "lock_y": false,
-                       "enabled": true, "allow_sleep": true, "allow_fast_rotation": true, "mass": {"mass": 1, "center": [0, 0], "inertia": 1},
+                       "enabled": true, "allow_sleep": true, "allow_fast_rotation": true, "mass": {"mass": 1, "center": [0, 0], "inertia": 1}, "trail": true, "skin": true,
                        "shapes": [{"circle": {"radius": 1, "center": [0, 0]}, "material": "ice", "filter": {"category": 1, "mask": 3, "group": 0}, "sensor": false, "custom": 1}],
                        "custom": [1]}],
            "custom": {"any": "thing"})",

@@ -29,7 +29,7 @@ TEST_CASE("an error of an included file is shown there, with the file that inclu
                    {"a/wheel.json", "{\"format\": 1,\n \"bodies\": [{\"angel\": 3}]}"}});
     REQUIRE(errors.size() == 1);
     CHECK(to_string(errors[0]) ==
-          "a/wheel.json:2:14: /bodies/0/angel: unknown key \"angel\"\n"
+          "a/wheel.json:2:14: /bodies/0/angel: unknown key \"angel\" [body]\n"
           "   \"bodies\": [{\"angel\": 3}]}\n"
           "               ^\n"
           "  hint: did you mean 'angle'?\n"

@@ -39,7 +39,7 @@ TEST_CASE("overrides find bodies and joints by name, and errors below them keep 
     CHECK(with({"/bodies/ball/position/0=7"}).bodies.at(2).position.x == 7.0);
     CHECK(with({"/joints/hinge/anchor=[0, 3]"}).joints.at(0).anchor == DVec2(0, 3));
     CHECK(to_string(error_of("/bodies/ball/gravity_scale=true")) ==
-          "--set /bodies/ball/gravity_scale=true: /bodies/2/gravity_scale: must be a number, got true");
+          "--set /bodies/ball/gravity_scale=true: /bodies/2/gravity_scale: must be a number, got true [body]");
 }
 
 TEST_CASE("a key that the file leaves out starts from its default") {
@@ -60,9 +60,9 @@ TEST_CASE("the later of two overrides takes effect, and the seed is applied last
 
 TEST_CASE("an override whose pointer leads nowhere is an error that names the step") {
     CHECK(to_string(error_of("/world/substeps=0")) ==
-          "--set /world/substeps=0: /world/substeps: must be at least 1, got 0");
+          "--set /world/substeps=0: /world/substeps: must be at least 1, got 0 [world]");
     CHECK(to_string(error_of("/world/substep=8")) ==
-          "--set /world/substep=8: /world/substep: unknown key \"substep\"\n  hint: did you mean 'substeps'?");
+          "--set /world/substep=8: /world/substep: unknown key \"substep\" [world]\n  hint: did you mean 'substeps'?");
     CHECK(error_of("/bodies/9/name=x").message == "step 2, '9', is neither an index nor a name in an array of 4");
     const Diagnostic misspelt = error_of("/bodies/bal/position=[0, 0]");
     CHECK(misspelt.message == "step 2, 'bal', is neither an index nor a name in an array of 4");

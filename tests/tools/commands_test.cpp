@@ -18,10 +18,10 @@ using tumble::test::kDouble;
 using tumble::test::near;
 using tumble::test::run_tumble;
 
-TEST_CASE("without arguments six lines show the usage and a command to copy") {
+TEST_CASE("without arguments seven lines show the usage and a command to copy") {
     const Answer answer = run_tumble({});
     CHECK(answer.code == 0);
-    CHECK(std::count(answer.out.begin(), answer.out.end(), '\n') == 7);
+    CHECK(std::count(answer.out.begin(), answer.out.end(), '\n') == 8);
     CHECK(answer.out.find("\nTry: ") != std::string::npos);
     CHECK(answer.err.empty());
 }
@@ -129,8 +129,8 @@ TEST_CASE("import writes a valid scene and refuses to replace one") {
 }
 
 TEST_CASE("bench times both engines on the same scenes") {
-    const Answer answer = run_tumble(
-        {"bench", "--pairs", "64", "--scenes", "pyramid,box_stack", "--steps", "5", "--runs", "1", "--json"});
+    const Answer answer =
+        run_tumble({"bench", "--pairs", "64", "--scenes", "pyramid,arch", "--steps", "5", "--runs", "1", "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const json result = json::parse(answer.out);
     for (const char* key : {"distance", "step", "render", "machine"}) CHECK(result.contains(key));

@@ -22,11 +22,11 @@ using tumble::test::wait_for;
 
 namespace {
 
-// The camera follows a body that the timeline spawns; others appear all the time.
+// The camera follows a body that the timeline spawns, with a trail; others appear all the time.
 constexpr const char* kScene = R"({"format": 1, "world": {"duration": 8}, "camera": {"follow": "car"}, "bodies": [
     {"name": "floor", "type": "static", "position": [0, -1], "shapes": [{"box": {"size": [200, 1]}}]}],
     "timeline": [
-      {"at": 0.1, "spawn": {"name": "car", "velocity": [5, 0], "shapes": [{"circle": {"radius": 0.5}}]}},
+      {"at": 0.1, "spawn": {"name": "car", "velocity": [5, 0], "trail": true, "shapes": [{"circle": {"radius": 0.5}}]}},
       {"every": 0.5, "spawn": {"name": "drop", "position": [3, 8], "shapes": [{"box": {"size": [0.6, 0.6]}}]}}]})";
 
 // Run in a folder of its own, with relative paths, so that two runs can have equal settings.
@@ -81,7 +81,7 @@ struct TwoRuns {
             CHECK_MESSAGE((found.contains(file.first) && found.at(file.first) == file.second), file.first);
         const json a = json::parse(read_text(whole / "out/summary.json")),
                    b = json::parse(read_text(parted / "out/summary.json"));
-        for (const char* key : {"steps", "state_hash", "files", "complete", "contacts", "bodies", "counters"})
+        for (const char* key : {"steps", "state_hash", "files", "view", "complete", "contacts", "bodies", "counters"})
             CHECK_MESSAGE(a[key] == b[key], key);
     }
 };

@@ -139,7 +139,7 @@ TEST_CASE("an overlay changes the frames, and an unknown part is refused with th
     const std::string scene = small_scene_file(folder);
     const auto shoot = [&](const std::string& name, const std::string& overlay) {
         const std::string file = (folder / name).string();
-        std::vector<std::string> arguments{"shot", scene, "--at", "1", "--size", "320x180", "-o", file};
+        std::vector<std::string> arguments{"shot", scene, "--at", "1", "--size", "640x360", "-o", file};
         if (!overlay.empty()) arguments.insert(arguments.end(), {"--overlay", overlay});
         const Answer answer = run_tumble(arguments);
         REQUIRE_MESSAGE(answer.code == 0, answer.err);

@@ -46,6 +46,7 @@ void write_diagnostics(JsonWriter& json, const std::vector<Diagnostic>& diagnost
     json.open_array();
     for (const Diagnostic& diagnostic : diagnostics) {
         json.open_object()
+            .member("code", diagnostic.code)
             .member("severity", diagnostic.severity == Diagnostic::Severity::error ? "error" : "warning")
             .member("file", diagnostic.file)
             .member("line", diagnostic.line)

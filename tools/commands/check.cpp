@@ -1,6 +1,5 @@
 // `tumble check`: simulates scenes without drawing them, and evaluates their claims ("expect").
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/output/standard_input.hpp"
+#include "tools/scene/check_text.hpp"
 #include "tools/scene/hash_update.hpp"
 #include "tools/scene/junit.hpp"
 #include "tools/scene/scene_check.hpp"
@@ -38,41 +38,12 @@ struct CheckArguments {
     bool force = false;
 };
 
-std::string verdict_line(const SceneCheck& check) {
-    if (check.was_skipped) return check.file + ": skipped after a failure\n";
-    if (!check.failure.empty()) return check.file + ": failed: " + check.failure + "\n";
-    if (!check.was_simulated) return check.file + ": could not be checked\n";
-    char seconds[32];
-    std::snprintf(seconds, sizeof seconds, " (%.2f s)\n", check.seconds);
-    if (check.expectations.empty()) return check.file + ": simulated, has no claims" + seconds;
-    const auto passed = std::ranges::count(check.expectations, true, &ExpectationResult::passed);
-    return check.file + ": " + std::to_string(passed) + " of " + std::to_string(check.expectations.size()) +
-           " claims hold" + seconds;
-}
-
 // Such a scene passes if it runs to its end, whatever its bodies do. Its author may not know that.
 void warn_of_no_claims(const SceneCheck& check) {
     if (!check.was_simulated || !check.expectations.empty()) return;
     report_warning(check.file +
                    ": the scene has no claims: it passes if it runs to its end. List what must be true in \"expect\"; "
                    "--require-claims refuses such scenes");
-}
-
-// Writes the verdict and its details to standard output, so that a log keeps their order. Each failed claim is a line
-// with the name of the file, for searches in logs.
-void print(const SceneCheck& check) {
-    std::string text = verdict_line(check);
-    if (!check.error.empty()) text += "  " + check.error + (check.error.ends_with('\n') ? "" : "\n");
-    for (const UpdatedHash& hash : check.updated)
-        text += "  " + check.file + ": " + hash.pointer + " updated from " + hash.before + " to " + hash.after + "\n";
-    for (std::size_t i = 0; i < check.expectations.size(); ++i) {
-        const ExpectationResult& result = check.expectations[i];
-        if (result.passed) continue;
-        text += "  " + check.file + ": " + pointer_of_claim(i) + " failed: expected that " + result.claim + "\n    " +
-                moment_text(result) + ": " + result.finding + "\n";
-        if (!check.shots.empty() && !check.shots[i].empty()) text += "    picture: " + check.shots[i].string() + "\n";
-    }
-    write_output(text);
 }
 
 void write(JsonWriter& json, const SceneCheck& check) {
@@ -173,7 +144,7 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
         if (options.update) update(check);
         if (weight(check.code) > weight(code)) code = check.code;
         if (!options.shots.empty()) draw_failures(check, options);
-        command.json ? write(json, check) : print(check);
+        command.json ? write(json, check) : write_output(to_text(check));
     }
     json.close_array().member("passed", code == ExitCode::ok).close_object();
     if (command.json) write_output(json.text() + "\n");

@@ -8,12 +8,15 @@ CommandLine::CommandLine()
     : app("Simulates 2D physics scenes, renders their frames off-screen, computes distances with proof", "tumble") {
     app.add_flag("--version", version, "Print version, compiler and instruction sets; with --json as JSON");
     app.add_flag("--json", command.json)->group("");
+    add_init(app, command);
     add_run(app, command);
     add_demo(app, command);
     add_shot(app, command);
     add_check(app, command);
+    add_watch(app, command);
     add_diff(app, command);
     add_validate(app, command);
+    add_explain(app, command);
     add_fmt(app, command);
     add_schema(app, command);
     add_distance(app, command);

@@ -6,12 +6,15 @@
 namespace tumble::tools {
 
 // One function for each subcommand, defined in the file of its name. `command` must outlive the parsing and the action.
+void add_init(CLI::App& app, Command& command);
 void add_run(CLI::App& app, Command& command);
 void add_demo(CLI::App& app, Command& command);
 void add_shot(CLI::App& app, Command& command);
 void add_check(CLI::App& app, Command& command);
+void add_watch(CLI::App& app, Command& command);
 void add_diff(CLI::App& app, Command& command);
 void add_validate(CLI::App& app, Command& command);
+void add_explain(CLI::App& app, Command& command);
 void add_fmt(CLI::App& app, Command& command);
 void add_schema(CLI::App& app, Command& command);
 void add_distance(CLI::App& app, Command& command);

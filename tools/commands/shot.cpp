@@ -8,6 +8,7 @@
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/run/frame_views.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/scene/scene_shot.hpp"
@@ -25,14 +26,17 @@ struct ShotArguments {
     bool force = false;
 };
 
-void report_shot(const Command& command, const ShotArguments& options, const SceneRun& run) {
+void report_shot(const Command& command, const ShotArguments& options, const SceneShot& shot) {
     if (!command.json) {
         write_output(options.file.string() + "\n");
         return;
     }
     JsonWriter json;
+    const SceneRun& run = shot.run;
     json.open_object().member("file", options.file.string()).member("step", run.world().step_count());
-    json.member("time", run.time()).member("state_hash", to_hex(run.world().state_hash())).close_object();
+    json.member("time", run.time()).member("state_hash", to_hex(run.world().state_hash())).key("view");
+    write_view(json, options.size, view_of(shot.camera, options.size, 0));
+    json.close_object();
     write_output(json.text() + "\n");
 }
 

@@ -21,7 +21,25 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
+
+void write_view_state(JsonWriter& json, const FrameOutput::State& state) {
+    json.key("trails").open_array();
+    for (const Trail& trail : state.trails) {
+        json.open_object().member("index", trail.body.index).member("generation", trail.body.generation);
+        json.member("stride", trail.stride).key("points").open_array();
+        for (const DVec2 point : trail.points) json.value(point);
+        json.close_array().close_object();
+    }
+    json.close_array().key("views").open_array();
+    for (const FrameView& view : state.views)
+        json.open_object()
+            .member("frame", view.frame)
+            .member("center", view.center)
+            .member("scale", view.pixels_per_metre)
+            .close_object();
+    json.close_array();
+}
 
 std::string header_of(const Checkpoint& checkpoint) {
     JsonWriter json(JsonWriter::Layout::compact);
@@ -35,16 +53,39 @@ std::string header_of(const Checkpoint& checkpoint) {
             .member("hash", table.bytes.hash)
             .close_object();
     json.close_array().member("frames", checkpoint.frames).member("frame_bytes", checkpoint.frame_bytes);
-    const Camera& camera = checkpoint.camera;
+    const Camera& camera = checkpoint.view.camera;
     json.key("camera").open_object().member("center", camera.center).member("height", camera.height);
     json.member("index", camera.follows.index).member("generation", camera.follows.generation);
     json.member("offset", camera.offset).close_object();
+    write_view_state(json, checkpoint.view);
     json.member("simulate", checkpoint.simulate_seconds).member("render", checkpoint.render_seconds);
     json.member("encode", checkpoint.encode_seconds).member("total", checkpoint.total_seconds);
     return json.close_object().text() + "\n";
 }
 
 DVec2 vector_of(const Json& pair) { return {pair.at(0).get<double>(), pair.at(1).get<double>()}; }
+
+BodyId body_of(const Json& json) {
+    return {json.at("index").get<std::uint32_t>(), json.at("generation").get<std::uint32_t>()};
+}
+
+FrameOutput::State read_view_state(const Json& json) {
+    FrameOutput::State state;
+    const Json& camera = json.at("camera");
+    state.camera = {vector_of(camera.at("center")), camera.at("height").get<double>()};
+    state.camera.follows = body_of(camera);
+    state.camera.offset = vector_of(camera.at("offset"));
+    for (const Json& saved : json.at("trails")) {
+        Trail trail{.body = body_of(saved), .stride = saved.at("stride").get<std::uint64_t>()};
+        if (trail.stride == 0) throw InputError("the stride of a trail is 0");
+        for (const Json& point : saved.at("points")) trail.points.push_back(vector_of(point));
+        state.trails.push_back(std::move(trail));
+    }
+    for (const Json& view : json.at("views"))
+        state.views.push_back(
+            {view.at("frame").get<std::uint64_t>(), vector_of(view.at("center")), view.at("scale").get<double>()});
+    return state;
+}
 
 // The name of a file in the folder of its table: a checkpoint from elsewhere must not reach other folders.
 std::string file_name(const Json& json) {
@@ -63,10 +104,7 @@ Checkpoint read_header(const Json& json) {
                                      {table.at("bytes").get<std::uint64_t>(), table.at("hash").get<std::uint64_t>()}});
     checkpoint.frames = json.at("frames").get<std::uint64_t>();
     checkpoint.frame_bytes = json.at("frame_bytes").get<std::uint64_t>();
-    const Json& camera = json.at("camera");
-    checkpoint.camera = {vector_of(camera.at("center")), camera.at("height").get<double>()};
-    checkpoint.camera.follows = {camera.at("index").get<std::uint32_t>(), camera.at("generation").get<std::uint32_t>()};
-    checkpoint.camera.offset = vector_of(camera.at("offset"));
+    checkpoint.view = read_view_state(json);
     checkpoint.simulate_seconds = json.at("simulate").get<double>();
     checkpoint.render_seconds = json.at("render").get<double>();
     checkpoint.encode_seconds = json.at("encode").get<double>();
@@ -123,6 +161,8 @@ std::string settings_of(const RunOptions& options) {
         text += "/s " + std::to_string(options.size.width) + "x" + std::to_string(options.size.height);
         for (const OverlayPart& part : kOverlayParts)
             if (options.overlay.*part.member) text += " " + std::string(part.name);
+        for (const OverlayPart& part : kFrameParts)
+            if (!(options.overlay.*part.member)) text += " without " + std::string(part.name);
     }
     for (const TableName& table : tables_of(options)) text += ", " + table.kind + " " + table.file.filename().string();
     return text;

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "tools/run/frame_output.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/run/table_file.hpp"
-#include "tumble/render.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {
@@ -37,7 +37,7 @@ struct Checkpoint {
     std::vector<SavedTable> tables;
     std::uint64_t frames = 0;       // drawn so far
     std::uint64_t frame_bytes = 0;  // of their files
-    Camera camera;
+    FrameOutput::State view;        // camera and trails
     double simulate_seconds = 0.0, render_seconds = 0.0, encode_seconds = 0.0, total_seconds = 0.0;
     std::vector<std::byte> run;  // SceneRun::save()
 };

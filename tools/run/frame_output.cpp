@@ -40,9 +40,11 @@ void FrameOutput::draw_due(const SceneWorld& world) {
     const Stopwatch watch;
     const std::uint64_t step = world.world.step_count();
     camera_ = move_camera(camera_, scene_, world);
+    record_trails(marking_.trails, scene_, world);
     while (next_frame_ < schedule_.frame_count() && schedule_.step_of_frame(next_frame_) == step) {
         Image image = options_.no_frames ? std::move(image_) : writer_.take_image();
-        renderer_.draw(scene_, world, camera_, world.world.time(), image, overlay_);
+        renderer_.draw(scene_, world, camera_, world.world.time(), image, overlay_, marking_);
+        add_view(views_, view_of(camera_, options_.size, next_frame_));
         write_frame(std::move(image));
         ++next_frame_;
     }
@@ -63,8 +65,10 @@ WrittenFiles FrameOutput::finish_frames() {
     return {"frames", frame_file(options_.folder, 0), earlier_frames_ + written.files, earlier_bytes_ + written.bytes};
 }
 
-void FrameOutput::continue_from(const Camera& camera, std::uint64_t frames, std::uint64_t bytes) {
-    camera_ = camera;
+void FrameOutput::continue_from(State state, std::uint64_t frames, std::uint64_t bytes) {
+    camera_ = state.camera;
+    marking_.trails = std::move(state.trails);
+    views_ = std::move(state.views);
     next_frame_ = earlier_frames_ = frames;
     earlier_bytes_ = bytes;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/run/frame_schedule.hpp"
+#include "tools/run/frame_views.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/run/run_report.hpp"
 #include "tumble/recording.hpp"
@@ -29,10 +30,18 @@ public:
     // Waits until the PNG files of all frames so far are written; more may follow.
     WrittenFiles finish_frames();
 
-    // Continues after the frames that an earlier run has drawn and written.
-    void continue_from(const Camera& camera, std::uint64_t frames, std::uint64_t bytes);
+    // What later frames depend on, and what the summary says of earlier ones.
+    struct State {
+        Camera camera;
+        std::vector<Trail> trails;
+        std::vector<FrameView> views;
+    };
+    State state() const { return {camera_, marking_.trails, views_}; }
 
-    const Camera& camera() const noexcept { return camera_; }
+    // Continues after the frames that an earlier run has drawn and written.
+    void continue_from(State state, std::uint64_t frames, std::uint64_t bytes);
+
+    const std::vector<FrameView>& views() const noexcept { return views_; }
     std::uint64_t drawn() const noexcept { return next_frame_; }
     double render_seconds() const noexcept { return render_seconds_; }
     double encode_seconds() const noexcept { return encode_seconds_; }
@@ -48,6 +57,8 @@ private:
     std::optional<VideoWriter> video_;
     FrameWriter writer_;
     Overlay overlay_;
+    Marking marking_;  // the trails
+    std::vector<FrameView> views_;
     Image image_;  // without PNG files, the one that is drawn into
     std::uint64_t next_frame_ = 0;
     std::uint64_t earlier_frames_ = 0, earlier_bytes_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -32,10 +33,28 @@ FrameSize parse_size(const std::string& text) {
                                              std::to_string(kLargestFrame) + " pixels, got " + text);
 }
 
-std::string overlay_names() {
+std::string names_of(std::span<const OverlayPart> parts) {
     std::string names;
-    for (const OverlayPart& part : kOverlayParts) names += (names.empty() ? "" : ",") + std::string(part.name);
+    for (const OverlayPart& part : parts) names += (names.empty() ? "" : ",") + std::string(part.name);
     return names;
+}
+
+// Sets the listed parts to `shown`.
+void set_parts(Overlay& overlay, const std::string& option, std::span<const OverlayPart> parts, const std::string& text,
+               bool shown) {
+    std::istringstream list(text);
+    for (std::string name; std::getline(list, name, ',');) {
+        std::erase(name, ' ');
+        if (name == "all") {
+            for (const OverlayPart& part : parts) overlay.*part.member = shown;
+            continue;
+        }
+        const auto found = std::ranges::find(parts, name, &OverlayPart::name);
+        if (found == parts.end())
+            throw CLI::ValidationError(
+                option, "unknown part '" + name + "'; expected " + names_of(parts) + " or all, separated by commas");
+        overlay.*found->member = shown;
+    }
 }
 
 }  // namespace
@@ -50,22 +69,16 @@ void add_size_option(CLI::App& subcommand, FrameSize& size) {
 }
 
 void add_overlay_option(CLI::App& subcommand, Overlay& overlay) {
-    const auto parse = [&overlay](const std::string& text) {
-        std::istringstream list(text);
-        for (std::string name; std::getline(list, name, ',');) {
-            std::erase(name, ' ');
-            if (name == "all") {
-                for (const OverlayPart& part : kOverlayParts) overlay.*part.member = true;
-                continue;
-            }
-            const auto found = std::ranges::find(kOverlayParts, name, &OverlayPart::name);
-            if (found == kOverlayParts.end())
-                throw CLI::ValidationError("--overlay", "unknown part '" + name + "'; expected " + overlay_names() +
-                                                            " or all, separated by commas");
-            overlay.*found->member = true;
-        }
-    };
-    subcommand.add_option_function<std::string>("--overlay", parse, "Also draw: " + overlay_names() + ", or all")
+    subcommand
+        .add_option_function<std::string>(
+            "--overlay",
+            [&overlay](const std::string& text) { set_parts(overlay, "--overlay", kOverlayParts, text, true); },
+            "Also draw: " + names_of(kOverlayParts) + ", or all")
+        ->type_name("LIST");
+    subcommand
+        .add_option_function<std::string>(
+            "--hide", [&overlay](const std::string& text) { set_parts(overlay, "--hide", kFrameParts, text, false); },
+            "Leave out: " + names_of(kFrameParts) + ", or all")
         ->type_name("LIST");
 }
 
@@ -119,7 +132,7 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
         if (subcommand.count("--video") > 0) return;
-        warn_of_unused(subcommand, {"--fps", "--overlay"}, "--no-frames");
+        warn_of_unused(subcommand, {"--fps", "--overlay", "--hide"}, "--no-frames");
         if (subcommand.count("--replay") == 0) warn_of_unused(subcommand, {"--size"}, "--no-frames");
     });
 }

@@ -42,13 +42,13 @@ struct RunOptions {
 // --size WxH
 void add_size_option(CLI::App& subcommand, FrameSize& size);
 
-// --overlay LIST
+// --overlay LIST, --hide LIST
 void add_overlay_option(CLI::App& subcommand, Overlay& overlay);
 
 // --threads N
 void add_threads_option(CLI::App& subcommand, int& threads);
 
-// -o, --duration, --fps, --size, --no-frames, --overlay, --trajectory, --contacts, --hashes, --replay, --video,
+// -o, --duration, --fps, --size, --no-frames, --overlay, --hide, --trajectory, --contacts, --hashes, --replay, --video,
 // --checkpoint, --resume, --threads, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 

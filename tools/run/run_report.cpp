@@ -107,7 +107,9 @@ std::string to_json(const RunReport& report) {
             .member("count", files.count)
             .member("bytes", files.bytes)
             .close_object();
-    json.close_array().member("complete", report.complete).close_object();
+    json.close_array().key("view");
+    write_views(json, report.frame_size, report.views);
+    json.member("complete", report.complete).close_object();
     return json.text() + "\n";
 }
 

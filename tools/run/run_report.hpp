@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/run/frame_views.hpp"
 #include "tumble/counters.hpp"
 #include "tumble/scene.hpp"
 
@@ -38,6 +39,8 @@ struct RunReport {
     WorldMemory memory;     // at the end
     std::uint64_t state_hash = 0;
     std::vector<WrittenFiles> files;
+    FrameSize frame_size;
+    std::vector<FrameView> views;  // empty if no frame was drawn
     bool complete = false;
 };
 

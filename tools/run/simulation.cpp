@@ -170,7 +170,7 @@ void Simulation::resume(SceneRun run, const Checkpoint& saved) {
     run_ = std::move(run);
     first_step_ = run_.world().step_count();
     for (const OpenTable& table : open_tables()) continue_table(saved, table.kind, table.file);
-    if (frames_) frames_->continue_from(saved.camera, saved.frames, saved.frame_bytes);
+    if (frames_) frames_->continue_from(saved.view, saved.frames, saved.frame_bytes);
     report_.simulate_seconds = saved.simulate_seconds;
 }
 
@@ -188,7 +188,7 @@ void Simulation::save_checkpoint() {
     if (frames_) {
         checkpoint.frame_bytes = frames_->finish_frames().bytes;
         checkpoint.frames = frames_->drawn();
-        checkpoint.camera = frames_->camera();
+        checkpoint.view = frames_->state();
     }
     for (const OpenTable& table : open_tables())
         checkpoint.tables.push_back({table.kind, table.file.temporary().filename().string(), table.file.save_so_far()});
@@ -254,6 +254,8 @@ void Simulation::update_report() {
     report_.state_hash = run_.world().state_hash();
     if (frames_) {
         report_.render_seconds = frames_->render_seconds();
+        report_.views = frames_->views();
+        report_.frame_size = options_.size;
         report_.encode_seconds = frames_->encode_seconds();
     }
     report_.total_seconds = watch_.seconds();

@@ -14,9 +14,14 @@ namespace tumble::tools {
 // Computes what to mark in the world at the step of the frame.
 using Marker = std::function<Marking(const SceneWorld&)>;
 
+struct SceneShot {
+    SceneRun run;
+    Camera camera;  // of the frame
+};
+
 // Simulates `step` steps, draws the frame and returns the run. The camera is widened to show all marks. Throws
 // SimulationDiverged, RenderError or FileError.
-SceneRun draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
-                       const Overlay& overlay, const Marker& mark = {});
+SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
+                        const Overlay& overlay, const Marker& mark = {});
 
 }  // namespace tumble::tools

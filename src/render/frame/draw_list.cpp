@@ -9,6 +9,7 @@
 #include "debug/check.hpp"
 #include "render/frame/grid.hpp"
 #include "render/frame/joint_marks.hpp"
+#include "render/frame/trails.hpp"
 #include "render/shapes/chain_band.hpp"
 #include "render/shapes/joined_parts.hpp"
 #include "render/shapes/orientation_mark.hpp"
@@ -107,7 +108,8 @@ void build_draw_list(DrawList& list, const World& world, const View& view) {
     add_joints(list.details, view, world, world.joints());
 }
 
-void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world, const View& view) {
+void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world, const View& view,
+                     std::span<const Trail> trails) {
     clear(list, view);
     const Palette palette(scene);
     BodyPainter painter(list, world.world, view);
@@ -125,9 +127,13 @@ void build_draw_list(DrawList& list, const Scene& scene, const SceneWorld& world
                             paints.front().outline);
         painter.add(body.id, paints);
     }
+    add_trails(list.sensors, view, scene, world, trails);
+    add_skins(list.islands, view, scene, world);
     for (const BodyId body : ids_without(world.world.bodies(), world.bodies)) painter.add_plain(body);
     std::vector<JointId> joints;
-    for (const SceneJointInstance& joint : world.joints) joints.push_back(joint.id);
+    const std::vector<BodyId> skinned = bodies_with_skin(scene, world);
+    for (const SceneJointInstance& joint : world.joints)
+        if (!is_below_skin(world.world, joint.id, skinned)) joints.push_back(joint.id);
     const std::vector<JointId> added = ids_without(world.world.joints(), world.joints);
     joints.insert(joints.end(), added.begin(), added.end());
     add_joints(list.details, view, world.world, joints);

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "render/frame/joint_paths.hpp"
 #include "render/shapes/shape_primitives.hpp"
 #include "render/style/style.hpp"
 
@@ -12,6 +13,8 @@ namespace tumble::render {
 namespace {
 
 constexpr double kAnchorMetres = 0.12;   // largest radius of a dot in the world
+constexpr double kWheelMetres = 0.25;    // largest radius of a pulley's wheel in the world
+constexpr double kCoilMetres = 0.14;     // largest half width of a spring in the world
 constexpr double kSmallestAnchor = 0.8;  // least radius of a dot that is drawn (pixels)
 
 void add_anchor(Layer& layer, const View& view, DVec2 at) {
@@ -32,24 +35,60 @@ DVec2 meshing_point(const World& world, JointId joint, DVec2 own, DVec2 wheel) {
     return own + (dot(axis, wheel - own) / length_sq(axis)) * axis;
 }
 
-// The points that a joint is drawn through: its anchors, with the wheels of a pulley between them. A gear runs from
-// axle to axle or rail.
+// The points that a joint is drawn through, but for pulleys, springs and ropes: its anchors. A gear runs from axle to
+// axle or rail.
 std::vector<DVec2> path_of(const World& world, JointId id) {
     const std::optional<JointAnchors> ends = world.joint_anchors(id);
     if (!ends) return {};
-    if (const auto* pulley = std::get_if<PulleyJointDef>(&world.joint(id)))
-        return {ends->a, pulley->ground_anchor_a, pulley->ground_anchor_b, ends->b};
     if (const auto* gear = std::get_if<GearJointDef>(&world.joint(id)))
         return {meshing_point(world, gear->joint_a, ends->a, ends->b),
                 meshing_point(world, gear->joint_b, ends->b, ends->a)};
     return {ends->a, ends->b};
 }
 
+void add_path(Layer& layer, const View& view, const std::vector<DVec2>& path, double width, Color color) {
+    for (std::size_t i = 1; i < path.size(); ++i)
+        if (length(path[i] - path[i - 1]) > 0.0)
+            add_line(layer, view, path[i - 1], path[i], width * view.detail(), color);
+}
+
+// Draws the joint as a spring, a rope or a pulley if it is one.
+bool add_device(Layer& layer, const View& view, const World& world, JointId id) {
+    const std::optional<JointAnchors> ends = world.joint_anchors(id);
+    if (!ends) return false;
+    const DVec2 a = view.to_pixels(ends->a), b = view.to_pixels(ends->b);
+    const DVec2 down = DVec2(world.def().gravity);
+    if (const auto* pulley = std::get_if<PulleyJointDef>(&world.joint(id))) {
+        const PulleyPath rope =
+            pulley_path(a, view.to_pixels(pulley->ground_anchor_a), view.to_pixels(pulley->ground_anchor_b), b,
+                        kWheelMetres * view.scale, down);
+        add_path(layer, view, rope.points, style::kRope, style::kRopeColor);
+        for (const DVec2 wheel : {rope.wheel_a, rope.wheel_b}) {
+            if (rope.radius < kSmallestAnchor || !view.is_in_view(wheel, rope.radius)) continue;
+            layer.circles.push_back({static_cast<float>(wheel.x),
+                                     static_cast<float>(wheel.y),
+                                     static_cast<float>(rope.radius),
+                                     {style::kKinematic, style::kJoint}});
+            add_anchor(layer, view, wheel);
+        }
+    } else if (const auto* rod = std::get_if<DistanceJointDef>(&world.joint(id)); rod && rod->spring) {
+        add_path(layer, view, coil_path(a, b, rod->length * view.scale, kCoilMetres * view.scale), style::kMark,
+                 style::kJoint);
+    } else if (rod && rod->limits && rod->limits->lower < rod->limits->upper && !rod->motor) {
+        add_path(layer, view, rope_path(a, b, rod->limits->upper * view.scale, down), style::kRope, style::kRopeColor);
+    } else {
+        return false;
+    }
+    add_anchor(layer, view, a);
+    add_anchor(layer, view, b);
+    return true;
+}
+
 }  // namespace
 
 void add_joints(Layer& layer, const View& view, const World& world, std::span<const JointId> joints) {
     for (const JointId joint : joints) {
-        if (!world.is_valid(joint)) continue;
+        if (!world.is_valid(joint) || add_device(layer, view, world, joint)) continue;
         std::optional<DVec2> from;
         for (const DVec2 point : path_of(world, joint)) {
             const DVec2 to = view.to_pixels(point);

@@ -9,8 +9,9 @@
 
 namespace tumble::render {
 
-// Appends the joints that are not destroyed: a dot at each anchor, and a line between the anchors if they are apart.
-// The line of a pulley runs over its wheels.
+// Appends the joints that are not destroyed: a dot at each anchor, and a line between the anchors if they are apart. A
+// spring is a coil, which has the same number of turns at any length. A distance joint that only limits the length is
+// a rope, which sags under gravity while it is slack. The line of a pulley runs over wheels.
 void add_joints(Layer& layer, const View& view, const World& world, std::span<const JointId> joints);
 
 }  // namespace tumble::render

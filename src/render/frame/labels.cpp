@@ -12,8 +12,6 @@
 namespace tumble::render {
 namespace {
 
-constexpr int kSmallestWidth = 240;  // of a frame with text, pixels
-constexpr int kSmallestHeight = 135;
 constexpr double kPlateOpacity = 0.82;
 constexpr double kPlatePadding = 8.0;  // pixels at 720 rows, as are all lengths below
 constexpr double kLineGap = 3.0;
@@ -96,11 +94,12 @@ void add_heading(Labels& labels, const View& view, const LabelText& text) {
     const double margin = labels.pixels(style::kMargin), room = view.width - 2.0 * margin;
     const double title_size = labels.pixels(style::kTitleSize), text_size = labels.pixels(style::kTextSize);
     std::vector<Line> lines;
-    if (const std::string name = fitted(labels, text.title, title_size, room); !name.empty())
+    if (const std::string name = fitted(labels, text.title, title_size, room); text.has_title && !name.empty())
         lines.push_back({name, title_size, style::kText});
-    lines.push_back({seconds(text.time), text_size, style::kFaintText});
+    if (text.has_time) lines.push_back({seconds(text.time), text_size, style::kFaintText});
     for (const std::string& line : text.caption)
         lines.push_back({fitted(labels, line, text_size, room), text_size, style::kText});
+    if (lines.empty()) return;
 
     double width = 0.0, height = -labels.pixels(kLineGap);
     for (const Line& line : lines) {
@@ -155,10 +154,10 @@ void add_legend(Labels& labels, const View& view, std::span<const LegendLine> li
 }  // namespace
 
 void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, const LabelText& text) {
-    if (view.width < kSmallestWidth || view.height < kSmallestHeight) return;
+    if (view.width < kSmallestTextWidth || view.height < kSmallestTextHeight) return;
     Labels labels(list, atlas, view);
     add_heading(labels, view, text);
-    add_scale_bar(labels, view);
+    if (text.has_scale_bar) add_scale_bar(labels, view);
     add_legend(labels, view, text.legend);
 }
 

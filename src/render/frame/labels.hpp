@@ -18,9 +18,11 @@ struct LabelText {
     double time = 0.0;  // s
     std::span<const std::string> caption;
     std::vector<LegendLine> legend;
+    bool has_title = true, has_time = true, has_scale_bar = true;
 };
 
-// Appends the text and pale plates behind it, which keep it readable over bodies. Frames below 240 x 135 get none.
+// Appends the text and pale plates behind it, which keep it readable over bodies. Frames below kSmallestTextWidth x
+// kSmallestTextHeight get none.
 void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, const LabelText& text);
 
 }  // namespace tumble::render

@@ -26,6 +26,10 @@ struct Renderer::Impl {
         render::add_overlay(list, view, world, overlay);
         render::add_marking(list.overlay, view, world, marking);
         text.legend = render::legend_of(overlay, world);
+        text.has_title = overlay.title;
+        text.has_time = overlay.time;
+        text.has_scale_bar = overlay.scale_bar;
+        if (!overlay.grid) list.grid.clear();
         render::add_labels(list, atlas, view, text);
         canvas.draw(list.background, std::as_const(list).layers(), atlas, image);
     }
@@ -65,7 +69,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 void Renderer::draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image,
                     const Overlay& overlay, const Marking& marking) {
     const render::View view = checked_view(camera, impl_->width, impl_->height);
-    render::build_draw_list(impl_->list, scene, world, view);
+    render::build_draw_list(impl_->list, scene, world, view, marking.trails);
     impl_->finish(view, world.world, {scene.name, time, marking.caption, {}}, image, overlay, marking);
 }
 

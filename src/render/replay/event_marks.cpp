@@ -23,6 +23,9 @@ std::string text_of(const SceneEvent& event) {
     return (is_impulse ? "impulse on " : is_force ? "force on " : "velocity of ") + quoted(event.body);
 }
 
+// The first state with the effect of an event that is applied before a step.
+std::uint64_t first_state(const SceneEvent& event, std::uint64_t step) { return event.stop ? step : step + 1; }
+
 }  // namespace
 
 std::vector<EventMark> timeline_marks(const Scene& scene) {
@@ -30,9 +33,29 @@ std::vector<EventMark> timeline_marks(const Scene& scene) {
     std::vector<EventMark> marks;
     for (const SceneEvent& event : scene.timeline)
         for (const std::uint64_t step : steps_of_event(event, scene.world.steps_per_second, kNoLast, kMostRepetitions))
-            marks.push_back({step + 1, text_of(event)});
+            marks.push_back({first_state(event, step), text_of(event)});
     std::ranges::stable_sort(marks, {}, &EventMark::step);
     return marks;
+}
+
+ConditionMarks::ConditionMarks(const Scene& scene) : steps_per_second_(scene.world.steps_per_second) {
+    for (const SceneEvent& event : scene.timeline)
+        if (!event.when.empty())
+            awaited_.push_back({event, Expression(event.when, scene, event.frame.value_or(SceneFrame{}))});
+}
+
+void ConditionMarks::record(const SceneWorld& built) {
+    const auto holds = [&](const Awaited& awaited) {
+        if (!awaited.condition.holds(built)) return false;
+        SceneEvent due = awaited.event;
+        due.when.clear();
+        due.at = static_cast<double>(built.world.step_count()) / steps_per_second_ + due.delay.value_or(0.0);
+        constexpr std::uint64_t kNoLast = std::numeric_limits<std::uint64_t>::max();
+        for (const std::uint64_t step : steps_of_event(due, steps_per_second_, kNoLast, 1))
+            marks_.push_back({first_state(due, step), text_of(due)});
+        return true;
+    };
+    std::erase_if(awaited_, holds);
 }
 
 void BrokenJoints::record(const SceneWorld& built) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tumble/scene.hpp"
+#include "tumble/scene_run.hpp"
 #include "tumble/scene_world.hpp"
 
 namespace tumble::render {
@@ -19,6 +20,26 @@ struct EventMark {
 // The marks of the timeline in the order of time. An event that repeats has at most kMostRepetitions marks.
 std::vector<EventMark> timeline_marks(const Scene& scene);
 inline constexpr std::size_t kMostRepetitions = 500;
+
+// Collects the events of the timeline whose `when` has held.
+class ConditionMarks {
+public:
+    explicit ConditionMarks(const Scene& scene);
+
+    // To be called in the first state and after each step.
+    void record(const SceneWorld& built);
+    const std::vector<EventMark>& marks() const noexcept { return marks_; }
+
+private:
+    struct Awaited {
+        SceneEvent event;
+        Expression condition;
+    };
+
+    double steps_per_second_;
+    std::vector<Awaited> awaited_;
+    std::vector<EventMark> marks_;
+};
 
 // Collects the joints that break.
 class BrokenJoints {

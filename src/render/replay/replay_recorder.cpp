@@ -26,6 +26,7 @@ struct ReplayRecorder::Impl {
         : name(scene.name),
           steps_per_second(scene.world.steps_per_second),
           timeline(render::timeline_marks(scene)),
+          conditions(scene),
           settings(settings_),
           quantum(render::position_quantum(scene.world.scale)),
           bodies(scene, quantum),
@@ -48,6 +49,7 @@ struct ReplayRecorder::Impl {
         joints.record(built, bodies.numbers());
         views.record(camera, world, bodies.numbers());
         broken.record(built);
+        conditions.record(built);
         last_step = world.step_count();
     }
 
@@ -68,6 +70,7 @@ struct ReplayRecorder::Impl {
     nlohmann::ordered_json event_json() const {
         std::vector<render::EventMark> marks = broken.marks();
         marks.insert(marks.end(), timeline.begin(), timeline.end());
+        marks.insert(marks.end(), conditions.marks().begin(), conditions.marks().end());
         std::ranges::stable_sort(marks, {}, &render::EventMark::step);
         nlohmann::ordered_json json = nlohmann::ordered_json::array();
         for (const render::EventMark& mark : marks)
@@ -103,6 +106,7 @@ struct ReplayRecorder::Impl {
     std::string name;  // of the scene, which may be gone when the page is made
     double steps_per_second;
     std::vector<render::EventMark> timeline;
+    render::ConditionMarks conditions;
     ReplaySettings settings;
     double quantum;
     render::BodyTracks bodies;

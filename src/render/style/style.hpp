@@ -45,7 +45,10 @@ inline constexpr double kMark = 1.5;           // width of an orientation mark
 inline constexpr double kSmallestMark = 8.0;   // a shape has none if half its smaller extent is below this
 inline constexpr double kAnchor = 3.2;         // radius of a joint's anchor
 
+inline constexpr double kRope = 2.6;  // width of a rope
+
 inline constexpr Color kJoint{74, 85, 104};
+inline constexpr Color kRopeColor{150, 118, 78};
 inline constexpr Color kAnchorFill{250, 251, 252};
 inline constexpr Color kText{45, 55, 72};
 inline constexpr Color kFaintText{113, 124, 142};

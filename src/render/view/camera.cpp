@@ -1,6 +1,7 @@
 // The camera of a scene. Its center and its height are those of the scene; what the scene does not state is fitted to
-// the world.
+// the world. If most bodies drive away, it follows the largest of them.
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,9 +67,13 @@ Camera fixed_camera(const Scene& scene, const World& world, const std::vector<re
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio) {
     if (const SceneInstance* const body = find_body(world, scene.camera.follow))
         return camera_following(scene, world.world, body->id);
-    const bool is_stated = scene.camera.center && scene.camera.height;
-    return fixed_camera(scene, world.world,
-                        is_stated ? std::vector<render::MotionBounds>{} : render::preview_motion(scene), aspect_ratio);
+    if (scene.camera.center && scene.camera.height) return fixed_camera(scene, world.world, {}, aspect_ratio);
+    const std::vector<render::MotionBounds> motions = render::preview_motion(scene);
+    if (!scene.camera.center && scene.camera.follow.empty())
+        if (const auto leader = render::leading_motion(world.world, motions, aspect_ratio);
+            leader && leader->body < world.bodies.size())
+            return camera_following(scene, world.world, world.bodies[leader->body].id);
+    return fixed_camera(scene, world.world, motions, aspect_ratio);
 }
 
 Camera make_camera(const World& world, double aspect_ratio) { return fixed_camera(Scene{}, world, {}, aspect_ratio); }

@@ -118,22 +118,47 @@ Box shown_box(const Box& moving, const std::vector<Fixture>& fixtures, bool fall
     return has_room ? all : near;
 }
 
+// The moving box at the start of the motions, shown with its static shapes.
+Box box_at_start(const World& world, Box moving, const std::vector<MotionBounds>& motions, double aspect_ratio) {
+    for (const MotionBounds& motion : motions) moving.add(motion.start);
+    return shown_box(moving, fixtures_of(world), world.def().gravity.y < 0.0f, aspect_ratio);
+}
+
+// The largest frame that motions may ask for.
+Box farthest_frame(const Box& start, double aspect_ratio) {
+    const double reach = 0.5 * kGrowthForMotion * height_for(start.size(), aspect_ratio);
+    const DVec2 half{aspect_ratio * reach, reach};
+    return {start.center() - half, start.center() + half};
+}
+
 }  // namespace
 
 Box fitted_box(const World& world, const std::vector<MotionBounds>& motions, double aspect_ratio) {
     TUMBLE_CHECK(aspect_ratio > 0.0);
-    const std::vector<Fixture> fixtures = fixtures_of(world);
-    const bool falls = world.def().gravity.y < 0.0f;
     Box moving = moving_box(world);
-    for (const MotionBounds& motion : motions) moving.add(motion.start);
-    const Box start = shown_box(moving, fixtures, falls, aspect_ratio);
+    const Box start = box_at_start(world, moving, motions, aspect_ratio);
     if (start.is_empty() || motions.empty()) return start;
-    const double reach = 0.5 * kGrowthForMotion * height_for(start.size(), aspect_ratio);
-    const DVec2 half{aspect_ratio * reach, reach};
-    const Box farthest{start.center() - half, start.center() + half};
-    for (const MotionBounds& motion : motions)
+    const Box farthest = farthest_frame(start, aspect_ratio);
+    for (const MotionBounds& motion : motions) {
+        moving.add(motion.start);
         if (farthest.contains(motion.whole)) moving.add(motion.whole);
-    return shown_box(moving, fixtures, falls, aspect_ratio);
+    }
+    return shown_box(moving, fixtures_of(world), world.def().gravity.y < 0.0f, aspect_ratio);
+}
+
+std::optional<MotionBounds> leading_motion(const World& world, const std::vector<MotionBounds>& motions,
+                                           double aspect_ratio) {
+    if (motions.empty()) return std::nullopt;
+    const Box farthest = farthest_frame(box_at_start(world, moving_box(world), motions, aspect_ratio), aspect_ratio);
+    std::optional<MotionBounds> leader;
+    std::size_t driven = 0;
+    for (const MotionBounds& motion : motions) {
+        const DVec2 path = motion.whole.size() - motion.start.size();
+        if (farthest.contains(motion.whole) || path.x <= path.y) continue;
+        ++driven;
+        if (!leader || motion.start.larger_side() > leader->start.larger_side()) leader = motion;
+    }
+    return 2 * driven >= motions.size() ? leader : std::nullopt;
 }
 
 }  // namespace tumble::render

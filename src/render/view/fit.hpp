@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "render/view/motion_preview.hpp"
@@ -13,6 +14,12 @@ namespace tumble::render {
 // bodies that leave a frame three times as high as one fitted to the start: a body that falls off the level does not
 // shrink the rest. Empty for a world without shapes.
 Box fitted_box(const World& world, const std::vector<MotionBounds>& motions, double aspect_ratio);
+
+// The motion of the largest body of those that drive away: they leave a frame three times as high as one fitted to the
+// start, further sideways than up or down. None if fewer than half of the bodies do so, for a frame that moves with one
+// of them would not show the rest.
+std::optional<MotionBounds> leading_motion(const World& world, const std::vector<MotionBounds>& motions,
+                                           double aspect_ratio);
 
 // The height of a frame that contains a box of that size.
 inline double height_for(DVec2 size, double aspect_ratio) { return std::max(size.y, size.x / aspect_ratio); }

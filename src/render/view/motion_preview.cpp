@@ -21,6 +21,7 @@ void record(const SceneWorld& built, std::vector<MotionBounds>& motions) {
         if (!built.world.is_valid(id) || built.world.type(id) == BodyType::static_body) continue;
         const Box now = box_of(built.world, id);
         if (motions[i].start.is_empty()) motions[i].start = now;
+        motions[i].body = i;
         motions[i].whole.add(now);
     }
 }

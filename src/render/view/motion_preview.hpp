@@ -1,6 +1,7 @@
 // A short run of a scene that records where its bodies move. The camera is fitted to the result.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "render/view/box.hpp"
@@ -12,6 +13,7 @@ namespace tumble::render {
 struct MotionBounds {
     Box start;
     Box whole;
+    std::size_t body = 0;  // index into SceneWorld::bodies
 };
 
 // The bounds of every body that is not static, including those that the timeline spawns. The preview runs to the end of

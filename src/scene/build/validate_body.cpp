@@ -1,6 +1,8 @@
 #include "scene/build/validate_body.hpp"
+#include "scene/json/problem_codes.hpp"
 
 #include "scene/build/element.hpp"
+#include "scene/json/problem_codes.hpp"
 #include "scene/model/geometry.hpp"
 
 namespace tumble::scene {
@@ -12,11 +14,13 @@ void report_hull(const PolygonGeometry& polygon, const std::string& pointer, Dia
     make_hull(polygon, &report);
     if (report.interior > 0)
         diagnostics.warning(
-            pointer, std::to_string(report.interior) + " of the vertices lie inside the convex hull and are ignored",
+            codes::ignored_vertices, pointer,
+            std::to_string(report.interior) + " of the vertices lie inside the convex hull and are ignored",
             "use an \"outline\" for a concave shape");
     if (report.duplicate + report.collinear > 0)
-        diagnostics.warning(pointer, std::to_string(report.duplicate + report.collinear) +
-                                         " of the vertices are duplicates or lie on an edge, and are ignored");
+        diagnostics.warning(codes::ignored_vertices, pointer,
+                            std::to_string(report.duplicate + report.collinear) +
+                                " of the vertices are duplicates or lie on an edge, and are ignored");
 }
 
 }  // namespace

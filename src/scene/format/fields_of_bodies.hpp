@@ -125,6 +125,13 @@ void visit_fields(V& v, Type<SceneBody>) {
             &SceneBody::allow_fast_rotation);
     v.field({"mass", "Mass properties that replace those of the shapes."}, &SceneBody::mass);
     v.field({"repeat", "Pattern of copies of the body."}, &SceneBody::repeat);
+    v.field({"trail", "Whether frames show the path of the body so far. No effect on the simulation."},
+            &SceneBody::trail);
+    v.field(
+        {"skin",
+         "Whether frames fill the closed loop through the copies of the body, as the skin of a soft body. No effect "
+         "on the simulation."},
+        &SceneBody::skin);
     v.field({"shapes", "Shapes that make up the body."}, &SceneBody::shapes);
     v.json({"custom", "Any JSON value: kept with the body, without effect on the simulation."}, &SceneBody::custom);
 }

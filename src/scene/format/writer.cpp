@@ -15,8 +15,9 @@ Json write_scene(const Scene& scene, bool with_defaults) { return Writer(with_de
 
 namespace {
 
-void leave_out_custom(SceneBody& body) {
+void leave_out_unsimulated(SceneBody& body) {
     body.custom.clear();
+    body.trail = body.skin = false;
     for (SceneShape& shape : body.shapes) shape.custom.clear();
 }
 
@@ -26,10 +27,10 @@ Scene simulated_part(Scene scene) {
     scene.expect.clear();
     scene.draws.clear();
     for (SceneMaterial& material : scene.materials) material.color.clear();
-    for (SceneBody& body : scene.bodies) leave_out_custom(body);
+    for (SceneBody& body : scene.bodies) leave_out_unsimulated(body);
     for (SceneJoint& joint : scene.joints) joint.custom.clear();
     for (SceneEvent& event : scene.timeline)
-        if (event.spawn) leave_out_custom(*event.spawn);
+        if (event.spawn) leave_out_unsimulated(*event.spawn);
     return scene;
 }
 

@@ -2,6 +2,8 @@
 // caret.
 #include "scene/json/diagnostics.hpp"
 
+#include "scene/json/problem_codes.hpp"
+
 #include <algorithm>
 #include <tuple>
 
@@ -61,6 +63,7 @@ std::string to_string(const Diagnostic& d) {
     if (d.line > 0) text += ':' + std::to_string(d.line) + ':' + std::to_string(d.column);
     if (!d.pointer.empty()) text += ": " + d.pointer;
     text += d.severity == Diagnostic::Severity::warning ? ": warning: " + d.message : ": " + d.message;
+    if (!d.code.empty()) text += " [" + d.code + "]";
     if (d.line > 0) {
         const Excerpt excerpt = make_excerpt(d.source_line, d.column);
         text += "\n  " + excerpt.line + "\n  " + excerpt.caret;
@@ -83,14 +86,19 @@ void Diagnostics::error(std::string pointer, std::string message, std::string hi
         overflowed_ = true;
         return;
     }
-    errors_.push_back(
-        {std::move(pointer), std::move(message), std::move(hint), at, std::string_view::npos, std::string_view::npos});
+    errors_.push_back({std::move(pointer),
+                       std::move(message),
+                       std::move(hint),
+                       at,
+                       std::string_view::npos,
+                       std::string_view::npos,
+                       {}});
 }
 
-void Diagnostics::warning(std::string pointer, std::string message, std::string hint) {
+void Diagnostics::warning(std::string_view code, std::string pointer, std::string message, std::string hint) {
     if (warnings_.size() == kMaxDiagnostics) return;
     warnings_.push_back({std::move(pointer), std::move(message), std::move(hint), At::value, std::string_view::npos,
-                         std::string_view::npos});
+                         std::string_view::npos, code});
 }
 
 void Diagnostics::error_in_text(std::string pointer, std::size_t inside, std::string message, std::string hint) {
@@ -99,7 +107,8 @@ void Diagnostics::error_in_text(std::string pointer, std::size_t inside, std::st
 }
 
 void Diagnostics::error_at_offset(std::size_t offset, std::string message, std::string hint) {
-    errors_.push_back({"", std::move(message), std::move(hint), At::value, offset, std::string_view::npos});
+    errors_.push_back(
+        {"", std::move(message), std::move(hint), At::value, offset, std::string_view::npos, codes::json});
 }
 
 bool Diagnostics::has_errors_in(std::string_view pointer) const {
@@ -122,8 +131,13 @@ std::string Diagnostics::name_of(const std::string& pointer) const {
 
 Diagnostic Diagnostics::locate(const Entry& entry, Diagnostic::Severity severity) const {
     if (const std::optional<IncludedLocation> included = included_.find(entry.pointer))
-        return locate({included->include, included->name + ": " + entry.message, entry.hint}, severity);
+        return locate({.pointer = included->include,
+                       .message = included->name + ": " + entry.message,
+                       .hint = entry.hint,
+                       .code = entry.code},
+                      severity);
     Diagnostic d{severity, file_, 0, 0, entry.pointer, entry.message, "", entry.hint};
+    d.code = entry.code.empty() ? code_of_error(entry.pointer) : entry.code;
     for (const auto& [pointer, origin] : origins_) {
         if (!is_within(entry.pointer, pointer)) continue;
         d.file = origin;

@@ -32,7 +32,8 @@ public:
 
     enum class At { value, key };
     void error(std::string pointer, std::string message, std::string hint = "", At at = At::value);
-    void warning(std::string pointer, std::string message, std::string hint = "");
+    // The code is one of `codes` in problem_codes.hpp. Errors have that of the key in which they occur.
+    void warning(std::string_view code, std::string pointer, std::string message, std::string hint = "");
     // An error in the text of the string at the pointer, `inside` bytes from its start.
     void error_in_text(std::string pointer, std::size_t inside, std::string message, std::string hint = "");
     void error_at_offset(std::size_t offset, std::string message, std::string hint = "");
@@ -53,6 +54,7 @@ private:
         At at = At::value;
         std::size_t offset = std::string_view::npos;  // known for syntax errors only
         std::size_t inside = std::string_view::npos;  // in the text of a string
+        std::string_view code{};                      // static; empty for errors
     };
 
     struct Adopted {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "scene/json/problem_codes.hpp"
 #include "scene/lint/lint.hpp"
 #include "scene/lint/measures.hpp"
 #include "scene/model/display.hpp"
@@ -43,7 +44,7 @@ public:
             std::ranges::any_of(body.shapes, weighs))
             return;
         diagnostics_.warning(
-            pointer,
+            codes::no_mass, pointer,
             "the body consists of segments, chains and sensors, which have no mass: it gets 1 kg and does not rotate",
             R"(give it a "mass", or a shape with an area)");
     }
@@ -51,20 +52,21 @@ public:
     void lint_motion(const SceneBody& body, const std::string& pointer) {
         const bool has_velocity = body.velocity != DVec2{} || body.angular_velocity != 0.0;
         if (has_velocity && body.type == BodyType::static_body)
-            diagnostics_.warning(pointer, "the body is static and has a velocity: it does not move",
+            diagnostics_.warning(codes::static_velocity, pointer,
+                                 "the body is static and has a velocity: it does not move",
                                  R"(a body of "type": "kinematic" moves at the velocity it is given)");
     }
 
 private:
     void lint_size(const std::string& pointer, double width, double size) {
         if (width > 0.0 && width < kSliver * size)
-            diagnostics_.warning(pointer,
+            diagnostics_.warning(codes::sliver, pointer,
                                  "the shape is a sliver, " + brief(size) + " m long and " + brief(width) +
                                      " m thin: it has almost no inertia about its length, and its contacts jitter",
                                  "make it thicker, or use a capsule, whose ends are round");
         const double scale = scene_.world.scale;
         if (size < scale * kSmallestBody || size > scale * kLargestBody)
-            diagnostics_.warning(pointer,
+            diagnostics_.warning(codes::unusual_size, pointer,
                                  "the shape is " + brief(size) + " m large: dynamic bodies behave best between " +
                                      brief(scale * kSmallestBody) + " m and " + brief(scale * kLargestBody) + " m",
                                  R"(set the "scale" of the world to the size of a typical body)");

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "debug/check.hpp"
+#include "scene/json/problem_codes.hpp"
 #include "scene/lint/lint.hpp"
 #include "scene/model/display.hpp"
 
@@ -75,6 +76,7 @@ private:
         const bool is_behind = cross(along, hit.normal) > 0.0;  // the normal points towards the start of the ray
         if (!is_behind || !reported_.insert({ground->source, index}).second) return;
         diagnostics_.warning(
+            codes::behind_chain,
             "/bodies/" + std::to_string(ground->source) + "/shapes/" + std::to_string(index) + "/chain/points",
             display_name(built_, body.id) +
                 " starts on the solid side of the chain and falls through it: bodies collide with a chain only "

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/json/problem_codes.hpp"
 #include "scene/lint/lint.hpp"
 #include "scene/lint/measures.hpp"
 #include "scene/model/display.hpp"
@@ -71,7 +72,7 @@ public:
             const double allowed = std::min(kOverlap * std::min(extent_of(touch.a), extent_of(touch.b)),
                                             scene_.world.scale * kOverlapLimit);
             if (touch.separation >= -allowed || !reported.insert({source(touch.a), source(touch.b)}).second) continue;
-            warn(touch.b,
+            warn(codes::overlap, touch.b,
                  name(touch.b) + " starts " + brief(-touch.separation) + " m inside " + name(touch.a) +
                      ": they will be pushed apart at up to " + brief(double{limits_.push_out_speed}) + " m/s",
                  "move one of them, or let a \"filter\" exclude their contact");
@@ -84,7 +85,7 @@ public:
             if (!is_dynamic(touch.a) || !is_dynamic(touch.b)) continue;
             const double ratio = mass_ratio(built_.world, id(touch.a), id(touch.b));
             if (ratio <= kLargeMassRatio || !reported.insert({source(touch.a), source(touch.b)}).second) continue;
-            warn(touch.b,
+            warn(codes::contact_mass_ratio, touch.b,
                  name(touch.a) + " of " + brief(mass(touch.a)) + " kg touches " + name(touch.b) + " of " +
                      brief(mass(touch.b)) +
                      " kg: a body in contact with one that is over 100 times heavier is squeezed",
@@ -107,7 +108,8 @@ public:
             const bool falls = length(up_) > 0.0 && body.gravity_scale != 0.0;
             if (body.awake || !is_dynamic(i) || !falls || supported.contains(i) || !reported.insert(source(i)).second)
                 continue;
-            warn(i, name(i) + " starts asleep without support: it falls only after something touches it",
+            warn(codes::asleep_in_the_air, i,
+                 name(i) + " starts asleep without support: it falls only after something touches it",
                  R"(remove "awake": false, or place it on its support)");
         }
     }
@@ -184,11 +186,12 @@ private:
         std::set<std::size_t> reported{source(worst)};
         for (const std::size_t i : tops)
             if (reported.insert(source(i)).second) text += ", that of " + name(i) + " by " + depth(i);
-        warn(worst, text, "each contact yields a little: stack fewer or lighter bodies, or lower the gravity");
+        warn(codes::sinking_stack, worst, text,
+             "each contact yields a little: stack fewer or lighter bodies, or lower the gravity");
     }
 
-    void warn(std::size_t body, const std::string& message, const std::string& hint) {
-        diagnostics_.warning("/bodies/" + std::to_string(source(body)), message, hint);
+    void warn(std::string_view code, std::size_t body, const std::string& message, const std::string& hint) {
+        diagnostics_.warning(code, "/bodies/" + std::to_string(source(body)), message, hint);
     }
 
     BodyId id(std::size_t body) const { return built_.bodies[body].id; }

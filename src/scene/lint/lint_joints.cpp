@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "scene/json/problem_codes.hpp"
 #include "scene/lint/lint.hpp"
 #include "scene/lint/measures.hpp"
 #include "scene/model/display.hpp"
@@ -46,15 +47,16 @@ public:
 private:
     static std::string pointer(const SceneJointInstance& joint) { return "/joints/" + std::to_string(joint.source); }
 
-    void warn(const SceneJointInstance& joint, const std::string& message, const std::string& hint) {
-        diagnostics_.warning(pointer(joint), message, hint);
+    void warn(std::string_view code, const SceneJointInstance& joint, const std::string& message,
+              const std::string& hint) {
+        diagnostics_.warning(code, pointer(joint), message, hint);
         reported_.insert(joint.source);
     }
 
     void lint_masses(const SceneJointInstance& joint, BodyId a, BodyId b) {
         if (world_.type(a) != BodyType::dynamic_body || world_.type(b) != BodyType::dynamic_body) return;
         if (mass_ratio(world_, a, b) <= kLargeMassRatio) return;
-        warn(joint,
+        warn(codes::joint_mass_ratio, joint,
              "the joint connects bodies of " + brief(world_.mass(a).mass) + " kg and " + brief(world_.mass(b).mass) +
                  " kg: a joint stretches if one body is over 100 times heavier than the other",
              "bring their densities closer together, or give the world more substeps");
@@ -72,7 +74,7 @@ private:
         const double size_a = size_of(a), size_b = size_of(b), gap = joint_gap(world_, joint.id);
         const double size = size_a > 0.0 && size_b > 0.0 ? std::min(size_a, size_b) : std::max(size_a, size_b);
         if (!(gap > kWideGap * size)) return false;
-        warn(joint,
+        warn(codes::open_joint, joint,
              "the joint starts " + brief(gap) + " m away from a position that it allows for " +
                  display_name(built_, a) + " and " + display_name(built_, b) + ": it will pull them there at once",
              R"(correct its anchors, its "length" or its "limits", or move the bodies)");
@@ -82,7 +84,7 @@ private:
     void lint_anchors(const SceneJointInstance& joint, BodyId a, BodyId b) {
         const std::optional<JointAnchors> anchors = world_.joint_anchors(joint.id);
         if (!anchors || !is_far(a, anchors->a) || !is_far(b, anchors->b)) return;
-        warn(joint,
+        warn(codes::far_anchor, joint,
              "the joint acts at " + brief(anchors->a) + ", far from both " + display_name(built_, a) + " and " +
                  display_name(built_, b) + ": its lever arm is over 10 times their size",
              R"("anchor" is a point of the world, "anchors" are points in the coordinates of each body)");
@@ -101,7 +103,7 @@ private:
         const double stiffest = double{world_limits(world_.def()).stiffest_spring};
         if (!spring || !(spring->hertz > stiffest)) return;
         diagnostics_.warning(
-            pointer + "/hertz",
+            codes::stiff_spring, pointer + "/hertz",
             "the spring is stiffer than the steps can follow: it is limited to " + brief(stiffest) + " Hz",
             "use more substeps or steps_per_second, or a softer spring");
     }
@@ -142,7 +144,7 @@ void lint_rods(const Scene& scene, const SceneWorld& built, Diagnostics& diagnos
             rods[joint.source].add(built.world, joint.id);
     for (const auto& [source, copies] : rods)
         if (const std::optional<BodyId> body = copies.shared_body())
-            diagnostics.warning("/joints/" + std::to_string(source) + "/repeat",
+            diagnostics.warning(codes::joined_copies, "/joints/" + std::to_string(source) + "/repeat",
                                 "all copies of the joint act at one point of " + display_name(built, *body) +
                                     ", which is not repeated: they are from " + brief(copies.shortest) + " to " +
                                     brief(copies.longest) + " m long",

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "scene/json/problem_codes.hpp"
 #include "scene/lint/lint.hpp"
 #include "scene/lint/measures.hpp"
 #include "scene/model/body_plan.hpp"
@@ -143,7 +144,7 @@ private:
             is_continuous
                 ? R"(set "bullet": true, also on bodies that move as fast towards it, or use more steps_per_second)"
                 : R"(set "continuous": true, or use more steps_per_second)";
-        diagnostics_.warning(pointer,
+        diagnostics_.warning(codes::fast_body, pointer,
                              moves + brief(displacement) + " m in a step, and the body is " + brief(thickness) +
                                  " m thick: it may pass through " + what,
                              remedy);

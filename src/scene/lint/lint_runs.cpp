@@ -3,6 +3,7 @@
 #include <string>
 
 #include "scene/json/json_text.hpp"
+#include "scene/json/problem_codes.hpp"
 #include "scene/lint/lint.hpp"
 #include "scene/model/names.hpp"
 #include "scene/model/step_time.hpp"
@@ -39,7 +40,8 @@ private:
     // Times that are less than `margin` steps before the last state are too late.
     void lint_time(double time, std::uint64_t margin, const std::string& pointer, const std::string& consequence) {
         if (first_step_at(time, scene_.world.steps_per_second) + margin <= steps_) return;
-        diagnostics_.warning(pointer, "the run ends at " + number_text(scene_.world.duration) + " s: " + consequence,
+        diagnostics_.warning(codes::after_the_end, pointer,
+                             "the run ends at " + number_text(scene_.world.duration) + " s: " + consequence,
                              R"(choose an earlier time, or a longer "duration" of the world)");
     }
 
@@ -49,7 +51,7 @@ private:
         if (!pushes || body == nullptr || body->type == BodyType::dynamic_body) return;
         const bool is_static = body->type == BodyType::static_body;
         diagnostics_.warning(
-            pointer + "/body",
+            codes::useless_force, pointer + "/body",
             quoted(event.body) + " is " + (is_static ? "static" : "kinematic") + ": forces and impulses do not move it",
             is_static ? R"(make it "dynamic")" : R"(set its "velocity", or make it "dynamic")");
     }
@@ -61,7 +63,7 @@ private:
         for (const SceneEvent& end : scene_.timeline) {
             if (name.empty() || end.*removed != name || !end.at || time <= *end.at) continue;
             diagnostics_.warning(
-                pointer,
+                codes::event_after_removal, pointer,
                 quoted(name) + " is removed at " + number_text(*end.at) + " s: a later event has no effect on it",
                 "choose an earlier time for the event, or remove it later");
             return;
