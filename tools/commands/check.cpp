@@ -34,7 +34,6 @@ struct CheckArguments {
     CheckOptions check{.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))};
     std::filesystem::path junit;
     std::filesystem::path shots;
-    bool update = false;
     bool force = false;
 };
 
@@ -65,6 +64,8 @@ void print(const SceneCheck& check) {
     if (!check.error.empty()) text += "  " + check.error + (check.error.ends_with('\n') ? "" : "\n");
     for (const UpdatedHash& hash : check.updated)
         text += "  " + check.file + ": " + hash.pointer + " updated from " + hash.before + " to " + hash.after + "\n";
+    for (const WrittenPicture& picture : check.pictures)
+        text += "  " + check.file + ": " + picture.pointer + " was missing; written to " + picture.file.string() + "\n";
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
         const ExpectationResult& result = check.expectations[i];
         if (result.passed) continue;
@@ -73,6 +74,25 @@ void print(const SceneCheck& check) {
         if (!check.shots.empty() && !check.shots[i].empty()) text += "    picture: " + check.shots[i].string() + "\n";
     }
     write_output(text);
+}
+
+void write_updates(JsonWriter& json, const SceneCheck& check) {
+    if (!check.updated.empty()) {
+        json.key("updated").open_array();
+        for (const UpdatedHash& hash : check.updated)
+            json.open_object()
+                .member("pointer", hash.pointer)
+                .member("before", hash.before)
+                .member("after", hash.after)
+                .close_object();
+        json.close_array();
+    }
+    if (!check.pictures.empty()) {
+        json.key("pictures").open_array();
+        for (const WrittenPicture& picture : check.pictures)
+            json.open_object().member("pointer", picture.pointer).member("file", picture.file.string()).close_object();
+        json.close_array();
+    }
 }
 
 void write(JsonWriter& json, const SceneCheck& check) {
@@ -91,16 +111,7 @@ void write(JsonWriter& json, const SceneCheck& check) {
         json.close_object();
     }
     json.close_array();
-    if (!check.updated.empty()) {
-        json.key("updated").open_array();
-        for (const UpdatedHash& hash : check.updated)
-            json.open_object()
-                .member("pointer", hash.pointer)
-                .member("before", hash.before)
-                .member("after", hash.after)
-                .close_object();
-        json.close_array();
-    }
+    write_updates(json, check);
     json.close_object();
 }
 
@@ -149,10 +160,10 @@ void update(SceneCheck& check) {
 // --set and --seed change the scene and its hashes; the file would get the hashes of the changed scene. Standard input
 // cannot be written.
 void refuse_wrong_update(const CheckArguments& options) {
-    if (!options.update) return;
+    if (!options.check.update) return;
     if (!options.check.changes.overrides.empty() || options.check.changes.seed)
-        throw CLI::ValidationError("--update",
-                                   "writes the hashes of the scenes as they are; leave out --set and --seed");
+        throw CLI::ValidationError(
+            "--update", "writes the hashes and pictures of the scenes as they are; leave out --set and --seed");
     if (std::ranges::any_of(options.files, [](const std::string& file) { return is_standard_input(file); }))
         throw CLI::ValidationError("--update", "writes into the scene files, and standard input is none");
 }
@@ -170,7 +181,7 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
     if (!options.shots.empty()) make_names_unique(checks);
     for (SceneCheck& check : checks) {
         warn_of_no_claims(check);
-        if (options.update) update(check);
+        if (options.check.update) update(check);
         if (weight(check.code) > weight(code)) code = check.code;
         if (!options.shots.empty()) draw_failures(check, options);
         command.json ? write(json, check) : print(check);
@@ -195,7 +206,9 @@ void add_check(CLI::App& app, Command& command) {
         ->type_name("DIR");
     check.add_flag("--require-claims", options->check.require_claims, "A scene without claims fails");
     check.add_flag("--fail-fast", options->check.stop_at_failure, "Begin no other scene after one that fails");
-    check.add_flag("--update", options->update, "Write the hashes that were found into failed state_hash claims");
+    check.add_flag(
+        "--update", options->check.update,
+        "Write the hashes that were found into failed state_hash claims, and missing files of picture claims");
     check.add_option("-j,--jobs", options->check.threads, "Scenes to simulate in parallel")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 256));
