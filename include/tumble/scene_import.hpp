@@ -7,18 +7,23 @@
 #include <vector>
 
 #include "tumble/scene.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble {
 
-// What an importer could not carry over: the feature and how often it occurred.
+// What an importer could not carry over: the feature, how often it occurred, and where first: "body 'wheel'".
 struct ImportNote {
+    static constexpr std::size_t kMostOwners = 3;
+
     std::string feature;
     int count = 0;
+    std::vector<std::string> owners{};  // up to kMostOwners, each once; none if the feature is of the whole file
 };
 
 struct ImportedScene {
     Scene scene;
     std::vector<ImportNote> notes;
+    std::vector<Diagnostic> warnings{};  // values of the file that were replaced, with their line and column
 };
 
 struct SvgOptions {
@@ -42,7 +47,9 @@ struct SvgOptions {
 ImportedScene import_svg(const std::filesystem::path& file, const SvgOptions& options = {});
 ImportedScene parse_svg(std::string_view text, const std::string& file_name, const SvgOptions& options = {});
 
-// Imports a R.U.B.E. (b2dJson) export. The scene has the name of the file. Throws FileError or SceneError.
+// Imports a R.U.B.E. (b2dJson) export. The scene has the name of the file. A dynamic body whose moment of inertia is
+// less than a mass point at its centre of mass would have gets that of its shapes, with a warning. Throws FileError or
+// SceneError.
 ImportedScene import_rube(const std::filesystem::path& file);
 ImportedScene parse_rube(std::string_view text, const std::string& file_name);
 
