@@ -62,8 +62,8 @@ std::ptrdiff_t count_of(const ImportedScene& imported, BodyType type) {
 // How the importer chooses the types of bodies: a drawing has no such property.
 constexpr const char* kSvgRule =
     "In an SVG drawing, filled shapes become dynamic bodies and unfilled lines become static chains.\n"
-    "To choose another type, set class=\"static\" (or \"kinematic\", \"dynamic\"), data-type=\"static\", or an id\n"
-    "that begins with the word, on the shape or its group.";
+    "To choose another type, set class=\"static\" (or \"kinematic\", \"dynamic\"), data-type=\"static\", or a label\n"
+    "or id that begins with the word, on the shape or its group.";
 
 void write_note(JsonWriter& json, const ImportNote& note) {
     json.open_object().member("feature", note.feature).member("count", note.count);
@@ -178,7 +178,11 @@ void add_import(CLI::App& app, Command& command) {
     app_import
         .add_option("FILE", options->source, "R.U.B.E. export (.json, .js) or drawing (.svg); - is standard input")
         ->required();
-    app_import.add_option("--scale", options->svg.metres_per_unit, "Metres per user unit of an SVG drawing")
+    app_import
+        .add_option(
+            "--scale", options->svg.metres_per_pixel,
+            "Metres for a pixel of an SVG page, which is 1/96 inch: 0.01 makes 1280 x 720 px 12.8 m x 7.2 m, and "
+            "210 x 297 mm 7.94 m x 11.2 m; 0.000264583 keeps the printed size")
         ->type_name("M")
         ->capture_default_str()
         ->check(number_from_to(1e-6, 1e6));

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -109,6 +110,8 @@ b2Joint* add_gear(b2Joint* first, b2Joint* second, b2World& world) {
     return world.CreateJoint(&def);
 }
 
+constexpr double kNear = 100.0;  // m: up to here the rounding of Box2D's float coordinates counts as a difference
+
 double relative(double ours, double theirs) {
     const double apart = std::abs(ours - theirs);
     return apart > 0.0 ? apart / std::abs(theirs) : 0.0;
@@ -141,7 +144,12 @@ void compare_joint(b2Joint& theirs, const World& world, JointId ours, const std:
                    ImportDifferences& worst) {
     const std::optional<JointAnchors> anchors = world.joint_anchors(ours);
     if (!anchors) return;
-    const auto apart = [](DVec2 at, b2Vec2 other) { return length(at - DVec2{double{other.x}, double{other.y}}); };
+    // Box2D's world coordinates are float: a pose and an arm, rounded and added.
+    constexpr double kRounding = 4.0 * double{std::numeric_limits<float>::epsilon()};
+    const auto apart = [](DVec2 at, b2Vec2 other) {
+        const double found = length(at - DVec2{double{other.x}, double{other.y}});
+        return std::max(0.0, found - kRounding * std::max(length(at) - kNear, 0.0));
+    };
     widen(worst.anchor, std::max(apart(anchors->a, theirs.GetAnchorA()), apart(anchors->b, theirs.GetAnchorB())), name);
     ++worst.joints;
 }

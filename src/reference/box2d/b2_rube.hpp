@@ -17,7 +17,7 @@ struct ImportDifference {
 
 // The largest differences. Mass and inertia (about the body's origin) are of dynamic bodies that are active, relative
 // to Box2D's; the centre of mass is relative to the radius of gyration about the origin; anchors are in world
-// coordinates at load, in m.
+// coordinates at load, in m, less the rounding of Box2D's float coordinates farther than 100 m from the origin.
 //
 // Inertias are compared of bodies that may rotate. An inertia that is less than that of a mass point at the centre of
 // mass, which Box2D refuses by an assertion, is not compared either.
