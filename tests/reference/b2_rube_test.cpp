@@ -135,6 +135,20 @@ TEST_CASE("bodies with fixed rotation agree, whatever their shapes and mass data
     }
 }
 
+TEST_CASE("the rounding of Box2D's coordinates far from the origin is no difference of anchors") {
+    // At 1e7 m, float coordinates are 1 m apart.
+    const std::filesystem::path file = std::filesystem::path(TUMBLE_BINARY_DIR) / "far_export.json";
+    std::ofstream(file) << R"({"gravity": 0, "body": [{"type": 2, "awake": true, "position": {"x": 1e7, "y": 3.3}},
+        {"type": 0, "position": {"x": 1e7, "y": 0}}], "joint": [{"type": "revolute", "bodyA": 0, "bodyB": 1,
+        "anchorA": {"x": 0.3, "y": 0.7}, "anchorB": {"x": 0.3, "y": 4}}]})";
+    compare(file);
+    Scene moved = import_rube(file).scene;
+    moved.joints.at(0).anchors->first.x += 50.0;
+    const ImportDifferences found = compare_with_box2d(file, moved);
+    CHECK(found.anchor.value > 40.0);
+    CHECK(found.anchor.owner == "joint[0]");
+}
+
 TEST_CASE("mutated exports are refused, or compared with Box2D without an assertion") {
     std::ostringstream small;
     small << std::ifstream(kSmall).rdbuf();

@@ -3,10 +3,12 @@
 
 #include <string>
 
+#include "support/near.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
 
 using namespace tumble;
+using namespace tumble::test;
 
 namespace {
 
@@ -51,7 +53,7 @@ TEST_CASE("a motor that lifts a weight does the work that the weight gains") {
         CHECK_MESSAGE(lifted.passed, lifted.finding);
         const double height = lifted.body.pose.position.y;
         CHECK(height > 0.85);
-        CHECK(lifted.work == doctest::Approx(10.0 * height + 0.125).epsilon(1e-4));
+        CHECK(near(lifted.work, 10.0 * height + 0.125, relative(1e-4)));
     }
 }
 
@@ -68,8 +70,8 @@ TEST_CASE("a motor that drags a crate does the work of friction, and the energy 
     const Judged early = judge(drag, 1e-3, 1.0), late = judge(drag, 1e-3, 3.0);
     CHECK_MESSAGE(late.passed, late.finding);
     const double metres = late.body.pose.position.x - early.body.pose.position.x;
-    CHECK(metres == doctest::Approx(1.0).epsilon(0.01));
-    CHECK(late.work - early.work == doctest::Approx(0.5 * 2.0 * 10.0 * metres).epsilon(0.03));
+    CHECK(near(metres, 1.0, relative(0.01)));
+    CHECK(near(late.work - early.work, 0.5 * 2.0 * 10.0 * metres, relative(0.03)));
 }
 
 TEST_CASE("a motor that starts, stops and hits something within steps holds the claim") {
@@ -90,7 +92,7 @@ TEST_CASE("what a motor cannot have done is a gain") {
     const std::string plate = R"(, {"name": "plate", "type": "kinematic", "position": [0, -0.5], "velocity": [0, 1],
                                      "shapes": [{"box": {"size": [4, 0.5]}}]})";
     const Judged lifted = judge(lift("1", plate), 17.0, 2.0);
-    CHECK(lifted.body.pose.position.y == doctest::Approx(2.0).epsilon(0.02));
+    CHECK(near(lifted.body.pose.position.y, 2.0, relative(0.02)));
     CHECK_FALSE(lifted.passed);
     CHECK(lifted.finding.ends_with(" J above that of the start and the work of events and motors"));
     CHECK(lifted.work < 2.1);

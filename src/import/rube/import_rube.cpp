@@ -65,7 +65,7 @@ private:
         if (world.flag("subStepping")) notes_.add("sub-stepping of continuous physics");
         if (!world.flag("warmStarting", true)) notes_.add("warm starting switched off");
         if (!world.flag("autoClearForces", true)) notes_.add("forces that are not cleared");
-        if (world.has("image")) notes_.add("images", static_cast<int>(world.list("image").size()));
+        for (RubeObject& image : world.list("image")) notes_.add_of("'" + image.text("file") + "'", "images");
         scene_.custom = world.custom({"customProperties"});
         // Numbers of iterations are of Box2D's solver, and collisionbitplanes are the editor's names of categories.
         world.skip({"velocityIterations", "positionIterations", "collisionbitplanes", "image"});
