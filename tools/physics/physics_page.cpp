@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/machine/engines.hpp"
 #include "tools/output/html.hpp"
 
 namespace tumble::tools {
@@ -43,15 +44,17 @@ const Finding* telling(const reference::RowResult& result) {
 }
 
 void add_summary(HtmlPage& page, const PhysicsResult& result) {
-    page.paragraph(
-        std::to_string(result.holding()) + " of " + std::to_string(result.rows.size()) + " rows hold, " +
-        std::to_string(result.holding(Engine::in_order)) +
-        " with impacts in order. Each row compares tumble, tumble with the world's option "
-        "\"impacts\": \"in_order\", and Box2D 2.4.1 with an exact answer. The same scene runs in each, with the "
-        "same step; Box2D makes 8 velocity and 3 position iterations in it. The "
-        "table shows one condition of each row: the first that fails, or the first. Values are the worst of "
-        "all phases. The " +
-        std::string(result.is_short ? "short" : "full") + " form took " + seconds_text(result.seconds) + ".");
+    page.paragraph(std::to_string(result.holding()) + " of " + std::to_string(result.rows.size()) + " rows hold, " +
+                   std::to_string(result.holding(Engine::in_order)) +
+                   " with impacts in order. Each row compares tumble, tumble with the world's option "
+                   "\"impacts\": \"in_order\", and Box2D with an exact answer. The same scene runs in each, with the "
+                   "same step; Box2D makes 8 velocity and 3 position iterations in it. The "
+                   "table shows one condition of each row: the first that fails, or the first. Values are the worst of "
+                   "all phases. The " +
+                   std::string(result.is_short ? "short" : "full") + " form took " + seconds_text(result.seconds) +
+                   ".");
+    for (const EngineBuild& engine : compared_engines())
+        page.paragraph(engine.name + " " + engine.version + ": " + engine.build + ".");
     const std::vector<std::string> header = {"row",    "subject",  "measured", "condition", "exact", "passes",
                                              "tumble", "in order", "Box2D",    "verdict",   "time"};
     std::vector<std::vector<HtmlCell>> rows;
