@@ -50,7 +50,7 @@ struct SceneWorld {
     World world;
     std::vector<SceneInstance> bodies;       // in the order of creation; the ids of destroyed ones are stale
     std::vector<SceneJointInstance> joints;  // in the order of the scene and of the copies, gears last
-    double work = 0.0;  // J: the kinetic and potential energy that the events of the timeline have added so far
+    double work = 0.0;  // J: the kinetic and potential energy that events of the timeline and motors have added so far
 };
 
 // The name of a body or joint in output: its own, or body[i] or joint[i] by its index in SceneWorld.

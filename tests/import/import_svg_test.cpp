@@ -3,7 +3,9 @@
 
 #include <map>
 #include <random>
+#include <string>
 
+#include "drawings.hpp"
 #include "support/near.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
@@ -18,40 +20,11 @@ namespace {
 
 const std::filesystem::path kData = std::filesystem::path(TUMBLE_SOURCE_DIR) / "tests/import/data";
 
-ImportedScene import_text(const std::string& content, const SvgOptions& options = {}) {
-    return parse_svg("<svg viewBox='0 0 100 100'>" + content + "</svg>", "test.svg", options);
-}
-
 const SceneBody& body_named(const ImportedScene& imported, const std::string& name) {
     for (const SceneBody& body : imported.scene.bodies)
         if (body.name == name) return body;
     FAIL("no body " << name);
     return imported.scene.bodies.front();
-}
-
-template <class Geometry>
-const Geometry& only_shape(const SceneBody& body) {
-    REQUIRE(body.shapes.size() == 1);
-    REQUIRE(std::holds_alternative<Geometry>(body.shapes.at(0).geometry));
-    return std::get<Geometry>(body.shapes.at(0).geometry);
-}
-
-std::map<std::string, int> notes_of(const ImportedScene& imported) {
-    std::map<std::string, int> notes;
-    for (const ImportNote& note : imported.notes) notes[note.feature] = note.count;
-    return notes;
-}
-
-double area_of(const SceneBody& body) {
-    double area = 0.0;
-    for (const SceneShape& shape : body.shapes)
-        for (const Shape& part : make_shapes(shape.geometry)) area += mass_properties(part).area;
-    return area;
-}
-
-// Within `tolerance` of each other, component by component.
-bool near(DVec2 a, DVec2 b, double tolerance = 1e-12) {
-    return std::abs(a.x - b.x) <= tolerance && std::abs(a.y - b.y) <= tolerance;
 }
 
 std::string error_of(const std::string& text) {
@@ -110,12 +83,14 @@ TEST_CASE("a figure of each kind becomes a body, 100 units to a metre, y upwards
 }
 
 TEST_CASE("layers, style sheets and clones of drawing programs are imported, other features are noted") {
-    const ImportedScene imported = import_svg(kData / "editor.svg");
+    // 100 user units of the viewBox are 100 mm: a unit is 96 / 25.4 pixels, of 0.01 m each by default.
+    SvgOptions options;
+    options.metres_per_pixel = 0.01 * 25.4 / 96.0;
+    const ImportedScene imported = import_svg(kData / "editor.svg", options);
     const std::map<std::string, int> expected = {
         {"clip paths", 1},
         {"gradients and patterns", 1},
         {"hidden elements", 1},
-        {"holes, which are filled in", 1},
         {"images", 1},
         {"outlines that cross themselves, whose hull is taken", 1},
         {"style rules with other selectors than a tag, class or id", 1},
@@ -125,7 +100,7 @@ TEST_CASE("layers, style sheets and clones of drawing programs are imported, oth
     REQUIRE(imported.scene.bodies.size() == 8);
 
     const SceneBody& brick = body_named(imported, "brick");
-    CHECK(near(only_shape<BoxGeometry>(brick).size, {0.1, 0.05}));
+    CHECK(near(only_shape<BoxGeometry>(brick).size, {0.1, 0.05}, 1e-9));
     CHECK(near(brick.position, {0.2, 0.725}));  // (10 + 5 + 5, 20 + 5 + 2.5) of 100
     CHECK(brick.shapes.at(0).material == "#a52a2a");
     // Turned by 90 degrees in a plane that is then mirrored: (40, 20) is its corner, it reaches 5 to the left, 10 down.
@@ -212,28 +187,10 @@ TEST_CASE("lengths in any unit, in percent and at any scale become metres") {
     CHECK(near(width_of("72pt"), 0.96, kDouble));
     CHECK(near(width_of("50%"), 0.5, kDouble));
     SvgOptions options;
-    options.metres_per_unit = 1.0;
+    options.metres_per_pixel = 1.0;
     CHECK(only_shape<CircleGeometry>(import_text("<circle r='3'/>", options).scene.bodies.at(0)).radius == 3.0);
     options.tolerance = 0.0;
     CHECK_THROWS_AS(import_text("", options), std::invalid_argument);
-}
-
-TEST_CASE("holes are filled in, by both fill rules, and noted") {
-    const std::string outer = "M0 0H30V30H0Z", same = "M10 10H20V20H10Z", opposite = "M10 10V20H20V10Z";
-    const auto notes = [](const std::string& data, const std::string& rule) {
-        const ImportedScene imported = import_text("<path fill-rule='" + rule + "' d='" + data + "'/>");
-        CHECK(near(area_of(imported.scene.bodies.at(0)), 0.09, kFloat));
-        return notes_of(imported);
-    };
-    const std::map<std::string, int> hole = {{"holes, which are filled in", 1}},
-                                     joined = {{"areas within areas, which are joined", 1}};
-    CHECK(notes(outer + same, "evenodd") == hole);
-    CHECK(notes(outer + opposite, "evenodd") == hole);
-    CHECK(notes(outer + same, "nonzero") == joined);
-    CHECK(notes(outer + opposite, "nonzero") == hole);
-    const ImportedScene apart = import_text("<path d='M0 0H10V10H0Z M20 0H30V10H20Z'/>");
-    CHECK(apart.scene.bodies.at(0).shapes.size() == 2);
-    CHECK(apart.notes.empty());
 }
 
 TEST_CASE("errors name the line, the column and what was expected") {

@@ -1,6 +1,7 @@
 // The R.U.B.E. importer, on small files and on a large export that the test writes.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -159,7 +160,6 @@ TEST_CASE("joints are imported with local anchors and degrees") {
 TEST_CASE("features that are not carried over are noted once, with a count") {
     const ImportedScene imported = import_rube(kData / "rube_small.json");
     const std::map<std::string, int> expected = {
-        {"numbers of solver iterations", 1},
         {"repeated body names, numbered", 1},
         {"fixtures without a shape or with a degenerate one, left out", 2},
         {"repeated joint names, numbered", 1},
@@ -171,6 +171,8 @@ TEST_CASE("features that are not carried over are noted once, with a count") {
     };
     for (const auto& note : expected) CHECK_MESSAGE(count_of(imported, note.first) == note.second, note.first);
     for (const ImportNote& note : imported.notes) CHECK_MESSAGE(expected.contains(note.feature), note.feature);
+    const auto images = std::ranges::find(imported.notes, "images", &ImportNote::feature);
+    CHECK(images->owners == std::vector<std::string>{"'a.png'", "'b.png'"});
 }
 
 TEST_CASE("a byte-order mark and a JavaScript wrapper are tolerated") {
@@ -234,4 +236,38 @@ TEST_CASE("floats as hexadecimal digits arrive bit for bit") {
     CHECK(to_float(ball.position) == Vec2{0.1f, 3.3f});
     CHECK(near(ball.angle, 45.0, relative(0x1p-24)));  // pi / 4 as a float
     CHECK(ball.velocity == DVec2(1.5, 0));
+}
+
+TEST_CASE("an inertia below that of a mass point at the centre is replaced, with a warning at its place") {
+    // m c^2 = 2 * 3^2 = 18 kg m^2 is more than I = 17. The disc of pi kg has pi / 2 kg m^2 about its centre: of 2 kg,
+    // 3 m from the stated centre, 1 + 18 kg m^2.
+    const char* const text = R"({"gravity": 0, "body": [{"type": 2, "name": "wheel", "massData-mass": 2,
+    "massData-I": 17, "massData-center": {"x": 3, "y": 0},
+    "fixture": [{"density": 1, "circle": {"radius": 1, "center": 0}}]},
+   {"type": 2, "massData-mass": 2, "massData-I": 17, "massData-center": {"x": 3, "y": 0}}]})";
+    const ImportedScene imported = parse_rube(text, "bad.json");
+    REQUIRE(imported.scene.bodies.at(0).mass.has_value());
+    CHECK(near(imported.scene.bodies[0].mass->inertia, 19.0, relative(1e-6)));
+    CHECK(imported.scene.bodies.at(1).mass->inertia == 0.0);
+    REQUIRE(imported.warnings.size() == 2);
+    CHECK(imported.warnings[0].line == 2);
+    CHECK(imported.warnings[0].pointer == "/body/0/massData-I");
+    CHECK(imported.warnings[0].message.starts_with("body 'wheel' has a moment of inertia of 17 kg m^2"));
+    CHECK(imported.warnings[1].message.starts_with("body 1 has"));
+    CHECK(imported.warnings[1].hint == "the body has no shape with an area: it does not rotate");
+}
+
+TEST_CASE("notes name the first bodies, and settings of Box2D and of the editor are no notes") {
+    std::string bodies;
+    for (int i = 0; i < 5; ++i)
+        bodies += std::string(i > 0 ? ", " : "") + R"({"type": 2, "name": "sleeper)" + std::to_string(i) +
+                  R"(", "linearVelocity": {"x": 1, "y": 0}})";
+    const ImportedScene imported = parse_rube(R"({"gravity": 0, "velocityIterations": 8, "positionIterations": 3,
+        "collisionbitplanes": {"names": []}, "body": [)" +
+                                                  bodies + "]}",
+                                              "notes.json");
+    REQUIRE(imported.notes.size() == 1);
+    CHECK(imported.notes[0].count == 5);
+    CHECK(imported.notes[0].owners ==
+          std::vector<std::string>{"body 'sleeper0'", "body 'sleeper1'", "body 'sleeper2'"});
 }

@@ -46,10 +46,15 @@ TEST_CASE("the pentagon and the kite take the iterations and support vertices th
     const std::string trace = (folder / "gjk.json").string();
     const std::string a = between("support point of A in d minus", "distance '", "' \\\n"),
                       b = between("support point of A in d minus", "    '", "' \\\n");
-    const Answer answer = run_tumble({"distance", a, b, "--trace", trace, "--json", "--sub-algorithm", "voronoi"});
+    const Answer answer = run_tumble({"distance", a, b, "--trace", trace, "--json"});
     REQUIRE(answer.code == 0);
     CHECK(between("![A pentagon and a kite apart", ": ", " iterations") ==
-          std::to_string(json::parse(read_text(trace))["steps"].size()));
+          std::to_string(json::parse(read_text(trace))["steps"].size() + 1));
+    CHECK(json::parse(read_text(trace))["result"]["iterations"] == json::parse(answer.out)["iterations"]);
     CHECK(between("![A pentagon and a kite apart", " iterations, ", " support vertices") ==
           std::to_string(json::parse(answer.out)["iterations"].get<int>()));
+    const std::string picture = (folder / "gjk.svg").string();
+    REQUIRE(run_tumble({"distance", a, b, "--trace", picture}).out.find("\n  iterations  5\n") != std::string::npos);
+    CHECK(read_text(picture).find(", 5 support vertices computed") != std::string::npos);
+    CHECK(run_tumble({"distance", a, b}).out.find("\n  iterations  2\n") != std::string::npos);
 }

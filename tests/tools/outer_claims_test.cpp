@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <string>
 
 #include "process.hpp"
@@ -11,6 +12,7 @@
 using nlohmann::json;
 using tumble::test::Answer;
 using tumble::test::Folder;
+using tumble::test::read_text;
 using tumble::test::run_tumble;
 
 namespace {
@@ -48,6 +50,40 @@ TEST_CASE("a picture claim compares the frame at its time with a PNG file beside
     const Answer late = run_tumble({"check", scene, "--json", "--set", "/expect/0/at=3"});
     CHECK(late.code == 7);
     CHECK(expectation_of(late)["finding"] == "the run ends before that");
+}
+
+TEST_CASE("check --update draws the pictures that are missing, and leaves the others") {
+    const Folder folder;
+    const std::string scene =
+        folder.write("ball.json", ball_scene(R"({"picture": "golden/half.png", "at": 0.5}, {"picture": "end.png"},
+                                   {"picture": "late.png", "at": 3})"));
+    CHECK(run_tumble({"check", scene}).out.find("`tumble check --update` writes it") != std::string::npos);
+    const Answer updated = run_tumble({"check", scene, "--update", "--json"});
+    CHECK(updated.code == 7);  // the run ends before 3 s
+    const json written = json::parse(updated.out)["scenes"][0]["pictures"];
+    REQUIRE(written.size() == 2);
+    CHECK(written[0]["pointer"] == "/expect/0/picture");
+    CHECK(written[0]["file"] == (folder / "golden/half.png").string());
+    CHECK(written[1]["pointer"] == "/expect/1/picture");
+    CHECK_FALSE(std::filesystem::exists(folder / "late.png"));
+
+    // It is the frame of that time.
+    REQUIRE(run_tumble({"shot", scene, "-o", (folder / "shot.png").string(), "--at", "0.5"}).code == 0);
+    const std::string half = read_text(folder / "golden/half.png");
+    CHECK(half == read_text(folder / "shot.png"));
+
+    // A picture that is there stays, whether its claim holds or not.
+    const Answer again = run_tumble({"check", scene, "--update", "--json"});
+    CHECK_FALSE(json::parse(again.out)["scenes"][0].contains("pictures"));
+    CHECK(json::parse(again.out)["scenes"][0]["expectations"][0]["finding"] == "the largest difference is 0 levels");
+    folder.write("end.png", half);
+    const Answer text = run_tumble({"check", scene, "--update"});
+    CHECK(text.out.find("/expect/1 failed: expected that") != std::string::npos);
+    CHECK(read_text(folder / "end.png") == half);
+    std::filesystem::remove(folder / "end.png");
+    CHECK(run_tumble({"check", scene, "--update"})
+              .out.find("/expect/1/picture was missing; written to " + (folder / "end.png").string()) !=
+          std::string::npos);
 }
 
 TEST_CASE("a claim on a ratio of times steps the reference scene too") {

@@ -7,6 +7,7 @@
 #include "tools/cli/console.hpp"
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/machine/engines.hpp"
 #include "tools/machine/machine.hpp"
 #include "tools/measure/query_bench.hpp"
 #include "tools/measure/step_bench.hpp"
@@ -113,8 +114,9 @@ ExitCode bench(const Command& command, const BenchArguments& options) {
     bench_all_worlds(command, options, json);
     json.close_array().key("render").open_array().close_array().key("machine");
     write_machine(json);
+    write_engines(json);
     json.close_object();
-    if (command.json) write_output(json.text() + "\n");
+    write_output(command.json ? json.text() + "\n" : engines_text());
     return ExitCode::ok;
 }
 

@@ -34,7 +34,6 @@ struct CheckArguments {
     CheckOptions check{.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))};
     std::filesystem::path junit;
     std::filesystem::path shots;
-    bool update = false;
     bool force = false;
 };
 
@@ -44,6 +43,25 @@ void warn_of_no_claims(const SceneCheck& check) {
     report_warning(check.file +
                    ": the scene has no claims: it passes if it runs to its end. List what must be true in \"expect\"; "
                    "--require-claims refuses such scenes");
+}
+
+void write_updates(JsonWriter& json, const SceneCheck& check) {
+    if (!check.updated.empty()) {
+        json.key("updated").open_array();
+        for (const UpdatedHash& hash : check.updated)
+            json.open_object()
+                .member("pointer", hash.pointer)
+                .member("before", hash.before)
+                .member("after", hash.after)
+                .close_object();
+        json.close_array();
+    }
+    if (!check.pictures.empty()) {
+        json.key("pictures").open_array();
+        for (const WrittenPicture& picture : check.pictures)
+            json.open_object().member("pointer", picture.pointer).member("file", picture.file.string()).close_object();
+        json.close_array();
+    }
 }
 
 void write(JsonWriter& json, const SceneCheck& check) {
@@ -62,16 +80,7 @@ void write(JsonWriter& json, const SceneCheck& check) {
         json.close_object();
     }
     json.close_array();
-    if (!check.updated.empty()) {
-        json.key("updated").open_array();
-        for (const UpdatedHash& hash : check.updated)
-            json.open_object()
-                .member("pointer", hash.pointer)
-                .member("before", hash.before)
-                .member("after", hash.after)
-                .close_object();
-        json.close_array();
-    }
+    write_updates(json, check);
     json.close_object();
 }
 
@@ -120,10 +129,10 @@ void update(SceneCheck& check) {
 // --set and --seed change the scene and its hashes; the file would get the hashes of the changed scene. Standard input
 // cannot be written.
 void refuse_wrong_update(const CheckArguments& options) {
-    if (!options.update) return;
+    if (!options.check.update) return;
     if (!options.check.changes.overrides.empty() || options.check.changes.seed)
-        throw CLI::ValidationError("--update",
-                                   "writes the hashes of the scenes as they are; leave out --set and --seed");
+        throw CLI::ValidationError(
+            "--update", "writes the hashes and pictures of the scenes as they are; leave out --set and --seed");
     if (std::ranges::any_of(options.files, [](const std::string& file) { return is_standard_input(file); }))
         throw CLI::ValidationError("--update", "writes into the scene files, and standard input is none");
 }
@@ -141,7 +150,7 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
     if (!options.shots.empty()) make_names_unique(checks);
     for (SceneCheck& check : checks) {
         warn_of_no_claims(check);
-        if (options.update) update(check);
+        if (options.check.update) update(check);
         if (weight(check.code) > weight(code)) code = check.code;
         if (!options.shots.empty()) draw_failures(check, options);
         command.json ? write(json, check) : write_output(to_text(check));
@@ -166,7 +175,9 @@ void add_check(CLI::App& app, Command& command) {
         ->type_name("DIR");
     check.add_flag("--require-claims", options->check.require_claims, "A scene without claims fails");
     check.add_flag("--fail-fast", options->check.stop_at_failure, "Begin no other scene after one that fails");
-    check.add_flag("--update", options->update, "Write the hashes that were found into failed state_hash claims");
+    check.add_flag(
+        "--update", options->check.update,
+        "Write the hashes that were found into failed state_hash claims, and missing files of picture claims");
     check.add_option("-j,--jobs", options->check.threads, "Scenes to simulate in parallel")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 256));

@@ -25,7 +25,7 @@ struct DistanceArguments {
     std::string a, b;
     bool from_input = false;
     std::string sub_algorithm;    // empty: distance() with its fast paths
-    std::filesystem::path trace;  // empty: not drawn
+    std::filesystem::path trace;  // empty: not written
     bool force = false;
 };
 
@@ -33,19 +33,22 @@ const std::map<std::string, SubAlgorithm> kSubAlgorithms = {{"voronoi", SubAlgor
                                                             {"johnson", SubAlgorithm::johnson},
                                                             {"signed-volumes", SubAlgorithm::signed_volumes}};
 
+SubAlgorithm loop_of(const DistanceArguments& options) {
+    return options.sub_algorithm.empty() ? SubAlgorithm::voronoi : kSubAlgorithms.at(options.sub_algorithm);
+}
+
+// A trace shows the loop: its query is answered by the loop too, so that both have the same iterations.
 DistanceResult answer(const DistanceQuery& query, const DistanceArguments& options) {
-    if (options.sub_algorithm.empty()) return tumble::distance(query.a, query.a_pose, query.b, query.b_pose);
-    return gjk_distance(query.a, query.a_pose, query.b, query.b_pose, kSubAlgorithms.at(options.sub_algorithm));
+    if (options.sub_algorithm.empty() && options.trace.empty())
+        return tumble::distance(query.a, query.a_pose, query.b, query.b_pose);
+    return gjk_distance(query.a, query.a_pose, query.b, query.b_pose, loop_of(options));
 }
 
 ExitCode answer_arguments(const Command& command, const DistanceArguments& options) {
     const DistanceQuery query = parse_query_arguments(options.a, options.b);
     const DistanceResult result = answer(query, options);
     if (result.status == DistanceStatus::invalid) throw InputError("the distance of A and B is not a finite double");
-    if (!options.trace.empty()) {
-        const std::string& by = options.sub_algorithm.empty() ? "voronoi" : options.sub_algorithm;
-        write_trace(options.trace, query, kSubAlgorithms.at(by), options.force);
-    }
+    if (!options.trace.empty()) write_trace(options.trace, query, loop_of(options), options.force);
     if (!command.json) {
         write_output(answer_text(result));
         return ExitCode::ok;
@@ -153,7 +156,9 @@ void add_distance(CLI::App& app, Command& command) {
     distance.add_option("--sub-algorithm", options->sub_algorithm, "Use the GJK loop only, with this subalgorithm")
         ->check(CLI::IsMember(&kSubAlgorithms))
         ->type_name("NAME");
-    distance.add_option("--trace", options->trace, "Write the iterations of GJK as a picture or as JSON")
+    distance
+        .add_option("--trace", options->trace,
+                    "Answer by the GJK loop, and write its iterations as a picture or as JSON")
         ->type_name("F.png|.svg|.json");
     distance.add_flag("--force", options->force, "Replace an existing trace");
     distance.callback([&command, options] { command.action = [&command, options] { return run(command, *options); }; });

@@ -1,5 +1,6 @@
 // `tumble import`: converts a file of another program into a scene.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "reference/box2d/b2_rube.hpp"
 #include "tools/cli/console.hpp"
+#include "tools/cli/error_report.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
@@ -32,7 +34,8 @@ struct ImportArguments {
 constexpr double kAllowedDifference = 1e-5;  // relative, and in m for anchors: exports and Box2D are float
 
 bool agrees(const reference::ImportDifferences& found) {
-    return found.same_count && std::max({found.mass, found.center, found.inertia, found.anchor}) <= kAllowedDifference;
+    return found.same_count && std::max({found.mass.value, found.center.value, found.inertia.value,
+                                         found.anchor.value}) <= kAllowedDifference;
 }
 
 bool is_svg(const std::filesystem::path& file) {
@@ -59,8 +62,63 @@ std::ptrdiff_t count_of(const ImportedScene& imported, BodyType type) {
 // How the importer chooses the types of bodies: a drawing has no such property.
 constexpr const char* kSvgRule =
     "In an SVG drawing, filled shapes become dynamic bodies and unfilled lines become static chains.\n"
-    "To choose another type, set class=\"static\" (or \"kinematic\", \"dynamic\"), data-type=\"static\", or an id\n"
-    "that begins with the word, on the shape or its group.";
+    "To choose another type, set class=\"static\" (or \"kinematic\", \"dynamic\"), data-type=\"static\", or a label\n"
+    "or id that begins with the word, on the shape or its group.";
+
+void write_note(JsonWriter& json, const ImportNote& note) {
+    json.open_object().member("feature", note.feature).member("count", note.count);
+    json.key("owners").open_array();
+    for (const std::string& owner : note.owners) json.value(owner);
+    json.close_array().close_object();
+}
+
+// The name of a quantity, and its largest difference.
+struct NamedDifference {
+    const char* key;
+    const char* of;
+    const reference::ImportDifference& found;
+};
+
+std::array<NamedDifference, 4> differences_of(const reference::ImportDifferences& check) {
+    return {{{"mass", "mass", check.mass},
+             {"center", "centre of mass", check.center},
+             {"inertia", "moment of inertia", check.inertia},
+             {"anchor_m", "anchors", check.anchor}}};
+}
+
+void write_check(JsonWriter& json, const reference::ImportDifferences& check) {
+    json.key("check").open_object().member("agrees", agrees(check)).member("same_count", check.same_count);
+    json.member("bodies", check.bodies).member("joints", check.joints);
+    json.member("refused_inertias", check.refused_inertias);
+    for (const NamedDifference& one : differences_of(check)) json.member(one.key, one.found.value);
+    json.key("owners").open_object();
+    for (const NamedDifference& one : differences_of(check)) json.member(one.key, one.found.owner);
+    json.close_object().close_object();
+}
+
+std::string note_text(const ImportNote& note) {
+    std::string text = "not imported: " + note.feature + " (" + std::to_string(note.count) + ")";
+    for (const std::string& owner : note.owners) text += (&owner == note.owners.data() ? ": " : ", ") + owner;
+    return text + (note.count > static_cast<int>(note.owners.size()) && !note.owners.empty() ? ", ..." : "");
+}
+
+std::string check_text(const reference::ImportDifferences& check) {
+    std::string text = "compared with Box2D: " + std::to_string(check.bodies) + " dynamic bodies, masses within ";
+    append_number(text, check.mass.value);
+    append_number(text += ", centres within ", check.center.value);
+    append_number(text += ", inertias within ", check.inertia.value);
+    append_number(text += " (relative); " + std::to_string(check.joints) + " joints, anchors within ",
+                  check.anchor.value);
+    text += " m\n";
+    if (check.refused_inertias > 0)
+        text += "  not compared: " + std::to_string(check.refused_inertias) +
+                " moments of inertia that Box2D does not accept\n";
+    if (!check.same_count) text += "  the numbers of bodies or joints differ\n";
+    for (const NamedDifference& one : differences_of(check))
+        if (one.found.value > kAllowedDifference)
+            text += "  the difference is too large: " + std::string(one.of) + " of '" + one.found.owner + "'\n";
+    return text;
+}
 
 void write_json(const ImportArguments& options, const ImportedScene& imported,
                 const std::optional<reference::ImportDifferences>& check) {
@@ -69,14 +127,10 @@ void write_json(const ImportArguments& options, const ImportedScene& imported,
     json.member("bodies", imported.scene.bodies.size()).member("dynamic", count_of(imported, BodyType::dynamic_body));
     json.member("static", count_of(imported, BodyType::static_body)).member("joints", imported.scene.joints.size());
     json.key("not_carried_over").open_array();
-    for (const ImportNote& note : imported.notes)
-        json.open_object().member("feature", note.feature).member("count", note.count).close_object();
-    json.close_array();
-    if (check) {
-        json.key("check").open_object().member("agrees", agrees(*check)).member("bodies", check->bodies);
-        json.member("joints", check->joints).member("mass", check->mass).member("center", check->center);
-        json.member("inertia", check->inertia).member("anchor_m", check->anchor).close_object();
-    }
+    for (const ImportNote& note : imported.notes) write_note(json, note);
+    json.close_array().key("warnings");
+    write_diagnostics(json, imported.warnings);
+    if (check) write_check(json, *check);
     write_output(json.close_object().text() + "\n");
 }
 
@@ -86,18 +140,12 @@ void write_text(const ImportArguments& options, const ImportedScene& imported,
                  std::to_string(count_of(imported, BodyType::dynamic_body)) + " dynamic, " +
                  std::to_string(count_of(imported, BodyType::static_body)) + " static), " +
                  std::to_string(imported.scene.joints.size()) + " joints\n");
-    for (const ImportNote& note : imported.notes)
-        report_warning("not imported: " + note.feature + " (" + std::to_string(note.count) + ")");
+    for (const ImportNote& note : imported.notes) report_warning(note_text(note));
+    for (const Diagnostic& warning : imported.warnings) narrate(to_string(warning) + "\n");
     if (imported.scene.bodies.empty())
         report_warning(options.source.string() + ": no bodies found; the scene is empty");
     if (is_svg(options.source)) narrate(std::string(kSvgRule) + "\n");
-    if (!check) return;
-    std::string text = "compared with Box2D: " + std::to_string(check->bodies) + " dynamic bodies, masses within ";
-    append_number(text, check->mass);
-    append_number(text += ", centres within ", check->center);
-    append_number(text += ", inertias within ", check->inertia);
-    append_number(text += " (relative); " + std::to_string(check->joints) + " joints, anchors within ", check->anchor);
-    write_output(text + " m" + (agrees(*check) ? "\n" : ": the differences are too large\n"));
+    if (check) write_output(check_text(*check));
 }
 
 ExitCode import_scene(const Command& command, const ImportArguments& options) {
@@ -130,7 +178,11 @@ void add_import(CLI::App& app, Command& command) {
     app_import
         .add_option("FILE", options->source, "R.U.B.E. export (.json, .js) or drawing (.svg); - is standard input")
         ->required();
-    app_import.add_option("--scale", options->svg.metres_per_unit, "Metres per user unit of an SVG drawing")
+    app_import
+        .add_option(
+            "--scale", options->svg.metres_per_pixel,
+            "Metres for a pixel of an SVG page, which is 1/96 inch: 0.01 makes 1280 x 720 px 12.8 m x 7.2 m, and "
+            "210 x 297 mm 7.94 m x 11.2 m; 0.000264583 keeps the printed size")
         ->type_name("M")
         ->capture_default_str()
         ->check(number_from_to(1e-6, 1e6));

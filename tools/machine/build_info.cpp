@@ -14,4 +14,6 @@ std::string compiler_name() {
 
 std::string build_type() { return TUMBLE_BUILD_TYPE; }
 
+std::string compiler_flags() { return TUMBLE_FLAGS; }
+
 }  // namespace tumble::tools

@@ -14,4 +14,7 @@ std::string compiler_name();
 // "Release"
 std::string build_type();
 
+// "-O3 -DNDEBUG": what the user and the build type state. The simulation has -ffp-contract=off too.
+std::string compiler_flags();
+
 }  // namespace tumble::tools

@@ -7,6 +7,7 @@
 
 #include "reference/families/cast_families.hpp"
 #include "reference/families/pair_families.hpp"
+#include "tools/machine/engines.hpp"
 #include "tools/output/html.hpp"
 #include "tools/parity/parity_explanation.hpp"
 #include "tools/parity/parity_plots.hpp"
@@ -51,6 +52,8 @@ void add_summary(HtmlPage& page, const ParityResult& result, const std::string& 
         " comparisons, because distances of shapes with radii are compared without and with them. Exact arithmetic "
         "checked " +
         grouped(total.checked_exactly) + " of the comparisons. The run took " + short_number(result.seconds) + " s.");
+    for (const EngineBuild& engine : compared_engines())
+        page.paragraph(engine.name + " " + engine.version + ": " + engine.build + ".");
     page.paragraph("Wrong answers of tumble: " + grouped(total.ours_wrong + total.ours_witness_wrong) +
                    ". Wrong answers of Box2D: " + grouped(total.box2d_wrong) + " (" + grouped(total.box2d_wrong_flag) +
                    " wrong overlap flags, " + grouped(total.box2d_wrong_distance) +
@@ -82,6 +85,10 @@ void add_definitions(HtmlPage& page) {
         "value is wrong for a negative one. A pair is ill-conditioned if the engines differ by more than the tolerance "
         "and neither is wrong. Exact arithmetic checks every pair on which they differ by more, the first pairs of "
         "each family, and a seeded sample of the rest.");
+    page.paragraph(
+        "An iteration computes one support vertex of the Minkowski difference. For cores of at most eight vertices, "
+        "tumble evaluates all faces at once, which counts as 2: the ends of the nearest face. The iterations of Box2D "
+        "are those of b2Distance.");
     page.heading("Why b2Distance fails");
     page.paragraph(
         "It computes in float and in world coordinates. The coordinates of a pair S metres from the origin are rounded "

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "tools/machine/engines.hpp"
+
 namespace tumble::tools {
 
 using reference::ParityResult;
@@ -45,8 +47,9 @@ void write_parity_json(JsonWriter& json, const ParityResult& result) {
     json.close_array()
         .member("ours_wrong", total.ours_wrong + total.ours_witness_wrong)
         .member("box2d_wrong", total.box2d_wrong)
-        .member("seconds", result.seconds)
-        .close_object();
+        .member("seconds", result.seconds);
+    write_engines(json);
+    json.close_object();
 }
 
 std::string parity_table(const ParityResult& result) {
@@ -74,7 +77,8 @@ std::string parity_table(const ParityResult& result) {
     total.name = "total";
     add(total);
     table += "L: sum of the sizes of the cores, their radii and their offset; u = 2^-53\n";
-    return table;
+    table += "iterations: support vertices computed; a scan of all faces counts as 2, the ends of the nearest face\n";
+    return table + engines_text();
 }
 
 }  // namespace tumble::tools

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/machine/engines.hpp"
 #include "tools/output/html.hpp"
 
 namespace tumble::tools {
@@ -47,12 +48,14 @@ void add_summary(HtmlPage& page, const PhysicsResult& result) {
         std::to_string(result.holding()) + " of " + std::to_string(result.rows.size()) + " rows hold, " +
         std::to_string(result.holding(Engine::at_step_end)) +
         " with impacts at the end of the step. Each row compares tumble, tumble with the world's option "
-        "\"impacts\": \"at_step_end\", and Box2D 2.4.1 with an exact answer. The same scene runs in each, with the "
+        "\"impacts\": \"at_step_end\", and Box2D with an exact answer. The same scene runs in each, with the "
         "same step; Box2D makes 8 velocity and 3 position iterations in it. The "
         "table shows one condition of each row: the first that fails, or the first. Values are the worst of "
         "all phases. The " +
         std::string(result.is_short ? "short" : "full") + " form took " + seconds_text(result.seconds) + ".");
-    const std::vector<std::string> header = {"row",    "subject",  "measured", "condition", "exact", "passes",
+    for (const EngineBuild& engine : compared_engines())
+        page.paragraph(engine.name + " " + engine.version + ": " + engine.build + ".");
+    const std::vector<std::string> header = {"row",    "subject",     "measured", "condition", "exact", "passes",
                                              "tumble", "at step end", "Box2D",    "verdict",   "time"};
     std::vector<std::vector<HtmlCell>> rows;
     for (const MeasuredRow& measured : result.rows) {
@@ -97,7 +100,7 @@ Plot plot_of(const Chart& chart) {
 }
 
 void add_findings(HtmlPage& page, const std::vector<Finding>& findings) {
-    const std::vector<std::string> header = {"condition", "measured", "exact", "passes",
+    const std::vector<std::string> header = {"condition", "measured",    "exact", "passes",
                                              "tumble",    "at step end", "Box2D", "verdict"};
     std::vector<std::vector<HtmlCell>> rows;
     for (const Finding& finding : findings)

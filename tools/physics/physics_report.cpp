@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/machine/engines.hpp"
+
 namespace tumble::tools {
 
 namespace {
@@ -94,8 +96,9 @@ void write_physics_json(JsonWriter& json, const PhysicsResult& result) {
         .member("holding", result.holding())
         .member("holding_at_step_end", result.holding(Engine::at_step_end))
         .member("passed", result.passed())
-        .member("seconds", result.seconds)
-        .close_object();
+        .member("seconds", result.seconds);
+    write_engines(json);
+    json.close_object();
 }
 
 std::string physics_table(const PhysicsResult& result) {
@@ -108,7 +111,8 @@ std::string physics_table(const PhysicsResult& result) {
         if (!measured.result.failure.empty()) table += "  " + measured.result.failure + "\n";
     }
     return table + std::to_string(result.holding()) + " of " + std::to_string(result.rows.size()) + " rows hold, " +
-           std::to_string(result.holding(Engine::at_step_end)) + " with impacts at the end of the step\n";
+           std::to_string(result.holding(Engine::at_step_end)) + " with impacts at the end of the step\n" +
+           engines_text();
 }
 
 }  // namespace tumble::tools

@@ -127,19 +127,28 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& checkpoint) {
     file.commit();
 }
 
+Checkpoint parse_checkpoint(std::string_view text) {
+    const std::size_t line = std::min(text.find('\n'), text.size() - (text.empty() ? 0 : 1));
+    try {
+        Checkpoint checkpoint = read_header(Json::parse(text.substr(0, line)));
+        const auto run = std::as_bytes(std::span(text).subspan(line + 1));
+        checkpoint.run.assign(run.begin(), run.end());
+        return checkpoint;
+    } catch (const std::exception& error) {
+        throw InputError(std::string("is not a checkpoint of this version: ") + error.what());
+    }
+}
+
 Checkpoint read_checkpoint(const fs::path& folder, const std::string& settings) {
     const fs::path file = checkpoint_file(folder);
     if (!fs::exists(file)) throw FileError(folder, "contains no checkpoint; --checkpoint makes a run write them");
-    const std::string text = read_file(file);
-    const std::size_t line = std::min(text.find('\n'), text.size() - (text.empty() ? 0 : 1));
-    Checkpoint checkpoint;
-    try {
-        checkpoint = read_header(Json::parse(std::string_view(text).substr(0, line)));
-        const auto run = std::as_bytes(std::span(text).subspan(line + 1));
-        checkpoint.run.assign(run.begin(), run.end());
-    } catch (const std::exception& error) {
-        throw InputError(file.string() + ": is not a checkpoint of this version: " + error.what());
-    }
+    const Checkpoint checkpoint = [&] {
+        try {
+            return parse_checkpoint(read_file(file));
+        } catch (const InputError& error) {
+            throw InputError(file.string() + ": " + error.what());
+        }
+    }();
     if (checkpoint.settings != settings)
         throw CLI::ValidationError(
             "--resume", "the run was begun with other options: " + checkpoint.settings + "; now they are: " + settings);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/run/frame_output.hpp"
@@ -44,6 +45,9 @@ struct Checkpoint {
 
 // Replaces checkpoint_file() as a whole, so that it is complete at any time. Throws FileError.
 void write_checkpoint(const std::filesystem::path& folder, const Checkpoint& checkpoint);
+
+// The checkpoint of these bytes. Throws InputError, without the name of the file, if they are damaged.
+Checkpoint parse_checkpoint(std::string_view text);
 
 // Throws FileError if the folder has no checkpoint, InputError if it is damaged, CLI::ValidationError if the run was
 // begun with other settings.

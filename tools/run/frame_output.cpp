@@ -26,10 +26,12 @@ FrameOutput::FrameOutput(const Scene& scene, const SceneWorld& world, const RunO
       writer_(encoder_threads()),
       overlay_(options.overlay) {
     if (!options.video.empty()) video_.emplace(start_video(options));
+    if (!options.raw_video.empty()) raw_video_.emplace(options.raw_video);
 }
 
 void FrameOutput::write_frame(Image image) {
     if (video_) video_->write(image);
+    if (raw_video_) raw_video_->write(image);
     if (options_.no_frames)
         image_ = std::move(image);
     else
@@ -56,6 +58,7 @@ std::vector<WrittenFiles> FrameOutput::finish() {
     const WrittenFiles frames = finish_frames();
     if (!options_.no_frames) files.push_back(frames);
     if (video_) files.push_back({"video", options_.video, 1, video_->finish()});
+    if (raw_video_) files.push_back({"raw video", options_.raw_video, 1, raw_video_->finish()});
     return files;
 }
 

@@ -1,4 +1,4 @@
-// Draws the frames of a run and passes them to the encoder threads, to the video, or to both.
+// Draws the frames of a run and passes them to the encoder threads, to the video and to the raw video.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 
 #include "tools/run/frame_schedule.hpp"
 #include "tools/run/frame_views.hpp"
+#include "tools/run/raw_video.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/run/run_report.hpp"
 #include "tumble/recording.hpp"
@@ -24,7 +25,7 @@ public:
     // the camera follows the bodies.
     void draw_due(const SceneWorld& world);
 
-    // Waits until all frames are written, and ends the video. Throws the first FileError or RenderError.
+    // Waits until all frames are written, and ends the videos. Throws the first FileError or RenderError.
     std::vector<WrittenFiles> finish();
 
     // Waits until the PNG files of all frames so far are written; more may follow.
@@ -55,6 +56,7 @@ private:
     Renderer renderer_;
     Camera camera_;
     std::optional<VideoWriter> video_;
+    std::optional<RawVideo> raw_video_;
     FrameWriter writer_;
     Overlay overlay_;
     Marking marking_;  // the trails

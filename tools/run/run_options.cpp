@@ -119,19 +119,25 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     CLI::Option* const video =
         subcommand.add_option("--video", options.video, "Write a video: .mp4, .webm, .gif or .apng; needs ffmpeg")
             ->type_name("F");
+    CLI::Option* const raw_video = &allow_standard_output(
+        *subcommand
+             .add_option(
+                 "--raw-video", options.raw_video,
+                 "Write the frames without compression or header: rgb24, rows from the top; - is standard output")
+             ->type_name("F"));
     subcommand
         .add_option("--checkpoint", options.checkpoint,
                     "Save the run after each S seconds of wall clock, and when it is interrupted")
         ->type_name("S")
         ->check(number_from_to(0.0, kMaxDuration))
-        ->excludes(replay, video);
+        ->excludes(replay, video, raw_video);
     CLI::Option* const resume =
         subcommand.add_flag("--resume", options.resume, "Continue the run in the folder from its checkpoint")
-            ->excludes(replay, video);
+            ->excludes(replay, video, raw_video);
     add_threads_option(subcommand, options.threads);
     subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
-        if (subcommand.count("--video") > 0) return;
+        if (subcommand.count("--video") + subcommand.count("--raw-video") > 0) return;
         warn_of_unused(subcommand, {"--fps", "--overlay", "--hide"}, "--no-frames");
         if (subcommand.count("--replay") == 0) warn_of_unused(subcommand, {"--size"}, "--no-frames");
     });

@@ -34,9 +34,12 @@ struct RunOptions {
     std::filesystem::path hashes;      // empty: not written
     std::filesystem::path replay;      // empty: not written
     std::filesystem::path video;       // empty: not written
+    std::filesystem::path raw_video;   // empty: not written
     int threads = 1;                   // that make a step; 0: one for each processor
     bool no_replay_contacts = false;   // leave the contact points out of the replay
     Overlay overlay;                   // drawn over the shapes
+
+    bool draws() const { return !no_frames || !video.empty() || !raw_video.empty(); }
 };
 
 // --size WxH
@@ -49,6 +52,7 @@ void add_overlay_option(CLI::App& subcommand, Overlay& overlay);
 void add_threads_option(CLI::App& subcommand, int& threads);
 
 // -o, --duration, --fps, --size, --no-frames, --overlay, --hide, --trajectory, --contacts, --hashes, --replay, --video,
+// --raw-video,
 // --checkpoint, --resume, --threads, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 

@@ -81,8 +81,9 @@ FrameSchedule make_schedule(const Scene& scene, const RunOptions& options) {
 }
 
 // The files that options name, if they are wanted.
-std::array<const std::filesystem::path*, 5> named_files(const RunOptions& options) {
-    return {&options.contacts, &options.trajectory, &options.hashes, &options.replay, &options.video};
+std::array<const std::filesystem::path*, 6> named_files(const RunOptions& options) {
+    return {&options.contacts, &options.trajectory, &options.hashes,
+            &options.replay,   &options.video,      &options.raw_video};
 }
 
 // The file as renaming into its place sees it: links in its folder are followed, the file itself is not.
@@ -129,10 +130,9 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     report_.seed = scene.world.seed;
     report_.draws = scene.draws;
     report_.dt = 1.0 / scene.world.steps_per_second;
-    const bool draws = !options.no_frames || !options.video.empty();
     if (!options.video.empty()) require_video(options, schedule_);
     if (!options.replay.empty()) require_replay(run_.built(), schedule_.step_count());
-    if (draws && schedule_.repeats_frames())
+    if (options.draws() && schedule_.repeats_frames())
         report_warning("--fps exceeds the steps per second of the scene: some frames repeat the previous one");
     require_different_files(options);
     require_files_to_continue(options);
@@ -157,7 +157,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, force);
     if (!options.hashes.empty()) hashes_.emplace(options.hashes, force);
     if (!options.replay.empty()) replay_.emplace(scene, run_.built(), options);
-    if (draws) frames_.emplace(scene, run_.built(), options, schedule_);
+    if (options.draws()) frames_.emplace(scene, run_.built(), options, schedule_);
     // Last, when nothing that the options name is refused any more: an earlier run is removed.
     if (!options.resume) clear_run_folder(options.folder, !options.no_frames);
     summary_.emplace(open_output(summary_file(options.folder), force));

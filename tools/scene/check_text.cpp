@@ -26,6 +26,8 @@ std::string to_text(const SceneCheck& check) {
     if (!check.error.empty()) text += "  " + check.error + (check.error.ends_with('\n') ? "" : "\n");
     for (const UpdatedHash& hash : check.updated)
         text += "  " + check.file + ": " + hash.pointer + " updated from " + hash.before + " to " + hash.after + "\n";
+    for (const WrittenPicture& picture : check.pictures)
+        text += "  " + check.file + ": " + picture.pointer + " was missing; written to " + picture.file.string() + "\n";
     for (std::size_t i = 0; i < check.expectations.size(); ++i) {
         const ExpectationResult& result = check.expectations[i];
         if (result.passed) continue;

@@ -7,8 +7,11 @@
 #include <cstdlib>
 
 #include "tools/cli/interrupt.hpp"
+#include "tools/cli/output_path.hpp"
 #include "tools/diff/png_reader.hpp"
+#include "tools/run/run_options.hpp"
 #include "tools/scene/scene_options.hpp"
+#include "tumble/file.hpp"
 #include "tumble/render.hpp"
 
 namespace tumble::tools {
@@ -29,17 +32,7 @@ Image draw_at(const Scene& scene, std::uint64_t step, int width, int height) {
     return image;
 }
 
-void decide_picture(const Scene& scene, const SceneExpectation& claim, const std::filesystem::path& folder,
-                    std::uint64_t last_step, ExpectationResult& result) {
-    const double rate = scene.world.steps_per_second;
-    result.step = claim.at ? nearest_step(*claim.at, rate) : last_step;
-    result.time = static_cast<double>(result.step) / rate;
-    result.passed = result.step <= last_step;
-    result.finding = "the run ends before that";
-    if (!result.passed) return;
-    const Image golden = read_png(folder / claim.picture);
-    const Image drawn = draw_at(scene, result.step, golden.width, golden.height);
-    const double tolerance = claim.tolerance.value_or(0.0);
+void compare(const Image& golden, const Image& drawn, double tolerance, ExpectationResult& result) {
     std::size_t pixels = 0;
     int largest = 0;
     for (std::size_t pixel = 0; pixel + 3 < golden.rgba.size(); pixel += 4) {
@@ -53,6 +46,36 @@ void decide_picture(const Scene& scene, const SceneExpectation& claim, const std
     result.finding = result.passed
                          ? "the largest difference is " + std::to_string(largest) + " levels"
                          : std::to_string(pixels) + " pixels differ, by up to " + std::to_string(largest) + " levels";
+}
+
+// Returns whether it was written: not if a signal has stopped the scene before its step.
+bool write_picture(const Scene& scene, const std::filesystem::path& file, ExpectationResult& result) {
+    const FrameSize size;
+    const Image drawn = draw_at(scene, result.step, size.width, size.height);
+    if (is_interrupted()) return false;
+    create_folder_of(file);
+    write_png(drawn, file);
+    result.finding = "the picture was missing and has been written";
+    return true;
+}
+
+bool decide_picture(const EndedRun& run, const SceneExpectation& claim, bool write_missing, ExpectationResult& result) {
+    const double rate = run.scene.world.steps_per_second;
+    result.step = claim.at ? nearest_step(*claim.at, rate) : run.last_step;
+    result.time = static_cast<double>(result.step) / rate;
+    result.passed = result.step <= run.last_step;
+    result.finding = "the run ends before that";
+    if (!result.passed) return false;
+    const std::filesystem::path file = run.folder / claim.picture;
+    std::error_code unreadable;
+    if (!std::filesystem::exists(file, unreadable)) {
+        if (write_missing) return write_picture(run.scene, file, result);
+        throw FileError(file, "the picture of a claim is missing; `tumble check --update` writes it");
+    }
+    const Image golden = read_png(file);
+    compare(golden, draw_at(run.scene, result.step, golden.width, golden.height), claim.tolerance.value_or(0.0),
+            result);
+    return false;
 }
 
 // Steps two scenes in turns, so that what slows down the machine slows down both. The ratio of their mean times of a
@@ -81,14 +104,13 @@ double time_ratio(const Scene& scene, const Scene& reference) {
     return one.mean() / other.mean();
 }
 
-void decide_time_ratio(const Scene& scene, const SceneExpectation& claim, const std::filesystem::path& folder,
-                       std::uint64_t last_step, ExpectationResult& result) {
-    const Scene reference = load_named_scene((folder / claim.reference).string());
+void decide_time_ratio(const EndedRun& run, const SceneExpectation& claim, ExpectationResult& result) {
+    const Scene reference = load_named_scene((run.folder / claim.reference).string());
     std::array<double, 3> ratios{};
-    for (double& ratio : ratios) ratio = time_ratio(scene, reference);
+    for (double& ratio : ratios) ratio = time_ratio(run.scene, reference);
     std::ranges::sort(ratios);
-    result.step = last_step;
-    result.time = static_cast<double>(last_step) / scene.world.steps_per_second;
+    result.step = run.last_step;
+    result.time = static_cast<double>(run.last_step) / run.scene.world.steps_per_second;
     result.passed = ratios[1] <= claim.max_time_ratio.value();
     char text[64];
     std::snprintf(text, sizeof text, "it takes %.3g times as long", ratios[1]);
@@ -97,11 +119,12 @@ void decide_time_ratio(const Scene& scene, const SceneExpectation& claim, const 
 
 }  // namespace
 
-void decide_outer_claim(const Scene& scene, const SceneExpectation& claim, const std::filesystem::path& folder,
-                        std::uint64_t last_step, ExpectationResult& result) {
+bool decide_outer_claim(const EndedRun& run, const SceneExpectation& claim, bool write_missing,
+                        ExpectationResult& result) {
     result.is_decided = true;
-    if (claim.max_time_ratio) return decide_time_ratio(scene, claim, folder, last_step, result);
-    decide_picture(scene, claim, folder, last_step, result);
+    if (!claim.max_time_ratio) return decide_picture(run, claim, write_missing, result);
+    decide_time_ratio(run, claim, result);
+    return false;
 }
 
 }  // namespace tumble::tools

@@ -8,9 +8,17 @@
 
 namespace tumble::tools {
 
-// A `picture` or a `max_time_ratio`. `folder` is that of the scene, `last_step` that at which its run ended. Throws
-// FileError, InputError, SceneError, SimulationDiverged or RenderError.
-void decide_outer_claim(const Scene& scene, const SceneExpectation& claim, const std::filesystem::path& folder,
-                        std::uint64_t last_step, ExpectationResult& result);
+// The run of a scene that has ended.
+struct EndedRun {
+    const Scene& scene;
+    std::filesystem::path folder;  // of the scene
+    std::uint64_t last_step = 0;
+};
+
+// A `picture` or a `max_time_ratio`. A picture that is missing is an error, or is written with `write_missing`: then
+// the claim holds. Returns whether it was written. Throws FileError, InputError, SceneError, SimulationDiverged or
+// RenderError.
+bool decide_outer_claim(const EndedRun& run, const SceneExpectation& claim, bool write_missing,
+                        ExpectationResult& result);
 
 }  // namespace tumble::tools

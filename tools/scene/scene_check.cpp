@@ -17,6 +17,16 @@ namespace tumble::tools {
 
 namespace {
 
+void decide_outer_claims(const Scene& scene, const CheckOptions& options, SceneCheck& check) {
+    const std::filesystem::path file = is_standard_input(check.file) ? "" : check.file;
+    const EndedRun run{scene, file.parent_path(), check.steps};
+    for (std::size_t i = 0; i < scene.expect.size(); ++i) {
+        ExpectationResult& result = check.expectations[i];
+        if (!result.is_decided && decide_outer_claim(run, scene.expect[i], options.update, result))
+            check.pictures.push_back({pointer_of_claim(i) + "/picture", run.folder / scene.expect[i].picture});
+    }
+}
+
 void simulate_and_check(const Scene& scene, const CheckOptions& options, SceneCheck& check) {
     check.name = file_name_of(scene.name);
     if (options.require_claims && scene.expect.empty()) {
@@ -41,11 +51,7 @@ void simulate_and_check(const Scene& scene, const CheckOptions& options, SceneCh
         check.error = "interrupted at step " + std::to_string(check.steps) + " of " + std::to_string(step_count);
         return;
     }
-    const std::filesystem::path folder =
-        is_standard_input(check.file) ? std::filesystem::path() : std::filesystem::path(check.file).parent_path();
-    for (std::size_t i = 0; i < scene.expect.size(); ++i)
-        if (!check.expectations[i].is_decided)
-            decide_outer_claim(scene, scene.expect[i], folder, check.steps, check.expectations[i]);
+    decide_outer_claims(scene, options, check);
     check.was_simulated = true;
     for (const ExpectationResult& result : check.expectations)
         if (!result.passed) check.code = ExitCode::failed;

@@ -18,6 +18,12 @@ struct UpdatedHash {
     std::string before, after;
 };
 
+// The file of a `picture` claim that was missing.
+struct WrittenPicture {
+    std::string pointer;
+    std::filesystem::path file;
+};
+
 // The result of one scene file.
 struct SceneCheck {
     std::string file;
@@ -30,6 +36,7 @@ struct SceneCheck {
     std::vector<std::filesystem::path> shots;  // [expectations.size()] or empty: a picture of each failed claim
     std::vector<std::string> claimed_hashes;   // [expectations.size()]: of `state_hash` claims, else empty
     std::vector<UpdatedHash> updated;
+    std::vector<WrittenPicture> pictures;
     std::uint64_t steps = 0;
     std::uint64_t state_hash = 0;
     double seconds = 0.0;      // wall clock
@@ -41,6 +48,7 @@ struct CheckOptions {
     int threads = 1;
     bool require_claims = false;   // a scene without claims fails
     bool stop_at_failure = false;  // begin no other scene after one that fails
+    bool update = false;           // write the files of `picture` claims that are missing
 };
 
 // An error of the scene is part of the result, not an exception. On SIGINT, SIGHUP or SIGTERM it stops with

@@ -62,14 +62,13 @@ private:
         scene_.world.continuous = world.flag("continuousPhysics");
         const double rate = world.number("stepsPerSecond");
         if (rate > 0.0) scene_.world.steps_per_second = rate;
-        if (world.has("velocityIterations") || world.has("positionIterations"))
-            notes_.add("numbers of solver iterations");
         if (world.flag("subStepping")) notes_.add("sub-stepping of continuous physics");
         if (!world.flag("warmStarting", true)) notes_.add("warm starting switched off");
         if (!world.flag("autoClearForces", true)) notes_.add("forces that are not cleared");
-        if (world.has("image")) notes_.add("images", static_cast<int>(world.list("image").size()));
+        for (RubeObject& image : world.list("image")) notes_.add_of("'" + image.text("file") + "'", "images");
         scene_.custom = world.custom({"customProperties"});
-        world.skip({"velocityIterations", "positionIterations", "image"});
+        // Numbers of iterations are of Box2D's solver, and collisionbitplanes are the editor's names of categories.
+        world.skip({"velocityIterations", "positionIterations", "collisionbitplanes", "image"});
     }
 
     void read_body(RubeObject& body) {
@@ -89,7 +88,7 @@ private:
         result.gravity_scale = body.number("gravityScale", 1.0);
         read_name(body, result);
         for (const RubeObject& fixture : body.list("fixture"))
-            if (const std::optional<RubeFixture> read = read_rube_fixture(fixture, notes_))
+            if (const std::optional<RubeFixture> read = read_rube_fixture(fixture, owner_of(result), notes_))
                 result.shapes.push_back(
                     {read->geometry, material_of(read->surface), read->custom, read->filter, read->sensor});
         read_behavior(body, result);
@@ -103,7 +102,7 @@ private:
         result.name = name;
         for (int number = 2; !result.name.empty() && !names_.insert(result.name).second; ++number)
             result.name = name + "_" + std::to_string(number);
-        if (result.name != name) notes_.add("repeated body names, numbered");
+        if (result.name != name) notes_.add_of(owner_of(result), "repeated body names, numbered");
         result.custom = body.custom({"customProperties"});
     }
 
@@ -111,18 +110,22 @@ private:
         const bool awake = body.flag("awake"), may_sleep = body.flag("allowSleep", true);
         const bool bullet = body.flag("bullet"), fixed = body.flag("fixedRotation");
         result.enabled = body.flag("active", true);
-        const SceneMass mass = read_rube_mass(body, fixed);
+        result.fixed_rotation = fixed && result.type == BodyType::dynamic_body;
+        result.mass = read_rube_mass(body, result, owner_of(result), scene_.materials);
         if (result.type != BodyType::dynamic_body) return;
         result.awake = awake;
         if (!awake && (result.velocity != DVec2{} || result.angular_velocity != 0.0)) {
-            notes_.add("velocities of sleeping bodies");
+            notes_.add_of(owner_of(result), "velocities of sleeping bodies");
             result.velocity = {};
             result.angular_velocity = 0.0;
         }
         result.bullet = bullet;
         result.allow_sleep = may_sleep;
-        result.fixed_rotation = fixed;
-        if (!is_mass_of_shapes(mass, result, scene_.materials)) result.mass = mass;
+    }
+
+    // "body 'wheel'", or "body 7" if it is the eighth of the export and has no name. To be called before it is added.
+    std::string owner_of(const SceneBody& body) const {
+        return "body " + (body.name.empty() ? std::to_string(scene_.bodies.size()) : "'" + body.name + "'");
     }
 
     // The name of the material with this surface.
@@ -164,7 +167,7 @@ private:
         const std::string name = joint->name;
         for (int number = 2; !joint->name.empty() && !joint_names_.insert(joint->name).second; ++number)
             joint->name = name + "_" + std::to_string(number);
-        if (joint->name != name) notes_.add("repeated joint names, numbered");
+        if (joint->name != name) notes_.add_of("joint '" + joint->name + "'", "repeated joint names, numbered");
         scene_.joints.push_back(std::move(*joint));
         return scene_.joints.size() - 1;
     }
@@ -215,7 +218,7 @@ ImportedScene parse_rube(std::string_view content, const std::string& file_name)
             imported = scene::RubeImporter(diagnostics).import(*document);
         }
     }
-    diagnostics.finish(nullptr);
+    diagnostics.finish(&imported.warnings);
     const std::filesystem::path file = file_name;
     imported.scene.name = file.stem().string();
     imported.scene.description = "Imported from the R.U.B.E. export " + file.filename().string() + ".";

@@ -109,6 +109,12 @@ void read_pulley(RubeObject& joint, SceneJoint& result) {
     result.length = std::max(joint.number("lengthA") + *result.ratio * joint.number("lengthB"), kLeastLength);
 }
 
+// "joint 'axle'", or the place of one without a name: "joint /joint/3".
+std::string owner_of(RubeObject& joint) {
+    const std::string name = joint.text("name");
+    return "joint " + (name.empty() ? joint.pointer() : "'" + name + "'");
+}
+
 void read_common(RubeObject& joint, SceneJoint& result) {
     result.name = joint.text("name");
     result.collide_connected = joint.flag("collideConnected");
@@ -122,15 +128,15 @@ std::optional<SceneJoint> read_rube_joint(RubeObject joint, const std::string& t
     const int a = joint.index("bodyA", body_count, "bodies"), b = joint.index("bodyB", body_count, "bodies");
     if (a < 0 || b < 0) return std::nullopt;
     if (std::ranges::find(kTypes, type) == kTypes.end()) {
-        notes.add("joints of the unknown type " + quoted(type) + ", left out");
+        notes.add_of(owner_of(joint), "joints of the unknown type " + quoted(type) + ", left out");
         return std::nullopt;
     }
     if (a == b) {
-        notes.add("joints that connect a body to itself, left out");
+        notes.add_of(owner_of(joint), "joints that connect a body to itself, left out");
         return std::nullopt;
     }
     if (type == "pulley" && !(joint.number("ratio") > 0.0)) {
-        notes.add("pulley joints whose ratio is not positive, left out");
+        notes.add_of(owner_of(joint), "pulley joints whose ratio is not positive, left out");
         return std::nullopt;
     }
     SceneJoint result;
@@ -166,11 +172,11 @@ std::optional<SceneJoint> read_rube_gear(RubeObject joint, std::size_t joint_cou
     result.ratio = joint.number("ratio");
     const SceneJoint *first = joint_at(static_cast<std::size_t>(a)), *second = joint_at(static_cast<std::size_t>(b));
     if (a == b || !can_be_geared(first) || !can_be_geared(second)) {
-        notes.add("gear joints that do not couple two revolute or prismatic joints, left out");
+        notes.add_of(owner_of(joint), "gear joints that do not couple two revolute or prismatic joints, left out");
         return std::nullopt;
     }
     if (*result.ratio == 0.0) {
-        notes.add("gear joints of ratio 0, left out");
+        notes.add_of(owner_of(joint), "gear joints of ratio 0, left out");
         return std::nullopt;
     }
     result.joint_a = first->name;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/json/json_text.hpp"
 #include "tumble/scene_world.hpp"
 #include "tumble/shape.hpp"
 
@@ -17,20 +18,17 @@ double density_of(const std::string& name, const std::vector<SceneMaterial>& mat
     return found == materials.end() ? SceneMaterial{}.density : found->density;
 }
 
-}  // namespace
+// Of all shapes of a body together.
+struct ShapesMass {
+    double mass = 0.0;
+    DVec2 center;
+    double inertia = 0.0;  // about the centre
+    double reach = 0.0;    // of the farthest point from the origin
+};
 
-SceneMass read_rube_mass(RubeObject& body, bool fixed_rotation) {
-    const double mass = body.number("massData-mass"), inertia = body.number("massData-I");
-    SceneMass result{mass > 0.0 ? mass : 1.0, body.vector("massData-center"), 0.0};
-    if (inertia > 0.0 && !fixed_rotation)
-        result.inertia = std::max(inertia - result.mass * length_sq(result.center), 0.0);
-    return result;
-}
-
-bool is_mass_of_shapes(const SceneMass& mass, const SceneBody& body, const std::vector<SceneMaterial>& materials) {
-    double total = 0.0;
+ShapesMass mass_of_shapes(const SceneBody& body, const std::vector<SceneMaterial>& materials) {
+    ShapesMass sum;
     DVec2 moment;
-    double inertia = 0.0, reach = 0.0;  // about the origin
     for (const SceneShape& shape : body.shapes) {
         if (shape.sensor) continue;
         const double density = density_of(shape.material, materials);
@@ -38,17 +36,53 @@ bool is_mass_of_shapes(const SceneMass& mass, const SceneBody& body, const std::
             const MassProperties properties = mass_properties(part);
             const double weight = density * properties.area;
             const DVec2 center(properties.center);
-            total += weight;
+            sum.mass += weight;
             moment += weight * center;
-            inertia += density * properties.inertia + weight * length_sq(center);
-            reach = std::max(reach, double{farthest_distance(part, {})});
+            sum.inertia += density * properties.inertia + weight * length_sq(center);
+            sum.reach = std::max(sum.reach, double{farthest_distance(part, {})});
         }
     }
-    if (!(total > 0.0) || std::abs(total - mass.mass) > kTolerance * mass.mass) return false;
-    const DVec2 center = (1.0 / total) * moment;
-    if (length(center - mass.center) > kTolerance * reach) return false;
-    if (body.fixed_rotation) return true;
-    return std::abs(inertia - total * length_sq(center) - mass.inertia) <= kTolerance * mass.inertia;
+    if (!(sum.mass > 0.0)) return sum;
+    sum.center = (1.0 / sum.mass) * moment;
+    sum.inertia -= sum.mass * length_sq(sum.center);
+    return sum;
+}
+
+bool are_equal(const SceneMass& stated, const ShapesMass& shapes, bool fixed_rotation) {
+    if (!(shapes.mass > 0.0) || std::abs(shapes.mass - stated.mass) > kTolerance * stated.mass) return false;
+    if (length(shapes.center - stated.center) > kTolerance * shapes.reach) return false;
+    return fixed_rotation || std::abs(shapes.inertia - stated.inertia) <= kTolerance * stated.inertia;
+}
+
+// The inertia of the shapes about another centre, if they had this mass; 0 for shapes without an area.
+double inertia_of_shapes(const SceneMass& stated, const ShapesMass& shapes) {
+    if (!(shapes.mass > 0.0)) return 0.0;
+    return shapes.inertia * stated.mass / shapes.mass + stated.mass * length_sq(stated.center - shapes.center);
+}
+
+}  // namespace
+
+std::optional<SceneMass> read_rube_mass(RubeObject& json, const SceneBody& body, const std::string& owner,
+                                        const std::vector<SceneMaterial>& materials) {
+    const double mass = json.number("massData-mass"), about_origin = json.number("massData-I");
+    SceneMass stated{mass > 0.0 ? mass : 1.0, json.vector("massData-center"), 0.0};
+    if (body.type != BodyType::dynamic_body) return std::nullopt;
+    const ShapesMass shapes = mass_of_shapes(body, materials);
+    if (about_origin > 0.0 && !body.fixed_rotation) {
+        const double of_center = stated.mass * length_sq(stated.center);
+        stated.inertia = about_origin - of_center;
+        if (!(stated.inertia > 0.0)) {
+            stated.inertia = inertia_of_shapes(stated, shapes);
+            json.warn("massData-I",
+                      owner + " has a moment of inertia of " + number_text(about_origin) +
+                          " kg m^2 about its origin, less than its mass times the squared distance of its centre, " +
+                          number_text(of_center) + " kg m^2, which no body has; Box2D does not accept it",
+                      stated.inertia > 0.0 ? "the scene has the moment of inertia of the shapes instead"
+                                           : "the body has no shape with an area: it does not rotate");
+        }
+    }
+    if (are_equal(stated, shapes, body.fixed_rotation)) return std::nullopt;
+    return stated;
 }
 
 }  // namespace tumble::scene

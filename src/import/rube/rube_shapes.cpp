@@ -12,8 +12,16 @@ namespace tumble::scene {
 
 namespace {
 
+// Where the notes on the fixtures of a body go.
+struct FixtureNotes {
+    const std::string& owner;
+    RubeNotes& all;
+
+    void add(const std::string& feature, int count = 1) const { all.add_of(owner, feature, count); }
+};
+
 // Removes points that are equal in float to the one before.
-std::vector<DVec2> weld_neighbors(const std::vector<DVec2>& points, RubeNotes& notes) {
+std::vector<DVec2> weld_neighbors(const std::vector<DVec2>& points, const FixtureNotes& notes) {
     std::vector<DVec2> kept;
     for (const DVec2 point : points)
         if (kept.empty() || to_float(kept.back()) != to_float(point)) kept.push_back(point);
@@ -22,7 +30,7 @@ std::vector<DVec2> weld_neighbors(const std::vector<DVec2>& points, RubeNotes& n
     return kept;
 }
 
-ShapeGeometry make_rube_chain(const std::vector<DVec2>& points, bool loop, RubeNotes& notes) {
+ShapeGeometry make_rube_chain(const std::vector<DVec2>& points, bool loop, const FixtureNotes& notes) {
     ChainGeometry chain{weld_neighbors(points, notes), loop, true};
     const bool closed = chain.points.size() > 2 && to_float(chain.points.front()) == to_float(chain.points.back());
     if (closed) {
@@ -42,7 +50,7 @@ ShapeGeometry make_rube_polygon(const std::vector<DVec2>& vertices) {
     return OutlineGeometry{vertices};
 }
 
-ShapeGeometry read_chain(RubeObject& chain, RubeNotes& notes) {
+ShapeGeometry read_chain(RubeObject& chain, const FixtureNotes& notes) {
     ShapeGeometry geometry = make_rube_chain(chain.points("vertices"), false, notes);
     const bool has_ghosts = chain.flag("hasNextVertex") || chain.flag("hasPrevVertex");
     if (has_ghosts && !std::get<ChainGeometry>(geometry).loop) notes.add("ghost vertices at the ends of open chains");
@@ -50,13 +58,13 @@ ShapeGeometry read_chain(RubeObject& chain, RubeNotes& notes) {
     return geometry;
 }
 
-ShapeGeometry read_edge(RubeObject& edge, RubeNotes& notes) {
+ShapeGeometry read_edge(RubeObject& edge, const FixtureNotes& notes) {
     if (edge.flag("hasVertex0") || edge.flag("hasVertex3")) notes.add("ghost vertices of edges");
     edge.skip({"vertex0", "vertex3", "hasVertex3"});
     return SegmentGeometry{edge.vector("vertex1"), edge.vector("vertex2")};
 }
 
-std::optional<ShapeGeometry> read_geometry(RubeObject& fixture, RubeNotes& notes) {
+std::optional<ShapeGeometry> read_geometry(RubeObject& fixture, const FixtureNotes& notes) {
     constexpr std::array<std::string_view, 5> kKinds = {"circle", "polygon", "chain", "edge", "loop"};
     const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](std::string_view k) { return fixture.has(k); });
     if (kind == kKinds.end()) return std::nullopt;
@@ -67,12 +75,12 @@ std::optional<ShapeGeometry> read_geometry(RubeObject& fixture, RubeNotes& notes
     if (*kind == "chain") geometry = read_chain(shape, notes);
     if (*kind == "edge") geometry = read_edge(shape, notes);
     if (*kind == "loop") geometry = make_rube_chain(shape.points("vertices"), true, notes);
-    shape.note_unread(std::string(*kind), notes);
+    shape.note_unread(std::string(*kind), notes.all);
     return geometry;
 }
 
 // The geometry, or empty if it is degenerate.
-std::optional<ShapeGeometry> read_valid_geometry(RubeObject& fixture, RubeNotes& notes) {
+std::optional<ShapeGeometry> read_valid_geometry(RubeObject& fixture, const FixtureNotes& notes) {
     try {
         std::optional<ShapeGeometry> geometry = read_geometry(fixture, notes);
         const CircleGeometry* circle = geometry ? std::get_if<CircleGeometry>(&*geometry) : nullptr;
@@ -97,16 +105,16 @@ std::optional<SceneFilter> read_filter(RubeObject& fixture) {
 
 }  // namespace
 
-std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, RubeNotes& notes) {
+std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, const std::string& owner, RubeNotes& notes) {
     RubeFixture result;
     result.surface = {fixture.number("density"), fixture.number("friction"), fixture.number("restitution")};
     result.custom = fixture.custom({"name", "customProperties"});
     result.filter = read_filter(fixture);
     result.sensor = fixture.flag("sensor");
-    const std::optional<ShapeGeometry> geometry = read_valid_geometry(fixture, notes);
+    const std::optional<ShapeGeometry> geometry = read_valid_geometry(fixture, {owner, notes});
     fixture.note_unread("fixture", notes);
     if (!geometry) {
-        notes.add("fixtures without a shape or with a degenerate one, left out");
+        notes.add_of(owner, "fixtures without a shape or with a degenerate one, left out");
         return std::nullopt;
     }
     result.geometry = *geometry;

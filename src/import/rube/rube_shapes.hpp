@@ -24,7 +24,7 @@ struct RubeFixture {
     bool sensor = false;
 };
 
-// Empty, with a note, for a fixture without a shape or with a degenerate one.
-std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, RubeNotes& notes);
+// Empty, with a note, for a fixture without a shape or with a degenerate one. Notes name the body by `owner`.
+std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, const std::string& owner, RubeNotes& notes);
 
 }  // namespace tumble::scene

@@ -29,14 +29,18 @@ std::optional<double> hex_float(const std::string& text) {
 
 }  // namespace
 
-void RubeNotes::add(const std::string& feature, int count) {
-    const auto found =
-        std::find_if(notes_.begin(), notes_.end(), [&](const ImportNote& note) { return note.feature == feature; });
-    if (found != notes_.end()) {
-        found->count += count;
-    } else {
-        notes_.push_back({feature, count});
-    }
+ImportNote& RubeNotes::note_of(const std::string& feature) {
+    const auto found = std::ranges::find(notes_, feature, &ImportNote::feature);
+    return found != notes_.end() ? *found : notes_.emplace_back(ImportNote{feature});
+}
+
+void RubeNotes::add(const std::string& feature, int count) { note_of(feature).count += count; }
+
+void RubeNotes::add_of(const std::string& owner, const std::string& feature, int count) {
+    ImportNote& note = note_of(feature);
+    note.count += count;
+    if (note.owners.size() < ImportNote::kMostOwners && std::ranges::find(note.owners, owner) == note.owners.end())
+        note.owners.push_back(owner);
 }
 
 RubeObject::RubeObject(const Json& value, std::string pointer, Diagnostics& diagnostics)
@@ -133,9 +137,13 @@ int RubeObject::index(std::string_view key, std::size_t end, const std::string& 
 
 void RubeObject::skip(std::initializer_list<std::string_view> keys) { read_.insert(keys.begin(), keys.end()); }
 
-void RubeObject::note_unread(const std::string& owner, RubeNotes& notes) const {
+void RubeObject::warn(std::string_view key, std::string message, std::string hint) {
+    diagnostics_.warning(pointer_to(key), std::move(message), std::move(hint));
+}
+
+void RubeObject::note_unread(const std::string& kind, RubeNotes& notes) const {
     for (const auto& [key, value] : value_.items())
-        if (!read_.contains(key)) notes.add(owner + " key '" + key + "'");
+        if (!read_.contains(key)) notes.add(kind + " key '" + key + "'");
 }
 
 const Json* RubeObject::find(std::string_view key) {

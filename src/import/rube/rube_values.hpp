@@ -17,9 +17,13 @@ namespace tumble::scene {
 class RubeNotes {
 public:
     void add(const std::string& feature, int count = 1);
+    // The same for a feature of this body or joint: "body 'wheel'".
+    void add_of(const std::string& owner, const std::string& feature, int count = 1);
     std::vector<ImportNote> take() { return std::move(notes_); }
 
 private:
+    ImportNote& note_of(const std::string& feature);
+
     std::vector<ImportNote> notes_;
 };
 
@@ -29,6 +33,7 @@ public:
     RubeObject(const Json& value, std::string pointer, Diagnostics& diagnostics);
 
     bool has(std::string_view key) const { return value_.contains(key); }
+    const std::string& pointer() const { return pointer_; }
     std::string pointer_to(std::string_view key) const;
 
     double number(std::string_view key, double missing = 0.0);
@@ -48,8 +53,10 @@ public:
     // Marks keys as read that are redundant or have no effect.
     void skip(std::initializer_list<std::string_view> keys);
 
-    // Notes the keys that were never read, as "<owner> key '<key>'".
-    void note_unread(const std::string& owner, RubeNotes& notes) const;
+    // Notes the keys that were never read, as "<kind> key '<key>'".
+    void note_unread(const std::string& kind, RubeNotes& notes) const;
+
+    void warn(std::string_view key, std::string message, std::string hint = "");
 
 private:
     const Json* find(std::string_view key);

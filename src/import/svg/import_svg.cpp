@@ -7,6 +7,7 @@
 #include <set>
 
 #include "import/svg/svg_body.hpp"
+#include "import/svg/svg_page.hpp"
 #include "import/svg/svg_text.hpp"
 #include "scene/format/field.hpp"
 #include "scene/json/diagnostics.hpp"
@@ -90,25 +91,17 @@ private:
             if (child.type() == pugi::node_element) index(child, depth + 1);
     }
 
-    // The page is the viewBox or, without one, width and height.
+    // Places the page, whose lower left corner is the origin.
     void read_page(const pugi::xml_node& root) {
-        const double scale = options_.metres_per_unit, nan = std::numeric_limits<double>::quiet_NaN();
-        page_ = {{scale, 0.0}, {0.0, -scale}, {}};
-        viewport_.size = {nan, nan};
-        DVec2 corner, size;
-        if (const std::string_view box = root.attribute("viewBox").value(); !box.empty()) {
-            SvgScanner scanner(box);
-            for (double* value : {&corner.x, &corner.y, &size.x, &size.y}) *value = scanner.number();
-        } else if (root.attribute("width") && root.attribute("height")) {
-            const std::string_view width = root.attribute("width").value(), height = root.attribute("height").value();
-            if (width.ends_with('%') || height.ends_with('%')) return;
-            size = {parse_length(width, nan), parse_length(height, nan)};
-        }
-        if (!(size.x > 0.0 && size.y > 0.0 && std::max(size.x, size.y) * scale <= kLargest)) return;
-        viewport_.size = size;
-        page_.origin = {-scale * corner.x, scale * (corner.y + size.y)};
-        result_.scene.camera.center = 0.5 * scale * size;
-        result_.scene.camera.height = scale * size.y;
+        const SvgPage page = read_svg_page(root);
+        viewport_.size = page.size;
+        const double metres = options_.metres_per_pixel;
+        page_ = {{metres * page.pixels_per_unit.x, 0.0}, {0.0, -metres * page.pixels_per_unit.y}, {}};
+        const DVec2 size = metres * DVec2{page.pixels_per_unit.x * page.size.x, page.pixels_per_unit.y * page.size.y};
+        if (!(size.x > 0.0 && size.y > 0.0 && std::max(size.x, size.y) <= kLargest)) return;
+        page_.origin = {-page_.x_axis.x * page.corner.x, -page_.y_axis.y * (page.corner.y + page.size.y)};
+        result_.scene.camera.center = 0.5 * size;
+        result_.scene.camera.height = size.y;
     }
 
     void visit_children(const pugi::xml_node& element, const Affine& map, const SvgStyle& style, int depth) {
@@ -130,7 +123,8 @@ private:
         if (tag == "use")
             follow(element, map, style, depth);
         else if (is_figure(tag))
-            add_body(element, map, style);
+            add_body(element, map,
+                     with_opacity(style, result_notes_["transparent colours, as they look on white paper"]));
         else
             visit_children(element, tag == "svg" ? shifted(element, map) : map, style, depth);
     }
@@ -198,7 +192,7 @@ private:
         const bool is_line = std::holds_alternative<ChainGeometry>(body.shapes.front().geometry);
         const std::string material = add_material(is_line || !style.fill.visible ? style.stroke : style.fill);
         for (SceneShape& shape : body.shapes) shape.material = material;
-        body.name = make_name(element.attribute("id").value());
+        body.name = make_name(std::string(label_of(element)));
         result_.scene.bodies.push_back(std::move(body));
     }
 
@@ -216,9 +210,9 @@ private:
         return paint.color;
     }
 
-    // The id; further elements with the same id get a number.
-    std::string make_name(const std::string& id) {
-        const std::string name = as_utf8(id);
+    // The label or id; further elements with the same one get a number.
+    std::string make_name(const std::string& label) {
+        const std::string name = as_utf8(label);
         if (name.empty() || name.size() > kLongestName) return "";
         std::string unique = name;
         while (!names_.insert(unique).second) unique = name + '-' + std::to_string(++copies_[name] + 1);
@@ -253,7 +247,7 @@ void require_positive(const char* what, double value) {
 }  // namespace scene
 
 ImportedScene parse_svg(std::string_view text, const std::string& file_name, const SvgOptions& options) {
-    scene::require_positive("metres_per_unit", options.metres_per_unit);
+    scene::require_positive("metres_per_pixel", options.metres_per_pixel);
     scene::require_positive("tolerance", options.tolerance);
     text = scene::without_byte_order_mark(text);
     if (text.size() > scene::kMaxFileBytes)

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
+#include "import/svg/svg_holes.hpp"
 #include "tumble/outline.hpp"
 #include "tumble/scene_world.hpp"
 
@@ -25,26 +27,13 @@ DVec2 middle_of(const std::vector<Contour>& contours) {
     return 0.5 * (lower + upper);
 }
 
-// The number of counter-clockwise turns of the contour around the point.
-int winding_number(const Contour& contour, DVec2 point) {
-    int turns = 0;
-    DVec2 from = contour.points.back();
-    for (const DVec2 to : contour.points) {
-        const double side = cross(to - from, point - from);
-        if (from.y <= point.y && to.y > point.y && side > 0.0) ++turns;
-        if (to.y <= point.y && from.y > point.y && side < 0.0) --turns;
-        from = to;
-    }
-    return turns;
-}
-
-bool is_counter_clockwise(const Contour& contour) {
-    double twice_area = 0.0;
-    const DVec2 origin = contour.points.front();
-    for (std::size_t i = 1; i + 1 < contour.points.size(); ++i)
-        twice_area += cross(contour.points[i] - origin, contour.points[i + 1] - origin);
-    return twice_area > 0.0;
-}
+// A contour among those of a figure.
+struct Boundary {
+    const Contour* contour;
+    int depth = 0;    // the number of contours around it
+    int outside = 0;  // the winding number just outside of it
+    int inside = 0;
+};
 
 class BodyMaker {
 public:
@@ -59,7 +48,7 @@ public:
         if (figure_.exact && !areas.empty())
             std::visit([&](const auto& geometry) { add(geometry); }, *figure_.exact);
         else
-            for (const Contour* area : areas) add_area(*area, areas);
+            add_areas(areas);
         for (const Contour* line : lines) add_line(*line);
         return std::move(body_);
     }
@@ -89,22 +78,82 @@ private:
         body_.shapes.push_back({std::move(geometry), "", ""});
     }
 
-    // One point of the boundary decides whether the area is a hole or lies within another area.
-    void add_area(const Contour& area, const std::vector<const Contour*>& areas) {
-        int depth = 0, turns = is_counter_clockwise(area) ? 1 : -1;
-        for (const Contour* other : areas) {
-            if (other == &area) continue;
-            const int around = winding_number(*other, area.points.front());
-            depth += around != 0 ? 1 : 0;
-            turns += around;
+    bool is_filled(int winding) const { return style_.even_odd ? winding % 2 != 0 : winding != 0; }
+
+    // One point of a contour decides what is around it.
+    std::vector<Boundary> boundaries_of(const std::vector<const Contour*>& areas) const {
+        std::vector<Boundary> result;
+        for (const Contour* area : areas) {
+            Boundary& boundary = result.emplace_back(Boundary{area});
+            for (const Contour* other : areas) {
+                const int around = other == area ? 0 : winding_number(other->points, area->points.front());
+                boundary.depth += around != 0 ? 1 : 0;
+                boundary.outside += around;
+            }
+            boundary.inside = boundary.outside + (twice_area_of(area->points) > 0.0 ? 1 : -1);
         }
-        if (depth == 0) return add_outline(area);
-        const bool is_hole = style_.even_odd ? depth % 2 == 1 : turns == 0;
-        ++notes_[is_hole ? "holes, which are filled in" : "areas within areas, which are joined"];
+        return result;
     }
 
-    void add_outline(const Contour& area) {
-        const std::vector<DVec2> points = local_points(area);
+    // Each contour bounds an area from outside, or a hole in the innermost area around it, or neither: then it is
+    // inside an area to which it belongs.
+    void add_areas(const std::vector<const Contour*>& areas) {
+        const std::vector<Boundary> boundaries = boundaries_of(areas);
+        std::map<const Boundary*, std::vector<const Contour*>> holes;
+        for (const Boundary& boundary : boundaries) {
+            const bool fills_outside = is_filled(boundary.outside), fills_inside = is_filled(boundary.inside);
+            if (fills_outside && fills_inside) ++notes_["areas within areas, which are joined"];
+            if (fills_outside || !fills_inside) continue;
+            holes[&boundary];
+        }
+        for (const Boundary& boundary : boundaries) {
+            if (!is_filled(boundary.outside) || is_filled(boundary.inside)) continue;
+            const Boundary* innermost = nullptr;
+            for (const auto& [outer, unused] : holes)
+                if (winding_number(outer->contour->points, boundary.contour->points.front()) != 0 &&
+                    (innermost == nullptr || outer->depth > innermost->depth))
+                    innermost = outer;
+            if (innermost != nullptr) holes[innermost].push_back(boundary.contour);
+        }
+        for (const Boundary& boundary : boundaries)
+            if (const auto found = holes.find(&boundary); found != holes.end())
+                add_area(*boundary.contour, found->second);
+    }
+
+    void add_area(const Contour& area, const std::vector<const Contour*>& holes) {
+        if (holes.empty()) return add_outline(local_points(area));
+        std::vector<Ring> rings;
+        for (const Contour* hole : holes) rings.push_back(ring_of(*hole, -1.0));
+        const std::optional<std::vector<Ring>> pieces = cut_open(ring_of(area, 1.0), rings);
+        const auto is_simple = [](const Ring& piece) {
+            try {
+                make_shapes(OutlineGeometry{piece});
+                return true;
+            } catch (const std::invalid_argument&) {
+                return false;
+            }
+        };
+        if (!pieces || !std::ranges::all_of(*pieces, is_simple)) {
+            notes_["holes that cannot be cut open, which are filled in"] += static_cast<int>(holes.size());
+            return add_outline(local_points(area));
+        }
+        for (const Ring& piece : *pieces) add_outline(piece);
+    }
+
+    // The local points of a contour, rounded to float, without repetitions; counter-clockwise for the sign 1, clockwise
+    // for -1.
+    Ring ring_of(const Contour& contour, double sign) const {
+        Ring ring;
+        for (const DVec2 point : local_points(contour)) {
+            const DVec2 rounded(to_float(point));
+            if (ring.empty() || ring.back() != rounded) ring.push_back(rounded);
+        }
+        while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+        if (sign * twice_area_of(ring) < 0.0) std::ranges::reverse(ring);
+        return ring;
+    }
+
+    void add_outline(const std::vector<DVec2>& points) {
         std::vector<Vec2> rounded;
         for (const DVec2 point : points) rounded.push_back(to_float(point));
         try {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "import/svg/svg_text.hpp"
+#include "tumble/math.hpp"
 
 namespace tumble::scene {
 
@@ -170,43 +171,126 @@ std::string to_hex(unsigned rgb) {
     return text;
 }
 
-// #rgb and #rgba stand for doubled digits. The alpha, in #rgba or #rrggbbaa, is dropped.
-std::optional<std::string> parse_hex(const std::string& text) {
+unsigned from_hex(std::string_view digits) {
+    unsigned value = 0;
+    for (const char digit : digits) value = value << 4 | static_cast<unsigned>(kDigits.find(digit));
+    return value;
+}
+
+// #rgb and #rgba stand for doubled digits.
+std::optional<SvgColor> parse_hex(const std::string& text) {
     if (text.find_first_not_of(kDigits, 1) != std::string::npos) return std::nullopt;
-    if (text.size() == 7 || text.size() == 9) return text.substr(0, 7);
-    if (text.size() != 4 && text.size() != 5) return std::nullopt;
-    return std::string{'#', text[1], text[1], text[2], text[2], text[3], text[3]};
+    std::string digits = text.substr(1);
+    if (digits.size() == 3 || digits.size() == 4) {
+        std::string doubled;
+        for (const char digit : digits) doubled += {digit, digit};
+        digits = doubled;
+    }
+    if (digits.size() != 6 && digits.size() != 8) return std::nullopt;
+    const double alpha = digits.size() == 8 ? from_hex(std::string_view(digits).substr(6)) / 255.0 : 1.0;
+    return SvgColor{'#' + digits.substr(0, 6), alpha};
 }
 
 unsigned to_byte(double value) { return static_cast<unsigned>(std::lround(std::clamp(value, 0.0, 255.0))); }
 
-std::optional<std::string> parse_function(std::string_view arguments) {
+std::string to_hex(const std::array<double, 3>& channels) {
+    return to_hex(to_byte(channels[0]) << 16 | to_byte(channels[1]) << 8 | to_byte(channels[2]));
+}
+
+double read_opacity(SvgScanner& scanner) {
+    const double value = scanner.number();
+    return std::clamp(scanner.take_if('%') ? value / 100.0 : value, 0.0, 1.0);
+}
+
+// The alpha after the colour, after a comma or a slash; 1 if there is none.
+double read_alpha(SvgScanner& scanner) {
+    scanner.take_if('/');
+    return scanner.take_if(')') ? 1.0 : read_opacity(scanner);
+}
+
+SvgColor read_rgb(SvgScanner& scanner) {
+    std::array<double, 3> channels{};
+    for (double& channel : channels) {
+        channel = scanner.number();
+        if (scanner.take_if('%')) channel *= 2.55;
+    }
+    return {to_hex(channels), read_alpha(scanner)};
+}
+
+// Degrees without a unit, in the range of 0 to 360.
+double read_hue(SvgScanner& scanner) {
+    constexpr std::array<std::pair<std::string_view, double>, 4> kUnits{
+        {{"deg", 1.0}, {"grad", 0.9}, {"rad", 180.0 / kPi}, {"turn", 360.0}}};
+    double hue = scanner.number();
+    if (scanner.peek() >= 'a' && scanner.peek() <= 'z') {
+        const std::string_view unit = scanner.word();
+        const auto found = std::ranges::find(kUnits, unit, [](const auto& known) { return known.first; });
+        if (found == kUnits.end()) throw SvgError("unknown unit of an angle");
+        hue *= found->second;
+    }
+    return hue - 360.0 * std::floor(hue / 360.0);
+}
+
+// CSS Color 4, section 7.1.
+SvgColor read_hsl(SvgScanner& scanner) {
+    const double hue = read_hue(scanner);
+    double parts[2];  // saturation and lightness
+    for (double& part : parts) {
+        part = std::clamp(scanner.number() / 100.0, 0.0, 1.0);
+        scanner.take_if('%');
+    }
+    const double saturation = parts[0], lightness = parts[1];
+    const double reach = saturation * std::min(lightness, 1.0 - lightness);
+    std::array<double, 3> channels{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        constexpr std::array<double, 3> kStart{0.0, 8.0, 4.0};
+        const double at = std::fmod(kStart[i] + hue / 30.0, 12.0);
+        channels[i] = 255.0 * (lightness - reach * std::clamp(std::min(at - 3.0, 9.0 - at), -1.0, 1.0));
+    }
+    return {to_hex(channels), read_alpha(scanner)};
+}
+
+template <class Read>
+std::optional<SvgColor> parse_function(std::string_view arguments, Read read) {
     SvgScanner scanner(arguments);
-    unsigned rgb = 0;
     try {
         scanner.expect('(');
-        for (int channel = 0; channel < 3; ++channel) {
-            const double value = scanner.number();
-            rgb = rgb << 8 | to_byte(scanner.take_if('%') ? 2.55 * value : value);
-        }
+        return read(scanner);
     } catch (const SvgError&) {
         return std::nullopt;
     }
-    return to_hex(rgb);
 }
 
 }  // namespace
 
-std::optional<std::string> parse_color(std::string_view given) {
+std::optional<SvgColor> parse_color(std::string_view given) {
     std::string text(trimmed(given));
     std::ranges::transform(text, text.begin(), to_lower);
     if (text.starts_with('#')) return parse_hex(text);
-    if (text.starts_with("rgba(")) return parse_function(std::string_view(text).substr(4));
-    if (text.starts_with("rgb(")) return parse_function(std::string_view(text).substr(3));
+    const std::string_view name = std::string_view(text).substr(0, text.find('('));
+    const std::string_view arguments = std::string_view(text).substr(name.size());
+    if (name == "rgb" || name == "rgba") return parse_function(arguments, read_rgb);
+    if (name == "hsl" || name == "hsla") return parse_function(arguments, read_hsl);
     const auto found =
         std::ranges::lower_bound(kNamed, std::string_view(text), {}, [](const auto& named) { return named.first; });
     if (found == kNamed.end() || found->first != text) return std::nullopt;
-    return to_hex(found->second);
+    return SvgColor{to_hex(found->second)};
+}
+
+std::optional<double> parse_opacity(std::string_view text) {
+    SvgScanner scanner(text);
+    try {
+        return read_opacity(scanner);
+    } catch (const SvgError&) {
+        return std::nullopt;
+    }
+}
+
+std::string mixed_with_white(const std::string& rgb, double opacity) {
+    std::array<double, 3> channels{};
+    for (std::size_t i = 0; i < 3; ++i)
+        channels[i] = 255.0 + opacity * (from_hex(std::string_view(rgb).substr(1 + 2 * i, 2)) - 255.0);
+    return to_hex(channels);
 }
 
 }  // namespace tumble::scene

@@ -60,7 +60,7 @@ bool is_simple_selector(std::string_view selector) {
 SvgPaint make_paint(std::string_view value, const SvgPaint& around, int& gradients) {
     if (value.empty() || value == "inherit") return around;
     if (value == "none" || value == "transparent") return {};
-    if (std::optional<std::string> color = parse_color(value)) return {true, *color};
+    if (const std::optional<SvgColor> color = parse_color(value)) return {true, color->rgb, color->alpha};
     if (value.starts_with("url(")) ++gradients;
     return {true, ""};
 }
@@ -71,9 +71,9 @@ std::optional<BodyType> find_type(std::string_view word) {
     return std::nullopt;
 }
 
-// From data-type, otherwise from a class, otherwise from the beginning of the id.
+// From data-type, otherwise from a class, otherwise from the beginning of the label or id.
 std::optional<BodyType> read_type(const pugi::xml_node& element) {
-    const std::string_view wanted = element.attribute("data-type").value(), id = element.attribute("id").value();
+    const std::string_view wanted = element.attribute("data-type").value();
     if (!wanted.empty()) {
         if (const auto type = find_type(trimmed(wanted))) return type;
         throw SvgError("data-type must be static, kinematic or dynamic, got " + quoted(std::string(wanted)));
@@ -83,7 +83,9 @@ std::optional<BodyType> read_type(const pugi::xml_node& element) {
         if (const auto type = find_type(name)) result = type;
     });
     for (const auto& [name, type] : kTypeWords)
-        if (!result && id.starts_with(name)) result = type;
+        if (!result && (label_of(element).starts_with(name) ||
+                        std::string_view(element.attribute("id").value()).starts_with(name)))
+            result = type;
     return result;
 }
 
@@ -140,12 +142,39 @@ SvgStyle read_style(const pugi::xml_node& element, const SvgSheet& sheet, const 
     style.stroke = make_paint(property("stroke"), around.stroke, gradients);
     if (const auto width = property("stroke-width"); !width.empty() && width != "inherit")
         style.stroke_width = parse_length(width, kUnknownSize);
+    const auto read_opacity = [&](std::string_view name, double missing) {
+        return parse_opacity(property(name)).value_or(missing);
+    };
+    style.fill_opacity = read_opacity("fill-opacity", around.fill_opacity);
+    style.stroke_opacity = read_opacity("stroke-opacity", around.stroke_opacity);
+    style.opacity = around.opacity * read_opacity("opacity", 1.0);
     if (const auto rule = property("fill-rule"); !rule.empty() && rule != "inherit") style.even_odd = rule == "evenodd";
     const std::string_view visibility = property("visibility");
     if (visibility == "visible") style.visible = true;
     if (visibility == "hidden" || visibility == "collapse") style.visible = false;
     if (const auto type = read_type(element)) style.type = type;
     return style;
+}
+
+SvgStyle with_opacity(const SvgStyle& style, int& mixed) {
+    SvgStyle result = style;
+    bool is_mixed = false;
+    const auto apply = [&](SvgPaint& paint, double opacity) {
+        const double alpha = style.opacity * opacity * paint.alpha;
+        if (!(alpha > 0.0)) paint.visible = false;
+        if (!paint.visible || alpha >= 1.0) return;
+        if (!paint.color.empty()) paint.color = mixed_with_white(paint.color, alpha);
+        is_mixed = true;
+    };
+    apply(result.fill, style.fill_opacity);
+    apply(result.stroke, style.stroke_opacity);
+    mixed += is_mixed ? 1 : 0;
+    return result;
+}
+
+std::string_view label_of(const pugi::xml_node& element) {
+    const std::string_view label = trimmed(element.attribute("inkscape:label").value());
+    return label.empty() ? element.attribute("id").value() : label;
 }
 
 }  // namespace tumble::scene

@@ -28,12 +28,15 @@ private:
 struct SvgPaint {
     bool visible = false;
     std::string color;  // "#rrggbb"; empty for a gradient, pattern or unknown colour
+    double alpha = 1.0;
 };
 
 struct SvgStyle {
     SvgPaint fill{true, "#000000"};
     SvgPaint stroke;
     double stroke_width = 1.0;
+    double fill_opacity = 1.0, stroke_opacity = 1.0;
+    double opacity = 1.0;  // with that of the groups around
     bool even_odd = false;
     bool visible = true;
     std::optional<BodyType> type;  // as the drawing states it; empty: by the rule of make_svg_body()
@@ -42,6 +45,13 @@ struct SvgStyle {
 // The style of an element inside an element of the style `around`. Adds gradients and patterns to `gradients`.
 // Throws SvgError for a body type that does not exist.
 SvgStyle read_style(const pugi::xml_node& element, const SvgSheet& sheet, const SvgStyle& around, int& gradients);
+
+// The style with its opacities in its paints: a transparent paint is not visible, others have the colour that they have
+// on white paper. `mixed` is increased if one is neither transparent nor opaque.
+SvgStyle with_opacity(const SvgStyle& style, int& mixed);
+
+// The name that the drawing program shows for an element (inkscape:label), or else its id. May be empty.
+std::string_view label_of(const pugi::xml_node& element);
 
 // A property's value: from the style attribute, otherwise from the sheet, otherwise from the attribute of that name.
 // May be empty.

@@ -146,12 +146,12 @@ public:
     std::string finding(const SceneWorld&) const override {
         if (!(gain_ > 0.0)) return "the energy never grew";
         return "the energy is " + brief(gain_) + " J above that of the start" +
-               (has_work_ ? " and the work of the timeline" : "");
+               (has_work_ ? " and the work of events and motors" : "");
     }
 
 private:
     double limit_;
-    std::optional<double> first_;  // J, without the work of the timeline
+    std::optional<double> first_;  // J, without SceneWorld::work
     double work_ = 0.0;            // J, up to the first state that counts
     double gain_ = 0.0;
     bool has_work_ = false;

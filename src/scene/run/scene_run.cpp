@@ -5,6 +5,7 @@
 
 #include "scene/model/display.hpp"
 #include "scene/model/step_time.hpp"
+#include "scene/run/motor_work.hpp"
 #include "scene/run/saved_run.hpp"
 #include "scene/run/timeline_run.hpp"
 #include "tumble/scene_file.hpp"
@@ -12,10 +13,11 @@
 namespace tumble {
 
 struct SceneRun::Impl {
-    explicit Impl(const Scene& scene) : built(build_world(scene)), timeline(scene, built) {}
+    explicit Impl(const Scene& scene) : built(build_world(scene)), timeline(scene, built), motors(built) {}
 
     SceneWorld built;
     scene::TimelineRun timeline;
+    scene::MotorWork motors;
 };
 
 std::uint64_t nearest_step(double time, double steps_per_second) {
@@ -48,13 +50,18 @@ SceneRun::SceneRun(SceneRun&&) noexcept = default;
 SceneRun& SceneRun::operator=(SceneRun&&) noexcept = default;
 
 void SceneRun::step() {
-    impl_->timeline.apply_due(impl_->built);
+    SceneWorld& built = impl_->built;
+    impl_->timeline.apply_due(built);
+    impl_->motors.start_step(built.world);
     try {
-        impl_->built.world.step();
+        built.world.step();
     } catch (const SimulationDiverged& error) {
-        throw SimulationDiverged(error.body, error.step, scene::display_name(impl_->built, error.body));
+        throw SimulationDiverged(error.body, error.step, scene::display_name(built, error.body));
     }
-    impl_->timeline.watch(impl_->built);
+    const double work = built.work;
+    impl_->timeline.add_work(built);
+    built.work += impl_->motors.end_step(built.world, built.work - work);
+    impl_->timeline.watch(built);
 }
 
 bool SceneRun::is_stopped() const noexcept { return impl_->timeline.is_stopped(impl_->built); }

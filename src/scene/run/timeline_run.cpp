@@ -115,7 +115,7 @@ void TimelineRun::apply_due(SceneWorld& built) {
     }
 }
 
-void TimelineRun::watch(SceneWorld& built) {
+void TimelineRun::add_work(SceneWorld& built) {
     for (const Push& push : pushes_) {
         if (built.world.type(push.body) != BodyType::dynamic_body) continue;
         const Rotation p = push.rotation, q = built.world.state(push.body).pose.rotation;
@@ -123,6 +123,9 @@ void TimelineRun::watch(SceneWorld& built) {
                       push.torque * angle(Rotation{p.c * q.c + p.s * q.s, p.c * q.s - p.s * q.c});
     }
     pushes_.clear();
+}
+
+void TimelineRun::watch(const SceneWorld& built) {
     for (ScheduledEvent& scheduled : events_)
         if (scheduled.when && scheduled.state.held == 0 && holds(*scheduled.when, built))
             scheduled.state.held = 1 + built.world.step_count();

@@ -35,9 +35,11 @@ public:
     // To be called before each step: applies the events that are due.
     void apply_due(SceneWorld& built);
 
-    // To be called in the first state and after each step: notes which conditions hold, and adds the work of the forces
-    // that acted during the step.
-    void watch(SceneWorld& built);
+    // To be called after each step: adds the work of the forces that acted during the step.
+    void add_work(SceneWorld& built);
+
+    // To be called in the first state and after each step: notes which conditions hold.
+    void watch(const SceneWorld& built);
 
     // Whether a stop is due.
     bool is_stopped(const SceneWorld& built) const;

@@ -1,0 +1,48 @@
+// Tables that compare tumble with Box2D state which versions they compare, and how each was compiled.
+#include <doctest/doctest.h>
+
+#include <box2d/b2_common.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+#include "process.hpp"
+
+using nlohmann::json;
+using tumble::test::Answer;
+using tumble::test::Folder;
+using tumble::test::read_text;
+using tumble::test::run_tumble;
+
+TEST_CASE("every table names both engines, their versions and their builds") {
+    const std::string box2d = std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
+                              std::to_string(b2_version.revision);
+    const Folder folder;
+    const std::string page = (folder / "page.html").string();
+    const json about = json::parse(run_tumble({"--version", "--json"}).out);
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"parity", "--pairs", "10", "--family", "near_gap"},
+          std::vector<std::string>{"bench", "--pairs", "0", "--scenes", "pendulum", "--steps", "1", "--runs", "1"},
+          std::vector<std::string>{"physics", "--row", "O1", "--short"}}) {
+        CAPTURE(command[0]);
+        std::vector<std::string> as_json = command, as_page = command;
+        as_json.push_back("--json");
+        const json engines = json::parse(run_tumble(as_json).out)["engines"];
+        CHECK(engines["box2d"]["version"] == box2d);
+        CHECK(engines["tumble"]["version"] == about["version"]);
+        const std::string build = engines["tumble"]["build"].get<std::string>();
+        CHECK(build.starts_with(about["compiler"].get<std::string>()));
+        CHECK(build.find(about["simd"].get<std::string>() + " of this processor") != std::string::npos);
+        const std::string of_box2d = engines["box2d"]["build"].get<std::string>();
+        CHECK_FALSE(of_box2d.empty());
+        const Answer table = run_tumble(command);
+        CHECK(table.out.ends_with("tumble " + about["version"].get<std::string>() + ": " + build + "\nBox2D " + box2d +
+                                  ": " + of_box2d + "\n"));
+        if (command[0] == "bench") continue;
+        as_page.insert(as_page.end(), {"--report", page, "--force"});
+        run_tumble(as_page);
+        CHECK(read_text(page).find("Box2D " + box2d + ": ") != std::string::npos);
+    }
+}
