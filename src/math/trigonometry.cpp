@@ -85,7 +85,7 @@ double arc_tangent(double y, double x) {
     // A quadratic guess g for atan(t), t in [0, 1], is within 0.0016 rad; the rest is the angle between (1, t) and
     // (cos g, sin g), small enough for three terms of its series (the fourth is below 3e-21).
     const double guess = t * (kPi / 4.0 + (1.0 - t) * (0.2447 + 0.0663 * t));
-    const SinCos g = sin_cos(guess);
+    const SinCos g = reduced_sin_cos(guess);  // the guess is at most pi / 4
     const double rest = (t * g.cos - g.sin) / (g.cos + t * g.sin);
     const double rest_sq = rest * rest;
     double angle = guess + rest * (1.0 - rest_sq * (1.0 / 3.0 - rest_sq * (1.0 / 5.0)));
