@@ -42,7 +42,7 @@ enum class ObservedKind : std::uint8_t {
     joint_speed,
     touching,  // 1 if the body touches `other`, or any body if it has none
     ray,       // the part of a ray from `point` along `axis` that is free, 0 to 1; in coordinates of the body
-    value      // of an expression of the observations before it
+    value      // of an expression, also of previous observations, actions, and the observations before it
 };
 
 // One entry of an observation: (value - offset) * scale.

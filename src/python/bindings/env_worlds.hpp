@@ -33,7 +33,7 @@ public:
 
     std::size_t count() const { return worlds_.size(); }
     const EnvPlan& plan() const { return plan_; }
-    World& world(std::size_t index) { return *worlds_.at(index); }
+    World& world(std::size_t index) { return worlds_.at(index); }
 
     // Acts, steps all worlds frame_skip times and writes what comes of it. A world that diverges terminates with the
     // reward 0 and the observations 0. Worlds whose episode ends are reset. Throws std::invalid_argument for a choice
@@ -47,25 +47,26 @@ public:
     void seed(std::uint64_t seed);
 
 private:
-    // Numbers of one world that expressions name: observations, previous observations, actions.
+    // Numbers of one world that expressions name: previous observations, actions, observations. An expression of an
+    // observation names those before it.
     using Values = std::vector<double>;
 
     void step_one(std::size_t index, const EnvArrays& arrays, Values& values);
     void reset_one(std::size_t index, std::span<float> observations, Values& values);
     void observe(const World& world, std::span<float> out, Values& values) const;
+    std::size_t first_seen() const { return plan_.observations.size() + plan_.actions.size(); }
     void apply(World& world, const double* values) const;
     Expression compile(const std::string& text, const char* member, std::size_t names) const;
 
     EnvPlan plan_;
     Scene scene_;
-    SceneWorld start_;  // whose ids all worlds have
-    std::vector<std::byte> snapshot_;
+    SceneWorld start_;                                 // of all episodes; its ids are valid in all worlds
     std::vector<std::string> names_;                   // of Values
     std::vector<std::optional<Expression>> measured_;  // of observations that are expressions
     std::optional<Expression> reward_, done_;
     bool needs_contacts_ = false;
     std::uint64_t seed_ = 0;
-    std::vector<std::optional<World>> worlds_;
+    std::vector<World> worlds_;
     std::vector<std::uint64_t> episodes_;  // begun in each world
     Workers workers_;
 };
