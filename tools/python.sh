@@ -4,6 +4,7 @@
 #   tools/python.sh SCRIPT.py ARGS...   runs a script
 #   tools/python.sh -m pytest ...       any arguments of python3
 #   tools/python.sh --test              runs the tests of the package, and checks its types
+#   tools/python.sh --docs              writes the API reference, by Sphinx, to build/python/docs
 # TUMBLE_BUILD names the build folder of the library (default: build/release).
 set -euo pipefail
 
@@ -33,5 +34,8 @@ if [[ ${1-} == --test ]]; then
     "$python" -m pytest -q -p no:cacheprovider "$project/tests/python" "$@"
     cd -- "$project/src/python"
     exec /usr/bin/python3 -m mypy --strict --no-incremental --cache-dir=/dev/null -p tumble
+fi
+if [[ ${1-} == --docs ]]; then
+    exec "$python" -m sphinx -q -W --keep-going -d "$environment/doctrees" "$project/src/python/docs" "$environment/docs"
 fi
 exec "$python" "$@"
