@@ -38,12 +38,12 @@ def read_by(envs, inputs):
     return np.tile(np.array([*used, True], float), (len(envs.plan.actions), 1))
 
 
-def cross_entropy(name, *, count=64, generations=10, episodes=1, seed=1, policy=linear, spread=1.0, inputs=None, start=0.0):
+def cross_entropy(name, *, count=64, generations=10, episodes=1, seed=1, policy=linear, spread=1.0, inputs=None):
     """The mean of the matrices after some generations; each is tried in `episodes` episodes."""
     random = np.random.default_rng(seed)
     envs = tumble.env.make_vector(name, count * episodes)
     columns = read_by(envs, inputs)
-    mean, deviation = start * columns, spread * columns
+    mean, deviation = np.zeros_like(columns), spread * columns
     for generation in range(generations):
         tried = mean + deviation * random.normal(size=(count, *mean.shape))
         each = np.repeat(tried, episodes, axis=0)
