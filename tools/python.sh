@@ -4,7 +4,10 @@
 #   tools/python.sh SCRIPT.py ARGS...   runs a script
 #   tools/python.sh -m pytest ...       any arguments of python3
 #   tools/python.sh --test              runs the tests of the package, and checks its types
-# TUMBLE_BUILD names the build folder of the library (default: build/release).
+#   tools/python.sh --sanitized         runs random sequences of calls with the address sanitizer, in the preset sanitize
+#   tools/python.sh --docs              writes the API reference, by Sphinx, to build/python/docs
+# TUMBLE_BUILD names the build folder of the library (default: build/release). TUMBLE_SEQUENCES is the number of random
+# sequences of calls, TUMBLE_LONG=1 runs the tests that take minutes too.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -33,5 +36,18 @@ if [[ ${1-} == --test ]]; then
     "$python" -m pytest -q -p no:cacheprovider "$project/tests/python" "$@"
     cd -- "$project/src/python"
     exec /usr/bin/python3 -m mypy --strict --no-incremental --cache-dir=/dev/null -p tumble
+fi
+if [[ ${1-} == --sanitized ]]; then
+    shift
+    sanitized=$project/build/sanitize
+    cmake --preset sanitize -DTUMBLE_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3 > /dev/null
+    cmake --build --preset sanitize --target tumble_python
+    ln -sf -t "$sanitized/python/tumble" "$project"/src/python/tumble/*.py "$project/src/python/tumble/envs"
+    export LD_PRELOAD ASAN_OPTIONS=detect_leaks=0 PYTHONPATH=$sanitized/python
+    LD_PRELOAD=$(clang++-14 -print-file-name=libclang_rt.asan-x86_64.so)
+    exec "$python" -m pytest -q -s -p no:cacheprovider "$project/tests/python/test_fuzz.py" "$@"
+fi
+if [[ ${1-} == --docs ]]; then
+    exec "$python" -m sphinx -q -W --keep-going -d "$environment/doctrees" "$project/src/python/docs" "$environment/docs"
 fi
 exec "$python" "$@"

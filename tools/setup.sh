@@ -45,6 +45,7 @@ test_packages=(
     'dpkg-dev:finds the packages that the .deb depends on'
     'file:tells the package builder which files are programs'
     'man-db:reads the manual page of the package'
+    'python3-sphinx:writes the API reference of the Python package'
 )
 python_packages=(
     'pybind11-dev:binds the library to Python'

@@ -9,8 +9,8 @@
 #   5. the release build with each instruction set that the processor has: the golden hashes
 #   6. g++ for aarch64, run by qemu: the golden hashes, and the answers to all families of pairs (tools/aarch64.sh)
 #   7. the Debian package: its contents, its program and a project that uses its library (tools/package.sh)
-# tools/test.sh --full does the same with clang-tidy for all sources, a million pairs of each parity family, and ten
-# minutes for each fuzz target.
+# tools/test.sh --full does the same with clang-tidy for all sources, a million pairs of each parity family, ten minutes
+# for each fuzz target, long searches and a hundred thousand random sequences of calls in Python, and its API reference.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -21,7 +21,7 @@ lint_arguments=()
 case ${1-} in
     --full)
         lint_arguments=(--all)
-        export TUMBLE_PAIRS=1000000 TUMBLE_FUZZ_SECONDS=600
+        export TUMBLE_PAIRS=1000000 TUMBLE_FUZZ_SECONDS=600 TUMBLE_LONG=1
         ;;
     '') ;;
     *) echo "usage: ${0##*/} [--full]" >&2; exit 2 ;;
@@ -87,6 +87,7 @@ ctest --preset ci --parallel "$jobs"
 say "building the Python package, and running its tests in an environment of its own"
 rm -rf build/python
 TUMBLE_BUILD=$project/build/ci TUMBLE_COMMAND=$project/build/ci/tools/tumble tools/python.sh --test
+[[ -z ${TUMBLE_LONG-} ]] || TUMBLE_BUILD=$project/build/ci tools/python.sh --docs
 say "building with clang, debug, sanitizers"
 build sanitize tumble_cli "${sanitized_rooms[@]/#/test_}" fuzz_targets
 compare_hashes pyramid 5
@@ -94,6 +95,9 @@ compare_hashes mixed_rain 2
 compare_parity 20000
 say "running tests and the fuzz targets with sanitizers"
 TUMBLE_ONE_OF=12 ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
+say "running random sequences of calls in Python with sanitizers"
+TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 150 || echo 100000) TUMBLE_BUILD=$project/build/ci \
+    tools/python.sh --sanitized
 say "building with clang, thread sanitizer"
 build tsan threads
 build/tsan/tests/threads

@@ -6,7 +6,7 @@
 
 namespace tumble {
 
-// Wall-clock times of the stages of a step, in their order, ms.
+// Wall-clock times of the stages of a step, in their order, ms. A step of a few bodies has the time of the whole alone.
 struct StageTimes {
     double pairs = 0.0;       // the broad phase, at the start of the step and after the motion
     double collide = 0.0;     // contact manifolds; waking of touched islands

@@ -47,8 +47,11 @@ public:
     enum class Kind { number, condition };
 
     // The names are those of the scene, also of bodies that its timeline spawns later. Positions, angles and velocities
-    // are measured in the frame. The text has at most 2000 bytes. Throws ExpressionError.
-    Expression(std::string_view text, const Scene& scene, const SceneFrame& frame = {});
+    // are measured in the frame. `values` are names for numbers of the program, such as measurements or actions; none
+    // may be a word of the grammar. The text has at most 2000 bytes. Throws
+    // ExpressionError.
+    Expression(std::string_view text, const Scene& scene, const SceneFrame& frame = {},
+               std::span<const std::string> values = {});
     ~Expression();
     Expression(Expression&&) noexcept;
     Expression& operator=(Expression&&) noexcept;
@@ -57,7 +60,12 @@ public:
 
     // The value in a state of the scene's world: of a condition 1 (holds) or 0; NaN if it is unknown, for example of a
     // body that does not exist.
-    double value(const SceneWorld& built) const;
+    // `values` are the numbers of the names that the constructor got, in their order; those left out are unknown.
+    double value(const SceneWorld& built, std::span<const double> values = {}) const;
+
+    // The value in another world, in which the bodies and joints have the ids that they have in `built`: one that was
+    // loaded from a snapshot of it.
+    double value(const World& world, const SceneWorld& built, std::span<const double> values) const;
 
     // Whether a condition holds; false if it is unknown, and for numbers.
     bool holds(const SceneWorld& built) const;

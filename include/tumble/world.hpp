@@ -339,6 +339,10 @@ public:
     // version.
     static World load(std::span<const std::byte> snapshot);
 
+    // Makes this the world that `other` is: both make the same steps from now on. Ids of `other` are valid in it. It
+    // keeps its threads, and uses the memory that it has: for a small world it takes a tenth of the time of load().
+    void assign(const World& other);
+
     // ---- Diagnostics ----
 
     // Walks all invariants of the world's data structures. Throws std::logic_error, which names the first broken one,

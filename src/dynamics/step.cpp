@@ -24,21 +24,28 @@ namespace tumble {
 
 namespace {
 
-// Measures stages with one reading of the clock between two of them.
+// Below this amount of work, reading the clock for every stage would be a tenth of the step.
+constexpr std::size_t kLeastTimed = 16;
+
+// Measures stages with one reading of the clock between two of them, or the step alone.
 class StageClock {
 public:
+    explicit StageClock(bool by_stage) : by_stage_(by_stage) {}
+
     // Adds the time since the last call, or since the start, to a stage, ms.
     void stop(double& stage_ms) {
+        if (!by_stage_) return;
         const Clock::time_point now = Clock::now();
         stage_ms += milliseconds(now - last_);
         last_ = now;
     }
-    double total() const { return milliseconds(last_ - start_); }
+    double total() const { return milliseconds((by_stage_ ? last_ : Clock::now()) - start_); }
 
 private:
     using Clock = std::chrono::steady_clock;
     static double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
 
+    bool by_stage_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
 };
@@ -174,10 +181,10 @@ bool end_motion(Simulation& simulation, StageClock& clock) {
 
 void step(Simulation& simulation) {
     simulation.report.times = StageTimes{};
-    StageClock clock;
+    const std::size_t amount = amount_of_work(simulation);
+    StageClock clock(amount >= kLeastTimed);
     clear(simulation.events);
     Crew& crew = simulation.crew;
-    const std::size_t amount = amount_of_work(simulation);
     bool is_finite = false;
     crew.work_together(amount, [&] { begin_step(simulation, clock); });
     crew.work_together(amount, [&] { solve(simulation, clock); });

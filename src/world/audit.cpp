@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "dynamics/bodies/divergence.hpp"
 #include "dynamics/joints/gear_side.hpp"
 #include "dynamics/rows/joint_ends.hpp"
 #include "dynamics/state/collision_rules.hpp"
@@ -46,7 +47,9 @@ void audit_shapes(const Simulation& simulation) {
             ++owned;
             ensure(simulation.shapes.ids.is_live(id), "a body lists a destroyed shape", body.index);
             ensure(simulation.shapes[id.index].body == body.index, "a shape belongs to another body", id.index);
-            ensure(simulation.shapes[id.index].is_placed == simulation.bodies.records[body.index].is_enabled,
+            const bool is_placed = simulation.shapes[id.index].is_placed;
+            const bool is_enabled = simulation.bodies.records[body.index].is_enabled;
+            ensure(is_placed ? is_enabled : !is_enabled || !has_finite_pose(simulation.bodies, body.index),
                    "a shape of a disabled body has a proxy, or one of an enabled body has none", id.index);
             if (!simulation.shapes[id.index].is_placed) continue;
             const Aabb box = bounds(simulation.shapes[id.index].shape, simulation.bodies.frames[body.index].pose);

@@ -43,29 +43,31 @@ BodyId body_id(const Simulation& simulation, std::uint32_t shape) {
 // size; the path is clipped to one slab per axis.
 class SweptBox {
 public:
-    SweptBox(DVec2 from, DVec2 translation, DVec2 half) : from_(from), translation_(translation), half_(half) {}
+    SweptBox(DVec2 from, DVec2 translation, DVec2 half)
+        : from_(from), inverse_{1.0 / translation.x, 1.0 / translation.y}, half_(half) {}
 
     // True if it touches the box no later than at the fraction `last` of the path.
     bool touches(const Aabb& box, double last) const {
         const double margin = rounding_margin(box, from_);
         double first = 0.0;
-        return clip(from_.x, translation_.x, half_.x + margin, box.lower.x, box.upper.x, first, last) &&
-               clip(from_.y, translation_.y, half_.y + margin, box.lower.y, box.upper.y, first, last);
+        return clip(from_.x, inverse_.x, half_.x + margin, box.lower.x, box.upper.x, first, last) &&
+               clip(from_.y, inverse_.y, half_.y + margin, box.lower.y, box.upper.y, first, last);
     }
 
 private:
-    static bool clip(double from, double translation, double half, double lower, double upper, double& first,
+    // `inverse` is infinite if the path does not move along this axis.
+    static bool clip(double from, double inverse, double half, double lower, double upper, double& first,
                      double& last) {
         const double to_lower = lower - half - from, to_upper = upper + half - from;
-        if (translation == 0.0) return to_lower <= 0.0 && to_upper >= 0.0;
-        constexpr double kMargin = 1e-15;  // a few ulp of a fraction, for the rounding of the divisions
-        const double a = to_lower / translation, b = to_upper / translation;
+        if (!std::isfinite(inverse)) return to_lower <= 0.0 && to_upper >= 0.0;
+        constexpr double kMargin = 1e-15;  // a few ulp of a fraction, for the rounding of the inverse and the products
+        const double a = to_lower * inverse, b = to_upper * inverse;
         first = std::max(first, std::min(a, b) - kMargin);
         last = std::min(last, std::max(a, b) + kMargin);
         return first <= last;
     }
 
-    DVec2 from_, translation_, half_;
+    DVec2 from_, inverse_, half_;  // one over the components of the translation
 };
 
 bool comes_first(const CastHit& a, const CastHit& b) {

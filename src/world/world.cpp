@@ -135,6 +135,19 @@ World World::load(std::span<const std::byte> snapshot) {
     return world;
 }
 
+void World::assign(const World& other) {
+    if (this == &other) return;
+    const Threads threads = impl_->def.threads;
+    impl_->def = other.impl_->def;
+    impl_->def.threads = threads;
+    static_cast<SimulationState&>(impl_->simulation) = other.impl_->simulation;
+    impl_->simulation.report = other.impl_->simulation.report;
+    impl_->step_count = other.impl_->step_count;
+    impl_->diverged_body = other.impl_->diverged_body;
+    impl_->counters = other.impl_->counters;
+    impl_->apply_settings();
+}
+
 void World::audit() const { tumble::audit(impl_->simulation); }
 
 SimulationDiverged::SimulationDiverged(BodyId body_, std::uint64_t step_, const std::string& name)

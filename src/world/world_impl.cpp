@@ -10,19 +10,23 @@ ShapeId World::Impl::attach(BodyId body, const ShapeDef& shape) {
     const ShapeId id = simulation.shapes.create(body.index, shape);
     BodyRecord& record = simulation.bodies.records[body.index];
     record.shapes.push_back(id);
-    if (record.is_enabled)
+    if (has_place(body))
         simulation.shapes.place(id.index, simulation.bodies.frames[body.index], simulation.settings.tuning,
                                 simulation.broad);
     return id;
 }
 
+bool World::Impl::has_place(BodyId id) const {
+    return simulation.bodies.records[id.index].is_enabled && has_finite_pose(simulation.bodies, id.index);
+}
+
 void World::Impl::touch_proxies(BodyId id) {
-    if (!simulation.bodies.records[id.index].is_enabled) return;
-    for (const ShapeId shape : simulation.bodies.records[id.index].shapes) simulation.broad.touch(shape.index);
+    for (const ShapeId shape : simulation.bodies.records[id.index].shapes)
+        if (simulation.broad.has(shape.index)) simulation.broad.touch(shape.index);
 }
 
 void World::Impl::add_proxies(BodyId id) {
-    if (!simulation.bodies.records[id.index].is_enabled) return;
+    if (!has_place(id)) return;
     for (const ShapeId shape : simulation.bodies.records[id.index].shapes)
         simulation.shapes.place(shape.index, simulation.bodies.frames[id.index], simulation.settings.tuning,
                                 simulation.broad);

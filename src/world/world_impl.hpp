@@ -31,8 +31,11 @@ struct World::Impl {
     // Computes mass, centre of mass and inertia anew from the body's shapes, or from its own mass if it has one.
     void update_mass(BodyId id);
 
-    // Adds the proxies of a body's shapes to the broad phase, at its pose and in the layer of its type; a disabled body
-    // gets none. remove_proxies() takes them out again. touch_proxies() makes the next step search their pairs anew.
+    // False for a disabled body, and for one whose pose is not finite after a step that diverged.
+    bool has_place(BodyId id) const;
+
+    // Adds the proxies of a body's shapes to the broad phase, at its pose and in the layer of its type; a body without a
+    // place gets none. remove_proxies() takes them out again. touch_proxies() makes the next step search their pairs anew.
     void add_proxies(BodyId id);
     void remove_proxies(BodyId id);
     void touch_proxies(BodyId id);

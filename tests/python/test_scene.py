@@ -13,6 +13,7 @@ import tumble
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 COMMAND = os.environ.get("TUMBLE_COMMAND")
+SNAPSHOT_STEPS = Path(os.environ.get("TUMBLE_BUILD", "")) / "tests" / "snapshot_steps"
 
 
 @pytest.mark.skipif(COMMAND is None, reason="TUMBLE_COMMAND names no binary")
@@ -111,3 +112,55 @@ def test_a_world_diverges_with_an_exception():
         world.step(5)
     except tumble.SimulationDiverged as error:
         assert error.body == body.id
+
+
+def test_a_run_that_its_timeline_stops_keeps_its_state():
+    scene = tumble.Scene({
+        "bodies": [{"name": "ball", "position": [0, 3], "shapes": [{"circle": {"radius": 0.5}}]}],
+        "timeline": [{"when": "ball.y < 2", "stop": True}], "world": {"duration": 3},
+    })  # fmt: skip
+    run = scene.start()
+    loops = 0
+    while not run.is_stopped:
+        run.step()
+        loops += 1
+    height, state = run.value("ball.y"), run.state_hash
+    assert height < 2 and run.value("ball.y < 2") is True
+    run.step(10)
+    run.world.step()
+    run.finish()
+    assert run.state_hash == state and run.world.step_count == loops
+    assert scene.run().state_hash == state
+
+
+@pytest.mark.skipif(COMMAND is None, reason="TUMBLE_COMMAND names no binary")
+def test_a_saved_scene_runs_on_the_command_line_and_back(tmp_path):
+    """Python writes a scene, the command line runs it; the command line saves a run, Python reads its world."""
+    scene = tumble.Scene.load(SCENES / "see_saw.json")
+    scene.data["bodies"].append({"name": "extra", "position": [0, 9], "shapes": [{"circle": {"radius": 0.4}}]})
+    scene.save(tmp_path / "scene.json")
+    command = [COMMAND, "run", tmp_path / "scene.json", "--duration", "1", "--no-frames"]
+    subprocess.run([*command, "-o", tmp_path / "out"], check=True, capture_output=True)
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    run = scene.run(duration=1)
+    assert run.state_hash == summary["state_hash"]
+    assert tumble.World.load(run.world.save()).state_hash == summary["state_hash"]
+
+
+@pytest.mark.skipif(not SNAPSHOT_STEPS.is_file(), reason="TUMBLE_BUILD has no tests/snapshot_steps")
+def test_a_saved_world_continues_in_cpp_and_comes_back(tmp_path):
+    run = tumble.Scene.load(SCENES / "machines.json").start()
+    run.step(100)
+    file = tmp_path / "world"
+    file.write_bytes(run.world.save())
+    done = subprocess.run([SNAPSHOT_STEPS, file, "50"], check=True, capture_output=True, text=True)
+    before, after = done.stdout.split()
+    assert before == run.state_hash
+    alone = run.world.copy()
+    alone.step(50)
+    assert after == alone.state_hash
+    back = tumble.World.load(file.read_bytes())
+    assert back.state_hash == after and back.step_count == 150
+    back.step(50)
+    alone.step(50)
+    assert back.state_hash == alone.state_hash

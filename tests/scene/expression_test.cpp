@@ -33,8 +33,9 @@ struct Example {
     Scene scene = parse_scene(kScene, "expressions");
     SceneRun run{scene};
 
-    double value(const std::string& text, const SceneFrame& frame = {}) const {
-        return Expression(text, scene, frame).value(run.built());
+    double value(const std::string& text, const SceneFrame& frame = {},
+                 const std::vector<std::string>& names = {}) const {
+        return Expression(text, scene, frame, names).value(run.built());
     }
 };
 
@@ -86,6 +87,50 @@ TEST_CASE("functions have their exact values, of degrees") {
     CHECK(at.value("mod(370, 360)") == 10.0);
     CHECK(at.value("min(3, 1, 2) + max(3, 1, 2)") == 4.0);
     CHECK(at.value("if(1 < 2, 5, 6) + if(1 > 2, 50, 60)") == 65.0);
+}
+
+TEST_CASE("exp, sign and clamp have their values") {
+    const Example at;
+    CHECK(at.value("exp(0)") == 1.0);
+    CHECK(at.value("exp(1000)") == std::numeric_limits<double>::infinity());
+    CHECK(at.value("exp(-1000)") == 0.0);
+    for (int i = -700; i <= 700; i += 7) {
+        const double x = i + 0.3;
+        CHECK(near(at.value("exp(" + std::to_string(i) + " + 0.3)"), std::exp(x), relative(5e-16)));
+    }
+    CHECK(at.value("sign(-2) + 10 * sign(0) + 100 * sign(3)") == 99.0);
+    CHECK(at.value("clamp(5, -1, 1) + 10 * clamp(-5, -1, 1) + 100 * clamp(0.5, -1, 1)") == 41.0);
+    CHECK(std::isnan(at.value("sign(gone)", {}, {{"gone"}})));
+    CHECK(std::isnan(at.value("clamp(1, gone, 2)", {}, {{"gone"}})));
+}
+
+TEST_CASE("a program gives numbers of its own") {
+    const Example at;
+    const std::vector<std::string> names{"x", "reward so far", "a"};
+    const std::vector<double> values{2.5, 7.0, 100.0};
+    const Expression sum("x + 'reward so far' + a + a.x", at.scene, {}, names);  // a.x is that of the body: 3
+    CHECK(sum.value(at.run.built(), values) == 112.5);
+    CHECK(std::isnan(sum.value(at.run.built())));
+    CHECK_THROWS_AS(Expression("x", at.scene), ExpressionError);
+    for (const std::string word : {"time", "or", "true", "not"}) {
+        const std::vector<std::string> hidden{word};
+        CHECK_THROWS_AS(Expression("1", at.scene, {}, hidden), ExpressionError);
+    }
+    try {
+        const Expression misspelt("rewrad", at.scene, {}, std::vector<std::string>{"reward"});
+    } catch (const ExpressionError& error) {
+        CHECK(error.hint == "did you mean 'reward'?");
+    }
+}
+
+TEST_CASE("the value in another world is that of a world loaded from a snapshot") {
+    Example at;
+    const Expression x("a.x + hinge.angle", at.scene);
+    World copy = World::load(at.run.world().save());
+    const double before = x.value(at.run.built());
+    copy.set_transform(at.run.built().bodies[0].id, {{8.0, -2.0}, {}});
+    CHECK(x.value(copy, at.run.built(), {}) == before + 5.0);
+    CHECK(x.value(at.run.built()) == before);
 }
 
 TEST_CASE("bodies, joints and the world have the values of the state") {

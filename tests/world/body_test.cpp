@@ -299,3 +299,47 @@ TEST_CASE("the joints and the contacts of a body are listed") {
     CHECK_THROWS_AS(world.contacts(upper), std::invalid_argument);
     CHECK_THROWS_AS(world.joints(upper), std::invalid_argument);
 }
+
+// Whatever the body and the state, the contacts of one body are those of the whole report that name it.
+TEST_CASE("the contacts of a body are its part of all contacts") {
+    World world;
+    const BodyId floor = world.create_body({.type = BodyType::static_body});
+    world.add_shape(floor, {.shape = make_box({40, 1})});
+    const BodyId alone = world.create_body({.pose = {{15.0, 1.0}, {}}});  // sleeps in an island of its own
+    world.add_shape(alone, {.shape = make_box({1, 1})});
+    std::vector<BodyId> bodies{floor, alone};
+    for (int i = 0; i < 60; ++i) {
+        bodies.push_back(world.create_body({.pose = {{(i % 6) * 1.1 - 3.0, 1.0 + i / 6 * 1.2}, {}}}));
+        world.add_shape(bodies.back(), {.shape = i % 3 == 0 ? make_circle(0.5f) : make_box({1, 1})});
+    }
+    const auto check_all = [&] {
+        const std::vector<ContactPoint> all = world.contacts();
+        for (const BodyId body : bodies) {
+            std::vector<ContactPoint> expected;
+            for (const ContactPoint& point : all)
+                if (point.body_a == body || point.body_b == body) expected.push_back(point);
+            const std::vector<ContactPoint> found = world.contacts(body);
+            REQUIRE(found.size() == expected.size());
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                CHECK(found[i].shape_a == expected[i].shape_a);
+                CHECK(found[i].shape_b == expected[i].shape_b);
+                CHECK(found[i].feature == expected[i].feature);
+            }
+        }
+        return all.size();
+    };
+    for (int step = 0; step < 400; ++step) {
+        world.step();
+        if (step % 20 == 0 || step == 399) check_all();
+    }
+    CHECK(world.counters().sleeping_islands > 0);
+    CHECK(check_all() > 50);
+    world.set_awake(bodies[9], true);  // its contacts wait to be sorted in
+    check_all();
+    world.set_transform(bodies[10], {{50.0, 50.0}, {}});  // its contacts end in the next step
+    check_all();
+    world.set_enabled(bodies[11], false);
+    check_all();
+    world.step();
+    check_all();
+}

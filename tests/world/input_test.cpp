@@ -85,6 +85,17 @@ TEST_CASE("a world that diverges reports the body, and can still be read") {
     CHECK_THROWS_AS(world.step(), SimulationDiverged);
     CHECK(world.bodies().size() == 2);
     CHECK_NOTHROW(world.state(lost));
+    // What is changed after it keeps the structures of the world whole: a body without a pose has no box.
+    const ShapeId shape = world.add_shape(lost, {.shape = make_circle(1.0f)});
+    world.audit();
+    world.set_enabled(lost, false);
+    world.set_enabled(lost, true);
+    world.set_filter(shape, {.mask = 3});
+    world.audit();
+    world.set_transform(lost, {{5.0, 0.0}, {}});
+    CHECK(world.overlap_box({4.0, -1.0}, {6.0, 1.0}).size() == 1);
+    world.destroy_body(lost);
+    world.audit();
 }
 
 TEST_CASE("a dynamic body of any shapes has a finite, positive mass") {

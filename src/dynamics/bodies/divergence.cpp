@@ -36,4 +36,9 @@ std::uint32_t find_diverged(const BodyStore& bodies) {
     return first != kNoBody ? first : find_moved_static(bodies);
 }
 
+bool has_finite_pose(const BodyStore& bodies, std::uint32_t body) {
+    const Pose& pose = bodies.frames[body].pose;
+    return is_finite(pose.position) && is_finite(Vec2{pose.rotation.c, pose.rotation.s});
+}
+
 }  // namespace tumble

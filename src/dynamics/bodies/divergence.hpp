@@ -15,4 +15,7 @@ inline constexpr std::uint32_t kNoBody = 0xffffffffu;
 // that case: the lowest index of a static body with a joint, or of any static body if none has one.
 std::uint32_t find_diverged(const BodyStore& bodies);
 
+// Without a finite pose, as after a step that diverged, a body has no boxes.
+bool has_finite_pose(const BodyStore& bodies, std::uint32_t body);
+
 }  // namespace tumble

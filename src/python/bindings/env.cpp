@@ -11,6 +11,8 @@ namespace {
 
 using Floats = py::array_t<float, py::array::c_style>;
 using Flags = py::array_t<std::uint8_t, py::array::c_style>;
+using Counts = py::array_t<std::int64_t, py::array::c_style>;
+using Rewards = py::array_t<double, py::array::c_style>;
 
 // A member of a dictionary, or its default.
 template <class T>
@@ -23,28 +25,53 @@ IdType id_in(const py::dict& dict, const char* name) {
     return dict.contains(name) ? to_id<IdType>(dict[name].cast<std::uint64_t>()) : IdType{};
 }
 
-EnvPlan to_plan(const py::list& actions, const py::list& observations, const py::list& randoms, int frame_skip) {
+template <class Entry, class Read>
+void read_all(const py::dict& declared, const char* name, std::vector<Entry>& entries, Read&& read) {
+    for (const py::handle entry : declared[name].cast<py::list>()) entries.push_back(read(entry.cast<py::dict>()));
+}
+
+ActionPlan to_action(const py::dict& dict) {
+    return {static_cast<ActionKind>(get(dict, "kind", 0)),
+            id_in<BodyId>(dict, "body"),
+            id_in<JointId>(dict, "joint"),
+            to_vec2(get(dict, "axis", Pair{})),
+            to_vec2(get(dict, "point", Pair{})),
+            get(dict, "speed", 0.0f),
+            get(dict, "low", 0.0f),
+            get(dict, "high", 0.0f)};
+}
+
+ObservedPlan to_observed(const py::dict& dict) {
+    return {static_cast<ObservedKind>(get(dict, "kind", 0)),
+            id_in<BodyId>(dict, "body"),
+            id_in<BodyId>(dict, "other"),
+            id_in<JointId>(dict, "joint"),
+            to_vec2(get(dict, "axis", Pair{})),
+            to_vec2(get(dict, "point", Pair{})),
+            get(dict, "turns", false),
+            get(dict, "mask", ~std::uint64_t{0}),
+            get(dict, "offset", 0.0f),
+            get(dict, "scale", 1.0f),
+            get(dict, "expression", std::string())};
+}
+
+RandomPlan to_random(const py::dict& dict) {
+    return {static_cast<RandomKind>(get(dict, "kind", 0)), id_in<BodyId>(dict, "body"), get(dict, "low", 0.0f),
+            get(dict, "high", 0.0f)};
+}
+
+EnvPlan to_plan(const py::dict& declared) {
     EnvPlan plan;
-    plan.frame_skip = frame_skip;
-    for (const py::handle entry : actions) {
-        const auto dict = entry.cast<py::dict>();
-        plan.actions.push_back({static_cast<ActionKind>(get(dict, "kind", 0)), id_in<BodyId>(dict, "body"),
-                                id_in<JointId>(dict, "joint"), to_vec2(get(dict, "axis", Pair{})),
-                                to_vec2(get(dict, "point", Pair{})), get(dict, "speed", 0.0f), get(dict, "low", 0.0f),
-                                get(dict, "high", 0.0f)});
-    }
-    for (const py::handle entry : observations) {
-        const auto dict = entry.cast<py::dict>();
-        plan.observations.push_back({static_cast<ObservedKind>(get(dict, "kind", 0)), id_in<BodyId>(dict, "body"),
-                                     id_in<BodyId>(dict, "other"), id_in<JointId>(dict, "joint"),
-                                     to_vec2(get(dict, "axis", Pair{})), to_vec2(get(dict, "point", Pair{})),
-                                     get(dict, "turns", false), get(dict, "offset", 0.0f), get(dict, "scale", 1.0f)});
-    }
-    for (const py::handle entry : randoms) {
-        const auto dict = entry.cast<py::dict>();
-        plan.randoms.push_back({static_cast<RandomKind>(get(dict, "kind", 0)), id_in<BodyId>(dict, "body"),
-                                get(dict, "low", 0.0f), get(dict, "high", 0.0f)});
-    }
+    read_all(declared, "actions", plan.actions, to_action);
+    read_all(declared, "observations", plan.observations, to_observed);
+    read_all(declared, "randoms", plan.randoms, to_random);
+    plan.choices = get(declared, "choices", plan.choices);
+    plan.observation_names = get(declared, "observation_names", plan.observation_names);
+    plan.action_names = get(declared, "action_names", plan.action_names);
+    plan.reward = get(declared, "reward", plan.reward);
+    plan.done = get(declared, "done", plan.done);
+    plan.frame_skip = get(declared, "frame_skip", plan.frame_skip);
+    plan.steps = get(declared, "steps", plan.steps);
     return plan;
 }
 
@@ -82,42 +109,64 @@ std::span<const T> readable(const py::array_t<T, py::array::c_style>& array) {
     return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
+EnvArrays to_arrays(const EnvWorlds& worlds, const Floats& actions, const Counts& choices, Floats& observations,
+                    Floats& final_observations, Rewards& rewards, Flags& terminated, Flags& truncated, Counts& steps) {
+    const std::size_t n = worlds.count(), seen = worlds.plan().observations.size();
+    EnvArrays arrays;
+    const bool chooses = !worlds.plan().choices.empty();
+    require_size(actions, chooses ? 0 : n * worlds.plan().actions.size(), "actions");
+    require_size(choices, chooses ? n : 0, "choices");
+    arrays.actions = readable(actions);
+    arrays.choices = readable(choices);
+    require_size(observations, n * seen, "observations");
+    require_size(final_observations, n * seen, "final_observations");
+    require_size(rewards, n, "rewards");
+    require_size(terminated, n, "terminated");
+    require_size(truncated, n, "truncated");
+    require_size(steps, n, "steps");
+    arrays.observations = writable(observations);
+    arrays.final_observations = writable(final_observations);
+    arrays.rewards = writable(rewards);
+    arrays.terminated = writable(terminated);
+    arrays.truncated = writable(truncated);
+    arrays.steps = writable(steps);
+    return arrays;
+}
+
 }  // namespace
 
 void add_env(py::module_& module) {
     py::class_<Batch>(module, "EnvWorlds")
-        .def(py::init([](const WorldBox& start, const py::list& actions, const py::list& observations,
-                         const py::list& randoms, int frame_skip, std::size_t count, int threads, std::uint64_t seed) {
-            return new Batch{EnvWorlds(start.world().save(), to_plan(actions, observations, randoms, frame_skip), count,
-                                       threads, seed)};
-        }))
+        .def(
+            py::init([](WorldBox& start, const py::dict& declared, std::size_t count, int threads, std::uint64_t seed) {
+                return new Batch{EnvWorlds(start.run().scene, to_plan(declared), count, threads, seed)};
+            }))
         .def("seed", [](Batch& batch, std::uint64_t seed) { batch.exclusively([&](EnvWorlds& w) { w.seed(seed); }); })
         .def("step",
-             [](Batch& batch, const Floats& actions, Floats observations, Flags failed) {
-                 const EnvPlan& plan = batch.worlds.plan();
-                 require_size(actions, batch.worlds.count() * plan.actions.size(), "actions");
-                 require_size(observations, batch.worlds.count() * plan.observations.size(), "observations");
-                 require_size(failed, batch.worlds.count(), "failed");
-                 const auto in = readable(actions);
-                 const auto out = writable(observations);
-                 const auto flags = writable(failed);
-                 batch.exclusively([&](EnvWorlds& worlds) { worlds.step(in, out, flags); });
+             [](Batch& batch, const Floats& actions, const Counts& choices, Floats observations,
+                Floats final_observations, Rewards rewards, Flags terminated, Flags truncated, Counts steps) {
+                 const EnvArrays arrays = to_arrays(batch.worlds, actions, choices, observations, final_observations,
+                                                    rewards, terminated, truncated, steps);
+                 batch.exclusively([&](EnvWorlds& worlds) { worlds.step(arrays); });
              })
         .def("reset",
-             [](Batch& batch, const Flags& mask, Floats observations) {
-                 require_size(mask, batch.worlds.count(), "mask");
+             [](Batch& batch, Floats observations) {
                  require_size(observations, batch.worlds.count() * batch.worlds.plan().observations.size(),
                               "observations");
-                 const auto in = readable(mask);
                  const auto out = writable(observations);
-                 batch.exclusively([&](EnvWorlds& worlds) { worlds.reset(in, out); });
+                 batch.exclusively([&](EnvWorlds& worlds) { worlds.reset(out); });
              })
         .def("save",
              [](Batch& batch, std::size_t index) {
-                 const std::vector<std::byte> bytes = batch.worlds.world(index).save();
+                 std::vector<std::byte> bytes;
+                 batch.exclusively([&](EnvWorlds& worlds) { bytes = worlds.world(index).save(); });
                  return py::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size());
              })
-        .def("state_hash", [](Batch& batch, std::size_t index) { return batch.worlds.world(index).state_hash(); });
+        .def("state_hash", [](Batch& batch, std::size_t index) {
+            std::uint64_t hash = 0;
+            batch.exclusively([&](EnvWorlds& worlds) { hash = worlds.world(index).state_hash(); });
+            return hash;
+        });
 }
 
 }  // namespace tumble::python

@@ -1,6 +1,8 @@
 // Scene texts, and the runs of scenes. A scene is its JSON text here; the package keeps it as Python data.
 #include "tumble/scene.hpp"
 
+#include <cmath>
+
 #include "python/bindings/convert.hpp"
 #include "python/bindings/ids.hpp"
 #include "python/bindings/module.hpp"
@@ -61,6 +63,13 @@ void add_scene(py::module_& module) {
             claims.append(py::make_tuple(result.passed, result.claim, result.finding, result.step, result.time));
         return claims;
     });
+    module.def("run_value", [](WorldBox& box, const std::string& text) -> py::object {
+        const Expression expression(text, box.run().scene);
+        const double value = expression.value(box.run().run.built());
+        if (expression.kind() == Expression::Kind::number) return py::float_(value);
+        return std::isnan(value) ? py::object(py::none()) : py::bool_(value == 1.0);
+    });
+    module.def("is_stopped", [](WorldBox& box) { return box.run().run.is_stopped(); });
     module.def("save_run", [](WorldBox& box) {
         WatchedRun& run = box.run();
         return py::make_tuple(to_json(run.scene), to_bytes(run.run.save(run.scene)), to_bytes(run.watch.save()));

@@ -1,5 +1,7 @@
 #include "python/bindings/workers.hpp"
 
+#include <algorithm>
+
 namespace tumble::python {
 
 Workers::Workers(int threads) {
@@ -16,26 +18,31 @@ Workers::~Workers() {
     for (std::thread& thread : threads_) thread.join();
 }
 
-void Workers::run_part(std::size_t thread) {
-    const std::size_t parts = errors_.size();
+void Workers::run_parts(std::size_t thread) {
     try {
-        (*part_)(count_ * thread / parts, count_ * (thread + 1) / parts);
+        while (true) {
+            const std::size_t begin = next_.fetch_add(size_);
+            if (begin >= count_) return;
+            (*part_)(begin, std::min(begin + size_, count_));
+        }
     } catch (...) {
         errors_[thread] = std::current_exception();
     }
 }
 
-void Workers::run(std::size_t count, const std::function<void(std::size_t, std::size_t)>& part) {
+void Workers::run(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& part) {
     {
         const std::lock_guard lock(mutex_);
         part_ = &part;
         count_ = count;
+        size_ = size;
+        next_ = 0;
         busy_ = threads_.size();
         ++round_;
         errors_.assign(errors_.size(), nullptr);
     }
     wake_.notify_all();
-    run_part(0);
+    run_parts(0);
     std::unique_lock lock(mutex_);
     done_.wait(lock, [this] { return busy_ == 0; });
     for (const std::exception_ptr& error : errors_)
@@ -50,7 +57,7 @@ void Workers::work(std::size_t thread) {
         if (ends_) return;
         seen = round_;
         lock.unlock();
-        run_part(thread);
+        run_parts(thread);
         lock.lock();
         if (--busy_ == 0) done_.notify_one();
     }

@@ -1,6 +1,7 @@
-// Threads that share the work of one call: equal parts of a range, in order.
+// Threads that share the work of one call: each takes the next part of a range when it has finished one.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -19,20 +20,21 @@ public:
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
-    // Calls part(begin, end) for parts of [0, count) on all threads, and returns when all are done. Throws the
-    // exception of the first part that has one.
-    void run(std::size_t count, const std::function<void(std::size_t, std::size_t)>& part);
+    // Calls part(begin, end) for parts of [0, count) of at most `size` on all threads, and returns when all are done.
+    // Throws the exception of one of them, if they have any.
+    void run(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& part);
 
 private:
     void work(std::size_t thread);
-    void run_part(std::size_t thread);
+    void run_parts(std::size_t thread);
 
     std::vector<std::thread> threads_;
     std::vector<std::exception_ptr> errors_;  // [threads], the caller's first
     std::mutex mutex_;
     std::condition_variable wake_, done_;
     const std::function<void(std::size_t, std::size_t)>* part_ = nullptr;
-    std::size_t count_ = 0;
+    std::size_t count_ = 0, size_ = 1;
+    std::atomic<std::size_t> next_ = 0;
     std::size_t round_ = 0;
     std::size_t busy_ = 0;
     bool ends_ = false;

@@ -66,6 +66,7 @@ void WorldBox::step(std::int64_t count) {
         auto looked = std::chrono::steady_clock::now();
         for (std::int64_t i = 0; i < count; ++i) {
             if (run_) {
+                if (run_->run.is_stopped()) break;
                 run_->run.step();
                 run_->watch.observe(run_->run.built());
             } else {

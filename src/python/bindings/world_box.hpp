@@ -46,7 +46,8 @@ public:
     World& change();
     WatchedRun& run();  // also if the world has no scene
 
-    // Advances by a number of steps, without the GIL. Ends early, with the exception, if Python has a signal.
+    // Advances by a number of steps, without the GIL. A run that its timeline has stopped stays as it
+    // is. Ends early, with the exception, if Python has a signal.
     void step(std::int64_t count);
 
     // The present array of a quantity: read-only, [bodies] or [bodies, 2].

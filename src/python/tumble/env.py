@@ -17,136 +17,17 @@ The page src/python/README.md lists all members. The timeline and the claims of 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from tumble import _tumble
-from tumble.env_expressions import Expression
+from tumble.env_plan import Plan, Rows
 from tumble.env_spaces import EnvBase, spaces
-from tumble.scene import Run, Scene
+from tumble.scene import Scene
 from tumble.world import World
-
-_ACTIONS = ("force", "thrust", "torque", "motor_speed", "motor_effort")
-_OF_BODY = ("x", "y", "angle", "velocity_x", "velocity_y", "angular_velocity")
-_OF_JOINT = {"position": 6, "speed": 7}
-_TOUCHING, _RAY = 8, 9
-_RANDOM = ("velocity_x", "velocity_y", "angular_velocity", "gravity_scale", "impulse_x", "impulse_y")
-
-Rows = npt.NDArray[np.float32]
-
-
-class Plan:
-    """The environment that a scene declares, with its names resolved to ids."""
-
-    MEMBERS = frozenset({"actions", "choices", "observations", "reward", "done", "steps", "random", "frame_skip"})
-
-    def __init__(self, scene: Scene) -> None:
-        custom = scene.data.get("custom")
-        declared = custom.get("env") if isinstance(custom, dict) else None
-        if not isinstance(declared, dict):
-            raise ValueError(f"{scene!r} declares no environment: it needs custom.env")
-        unknown = set(declared) - self.MEMBERS
-        if unknown:
-            raise ValueError(f"custom.env has no '{sorted(unknown)[0]}'; it may have {', '.join(sorted(self.MEMBERS))}")
-        run = Run(scene)
-        self.start = run.world
-        self._bodies = {name: body.id for name, body in run.bodies.items()}
-        self._joints = {name: joint.id for name, joint in run.joints.items()}
-        self.actions = [self._action(entry) for entry in declared.get("actions", [])]
-        self.choices: Rows | None = None
-        if "choices" in declared:
-            self.choices = np.asarray(declared["choices"], dtype=np.float32)
-            if self.choices.ndim != 2 or self.choices.shape[1] != len(self.actions):
-                raise ValueError(f"custom.env.choices must have the shape (n, {len(self.actions)})")
-        self.names: list[str] = []
-        self.observations: list[dict[str, Any]] = []
-        for entry in declared.get("observations", []):
-            self._observe(entry)
-        self.randoms = [self._random(entry) for entry in declared.get("random", [])]
-        self.steps = int(declared.get("steps", 0))
-        self.frame_skip = int(declared.get("frame_skip", 1))
-        known = {*self.names, *(f"previous_{name}" for name in self.names), "step",
-                 *(f"action_{name}" for name in self.action_names(declared))}  # fmt: skip
-        self.actions_named = self.action_names(declared)
-        self.reward = Expression(str(declared.get("reward", "0")), known, "custom.env.reward")
-        self.done = Expression(str(declared.get("done", "0 > 1")), known, "custom.env.done")
-
-    @staticmethod
-    def action_names(declared: Mapping[str, Any]) -> list[str]:
-        return [str(entry.get("name", i)) for i, entry in enumerate(declared.get("actions", []))]
-
-    def _find(self, table: Mapping[str, int], name: Any, what: str) -> int:
-        if name not in table:
-            raise ValueError(f"custom.env: there is no {what} '{name}'; known are {', '.join(sorted(table)) or 'none'}")
-        return table[name]
-
-    def _body(self, name: Any) -> int:
-        return self._find(self._bodies, name, "body")
-
-    def _joint(self, name: Any) -> int:
-        return self._find(self._joints, name, "joint")
-
-    def _action(self, entry: Mapping[str, Any]) -> dict[str, Any]:
-        kinds = [kind for kind in _ACTIONS if kind in entry]
-        if len(kinds) != 1:
-            raise ValueError(f"custom.env: an action needs one of {', '.join(_ACTIONS)}, got {dict(entry)}")
-        kind = kinds[0]
-        low, high = entry.get("range", [-1, 1])
-        plan: dict[str, Any] = {"kind": _ACTIONS.index(kind), "low": float(low), "high": float(high)}
-        if kind.startswith("motor"):
-            plan["joint"] = self._joint(entry[kind])
-            plan["speed"] = float(entry.get("speed", 0.0))
-        else:
-            plan["body"] = self._body(entry[kind])
-            plan["axis"] = tuple(map(float, entry.get("axis", (1, 0))))
-            plan["point"] = tuple(map(float, entry.get("point", (0, 0))))
-        return plan
-
-    def _observe(self, entry: Mapping[str, Any]) -> None:
-        scaled = {"scale": float(entry.get("scale", 1.0)), "offset": float(entry.get("offset", 0.0))}
-        name = str(entry.get("name", f"observation_{len(self.names)}"))
-        if "rays" in entry:
-            ways = self._ways(entry)
-            body = self._body(entry["rays"])
-            for i, way in enumerate(ways):
-                self.names.append(f"{name}_{i}")
-                self.observations.append({"kind": _RAY, "body": body, "axis": way, **scaled,
-                                          "point": tuple(map(float, entry.get("point", (0, 0)))),
-                                          "turns": bool(entry.get("turns", False))})  # fmt: skip
-            return
-        self.names.append(name)
-        if "touches" in entry:
-            one, *other = entry["touches"] if isinstance(entry["touches"], list) else [entry["touches"]]
-            plan: dict[str, Any] = {"kind": _TOUCHING, "body": self._body(one), **scaled}
-            if other:
-                plan["other"] = self._body(other[0])
-        elif "joint" in entry and entry.get("of") in _OF_JOINT:
-            plan = {"kind": _OF_JOINT[entry["of"]], "joint": self._joint(entry["joint"]), **scaled}
-        elif "body" in entry and entry.get("of") in _OF_BODY:
-            plan = {"kind": _OF_BODY.index(entry["of"]), "body": self._body(entry["body"]), **scaled}
-        else:
-            raise ValueError(f"custom.env: an observation needs body and of ({', '.join(_OF_BODY)}), joint and of "
-                             f"({', '.join(_OF_JOINT)}), touches or rays, got {dict(entry)}")  # fmt: skip
-        self.observations.append(plan)
-
-    @staticmethod
-    def _ways(entry: Mapping[str, Any]) -> list[tuple[float, float]]:
-        first, last = np.radians(entry.get("angles", (0, 360)))
-        count = int(entry.get("count", 1))
-        length = float(entry.get("length", 10.0))
-        angles = np.linspace(first, last, count)
-        return [(length * float(np.cos(a)), length * float(np.sin(a))) for a in angles]
-
-    def _random(self, entry: Mapping[str, Any]) -> dict[str, Any]:
-        if entry.get("of") not in _RANDOM:
-            raise ValueError(f"custom.env: random needs of ({', '.join(_RANDOM)}), got {dict(entry)}")
-        low, high = entry["range"]
-        return {"kind": _RANDOM.index(entry["of"]), "body": self._body(entry["body"]), "low": float(low),
-                "high": float(high)}  # fmt: skip
-
 
 class VectorEnv:
     """N copies of an environment, stepped by one call on all cores.
@@ -169,13 +50,12 @@ class VectorEnv:
             raise ValueError(f"threads must be at least 1, got {threads}")
         plan = self.plan
         self._worlds = _tumble.EnvWorlds(
-            plan.start._box, plan.actions, plan.observations, plan.randoms, plan.frame_skip, count, threads, seed
+            plan.start._box, plan.resolved(), count, threads, seed
         )
         shape = (count, len(plan.observations))
         self.observations: Rows = np.zeros(shape, np.float32)
         self.final_observations: Rows = np.zeros(shape, np.float32)
-        self._previous: Rows = np.zeros(shape, np.float32)
-        self._failed = np.zeros(count, np.uint8)
+        self._no_rows, self._no_choices = np.zeros(0, np.float32), np.zeros(0, np.int64)
         self.steps = np.zeros(count, np.int64)  #: of the present episodes
 
     def __repr__(self) -> str:
@@ -186,7 +66,7 @@ class VectorEnv:
         if seed is not None:
             self._worlds.seed(seed)
         self.steps[:] = 0
-        self._worlds.reset(np.ones(self.count, np.uint8), self.observations)
+        self._worlds.reset(self.observations)
         return self.observations
 
     def step(self, actions: Any) -> tuple[Rows, npt.NDArray[np.float64], npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
@@ -194,33 +74,23 @@ class VectorEnv:
 
         Returns observations [n, k], rewards [n], terminated [n], truncated [n].
         """
-        rows = self._rows(actions)
-        plan = self.plan
-        np.copyto(self._previous, self.observations)
-        self._worlds.step(rows, self.observations, self._failed)
-        self.steps += 1
-        values = _values(plan, self.observations, self._previous, rows, self.steps)
-        rewards = np.broadcast_to(np.asarray(plan.reward(values), np.float64), (self.count,)).copy()
-        failed = self._failed != 0
-        terminated = np.broadcast_to(plan.done(values), (self.count,)) | failed
-        rewards[failed] = 0.0
-        truncated = (self.steps >= plan.steps) & ~terminated if plan.steps > 0 else np.zeros(self.count, np.bool_)
-        ended = terminated | truncated
-        if ended.any():
-            np.copyto(self.final_observations, self.observations)
-            self._worlds.reset(ended.astype(np.uint8), self.observations)
-            self.steps[ended] = 0
-        return self.observations, rewards, terminated, truncated
+        chooses = self.plan.choices is not None
+        rows = self._no_rows if chooses else self._rows(actions)
+        choices = self._choices(actions) if chooses else self._no_choices
+        rewards = np.empty(self.count)
+        terminated, truncated = np.empty(self.count, np.uint8), np.empty(self.count, np.uint8)
+        self._worlds.step(
+            rows, choices, self.observations, self.final_observations, rewards, terminated, truncated, self.steps
+        )
+        return self.observations, rewards, terminated.view(np.bool_), truncated.view(np.bool_)
+
+    def _choices(self, actions: Any) -> npt.NDArray[np.int64]:
+        indices = np.asarray(actions)
+        if indices.shape != (self.count,) or indices.dtype.kind not in "iu":
+            raise ValueError(f"actions must be {self.count} indices of choices, got {indices.dtype} {indices.shape}")
+        return np.ascontiguousarray(indices, dtype=np.int64)
 
     def _rows(self, actions: Any) -> Rows:
-        if self.plan.choices is not None:
-            indices = np.asarray(actions)
-            if indices.shape != (self.count,) or indices.dtype.kind not in "iu":
-                raise ValueError(f"actions must be {self.count} indices of choices, got {indices.dtype} {indices.shape}")
-            if ((indices < 0) | (indices >= len(self.plan.choices))).any():
-                raise ValueError(f"actions must be indices below {len(self.plan.choices)}")
-            chosen: Rows = self.plan.choices[indices]
-            return chosen
         rows: Rows = np.ascontiguousarray(actions, dtype=np.float32)
         if rows.shape != (self.count, len(self.plan.actions)):
             raise ValueError(f"actions must have the shape {(self.count, len(self.plan.actions))}, got {rows.shape}")
@@ -237,21 +107,6 @@ class VectorEnv:
         if not 0 <= index < self.count:
             raise IndexError(f"there are {self.count} worlds, got {index}")
         return World.load(self._worlds.save(index))
-
-
-def _values(plan: Plan, now: Rows, before: Rows, actions: Rows, steps: npt.NDArray[np.int64]) -> dict[str, Any]:
-    """The arrays that reward and done name."""
-    wanted = plan.reward.names | plan.done.names
-    values: dict[str, Any] = {"step": steps} if "step" in wanted else {}
-    for i, name in enumerate(plan.names):
-        if name in wanted:
-            values[name] = now[:, i].astype(np.float64)
-        if f"previous_{name}" in wanted:
-            values[f"previous_{name}"] = before[:, i].astype(np.float64)
-    for i, name in enumerate(plan.actions_named):
-        if f"action_{name}" in wanted:
-            values[f"action_{name}"] = np.clip(actions[:, i], -1, 1).astype(np.float64)
-    return values
 
 
 class TumbleEnv(EnvBase):  # type: ignore[misc]
@@ -288,9 +143,7 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
         """Returns observation, reward, terminated, truncated, info."""
         if self._ended:
             raise RuntimeError("the episode has ended: call reset()")
-        actions = np.asarray([action])
-        rows = self._envs._rows(actions)
-        observations, rewards, terminated, truncated = self._envs.step(actions if self.plan.choices is not None else rows)
+        observations, rewards, terminated, truncated = self._envs.step(np.asarray([action]))
         self._ended = bool(terminated[0] or truncated[0])
         shown = self._envs.final_observations if self._ended else observations
         return shown[0].copy(), float(rewards[0]), bool(terminated[0]), bool(truncated[0]), {}

@@ -135,12 +135,24 @@ class Run:
         return f"<Run of {self.scene!r} at {self.time:.3f} s, hash {self.state_hash}>"
 
     def step(self, count: int = 1) -> None:
-        """Makes steps with the timeline, and observes the claims."""
+        """Makes steps with the timeline, and observes the claims. A run that has stopped keeps its state."""
         self._box.step(count)
 
     def finish(self) -> None:
         """Steps to the end of the scene's duration."""
         self._box.step(max(0, self._steps - self._box.step_count()))
+
+    @property
+    def is_stopped(self) -> bool:
+        """Whether an event of the timeline has ended the run."""
+        return _tumble.is_stopped(self._box)
+
+    def value(self, expression: str) -> float | bool | None:
+        """The value of an expression in the present state, as in claims: "ball.x > 3 and not touching(ball, floor)".
+
+        Lengths are m and angles degrees, as in scene files. NaN or None if it is unknown. Raises ValueError.
+        """
+        return _tumble.run_value(self._box, expression)
 
     @property
     def time(self) -> float:

@@ -6,6 +6,7 @@
 
 #include "scene/expressions/contact_state.hpp"
 #include "scene/expressions/energy.hpp"
+#include "scene/expressions/exponential.hpp"
 #include "scene/model/degrees.hpp"
 #include "scene/model/frame.hpp"
 #include "scene/model/joint_gap.hpp"
@@ -28,6 +29,12 @@ double velocity_value(const Pose& frame, const BodyState& state, BodyProperty pr
     return property == BodyProperty::vx ? velocity.x : velocity.y;
 }
 
+// `low` if the bounds cross.
+double clamped(double value, double low, double high) {
+    if (std::isnan(value + low + high)) return kUnknown;
+    return std::max(low, std::min(value, high));
+}
+
 double tangent(double degrees) {
     const SinCos at = sin_cos_degrees(degrees);
     return at.sin / at.cos;
@@ -42,6 +49,7 @@ double Evaluation::value(std::size_t index) const {
         case Op::body_value: return body_value(node);
         case Op::joint_value: return joint_value(node);
         case Op::world_value: return world_value(static_cast<WorldValue>(node.code));
+        case Op::given_value: return given_value(node);
         case Op::call: return call(node);
         case Op::negate: return -operand(node, 0);
         case Op::power: return power(operand(node, 0), node.number);
@@ -89,11 +97,11 @@ const SceneInstance* Evaluation::body(const BodyRef& ref) const {
     if (ref.is_current) return current_;
     if (ref.built) {
         const SceneInstance& instance = built_.bodies[*ref.built];
-        return built_.world.is_valid(instance.id) ? &instance : nullptr;
+        return world_.is_valid(instance.id) ? &instance : nullptr;
     }
     for (std::size_t i = built_.bodies.size(); i > program_.first_spawned; --i) {
         const SceneInstance& instance = built_.bodies[i - 1];
-        if (instance.name == ref.name && built_.world.is_valid(instance.id)) return &instance;
+        if (instance.name == ref.name && world_.is_valid(instance.id)) return &instance;
     }
     return nullptr;
 }
@@ -108,7 +116,7 @@ std::vector<const SceneInstance*> Evaluation::copies(const BodyRef& ref) const {
     const std::size_t end = ref.built ? begin + ref.count : built_.bodies.size();
     for (std::size_t i = begin; i < end; ++i) {
         const SceneInstance& instance = built_.bodies[i];
-        if ((ref.built || base_name(instance.name) == ref.name) && built_.world.is_valid(instance.id))
+        if ((ref.built || base_name(instance.name) == ref.name) && world_.is_valid(instance.id))
             found.push_back(&instance);
     }
     return found;
@@ -119,7 +127,7 @@ double Evaluation::body_value(const Node& node) const {
     const SceneInstance* found = body(program_.bodies[node.names[0]]);
     if (property == BodyProperty::exists) return found != nullptr;
     if (found == nullptr) return kUnknown;
-    const World& world = built_.world;
+    const World& world = world_;
     const BodyState state = world.state(found->id);
     switch (property) {
         case BodyProperty::x: return inverse_transform_point(program_.frame, state.pose.position).x;
@@ -137,7 +145,7 @@ double Evaluation::joint_value(const Node& node) const {
     const auto property = static_cast<JointProperty>(node.code);
     const JointRef& ref = program_.joints[node.names[0]];
     const JointId id = built_.joints[ref.built].id;
-    const World& world = built_.world;
+    const World& world = world_;
     if (property == JointProperty::exists) return world.is_valid(id);
     if (!world.is_valid(id)) return kUnknown;
     const bool turns =
@@ -153,7 +161,7 @@ double Evaluation::joint_value(const Node& node) const {
 }
 
 double Evaluation::world_value(WorldValue which) const {
-    const World& world = built_.world;
+    const World& world = world_;
     switch (which) {
         case WorldValue::time: return world.time();
         case WorldValue::step: return static_cast<double>(world.step_count());
@@ -167,6 +175,11 @@ double Evaluation::world_value(WorldValue which) const {
         case WorldValue::bodies: return static_cast<double>(world.bodies().size());
     }
     return kUnknown;
+}
+
+double Evaluation::given_value(const Node& node) const {
+    const std::size_t index = static_cast<std::size_t>(node.code);
+    return index < values_.size() ? values_[index] : kUnknown;
 }
 
 double Evaluation::call(const Node& node) const {
@@ -184,6 +197,9 @@ double Evaluation::call(const Node& node) const {
         case Function::tan: return tangent(a);
         case Function::atan2: return arc_tangent(a, operand(node, 1)) * kDegrees;
         case Function::hypot: return length(DVec2{a, operand(node, 1)});
+        case Function::exp: return exponential(a);
+        case Function::sign: return std::isnan(a) ? kUnknown : static_cast<double>((a > 0.0) - (a < 0.0));
+        case Function::clamp: return clamped(a, operand(node, 1), operand(node, 2));
         case Function::mod: return std::fmod(a, operand(node, 1));
         case Function::choose: return std::isnan(a) ? kUnknown : operand(node, a == 1.0 ? 1 : 2);
         default: break;
@@ -209,7 +225,7 @@ double Evaluation::of_bodies(const Node& node) const {
 bool Evaluation::are_touching(const Node& node) const {
     for (const SceneInstance* a : copies(program_.bodies[node.names[0]]))
         for (const SceneInstance* b : copies(program_.bodies[node.names[1]]))
-            if (a->id != b->id && scene::are_touching(built_.world, a->id, b->id)) return true;
+            if (a->id != b->id && scene::are_touching(world_, a->id, b->id)) return true;
     return false;
 }
 
@@ -217,14 +233,14 @@ double Evaluation::distance(const Node& node) const {
     double least = kUnknown;
     for (const SceneInstance* a : copies(program_.bodies[node.names[0]]))
         for (const SceneInstance* b : copies(program_.bodies[node.names[1]]))
-            if (a->id != b->id) least = std::fmin(least, gap_between(built_.world, a->id, b->id));
+            if (a->id != b->id) least = std::fmin(least, gap_between(world_, a->id, b->id));
     return least;
 }
 
 double Evaluation::inside(const Node& node) const {
     const double left = operand(node, 0), bottom = operand(node, 1), right = operand(node, 2), top = operand(node, 3);
     const auto is_in = [&](const SceneInstance* body) {
-        const DVec2 p = inverse_transform_point(program_.frame, built_.world.state(body->id).pose.position);
+        const DVec2 p = inverse_transform_point(program_.frame, world_.state(body->id).pose.position);
         return p.x >= left && p.x <= right && p.y >= bottom && p.y <= top;
     };
     if (std::isnan(left + bottom + right + top)) return kUnknown;
@@ -235,7 +251,7 @@ double Evaluation::of_copies(const Node& node) const {
     const auto function = static_cast<Function>(node.code);
     std::vector<double> values;
     for (const SceneInstance* copy : copies(program_.bodies[node.names.back()]))
-        values.push_back(Evaluation(program_, built_, copy).value(node.operands[0]));
+        values.push_back(at(copy).value(node.operands[0]));
     const auto is = [&](double wanted) { return std::ranges::count(values, wanted); };
     const bool has_unknown = std::ranges::any_of(values, [](double value) { return std::isnan(value); });
     double sum = 0.0;

@@ -1,6 +1,7 @@
 // One evaluation of an expression.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,16 @@ namespace tumble::scene {
 // Conditions are 1, 0 or, if unknown, NaN.
 class Evaluation {
 public:
-    Evaluation(const Program& program, const SceneWorld& built, const SceneInstance* current = nullptr)
-        : program_(program), built_(built), current_(current) {}
+    Evaluation(const Program& program, const SceneWorld& built) : Evaluation(program, built, built.world, {}) {}
+    Evaluation(const Program& program, const SceneWorld& built, const World& world, std::span<const double> values)
+        : program_(program), built_(built), world_(world), values_(values) {}
+
+    // The same state for one copy of a body.
+    Evaluation at(const SceneInstance* copy) const {
+        Evaluation of_copy = *this;
+        of_copy.current_ = copy;
+        return of_copy;
+    }
 
     double value(std::size_t node) const;
 
@@ -25,13 +34,13 @@ public:
     const SceneInstance* body(const BodyRef& ref) const;
 
     const Program& program() const { return program_; }
-    const SceneWorld& built() const { return built_; }
 
 private:
     double operand(const Node& node, std::size_t index) const { return value(node.operands[index]); }
     double body_value(const Node& node) const;
     double joint_value(const Node& node) const;
     double world_value(WorldValue which) const;
+    double given_value(const Node& node) const;
     double call(const Node& node) const;
     double of_bodies(const Node& node) const;
     double of_copies(const Node& node) const;
@@ -44,7 +53,9 @@ private:
 
     const Program& program_;
     const SceneWorld& built_;
-    const SceneInstance* current_;  // the copy that a function about copies is at
+    const World& world_;  // whose ids are those of built_
+    std::span<const double> values_;
+    const SceneInstance* current_ = nullptr;  // the copy that a function about copies is at
 };
 
 }  // namespace tumble::scene

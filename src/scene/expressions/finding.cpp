@@ -63,7 +63,7 @@ private:
     // The values of the first copy for which the condition of all() is false.
     void list_failing(const Evaluation& state, const Node& node) {
         for (const SceneInstance* copy : state.copies(state.program().bodies[node.names.back()])) {
-            const Evaluation of_copy(state.program(), state.built(), copy);
+            const Evaluation of_copy = state.at(copy);
             if (of_copy.value(node.operands[0]) != 0.0) continue;
             return list(of_copy, node.operands[0], "of '" + copy->name + "' ");
         }
@@ -102,7 +102,7 @@ double Evaluation::margin(std::size_t index, bool wanted) const {
     const bool takes_worst = is_all == wanted;
     double result = takes_worst ? -kInfinite : kInfinite;
     for (const SceneInstance* copy : copies(program_.bodies[node.names.back()])) {
-        const double one = known(Evaluation(program_, built_, copy).margin(node.operands[0], wanted));
+        const double one = known(at(copy).margin(node.operands[0], wanted));
         result = takes_worst ? std::max(result, one) : std::min(result, one);
     }
     return result;
@@ -110,6 +110,10 @@ double Evaluation::margin(std::size_t index, bool wanted) const {
 
 double value_of(const Program& program, const SceneWorld& built) {
     return Evaluation(program, built).value(program.root);
+}
+
+double value_of(const Program& program, const SceneWorld& built, const World& world, std::span<const double> values) {
+    return Evaluation(program, built, world, values).value(program.root);
 }
 
 bool holds(const Program& program, const SceneWorld& built) {

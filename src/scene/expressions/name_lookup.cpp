@@ -149,6 +149,13 @@ Node NameLookup::joint_property(const Token& name, const NamedCopy& joint, const
             .names = {program_.joints.size() - 1}};
 }
 
+std::optional<std::size_t> NameLookup::given_value(const Token& name) const {
+    if (is_unchecked()) return std::nullopt;
+    const auto found = std::ranges::find(known_->values, name.text);
+    if (found == known_->values.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - known_->values.begin());
+}
+
 void NameLookup::refuse_alone(const Token& name) const {
     if (is_unchecked() || is_known_body(name.text))
         throw ExpressionError(name.begin, "the body '" + name.text + "' alone is no value",
@@ -157,7 +164,9 @@ void NameLookup::refuse_alone(const Token& name) const {
         throw ExpressionError(name.begin, "the joint '" + name.text + "' alone is no value",
                               "ask for a property: " + in_expression(name.text) + ".force");
     std::string hint = hint_for_quotes(name.text, known_->scene);
-    if (hint.empty()) hint = suggestion(name.text, names_of(world_words()));
+    std::vector<std::string_view> words = names_of(world_words());
+    words.insert(words.end(), known_->values.begin(), known_->values.end());
+    if (hint.empty()) hint = suggestion(name.text, words);
     throw ExpressionError(name.begin, "unknown name '" + name.text + "'", hint);
 }
 

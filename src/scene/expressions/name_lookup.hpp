@@ -26,6 +26,9 @@ public:
     // The node of "body.property" or "joint.property", without its place in the text.
     Node property(const Token& name, const Token& word);
 
+    // The index of a value that the program gave.
+    std::optional<std::size_t> given_value(const Token& name) const;
+
     // To be called for a name without a property, which is no value of the world.
     [[noreturn]] void refuse_alone(const Token& name) const;
 

@@ -54,6 +54,13 @@ std::string_view own_word(std::string_view sign) {
     return {};
 }
 
+// What other languages call a function.
+std::string own_function(const std::string& name) {
+    if (name == "where") return "write if(condition, a, b)";
+    if (name == "clip") return "write clamp(a, low, high)";
+    return suggestion(name, names_of(function_words()));
+}
+
 class Parser {
 public:
     Parser(std::string_view text, const KnownNames* known)
@@ -207,6 +214,9 @@ private:
 
     std::size_t world_value() {
         const Token token = take();
+        if (const std::optional<std::size_t> given = lookup_.given_value(token))
+            return add(
+                {.op = Op::given_value, .code = static_cast<int>(*given), .begin = token.begin, .end = token.end});
         const Word<WorldValue>* word = token.is_quoted ? nullptr : find_word(world_words(), token.text);
         if (word == nullptr) lookup_.refuse_alone(token);
         return add({.op = Op::world_value,
@@ -232,8 +242,7 @@ private:
         const Token name = take();
         const FunctionWord* word = find_word(function_words(), name.text);
         if (word == nullptr)
-            throw ExpressionError(name.begin, "there is no function '" + name.text + "'",
-                                  suggestion(name.text, names_of(function_words())));
+            throw ExpressionError(name.begin, "there is no function '" + name.text + "'", own_function(name.text));
         take();
         Node node{.op = Op::call, .kind = word->kind, .code = static_cast<int>(word->code), .begin = name.begin};
         const bool may_be_about_copies = is_about_copies(word->code, 1);
@@ -292,12 +301,22 @@ private:
     NameLookup lookup_;
 };
 
+// The names of given values must not hide words of the grammar.
+void require_free(std::span<const std::string> values) {
+    for (const std::string& name : values) {
+        bool is_word = find_word(world_words(), name) != nullptr || find_operator({Token::Kind::name, 0, 0, name});
+        for (const std::string_view word : {"true", "false", "not"}) is_word |= name == word;
+        if (is_word) throw ExpressionError(0, "a value cannot be called '" + name + "', a word of conditions");
+    }
+}
+
 }  // namespace
 
 Program compile(std::string_view text, const KnownNames* known, const SceneFrame& frame) {
     if (text.size() > kMaxExpressionBytes)
         throw ExpressionError(kMaxExpressionBytes,
                               "an expression has at most " + std::to_string(kMaxExpressionBytes) + " bytes");
+    if (known != nullptr) require_free(known->values);
     Program program = Parser(text, known).parse();
     program.frame = make_frame(frame);
     if (known != nullptr) program.first_spawned = known->bodies.built_count();

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,7 @@ enum class Op {
     body_value,
     joint_value,
     world_value,
+    given_value,  // of a name that the program gave
     call,
     negate,
     add,
@@ -57,8 +59,8 @@ struct JointRef {
 struct Node {
     Op op = Op::constant;
     ValueKind kind = ValueKind::number;
-    double number = 0.0;                  // of a constant or an exponent
-    int code = 0;                         // BodyProperty, JointProperty, WorldValue or Function
+    double number = 0.0;  // of a constant or an exponent
+    int code = 0;         // BodyProperty, JointProperty, WorldValue or Function, or the index of a given value
     std::vector<std::size_t> operands{};  // nodes
     std::vector<std::size_t> names{};     // of bodies or of one joint; of a function about copies, the copies
     std::size_t begin = 0, end = 0;       // in the text
@@ -88,6 +90,7 @@ struct KnownNames {
     const Scene& scene;
     const BodyNames& bodies;
     const JointNames& joints;
+    std::span<const std::string> values{};  // given by the program
 };
 
 // Without `known` the syntax and the kinds of values are checked, but not whether names exist. Throws ExpressionError.
