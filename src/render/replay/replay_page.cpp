@@ -17,7 +17,7 @@ namespace {
 
 // As the browser's DecompressionStream("deflate") reads it: RFC 1950.
 std::string deflated(std::string_view bytes) {
-    constexpr int kLevel = 9;  // 12 saves 3 % and takes five times as long
+    constexpr int kLevel = 12;  // 9 takes a fifth of the time, for 8 % more bytes
     const Compressor compressor(libdeflate_alloc_compressor(kLevel));
     if (!compressor) throw std::bad_alloc();
     std::string packed(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
