@@ -79,7 +79,8 @@ SinCos turned(SinCos start, double radians) {
 double arc_tangent(double y, double x) {
     if (!std::isfinite(x) || !std::isfinite(y)) return std::numeric_limits<double>::quiet_NaN();
     const double ax = std::abs(x), ay = std::abs(y);
-    // Comparisons in place of std::fmax, which is a call, and a factor in place of a branch that half of all angles take.
+    // Comparisons in place of std::fmax, which is a call, and a factor in place of a branch that half of all angles
+    // take.
     const double larger = ax > ay ? ax : ay;
     if (larger == 0.0) return 0.0;
     const double t = (ax > ay ? ay : ax) / larger;

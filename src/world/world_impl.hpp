@@ -34,8 +34,9 @@ struct World::Impl {
     // False for a disabled body, and for one whose pose is not finite after a step that diverged.
     bool has_place(BodyId id) const;
 
-    // Adds the proxies of a body's shapes to the broad phase, at its pose and in the layer of its type; a body without a
-    // place gets none. remove_proxies() takes them out again. touch_proxies() makes the next step search their pairs anew.
+    // Adds the proxies of a body's shapes to the broad phase, at its pose and in the layer of its type; a body without
+    // a place gets none. remove_proxies() takes them out again. touch_proxies() makes the next step search their pairs
+    // anew.
     void add_proxies(BodyId id);
     void remove_proxies(BodyId id);
     void touch_proxies(BodyId id);

@@ -26,18 +26,9 @@ ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def) {
     TUMBLE_CHECK(smaller >= 0.0f);
     TUMBLE_CHECK(reach >= 0.0f);
 
-    records_[id.index] = {def.shape,
-                          def.material,
-                          def.filter,
-                          body,
-                          smaller,
-                          reach,
-                          mass_properties(def.shape).center,
-                          def.sensor,
-                          true,
-                          false,
-                          def.link,
-                          def.user_data};
+    records_[id.index] = {
+        def.shape,  def.material, def.filter, body,     smaller,      reach, mass_properties(def.shape).center,
+        def.sensor, true,         false,      def.link, def.user_data};
     return id;
 }
 
