@@ -137,8 +137,11 @@ int RubeObject::index(std::string_view key, std::size_t end, const std::string& 
 
 void RubeObject::skip(std::initializer_list<std::string_view> keys) { read_.insert(keys.begin(), keys.end()); }
 
+// Warnings of exports are not among those that `tumble explain` knows: they have no code.
+constexpr std::string_view kNoCode;
+
 void RubeObject::warn(std::string_view key, std::string message, std::string hint) {
-    diagnostics_.warning(pointer_to(key), std::move(message), std::move(hint));
+    diagnostics_.warning(kNoCode, pointer_to(key), std::move(message), std::move(hint));
 }
 
 void RubeObject::note_unread(const std::string& kind, RubeNotes& notes) const {
