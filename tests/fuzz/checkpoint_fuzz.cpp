@@ -52,6 +52,7 @@ const Saved& saved() {
 // The bytes with changes of 3 bytes each: where, as 16 bits, and the new value.
 std::vector<std::byte> changed(std::vector<std::byte> bytes, fuzz::Bytes changes, std::size_t count) {
     constexpr std::size_t kHashBytes = sizeof(std::uint64_t);
+    if (bytes.size() <= kHashBytes || !bytes.data()) return bytes;
     const std::size_t size = bytes.size() - kHashBytes;
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = changes.take<std::uint16_t>() % size;

@@ -23,9 +23,8 @@ constexpr std::size_t kWidth = 64, kHeight = 48, kFrameBytes = 3 * kWidth * kHei
 
 // 0.1 s at 30 frames/s: 4 frames.
 std::vector<std::string> arguments(const std::string& out, std::vector<std::string> more) {
-    std::vector<std::string> all{
-        "run",  TUMBLE_SOURCE_DIR "/scenes/pendulum.json", "-o", out, "--duration", "0.1", "--fps", "30", "--size",
-        "64x48"};
+    const std::string scene = TUMBLE_SOURCE_DIR "/scenes/pendulum.json";
+    std::vector<std::string> all{"run", scene, "-o", out, "--duration", "0.1", "--fps", "30", "--size", "64x48"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }

@@ -142,7 +142,7 @@ Checkpoint parse_checkpoint(std::string_view text) {
 Checkpoint read_checkpoint(const fs::path& folder, const std::string& settings) {
     const fs::path file = checkpoint_file(folder);
     if (!fs::exists(file)) throw FileError(folder, "contains no checkpoint; --checkpoint makes a run write them");
-    const Checkpoint checkpoint = [&] {
+    Checkpoint checkpoint = [&] {
         try {
             return parse_checkpoint(read_file(file));
         } catch (const InputError& error) {
