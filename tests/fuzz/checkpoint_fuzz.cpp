@@ -52,14 +52,15 @@ const Saved& saved() {
 // The bytes with changes of 3 bytes each: where, as 16 bits, and the new value.
 std::vector<std::byte> changed(std::vector<std::byte> bytes, fuzz::Bytes changes, std::size_t count) {
     constexpr std::size_t kHashBytes = sizeof(std::uint64_t);
-    if (bytes.size() <= kHashBytes || !bytes.data()) return bytes;
+    std::byte* const data = bytes.data();
+    if (!data || bytes.size() <= kHashBytes) return bytes;
     const std::size_t size = bytes.size() - kHashBytes;
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at = changes.take<std::uint16_t>() % size;
-        bytes[at] = static_cast<std::byte>(changes.take<std::uint8_t>());
+        data[at] = static_cast<std::byte>(changes.take<std::uint8_t>());
     }
-    const std::uint64_t hash = XXH64(bytes.data(), size, 0);
-    std::memcpy(bytes.data() + size, &hash, sizeof hash);
+    const std::uint64_t hash = XXH64(data, size, 0);
+    std::memcpy(data + size, &hash, sizeof hash);
     return bytes;
 }
 
