@@ -9,6 +9,7 @@
 #include "dynamics/bodies/softness.hpp"
 #include "dynamics/bodies/solver_body.hpp"
 #include "dynamics/contacts/recycling.hpp"
+#include "dynamics/stages/swept_pair.hpp"
 #include "support/near.hpp"
 
 using namespace tumble;
@@ -106,4 +107,20 @@ TEST_CASE("an id pool uses an index again only when it is recycled") {
     CHECK(fourth.index == first.index);
     CHECK(fourth.generation == first.generation + 1);
     CHECK(std::vector<BodyId>(pool.live().begin(), pool.live().end()) == std::vector<BodyId>{fourth, second, third});
+}
+
+TEST_CASE("an inset below the rounding of a huge shape takes nothing off") {
+    // 1 - 2e-4 m / 1e5 m is 1 in floats. The box of 100 km crosses the 1 m to the small box in a quarter of its motion.
+    const auto record = [](const Shape& shape, float extent) {
+        ShapeRecord made;
+        made.shape = shape;
+        made.smaller_extent = extent;
+        return made;
+    };
+    const ShapeRecord huge = record(make_box({1e5f, 1e5f}), 1e5f), small = record(make_box({1.0f, 1.0f}), 1.0f);
+    Sweep moving, still;
+    moving.end = {4.0, 0.0};
+    still.start = still.end = {50001.5, 0.0};
+    const PairImpact found = find_impact(huge, moving, small, still, 1e-4f, false);
+    CHECK(near(found.fraction, 0.25, absolute(0.01)));
 }

@@ -25,7 +25,7 @@ Vec2 long_axis(const Shape& shape) {
 
 Shape core_of(const ShapeRecord& record, float part) {
     TUMBLE_CHECK(part >= 0.0f);
-    TUMBLE_CHECK(part < 1.0f);
+    TUMBLE_CHECK(part <= 1.0f);
     const Shape& shape = record.shape;
     const Vec2 middle = record.center;
     if (part == 0.0f || shape.vertex_count() > Shape::kInlineVertices)

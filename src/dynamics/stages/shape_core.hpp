@@ -6,7 +6,8 @@
 namespace tumble {
 
 // The shape shrunk about its middle to a part of its thickness, and by the same length along its long axis: the tip of
-// a bar sinks in as far as its side. The part 0 is the middle point.
+// a bar sinks in as far as its side. The part 0 is the middle point. The part 1 is the shape: a shape so large that
+// floats round what is to be cut off to nothing.
 Shape core_of(const ShapeRecord& record, float part);
 
 }  // namespace tumble
