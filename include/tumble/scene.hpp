@@ -178,12 +178,14 @@ struct SceneJointSpring {
 // Copies a joint, row by row. From column to column the joint joins the next copies of its two bodies, from row to row
 // the copies whose index is larger by `row_step`. A body without copies is joined by every copy of the joint. An anchor
 // or axis in world coordinates is that of the first joint; its coordinates in the first of the joint's bodies that is a
-// copy are the same for all copies. Copies are named name[0], name[1], ... A gear is repeated over the copies of its
-// joints in the same way.
+// copy are the same for all copies. Of `anchors`, that on a body without copies moves by `spacing` from one joint to
+// the next, so that each copy has a point of its own there. Copies are named name[0], name[1], ... A gear is repeated
+// over the copies of its joints in the same way.
 struct JointRepeat {
     int columns = 1;
     int rows = 1;
     int row_step = 0;
+    DVec2 spacing;  // m, body coordinates: x for each column, y for each row
 };
 
 struct SceneJoint {

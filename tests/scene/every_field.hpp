@@ -38,6 +38,8 @@ inline std::vector<std::string> scenes_with_every_field() {
         shape + R"("outline": {"points": [[0, 0], [1, 0], [0, 1]]}}]}])",
         R"("bodies": [{"name": "node", "repeat": {"grid": {"columns": 3, "rows": 2}}}],
            "joints": [{"type": "filter", "bodies": ["node[0]", "node[1]"], "repeat": {"columns": 2, "rows": 2, "row_step": 3}}])",
+        R"("bodies": [{"name": "beam", "type": "static"}, {"name": "bob", "repeat": {"grid": {"columns": 2}}, "shapes": [{"circle": {"radius": 1}}]}],
+           "joints": [{"type": "distance", "bodies": ["beam", "bob[0]"], "anchors": [[0, 5], [0, 0]], "repeat": {"columns": 2, "spacing": [1, 0]}}])",
         R"("bodies": [{"repeat": {"grid": {"columns": 2, "rows": 3, "spacing": [1, 1], "angle": 5}}},
                       {"repeat": {"pyramid": {"base": 3, "spacing": [1, 1], "angle": 5}}},
                       {"repeat": {"ring": {"count": 3, "radius": 2, "turn": true, "angle": 5}}},

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "support/near.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_world.hpp"
 
@@ -202,6 +203,59 @@ TEST_CASE("rows of a repeated joint start row_step copies on") {
         CHECK(hinge.body_a == built.bodies[firsts[i]].id);
         CHECK(hinge.body_b == built.bodies[firsts[i] + 1].id);
     }
+}
+
+TEST_CASE("the anchor on a body that is not repeated moves by the spacing of the joint's repeat") {
+    // Six balls 2 m below a beam that is turned by a quarter: its x axis points up, its y axis to the left.
+    for (const bool beam_is_first : {true, false}) {
+        CAPTURE(beam_is_first);
+        const std::string bodies = beam_is_first ? R"(["beam", "ball[0]"], "anchors": [[1, -3], [0, 0.25]])"
+                                                 : R"(["ball[0]", "beam"], "anchors": [[0, 0.25], [1, -3]])";
+        const SceneWorld built = build_world(parse_scene(R"({"format": 1, "bodies": [
+            {"name": "beam", "type": "static", "position": [5, 7], "angle": 90},
+            {"name": "ball", "repeat": {"grid": {"columns": 3, "rows": 2}}, "shapes": [{"circle": {"radius": 0.4}}]}],
+            "joints": [{"type": "distance", "bodies": )" + bodies +
+                                                             R"(, "repeat": {"columns": 3, "rows": 2, "row_step": 3,
+                                                                             "spacing": [0.5, -2]}}]})",
+                                                         "cradle.json"));
+        REQUIRE(built.joints.size() == 6);
+        for (std::size_t i = 0; i < 6; ++i) {
+            const auto& rod = std::get<DistanceJointDef>(built.world.joint(built.joints[i].id));
+            const Vec2 on_beam = beam_is_first ? rod.anchor_a : rod.anchor_b,
+                       on_ball = beam_is_first ? rod.anchor_b : rod.anchor_a;
+            CHECK(on_beam == Vec2{1.0f + 0.5f * static_cast<float>(i % 3), i < 3 ? -3.0f : -5.0f});
+            CHECK(on_ball == Vec2{0.0f, 0.25f});
+            CHECK((beam_is_first ? rod.body_b : rod.body_a) == built.bodies[1 + i].id);
+        }
+        // The rod of the first ball: from (5, 7) + (3, 1) to (0, 0.25).
+        const auto& first = std::get<DistanceJointDef>(built.world.joint(built.joints[0].id));
+        CHECK(test::near(first.length, std::hypot(8.0, 7.75), test::kFloat));
+    }
+}
+
+TEST_CASE("a spacing is refused where it would have no effect") {
+    const auto error_of = [](const std::string& joint) -> std::string {
+        try {
+            parse_scene(R"({"format": 1, "bodies": [{"name": "ball", "repeat": {"grid": {"columns": 3}},
+                "shapes": [{"circle": {"radius": 0.4}}]}, {"name": "beam", "type": "static"}], "joints": [)" +
+                            joint + "]}",
+                        "row.json");
+        } catch (const SceneError& error) {
+            return error.diagnostics.front().pointer + ": " + error.diagnostics.front().message;
+        }
+        return "";
+    };
+    const std::string repeat = R"(, "repeat": {"columns": 2, "spacing": [1, 0]}})";
+    CHECK(error_of(R"({"type": "distance", "bodies": ["beam", "ball[0]"], "anchors": [[0, 3], [0, 0]])" + repeat) ==
+          "");
+    CHECK(error_of(R"({"type": "revolute", "bodies": ["beam", "ball[0]"], "anchor": [0, 3])" + repeat) ==
+          "/joints/0/repeat/spacing: needs \"anchors\"");
+    CHECK(error_of(R"({"type": "distance", "bodies": ["ball[0]", "ball[1]"], "anchors": [[0, 0], [0, 0]])" + repeat) ==
+          "/joints/0/repeat/spacing: moves the anchor on a body that is not repeated, and both bodies are copies");
+    const std::string hinge =
+        R"({"type": "revolute", "name": "h", "bodies": ["beam", "ball[0]"], "anchor": [0, 0], "repeat": {"columns": 3}}, )";
+    CHECK(error_of(hinge + R"({"type": "gear", "joints": ["h[0]", "h[1]"])" + repeat) ==
+          "/joints/1/repeat/spacing: a gear has no anchors");
 }
 
 TEST_CASE("a repeated joint is refused where copies are missing or joined twice") {

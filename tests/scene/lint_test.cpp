@@ -195,7 +195,11 @@ TEST_CASE("copies of a rod that all end at one point of a body cause a warning, 
         CHECK(shared.pointer == "/joints/0/repeat");
         CHECK(says(shared, "one point of 'beam', which is not repeated: they are from 4 to 4.47 m long"));
     }
+    CHECK(warning_of(beam + balls, repeated("beam", "ball[0]")).hint.starts_with("give \"repeat\" a \"spacing\""));
     CHECK(warnings_of(beam + balls, joint("beam", "ball[0]", "")).empty());
+    std::string spaced = repeated("beam", "ball[0]");
+    spaced.replace(spaced.find(R"("columns": 3)"), 12, R"("columns": 3, "spacing": [1, 0])");
+    CHECK(warnings_of(beam + balls, spaced).empty());
     // One hook for each ball, and spokes of equal length.
     const std::string hooks =
         R"({"name": "hook", "type": "static", "position": [0, 4], "repeat": {"grid": {"columns": 3}}}, )";

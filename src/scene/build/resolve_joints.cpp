@@ -70,6 +70,14 @@ private:
             return error(pointer, "needs a body that is a copy of a repeated body",
                          "name the first copy: \"plank[0]\"");
         if (!has_valid_rows(*joint.repeat, pointer)) return;
+        if (joint.repeat->spacing != DVec2{}) {
+            if (names.is_copy(joint.body_a) && names.is_copy(joint.body_b))
+                error(pointer + "/spacing",
+                      "moves the anchor on a body that is not repeated, and both bodies are copies", "leave it out");
+            else if (!joint.anchors)
+                error(pointer + "/spacing", "needs \"anchors\"",
+                      "an \"anchor\" of the world moves with the copies by itself");
+        }
         for (const std::string* body : {&joint.body_a, &joint.body_b})
             if (const std::optional<std::size_t> there = names.copies_after(*body))
                 require_copies(last_step(joint), *body, *there, pointer);
@@ -81,6 +89,7 @@ private:
             return error(pointer, "needs a joint that is a copy of a repeated joint",
                          "name the first copy: \"hinge[0]\"");
         if (!has_valid_rows(*gear.repeat, pointer)) return;
+        if (gear.repeat->spacing != DVec2{}) error(pointer + "/spacing", "a gear has no anchors", "leave it out");
         for (const NamedCopy& joint : joints)
             if (joint.is_copy)
                 require_copies(last_step(gear), copy_name(scene_.joints[joint.source], joint.copy),

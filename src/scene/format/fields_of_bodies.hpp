@@ -167,6 +167,11 @@ void visit_fields(V& v, Type<JointRepeat>) {
              "",
              {0.0, kCount.max}},
             &JointRepeat::row_step);
+    v.field({"spacing",
+             "How far the anchor on a body that is not repeated moves, in coordinates of that body: along x from one "
+             "column to the next, along y from one row to the next. Needs 'anchors'.",
+             "m", kCoordinate},
+            &JointRepeat::spacing);
 }
 
 template <class V>

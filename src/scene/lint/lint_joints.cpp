@@ -148,7 +148,8 @@ void lint_rods(const Scene& scene, const SceneWorld& built, Diagnostics& diagnos
                                 "all copies of the joint act at one point of " + display_name(built, *body) +
                                     ", which is not repeated: they are from " + brief(copies.shortest) + " to " +
                                     brief(copies.longest) + " m long",
-                                "repeat that body too, or write one joint for each copy, with its own anchor");
+                                "give \"repeat\" a \"spacing\": it moves the anchor on that body from one copy to the "
+                                "next; or repeat the body too");
 }
 
 }  // namespace

@@ -20,13 +20,20 @@ SceneJoint moved(const SceneJoint& joint, const PlacedBody& from, const PlacedBo
     return copy;
 }
 
-// For each copy of the joint: by how many copies its bodies follow those of the first copy.
-std::vector<std::size_t> steps_of(const SceneJoint& joint) {
+struct Step {
+    std::size_t copies = 0;  // by how many copies the bodies of this joint follow those of the first one
+    DVec2 shift;             // of the anchor on a body without copies
+};
+
+// For each copy of the joint.
+std::vector<Step> steps_of(const SceneJoint& joint) {
     const JointRepeat repeat = joint.repeat.value_or(JointRepeat{});
-    std::vector<std::size_t> steps;
+    std::vector<Step> steps;
     for (std::int64_t row = 0; row < repeat.rows; ++row)
         for (std::int64_t column = 0; column < repeat.columns; ++column)
-            steps.push_back(static_cast<std::size_t>(column + row * repeat.row_step));
+            steps.push_back(
+                {static_cast<std::size_t>(column + row * repeat.row_step),
+                 {static_cast<double>(column) * repeat.spacing.x, static_cast<double>(row) * repeat.spacing.y}});
     return steps;
 }
 
@@ -42,13 +49,15 @@ std::vector<JointCopy> make_joints(const SceneJoint& joint, const BodyNames& nam
     const std::size_t first_a = names.find(joint.body_a).value(), first_b = names.find(joint.body_b).value();
     const bool moves_a = names.is_copy(joint.body_a), moves_b = names.is_copy(joint.body_b);
     std::vector<JointCopy> copies;
-    for (const std::size_t step : steps_of(joint)) {
-        const std::size_t a = moves_a ? first_a + step : first_a, b = moves_b ? first_b + step : first_b;
+    for (const Step& step : steps_of(joint)) {
+        const std::size_t a = moves_a ? first_a + step.copies : first_a, b = moves_b ? first_b + step.copies : first_b;
         TUMBLE_CHECK(a < placed.size());
         TUMBLE_CHECK(b < placed.size());
-        const SceneJoint copy = step == 0 ? joint
-                                : moves_a ? moved(joint, placed[first_a], placed[a])
-                                          : moved(joint, placed[first_b], placed[b]);
+        SceneJoint copy = step.copies == 0 ? joint
+                          : moves_a        ? moved(joint, placed[first_a], placed[a])
+                                           : moved(joint, placed[first_b], placed[b]);
+        if (copy.anchors && !moves_a) copy.anchors->first += step.shift;
+        if (copy.anchors && !moves_b) copy.anchors->second += step.shift;
         copies.push_back({make_joint(copy, placed[a], placed[b]), a, b});
     }
     return copies;
@@ -61,8 +70,8 @@ std::vector<JointCopy> make_gears(const SceneJoint& gear, const JointNames& name
         return names.built_index(first) + (first.is_copy ? step : 0);
     };
     std::vector<JointCopy> copies;
-    for (const std::size_t step : steps_of(gear))
-        copies.push_back({make_gear(gear), joint_at(first_a, step), joint_at(first_b, step)});
+    for (const Step& step : steps_of(gear))
+        copies.push_back({make_gear(gear), joint_at(first_a, step.copies), joint_at(first_b, step.copies)});
     return copies;
 }
 
