@@ -213,6 +213,12 @@ TEST_CASE("hints answer what newcomers write") {
     CHECK(hint_of(before + R"("repeat": 5)" + after).starts_with(R"(of a body: "repeat": {"grid": {"columns": 5}})"));
     CHECK(hint_of(test::with_shape(R"({"circle": 0.5})")) == R"("circle": {"radius": 0.5})");
     CHECK(hint_of(test::with_shape(R"({"box": 2})")) == R"("box": {"size": [width, height]})");
+    CHECK(hint_of(test::with_shape(R"({"box": [2, 1]})")) == R"("box": {"size": [width, height]})");
+    CHECK(
+        hint_of(test::with_shape(R"({"polygon": [[0, 0], [1, 0], [0, 1]]})")).starts_with(R"("polygon": {"vertices")"));
+    CHECK(hint_of(R"({"format": 1, "claims": []})") == R"(claims are listed under "expect")");
+    CHECK(hint_of(R"({"format": 1, "world": {"dt": 0.01}})") == R"("steps_per_second": 60)");
+    CHECK(hint_of(test::with_joint(R"("revolute": {"bodies": ["a", "b"]})")) == R"("type": "revolute")");
 
     const std::string joint = R"("type": "distance", "bodies": ["a", "b"], "anchors": [[0, 0], [0, 0]], )";
     CHECK(hint_of(test::with_joint(joint + R"("stiffness": 100)")) ==

@@ -44,13 +44,23 @@ constexpr ForeignKey kKeys[] = {
     {"trigger", "despawn", R"~("when": "touching(a, b)")~"},
     {"condition", "despawn", R"~("when": "touching(a, b)")~"},
     {"end", "despawn", R"("stop": true)"},
+    {"claims", "expect", R"(claims are listed under "expect")"},
+    {"assertions", "expect", R"(claims are listed under "expect")"},
+    {"tests", "expect", R"(claims are listed under "expect")"},
+    {"events", "timeline", R"(events are listed under "timeline")"},
+    {"dt", "steps_per_second", R"("steps_per_second": 60)"},
+    {"time_step", "steps_per_second", R"("steps_per_second": 60)"},
+    {"revolute", "bodies", R"("type": "revolute")"},
+    {"prismatic", "bodies", R"("type": "prismatic")"},
+    {"distance", "bodies", R"("type": "distance")"},
+    {"weld", "bodies", R"("type": "weld")"},
 };
 
-// Objects that are often written as a number: the key, and what is around the number in this format.
-struct PlainNumber {
+// Objects that are often written as a number or an array: the key, and what is around a number in this format.
+struct PlainValue {
     std::string_view key, before, after;
 };
-constexpr PlainNumber kPlainNumbers[] = {
+constexpr PlainValue kPlainValues[] = {
     {"mass", R"("mass": {"mass": )", "}"},
     {"repeat", R"(of a body: "repeat": {"grid": {"columns": 5}}; of a joint: "repeat": {"columns": 5})", ""},
     {"spring", R"("spring": {"hertz": )", "}"},
@@ -58,6 +68,7 @@ constexpr PlainNumber kPlainNumbers[] = {
     {"motor", R"("motor": {"speed": )", R"(, "max_torque": 10}, or "max_force" if it slides)"},
     {"circle", R"("circle": {"radius": )", "}"},
     {"box", R"("box": {"size": [width, height]})", ""},
+    {"polygon", R"("polygon": {"vertices": [[0, 0], [1, 0], [0, 1]]})", ""},
 };
 
 constexpr std::pair<std::string_view, std::string_view> kColors[] = {
@@ -84,10 +95,12 @@ std::string_view hint_for_foreign_key(std::string_view key, std::span<const std:
     return {};
 }
 
-std::string hint_for_number(std::string_view key, const std::string& number) {
-    for (const PlainNumber& plain : kPlainNumbers)
-        if (plain.key == key)
-            return std::string(plain.before) + (plain.before.ends_with(": ") ? number : "") + std::string(plain.after);
+std::string hint_for_plain_value(std::string_view key, const std::string& value, bool is_number) {
+    for (const PlainValue& plain : kPlainValues) {
+        const bool holds_number = plain.before.ends_with(": ");
+        if (plain.key == key && (is_number || !holds_number))
+            return std::string(plain.before) + (holds_number ? value : "") + std::string(plain.after);
+    }
     return {};
 }
 

@@ -144,9 +144,10 @@ public:
         read(value[1], child(location, 1), field, second);
     }
 
-    // The hint for a number in place of an object.
+    // The hint for a number or an array in place of an object.
     static std::string hint_for_plain(const Json& value, const Location& location) {
-        return value.is_number() ? hint_for_number(location.key, compact_text(value)) : "";
+        if (!value.is_number() && !value.is_array()) return "";
+        return hint_for_plain_value(location.key, compact_text(value), value.is_number());
     }
 
     // The hint for a word that is not an enumerator: without the list of words, which the message has.
