@@ -124,3 +124,13 @@ TEST_CASE("an inset below the rounding of a huge shape takes nothing off") {
     const PairImpact found = find_impact(huge, moving, small, still, 1e-4f, false);
     CHECK(near(found.fraction, 0.25, absolute(0.01)));
 }
+
+TEST_CASE("two segments without thickness have an impact") {
+    ShapeRecord falling, floor;
+    falling.shape = make_segment({-1.0f, 0.0f}, {1.0f, 0.0f});
+    floor.shape = make_segment({-2.0f, 0.0f}, {2.0f, 0.0f});
+    Sweep moving;
+    moving.start = {0.0, 1.0};
+    moving.end = {0.0, -3.0};
+    CHECK(near(find_impact(falling, moving, floor, {}, 0.0f, false).fraction, 0.25, absolute(1e-3)));
+}

@@ -194,12 +194,12 @@ private:
 
     // For how long two shapes that touch after an impact are left alone, as a fraction of the step: until they may have
     // sunk in by the inset. Each further impact of the body makes it longer, so that a ball driven by a turning paddle
-    // has few of them.
+    // has few of them. Two segments have no thickness to sink in by: they are left alone for the longest time.
     double rest_after_impact(const Side& a, const Side& b, DVec2 path) const {
         const double moved = length(path) + std::abs(a.sweep.turn) * a.reach + std::abs(b.sweep.turn) * b.reach;
         const double ahead = 1.0 - mover().time;
         const double sink = static_cast<double>(inset(a, b)) * (1 << std::min(mover().impact_count / 4, 16));
-        return moved > 0.0 ? std::min(kLongestRest, ahead * sink / moved) : kLongestRest;
+        return moved > 0.0 && sink > 0.0 ? std::min(kLongestRest, ahead * sink / moved) : kLongestRest;
     }
 
     // At least one of the bodies can be pushed.

@@ -26,7 +26,7 @@ PairImpact impact_of(const CastResult& hit, bool touched) { return {hit.fraction
 
 PairImpact find_impact(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other,
                        const Sweep& other_sweep, float inset, bool pushed) {
-    TUMBLE_CHECK(inset > 0.0f);
+    TUMBLE_CHECK(inset >= 0.0f);
     if (other.link && is_behind(other.shape, *other.link, pose_at(other_sweep, 0.0), moving.shape, pose_at(sweep, 0.0)))
         return {};
     const CastResult surface = time_of_impact(other.shape, other_sweep, moving.shape, sweep);

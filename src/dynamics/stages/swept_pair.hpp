@@ -15,11 +15,11 @@ struct PairImpact {
 
 // The first impact of two shapes.
 //
-// A core of the moving shape, smaller by `inset` (m) on each side, decides whether there is an impact: only then a
-// shape can slide over the seam of two floors. The sweep of the whole shape decides when. Shapes that touch already, or
-// were `pushed` apart by the solver in this step, have an impact only when the core touches. If the core overlaps
-// already, the largest smaller core that does not takes its place. A shape that overlaps with its middle has no impact,
-// nor has one that starts behind a one-sided segment.
+// A core of the moving shape, smaller by `inset` (m, 0 if both are segments) on each side, decides whether there is an
+// impact: only then a shape can slide over the seam of two floors. The sweep of the whole shape decides when. Shapes
+// that touch already, or were `pushed` apart by the solver in this step, have an impact only when the core touches. If
+// the core overlaps already, the largest smaller core that does not takes its place. A shape that overlaps with its
+// middle has no impact, nor has one that starts behind a one-sided segment.
 PairImpact find_impact(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other,
                        const Sweep& other_sweep, float inset, bool pushed);
 
