@@ -92,6 +92,22 @@ TEST_CASE("in order: a row of touching balls passes an impact on to its last bal
     CHECK(near(world.state(row.back()).velocity.x, 1.0, relative(1e-6)));
 }
 
+TEST_CASE("in order: as many balls leave a row of touching balls as hit it") {
+    for (const int count : {1, 2, 3}) {
+        CAPTURE(count);
+        World world = ordered();
+        std::vector<BodyId> balls;
+        for (int i = 0; i < 7; ++i) {
+            const bool flies = i < count;
+            balls.push_back(throw_disc(world, {i - (flies ? 1.0 : 0.0), 0.0}, {flies ? 3.0f : 0.0f, 0.0f}, kElastic));
+        }
+        run(world, 60);
+        for (int i = 0; i < 7; ++i)
+            CHECK(near(world.state(balls[static_cast<std::size_t>(i)]).velocity.x, i < 7 - count ? 0.0 : 3.0,
+                       absolute(1e-5)));
+    }
+}
+
 TEST_CASE("in order: an elastic gas without gravity keeps its energy") {
     World world = ordered();
     add_walls(world, 20.0f, kElastic);
