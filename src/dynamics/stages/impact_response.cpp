@@ -372,14 +372,6 @@ private:
 
 }  // namespace
 
-bool has_bounce(Simulation& simulation, std::uint32_t swept) {
-    const std::uint32_t body = simulation.scratch.ordered_impacts.swept[swept].body;
-    const std::span<const BodyContact> contacts = contacts_of(simulation, body);
-    return std::any_of(contacts.begin(), contacts.end(), [&](const BodyContact& contact) {
-        return simulation.contacts.all()[contact.index].is_bouncing;
-    });
-}
-
 void respond(Simulation& simulation, const NextImpact& impact) { ImpactResponse(simulation, impact).run(); }
 
 }  // namespace tumble

@@ -9,7 +9,4 @@ namespace tumble {
 // scratch.impacts.members lists these.
 void respond(Simulation& simulation, const NextImpact& impact);
 
-// True if a contact of the body has still to bounce.
-bool has_bounce(Simulation& simulation, std::uint32_t swept);
-
 }  // namespace tumble

@@ -102,6 +102,14 @@ void update_box(Simulation& simulation, std::uint32_t swept) {
     scratch.tree.move(scratch.leaves[swept], box_of(simulation, scratch.swept[swept]));
 }
 
+bool has_bounce(Simulation& simulation, std::uint32_t swept) {
+    const std::uint32_t body = simulation.scratch.ordered_impacts.swept[swept].body;
+    const std::span<const BodyContact> contacts = contacts_of(simulation, body);
+    return std::any_of(contacts.begin(), contacts.end(), [&](const BodyContact& contact) {
+        return simulation.contacts.all()[contact.index].is_bouncing;
+    });
+}
+
 void store_swept_bodies(Simulation& simulation) {
     for (const SweptBody& swept : simulation.scratch.ordered_impacts.swept) {
         if (swept.impact_count == 0) continue;

@@ -20,6 +20,9 @@ void update_box(Simulation& simulation, std::uint32_t swept);
 // A box that covers a shape during its whole sweep, for any rotation.
 Aabb box_of_sweep(const Shape& shape, const Sweep& sweep);
 
+// True if a contact of the body has still to bounce.
+bool has_bounce(Simulation& simulation, std::uint32_t swept);
+
 // Writes the motions that impacts have changed into the solver bodies.
 void store_swept_bodies(Simulation& simulation);
 

@@ -4,6 +4,9 @@
 #include <iterator>
 #include <utility>
 
+#include "scene/json/json_text.hpp"
+#include "tumble/suggest.hpp"
+
 namespace tumble::scene {
 
 namespace {
@@ -95,11 +98,12 @@ std::string_view hint_for_foreign_key(std::string_view key, std::span<const std:
     return {};
 }
 
-std::string hint_for_plain_value(std::string_view key, const std::string& value, bool is_number) {
+std::string hint_for_plain_value(std::string_view key, const Json& value) {
+    if (!value.is_number() && !value.is_array()) return {};
     for (const PlainValue& plain : kPlainValues) {
         const bool holds_number = plain.before.ends_with(": ");
-        if (plain.key == key && (is_number || !holds_number))
-            return std::string(plain.before) + (holds_number ? value : "") + std::string(plain.after);
+        if (plain.key == key && (value.is_number() || !holds_number))
+            return std::string(plain.before) + (holds_number ? compact_text(value) : "") + std::string(plain.after);
     }
     return {};
 }
@@ -113,7 +117,7 @@ std::string hint_for_color(std::string_view name) {
 std::string hint_for_foreign_word(std::string_view word, std::span<const std::string_view> names) {
     for (const auto& [foreign, own] : kJointTypes)
         if (word == foreign && contains(names, own)) return "this format calls it '" + std::string(own) + "'";
-    return {};
+    return nearest_word(word, names).empty() ? "" : suggestion(word, names);
 }
 
 }  // namespace tumble::scene

@@ -89,7 +89,8 @@ public:
             }
             names.push_back(name);
         }
-        error(location, "must be one of " + join_words(names) + ", got " + describe(value), did_you_mean(text, names));
+        error(location, "must be one of " + join_words(names) + ", got " + describe(value),
+              hint_for_foreign_word(text, names));
     }
 
     void read(const Json& value, const Location& location, const Field& field, DVec2& out) {
@@ -142,18 +143,6 @@ public:
         if (!value.is_array() || value.size() != 2) return wrong(location, wanted, value, hint);
         read(value[0], child(location, 0), field, first);
         read(value[1], child(location, 1), field, second);
-    }
-
-    // The hint for a number or an array in place of an object.
-    static std::string hint_for_plain(const Json& value, const Location& location) {
-        if (!value.is_number() && !value.is_array()) return "";
-        return hint_for_plain_value(location.key, compact_text(value), value.is_number());
-    }
-
-    // The hint for a word that is not an enumerator: without the list of words, which the message has.
-    static std::string did_you_mean(const std::string& text, const std::vector<std::string_view>& names) {
-        if (std::string hint = hint_for_foreign_word(text, names); !hint.empty()) return hint;
-        return nearest_word(text, names).empty() ? "" : suggestion(text, names);
     }
 
 private:
@@ -348,14 +337,14 @@ private:
 
 template <class... T>
 void Reader::read(const Json& value, const Location& location, const Field&, std::variant<T...>& out) {
-    if (!value.is_object()) return wrong(location, "an object", value, hint_for_plain(value, location));
+    if (!value.is_object()) return wrong(location, "an object", value, hint_for_plain_value(location.key, value));
     ObjectReader<Scene>::read_variant(*this, value, location, out);
 }
 
 template <class T>
 requires std::is_class_v<T>
 void Reader::read(const Json& value, const Location& location, const Field&, T& out) {
-    if (!value.is_object()) return wrong(location, "an object", value, hint_for_plain(value, location));
+    if (!value.is_object()) return wrong(location, "an object", value, hint_for_plain_value(location.key, value));
     ObjectReader<T> object(*this, value, location, out);
     visit_fields(object, Type<T>{});
     object.finish();
