@@ -22,7 +22,7 @@ td { border-bottom: 1px solid var(--rule); padding: .25rem .9rem .25rem 0; verti
 td.number { white-space: nowrap; }
 th.number, td.number { text-align: right; } .alarm { color: var(--limit); font-weight: bold; } .good { color: var(--good); font-weight: bold; }
 .scroll { overflow-x: auto; }
-figure { margin: 1rem 0; } figure svg { max-width: 100%; height: auto; border: 1px solid var(--rule); }
+figure { margin: 1rem 0; } figure svg, figure img { max-width: 100%; height: auto; border: 1px solid var(--rule); }
 .figures { display: flex; flex-wrap: wrap; gap: 1rem; } .figures figure { margin: 0; }
 figcaption { font-size: 13px; color: var(--faint); max-width: 62rem; }
 pre { background: var(--code); padding: .6rem .8rem; overflow-x: auto; font-size: 12px; }
@@ -81,6 +81,11 @@ void HtmlPage::figure(const Plot& plot, std::string_view caption) {
     body_ += "<figure>\n" + to_svg(plot);
     if (!caption.empty()) body_ += element("figcaption", caption);
     body_ += "</figure>\n";
+}
+
+void HtmlPage::picture(const Image& image, std::string_view caption) {
+    body_ += "<figure>\n<img alt=\"" + escape_markup(caption) + "\" src=\"" + png_data_url(image) + "\">\n" +
+             element("figcaption", caption) + "</figure>\n";
 }
 
 void HtmlPage::begin_figures() { body_ += "<div class=\"figures\">\n"; }
