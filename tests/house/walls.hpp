@@ -84,9 +84,11 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"tools/plot", {"tools/output", "tools/cli"}},
     {"tools/run", {"tools/output", "tools/claims", "tools/cli", "tools/machine", "tools/measure"}},
     {"tools/scene", {"tools/output", "tools/cli", "tools/diff", "tools/measure", "tools/run"}},
+    {"tools/gallery", {"tools/output", "tools/cli", "tools/run", "tools/scene"}},
     {"tools/commands",
      {"tools/output", "tools/claims", "tools/cli", "tools/query", "tools/machine", "tools/measure", "tools/parity",
-      "tools/physics", "tools/diff", "tools/compare", "tools/plot", "tools/run", "tools/scene", "reference"}},
+      "tools/physics", "tools/diff", "tools/compare", "tools/gallery", "tools/plot", "tools/run", "tools/scene",
+      "reference"}},
     {"tools/pages", {"tools/machine", "tools/commands"}},
     {"tools", {"tools/cli", "tools/commands"}},
 };

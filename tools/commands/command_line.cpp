@@ -15,6 +15,7 @@ CommandLine::CommandLine()
     add_check(app, command);
     add_watch(app, command);
     add_plot(app, command);
+    add_gallery(app, command);
     add_compare(app, command);
     add_diff(app, command);
     add_validate(app, command);

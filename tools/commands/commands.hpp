@@ -13,6 +13,7 @@ void add_shot(CLI::App& app, Command& command);
 void add_check(CLI::App& app, Command& command);
 void add_watch(CLI::App& app, Command& command);
 void add_plot(CLI::App& app, Command& command);
+void add_gallery(CLI::App& app, Command& command);
 void add_compare(CLI::App& app, Command& command);
 void add_diff(CLI::App& app, Command& command);
 void add_validate(CLI::App& app, Command& command);
