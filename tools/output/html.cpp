@@ -84,8 +84,10 @@ void HtmlPage::figure(const Plot& plot, std::string_view caption) {
 }
 
 void HtmlPage::picture(const Image& image, std::string_view caption) {
-    body_ += "<figure>\n<img alt=\"" + escape_markup(caption) + "\" src=\"" + png_data_url(image) + "\">\n" +
-             element("figcaption", caption) + "</figure>\n";
+    // A long caption must not make the figure wider than its picture.
+    body_ += "<figure style=\"max-width: " + std::to_string(image.width) + "px\">\n<img alt=\"" +
+             escape_markup(caption) + "\" src=\"" + png_data_url(image) + "\">\n" + element("figcaption", caption) +
+             "</figure>\n";
 }
 
 void HtmlPage::begin_figures() { body_ += "<div class=\"figures\">\n"; }
