@@ -95,7 +95,7 @@ std::string text_report(const CompareArguments& options, const ComparedRuns& run
     return text;
 }
 
-ExitCode compare(const Command& command, const CompareArguments& options) {
+ExitCode show_comparison(const Command& command, const CompareArguments& options) {
     if (options.page.empty() && options.csv.empty() && options.frames.empty())
         throw CLI::ValidationError("--output",
                                    "is missing: name a page (-o F.html), a table (--csv) or a folder "
@@ -164,7 +164,7 @@ void add_compare(CLI::App& app, Command& command) {
     add_overlay_option(compare_app, options->overlay);
     compare_app.add_flag("--force", options->force, "Replace existing files");
     compare_app.callback(
-        [&command, options] { command.action = [&command, options] { return compare(command, *options); }; });
+        [&command, options] { command.action = [&command, options] { return show_comparison(command, *options); }; });
 }
 
 }  // namespace tumble::tools

@@ -86,7 +86,7 @@ std::string picture(Format format, const std::vector<Plot>& plots) {
     return to_png(draw_image(to_drawing(plots)));
 }
 
-std::string text_of(double number) {
+std::string exact_text(double number) {
     std::string text;
     append_number(text, number);
     return text;
@@ -97,8 +97,9 @@ std::string text_report(const PlotArguments& options, const std::vector<ColumnSu
     const std::vector<std::string> texts = options.texts();
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const ColumnSummary& column = columns[i];
-        text += "  " + texts[i] + ": " + text_of(column.least) + " (" + text_of(column.least_time) + " s) to " +
-                text_of(column.greatest) + " (" + text_of(column.greatest_time) + " s), last " + text_of(column.last);
+        text += "  " + texts[i] + ": " + exact_text(column.least) + " (" + exact_text(column.least_time) + " s) to " +
+                exact_text(column.greatest) + " (" + exact_text(column.greatest_time) + " s), last " +
+                exact_text(column.last);
         if (column.unknown > 0) text += ", unknown in " + std::to_string(column.unknown) + " states";
         text += "\n";
     }

@@ -16,21 +16,21 @@ namespace {
 
 constexpr std::size_t kPosition = 0;  // index into kKinds
 
-std::string text_of(double number) {
+std::string exact_digits(double number) {
     std::string text;
     append_number(text, number);
     return text;
 }
 
 // "0.0166667 s": enough to tell steps apart.
-std::string seconds_text(double time) {
+std::string brief_seconds(double time) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.6g s", time);
     return text.data();
 }
 
 std::string at_step(const ComparedStep& step) {
-    return seconds_text(step.time) + " (step " + std::to_string(step.step) + ")";
+    return brief_seconds(step.time) + " (step " + std::to_string(step.step) + ")";
 }
 
 // The step in which a kind of difference is largest.
@@ -39,7 +39,7 @@ const ComparedStep& largest_step(const ComparedRuns& runs, std::size_t kind) {
                                      [kind](const ComparedStep& step) { return step.largest[kind].value; });
 }
 
-HtmlCell number_cell(const std::string& text) { return {.text = text, .is_number = true}; }
+HtmlCell right_cell(const std::string& text) { return {.text = text, .is_number = true}; }
 
 void add_bounds(HtmlPage& page, const ComparedRuns& runs) {
     const std::vector<std::string> header{"a position differs by more than", "first at", "body"};
@@ -47,7 +47,7 @@ void add_bounds(HtmlPage& page, const ComparedRuns& runs) {
     for (const auto& [bound, text] : {std::pair(0.0, "0"), std::pair(1e-3, "1 mm"), std::pair(1e-2, "1 cm"),
                                       std::pair(0.1, "10 cm"), std::pair(1.0, "1 m")}) {
         const ComparedStep* const step = first_beyond(runs, kPosition, bound);
-        rows.push_back({number_cell(text),
+        rows.push_back({right_cell(text),
                         {.text = step ? at_step(*step) : "never"},
                         {.text = step ? step->largest[kPosition].body : ""}});
     }
@@ -60,7 +60,7 @@ void add_largest(HtmlPage& page, const ComparedRuns& runs) {
     for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
         const LargestDifference& largest = runs.comparison.largest[kind];
         rows.push_back({{.text = std::string(kKinds[kind].name)},
-                        number_cell(text_of(largest.value)),
+                        right_cell(exact_digits(largest.value)),
                         {.text = std::string(kKinds[kind].unit)},
                         {.text = largest.body},
                         {.text = largest.value > 0.0 ? at_step(largest_step(runs, kind)) : ""}});
@@ -158,7 +158,7 @@ std::string compared_page(const std::string& title, const ComparedRuns& runs, co
     for (const PairPicture& picture : pictures) {
         const auto moment = std::ranges::find(moments, picture.step, &Moment::step);
         page.picture(picture.image,
-                     moment->what + ": " + seconds_text(picture.time) + ", step " + std::to_string(picture.step));
+                     moment->what + ": " + brief_seconds(picture.time) + ", step " + std::to_string(picture.step));
     }
     return page.str();
 }

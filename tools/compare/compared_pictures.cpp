@@ -9,7 +9,7 @@ namespace tumble::tools {
 
 namespace {
 
-constexpr int kGap = 4;  // px between the pictures
+constexpr int kPairGap = 4;  // px between the pictures
 
 // Draws both runs in their present state.
 class PairPainter {
@@ -20,7 +20,7 @@ public:
     Image draw(const Camera& camera, double time) {
         const std::array<Image, 2> images{draw_one(*sources_.a, sources_.name_a, camera, time),
                                           draw_one(*sources_.b, sources_.name_b, camera, time)};
-        return pictures_.is_overlaid ? mean_of(images[0], images[1]) : image_grid(images, 2, kGap);
+        return pictures_.is_overlaid ? mean_of(images[0], images[1]) : image_grid(images, 2, kPairGap);
     }
 
 private:

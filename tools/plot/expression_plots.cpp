@@ -11,11 +11,11 @@ namespace {
 
 constexpr int kSmallestPlot = 120;  // px: less has no room between title and axis
 
-constexpr std::array<Ink, 7> kInks{Ink::tumble, Ink::box2d, Ink::second, Ink::violet,
-                                   Ink::limit,  Ink::exact, Ink::teal};
+constexpr std::array<Ink, 7> kInkOrder{Ink::tumble, Ink::box2d, Ink::second, Ink::violet,
+                                       Ink::limit,  Ink::exact, Ink::teal};
 
-Ink ink_of(std::size_t column) { return kInks[column % kInks.size()]; }
-Mark mark_of(std::size_t column) { return column / kInks.size() % 2 == 0 ? Mark::line : Mark::dashed; }
+Ink ink_of(std::size_t column) { return kInkOrder[column % kInkOrder.size()]; }
+Mark mark_of(std::size_t column) { return column / kInkOrder.size() % 2 == 0 ? Mark::line : Mark::dashed; }
 
 std::vector<DVec2> points_of(const std::vector<double>& x, const std::vector<double>& y) {
     std::vector<DVec2> points;
