@@ -147,6 +147,12 @@ Image draw_image(const Drawing& drawing);
 // Writes to a temporary name beside `file`, then renames. Throws FileError. The same image gives the same bytes.
 void write_png(const Image& image, const std::filesystem::path& file);
 
+// The bytes of that file.
+std::string to_png(const Image& image);
+
+// Those bytes as the address of a picture in a page: "data:image/png;base64,...".
+std::string png_data_url(const Image& image);
+
 // Encodes and writes PNG files on threads of its own. The number of queued images is bounded.
 class FrameWriter {
 public:

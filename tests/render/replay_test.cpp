@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hand_made_scene.hpp"
+#include "render/output/base64.hpp"
 #include "render/replay/bytes.hpp"
 #include "render/replay/contact_tracks.hpp"
 #include "render/replay/pose_track.hpp"

@@ -3,9 +3,14 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <regex>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "support/near.hpp"
 
@@ -141,4 +146,61 @@ TEST_CASE("a long title is broken into lines") {
     const std::size_t lines = count(to_svg(plot), "<text");
     plot.title = "a title that is longer than the plot is wide, and therefore stands in two lines above the legend";
     CHECK(count(to_svg(plot), "<text") == lines + 1);
+}
+
+TEST_CASE("plots one below the other have their vertical axes one below the other, in SVG and as a drawing") {
+    Plot low = points_of({{0.0, 0.0}, {1.0, 0.5}}), high = points_of({{0.0, 0.0}, {1.0, 123456.0}});
+    for (Plot* const plot : {&low, &high}) plot->series.front().mark = Mark::line, plot->y.label.clear();
+    const std::vector<Plot> plots{low, high};
+    const std::string svg = to_svg(plots);
+    CHECK(svg.starts_with("<svg xmlns="));
+    CHECK(count(svg, "var(") == 0);
+    const std::vector<double> frames = attributes(svg, "rect class=\"frame\"", "x");
+    REQUIRE(frames.size() == 2);
+    CHECK(frames[0] == frames[1]);
+    const Drawing drawing = to_drawing(plots);
+    CHECK(drawing.width == 620);
+    CHECK(drawing.height == 660);
+    std::vector<double> lefts;
+    for (const DrawnElement& element : drawing.elements)
+        if (const auto* polygon = std::get_if<DrawnPolygon>(&element)) lefts.push_back(polygon->points.front().x);
+    REQUIRE(lefts.size() == 2);
+    CHECK(near(lefts[0], frames[0], absolute(0.01)));
+    CHECK(lefts[1] == lefts[0]);
+}
+
+TEST_CASE("a drawing of a plot has the lines of its SVG, and none outside the axes") {
+    Plot plot = points_of({{0.0, 0.0}, {1.0, 1.0}, {2.0, -1.0}});
+    plot.series.front().mark = Mark::line;
+    plot.x.range = PlotRange{0.0, 1.5};  // half of the second line is outside
+    plot.y.range = PlotRange{-1.0, 1.0};
+    const Drawing drawing = to_drawing(std::vector<Plot>{plot});
+    std::vector<DrawnLine> lines;
+    double right = 0.0;
+    for (const DrawnElement& element : drawing.elements) {
+        if (const auto* line = std::get_if<DrawnLine>(&element); line && line->width > 1.5) lines.push_back(*line);
+        if (const auto* box = std::get_if<DrawnPolygon>(&element)) right = box->points[1].x;
+    }
+    // The legend is empty: the two segments alone. The second ends in the middle of its fall, at the right edge.
+    REQUIRE(lines.size() == 2);
+    CHECK(near(lines[1].to.x, right, absolute(0.01)));
+    CHECK(near(lines[1].to.y, lines[0].from.y, absolute(0.01)));  // at a value of 0
+    CHECK(lines[0].to.y < lines[0].from.y);
+}
+
+TEST_CASE("a line of many points keeps the extremes of each column of pixels") {
+    std::vector<DVec2> points;
+    for (int i = 0; i < 100000; ++i) points.push_back({0.001 * i, i == 54321 ? 7.0 : i == 12345 ? -3.0 : 0.0});
+    Plot plot = points_of(points);
+    plot.series.front().mark = Mark::line;
+    plot.y.range = PlotRange{-3.0, 7.0};
+    const std::string svg = to_svg(plot);
+    CHECK(svg.size() < 100000u);
+    const double y = attributes(svg, "rect class=\"frame\"", "y").front();
+    const double height = attributes(svg, "rect class=\"frame\"", "height").front();
+    std::array<char, 32> high{}, low{};
+    std::snprintf(high.data(), high.size(), " %.2fL", y);
+    std::snprintf(low.data(), low.size(), " %.2fL", y + height);
+    CHECK(count(svg, high.data()) == 1);
+    CHECK(count(svg, low.data()) == 1);
 }

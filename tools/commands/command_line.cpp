@@ -14,6 +14,9 @@ CommandLine::CommandLine()
     add_shot(app, command);
     add_check(app, command);
     add_watch(app, command);
+    add_plot(app, command);
+    add_gallery(app, command);
+    add_compare(app, command);
     add_diff(app, command);
     add_validate(app, command);
     add_explain(app, command);

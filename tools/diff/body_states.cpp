@@ -1,26 +1,16 @@
 #include "tools/diff/body_states.hpp"
 
-#include <algorithm>
-#include <map>
 #include <optional>
 
+#include "tools/diff/scene_states.hpp"
 #include "tools/output/csv_file.hpp"
-#include "tools/output/json_writer.hpp"
 #include "tools/output/standard_input.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
-#include "tumble/scene_world.hpp"
 
 namespace tumble::tools {
 
 namespace {
-
-// The numbers are x, y, the normal's x and y, separation and impulse, as text.
-std::string contact_text(const std::string& a, const std::string& b, const std::array<std::string, 6>& numbers) {
-    const auto& [x, y, normal_x, normal_y, separation, impulse] = numbers;
-    return a + " and " + b + " at [" + x + ", " + y + "], normal [" + normal_x + ", " + normal_y + "], separation " +
-           separation + " m, impulse " + impulse + " N s";
-}
 
 // The contacts of a run, step by step, from a file that `run --contacts` wrote.
 class ContactFile {
@@ -118,76 +108,25 @@ private:
 };
 
 // Simulates a scene one step per call.
-class RunningStates final : public StateSource {
+class RunningStates final : public SceneStates {
 public:
     RunningStates(const std::filesystem::path& file, const LoadOptions& changes)
-        : scene_(load_scene_input(file, changes)), run_(scene_), last_step_(count_steps(scene_)) {}
+        : SceneStates(load_scene_input(file, changes)), run_(*scene()), last_step_(count_steps(*scene())) {}
 
     bool next(StepStates& states) override {
         if (started_ && (run_.world().step_count() >= last_step_ || run_.is_stopped())) return false;
         if (started_) run_.step();
         started_ = true;
-        states.step = run_.world().step_count();
-        states.time = run_.time();
-        states.bodies.clear();
-        const std::vector<SceneInstance>& bodies = run_.built().bodies;
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            if (!run_.world().is_valid(bodies[i].id)) continue;
-            const BodyState state = run_.world().state(bodies[i].id);
-            const DVec2 position = state.pose.position;
-            states.bodies.push_back({output_name(bodies[i], i),
-                                     {position.x, position.y, angle(state.pose.rotation), double{state.velocity.x},
-                                      double{state.velocity.y}, double{state.angular_velocity}},
-                                     !bodies[i].name.empty(),
-                                     shapes_of(bodies[i])});
-        }
+        list(states, run_.world().step_count(), run_.time());
         return true;
     }
 
-    std::vector<std::string> contacts_of(const std::string& body) override {
-        std::vector<std::string> found;
-        for (const ContactPoint& contact : run_.world().contacts()) {
-            const std::string a = name_of(contact.body_a), b = name_of(contact.body_b);
-            if (a == body || b == body) found.push_back(text_of(contact, a, b));
-        }
-        return found;
-    }
+    const SceneWorld* built() const override { return &run_.built(); }
 
 private:
-    // A hash of the geometry of the entry that the body came from.
-    std::uint64_t shapes_of(const SceneInstance& body) {
-        const auto [known, is_new] = shapes_.try_emplace(body.source);
-        if (!is_new) return known->second;
-        Scene alone;
-        for (const SceneShape& shape : source_of(scene_, body).shapes) {
-            if (alone.bodies.empty()) alone.bodies.emplace_back();
-            alone.bodies.back().shapes.push_back({shape.geometry, "", ""});
-        }
-        return known->second = scene_hash(alone);
-    }
-
-    std::string name_of(BodyId id) const {
-        const auto& bodies = run_.built().bodies;
-        const auto found = std::ranges::find(bodies, id, &SceneInstance::id);
-        return output_name(*found, static_cast<std::size_t>(found - bodies.begin()));
-    }
-
-    static std::string text_of(const ContactPoint& contact, const std::string& a, const std::string& b) {
-        const auto text = [](auto number) {
-            std::string digits;
-            append_number(digits, number);
-            return digits;
-        };
-        return contact_text(a, b,
-                            {text(contact.point.x), text(contact.point.y), text(contact.normal.x),
-                             text(contact.normal.y), text(contact.separation), text(contact.normal_impulse)});
-    }
-
-    Scene scene_;
     SceneRun run_;
     std::uint64_t last_step_ = 0;
     bool started_ = false;
-    std::map<std::size_t, std::uint64_t> shapes_;  // by SceneInstance::source
 };
 
 }  // namespace

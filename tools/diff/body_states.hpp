@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tumble/scene_file.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::tools {
 
@@ -42,6 +44,13 @@ public:
 
     // The contacts of a body in the step that was read last, as one line of text each.
     virtual std::vector<std::string> contacts_of(const std::string& body) = 0;
+
+    // The scene, and its world in the state that was read last; null for a table.
+    virtual const Scene* scene() const { return nullptr; }
+    virtual const SceneWorld* built() const { return nullptr; }
+
+    // Kinetic and potential energy in that state, J; NaN for a table, which has no masses.
+    virtual double energy() const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
 // Opens a scene file, a trajectory (.csv), or the folder of a run with trajectory.csv. The contacts of a trajectory are

@@ -88,8 +88,8 @@ StateDifference out_of_step(const StepStates& a, const StepStates& b) {
     return difference;
 }
 
-void update_largest(std::array<LargestDifference, kKinds.size()>& largest, const std::vector<BodyPair>& pairs,
-                    const StepStates& a, const StepStates& b) {
+StepDifference largest_of(const std::vector<BodyPair>& pairs, const StepStates& a, const StepStates& b) {
+    StepDifference largest;
     for (const BodyPair& pair : pairs) {
         if (!pair.rows[0] || !pair.rows[1]) continue;
         const NamedState &in_a = a.bodies[*pair.rows[0]], &in_b = b.bodies[*pair.rows[1]];
@@ -99,11 +99,12 @@ void update_largest(std::array<LargestDifference, kKinds.size()>& largest, const
             if (value > so_far.value) so_far = {value, in_a.body, a.step};
         }
     }
+    return largest;
 }
 
 // Compares the steps of both runs up to the end of the shorter one.
 void compare_steps(StateSource& source_a, StateSource& source_b, double tolerance, BodyPairs& bodies,
-                   Comparison& comparison) {
+                   Comparison& comparison, const StepObserver& observe) {
     const auto keep_first = [&](const StateDifference& difference) {
         if (!comparison.first) comparison.first = difference;
     };
@@ -121,7 +122,10 @@ void compare_steps(StateSource& source_a, StateSource& source_b, double toleranc
             comparison.first->contacts_b = source_b.contacts_of(difference->body_b);
         }
         if (!comparison.first) ++comparison.steps;
-        update_largest(comparison.largest, bodies.pairs(), a, b);
+        const StepDifference largest = largest_of(bodies.pairs(), a, b);
+        for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
+            if (largest[kind].value > comparison.largest[kind].value) comparison.largest[kind] = largest[kind];
+        if (observe) observe(a.time, a.step, largest);
     }
 }
 
@@ -154,10 +158,10 @@ std::uint64_t ulps_of(const StateDifference& difference) {
     return ulps_between<std::int32_t>(static_cast<float>(difference.a), static_cast<float>(difference.b));
 }
 
-Comparison compare_states(StateSource& source_a, StateSource& source_b, double tolerance) {
+Comparison compare_states(StateSource& source_a, StateSource& source_b, double tolerance, const StepObserver& observe) {
     Comparison comparison;
     BodyPairs bodies;
-    compare_steps(source_a, source_b, tolerance, bodies, comparison);
+    compare_steps(source_a, source_b, tolerance, bodies, comparison, observe);
     sum_up(bodies.pairs(), comparison);
     return comparison;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,6 +51,12 @@ struct RenamedBody {
     std::string a, b;
 };
 
+// The largest differences of one step, by kind.
+using StepDifference = std::array<LargestDifference, kKinds.size()>;
+
+// Gets each step that both runs have, with its largest differences; the sources have the states of the step.
+using StepObserver = std::function<void(double time, std::uint64_t step, const StepDifference& largest)>;
+
 struct Comparison {
     std::uint64_t steps = 0;           // equal steps before the first difference
     std::size_t bodies = 0;            // that both runs have
@@ -57,14 +64,15 @@ struct Comparison {
     std::vector<std::string> removed;  // bodies that only A has
     std::vector<RenamedBody> renamed;
     std::optional<StateDifference> first;
-    std::array<LargestDifference, kKinds.size()> largest;  // by kind, over all steps
+    StepDifference largest;  // by kind, over all steps
 
     bool is_equal() const { return !first && added.empty() && removed.empty() && renamed.empty(); }
 };
 
 // Components differ if they are farther apart than the tolerance (m, rad, m/s, rad/s); NaN equals NaN only. Throws as
 // StateSource::next().
-Comparison compare_states(StateSource& source_a, StateSource& source_b, double tolerance);
+Comparison compare_states(StateSource& source_a, StateSource& source_b, double tolerance,
+                          const StepObserver& observe = {});
 
 // The distance of two values of a component; of angles, along the shorter arc.
 double difference_of(std::size_t component, double a, double b);

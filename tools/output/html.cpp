@@ -2,18 +2,17 @@
 
 #include <utility>
 
+#include "tools/output/plot_colors.hpp"
+
 namespace tumble::tools {
 
 namespace {
 
-// Colours are variables, in a light and a dark scheme. Drawings of shapes keep their white ground in both.
+// Colours are variables, in a light and a dark scheme; those of plots are in plot_colors.cpp. Drawings of shapes keep
+// their white ground in both.
+constexpr std::string_view kLight = "--ground: #fff; --faint: #546e7a; --code: #f5f7f8; --good: #2e7d32;";
+constexpr std::string_view kDark = "--ground: #14191d; --faint: #9fb0ba; --code: #1d252a; --good: #7cc980;";
 constexpr std::string_view kStyle = R"(
-:root { color-scheme: light dark; --ground: #fff; --text: #263238; --faint: #546e7a; --rule: #e0e6ea; --head: #b0bec5;
-  --code: #f5f7f8; --tumble: #1e6cb5; --second: #2e8b57; --box2d: #d66e14; --exact: #37474f; --limit: #c62828; --band: #2e7d3226;
-  --good: #2e7d32; }
-@media (prefers-color-scheme: dark) { :root { --ground: #14191d; --text: #dde4e8; --faint: #9fb0ba; --rule: #2b353b;
-  --head: #4a5a63; --code: #1d252a; --tumble: #63aef0; --second: #6fd39c; --box2d: #f39a4c; --exact: #cfd8dc; --limit: #ff6e66;
-  --band: #66bb6a33; --good: #7cc980; } }
 body { font: 15px/1.5 "DejaVu Sans", Verdana, sans-serif; color: var(--text); background: var(--ground); margin: 2.5rem auto; max-width: 1280px; padding: 0 1.5rem; }
 h1 { font-size: 1.7rem; margin: 0 0 1rem; } h2 { font-size: 1.25rem; margin: 2.2rem 0 .6rem; }
 p { max-width: 62rem; }
@@ -23,17 +22,18 @@ td { border-bottom: 1px solid var(--rule); padding: .25rem .9rem .25rem 0; verti
 td.number { white-space: nowrap; }
 th.number, td.number { text-align: right; } .alarm { color: var(--limit); font-weight: bold; } .good { color: var(--good); font-weight: bold; }
 .scroll { overflow-x: auto; }
-figure { margin: 1rem 0; } figure svg { max-width: 100%; height: auto; border: 1px solid var(--rule); }
+figure { margin: 1rem 0; } figure svg, figure img { max-width: 100%; height: auto; border: 1px solid var(--rule); }
 .figures { display: flex; flex-wrap: wrap; gap: 1rem; } .figures figure { margin: 0; }
 figcaption { font-size: 13px; color: var(--faint); max-width: 62rem; }
 pre { background: var(--code); padding: .6rem .8rem; overflow-x: auto; font-size: 12px; }
 details { margin: .6rem 0; } summary { cursor: pointer; }
-.plot { font: 12px "DejaVu Sans", Verdana, sans-serif; } .plot text { fill: var(--text); } .plot .heading { font-weight: bold; font-size: 13px; }
-.plot .grid { stroke: var(--rule); } .plot .frame { fill: none; stroke: var(--head); } .plot .band { fill: var(--band); }
-.plot .line { fill: none; stroke: var(--ink); stroke-width: 1.8; stroke-linejoin: round; } .plot .dashed { stroke-dasharray: 6 4; }
-.plot .point { fill: var(--ink); fill-opacity: .8; } .plot .bar { fill: var(--ink); }
-.plot .tumble { --ink: var(--tumble); } .plot .second { --ink: var(--second); } .plot .box2d { --ink: var(--box2d); } .plot .exact { --ink: var(--exact); } .plot .limit { --ink: var(--limit); }
 )";
+
+std::string style() {
+    return ":root { color-scheme: light dark; " + std::string(kLight) + plot_variables(false) +
+           " }\n@media (prefers-color-scheme: dark) { :root { " + std::string(kDark) + plot_variables(true) + " } }" +
+           std::string(kStyle) + plot_style(Scheme::variable);
+}
 
 std::string element(std::string_view tag, std::string_view text) {
     const std::string name(tag);
@@ -83,6 +83,13 @@ void HtmlPage::figure(const Plot& plot, std::string_view caption) {
     body_ += "</figure>\n";
 }
 
+void HtmlPage::picture(const Image& image, std::string_view caption) {
+    // A long caption must not make the figure wider than its picture.
+    body_ += "<figure style=\"max-width: " + std::to_string(image.width) + "px\">\n<img alt=\"" +
+             escape_markup(caption) + "\" src=\"" + png_data_url(image) + "\">\n" + element("figcaption", caption) +
+             "</figure>\n";
+}
+
 void HtmlPage::begin_figures() { body_ += "<div class=\"figures\">\n"; }
 void HtmlPage::end_figures() { body_ += "</div>\n"; }
 
@@ -91,7 +98,7 @@ void HtmlPage::end_details() { body_ += "</details>\n"; }
 
 std::string HtmlPage::str() const {
     return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n" + element("title", title_) +
-           "<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n" + body_ + "</body>\n</html>\n";
+           "<style>" + style() + "</style>\n</head>\n<body>\n" + body_ + "</body>\n</html>\n";
 }
 
 }  // namespace tumble::tools

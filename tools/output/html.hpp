@@ -9,6 +9,7 @@
 
 #include "tools/output/plot.hpp"
 #include "tumble/drawing.hpp"
+#include "tumble/render.hpp"
 
 namespace tumble::tools {
 
@@ -28,6 +29,7 @@ public:
     void table(std::span<const std::string> header, std::span<const std::vector<HtmlCell>> rows);
     void figure(const Drawing& drawing, std::string_view caption);
     void figure(const Plot& plot, std::string_view caption = {});
+    void picture(const Image& image, std::string_view caption);  // inside the page, as PNG
     void preformatted(std::string_view text);
 
     // The figures between the two calls stand side by side where there is room.

@@ -1,6 +1,6 @@
-// Plots for reports: points, lines and bars over two axes, as SVG.
+// Plots: points, lines and bars over two axes, as SVG or as a drawing.
 //
-// The plot takes its colours from the variables of the page (html.cpp), so that it follows the reader's light or dark
+// In a page (html.cpp), the plot takes its colours from variables, so that it follows the reader's light or dark
 // scheme. Values that are not finite are left out, and a line is interrupted there. Whatever lies outside the axes is
 // clipped.
 #pragma once
@@ -10,12 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "tumble/drawing.hpp"
 #include "tumble/math.hpp"
 
 namespace tumble::tools {
 
 // What a series shows; each has one colour on every page.
-enum class Ink { tumble, second, box2d, exact, limit };
+enum class Ink { tumble, second, box2d, exact, limit, violet, teal };
 
 enum class Mark { points, line, dashed };
 
@@ -71,5 +72,13 @@ std::vector<PlotTick> decade_ticks(PlotRange range, int most);
 
 // One <svg> element for a page of HtmlPage.
 std::string to_svg(const Plot& plot);
+
+// A standalone SVG document with the plots one below the other, in light colours. Any viewer shows it: it has no
+// variables, scripts or fonts of its own.
+std::string to_svg(std::span<const Plot> plots);
+
+// The same picture as a drawing, for draw_image(). Texts of drawings are level: it has no labels of vertical axes, and
+// no second labels of horizontal ones.
+Drawing to_drawing(std::span<const Plot> plots);
 
 }  // namespace tumble::tools

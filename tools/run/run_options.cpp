@@ -59,13 +59,13 @@ void set_parts(Overlay& overlay, const std::string& option, std::span<const Over
 
 }  // namespace
 
-void add_size_option(CLI::App& subcommand, FrameSize& size) {
+void add_size_option(CLI::App& subcommand, FrameSize& size, const std::string& shown_default) {
     subcommand
         .add_option_function<std::string>(
             "--size", [&size](const std::string& text) { size = parse_size(text); },
             "Width and height of the frames in pixels")
         ->type_name("WxH")
-        ->default_str("1280x720");
+        ->default_str(shown_default);
 }
 
 void add_overlay_option(CLI::App& subcommand, Overlay& overlay) {

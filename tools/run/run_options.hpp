@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "tumble/render.hpp"
 
@@ -43,7 +44,7 @@ struct RunOptions {
 };
 
 // --size WxH
-void add_size_option(CLI::App& subcommand, FrameSize& size);
+void add_size_option(CLI::App& subcommand, FrameSize& size, const std::string& shown_default = "1280x720");
 
 // --overlay LIST, --hide LIST
 void add_overlay_option(CLI::App& subcommand, Overlay& overlay);

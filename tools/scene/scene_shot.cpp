@@ -9,28 +9,47 @@
 
 namespace tumble::tools {
 
-SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
-                        const Overlay& overlay, const Marker& mark) {
+namespace {
+
+using StepObserver = std::function<void(std::uint64_t step)>;
+
+SceneShot paint(const Scene& scene, std::uint64_t step, FrameSize size, const Overlay& overlay, const Marker& mark,
+                const StepObserver& observe, Image& image) {
     SceneRun run(scene);
     Camera camera = make_camera(scene, run.built(), size.aspect_ratio());
     Renderer renderer(size.width, size.height);
     std::vector<Trail> trails;
     record_trails(trails, scene, run.built());
-    Progress progress("step", step);
-    while (run.world().step_count() < step) {
+    while (run.world().step_count() < step && !run.is_stopped()) {
         run.step();
         camera = move_camera(camera, scene, run.built());
         record_trails(trails, scene, run.built());
-        progress.show(run.world().step_count());
+        observe(run.world().step_count());
     }
-    Image image;
     Marking marking = mark ? mark(run.built()) : Marking{};
     marking.trails = std::move(trails);
     camera = widen_camera(camera, run.world(), marking, size.aspect_ratio());
     renderer.draw(scene, run.built(), camera, run.time(), image, overlay, marking);
+    return {std::move(run), camera};
+}
+
+}  // namespace
+
+SceneShot paint_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const Overlay& overlay,
+                         const Marker& mark, Image& image) {
+    return paint(
+        scene, step, size, overlay, mark, [](std::uint64_t) {}, image);
+}
+
+SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
+                        const Overlay& overlay, const Marker& mark) {
+    Progress progress("step", step);
+    Image image;
+    SceneShot shot = paint(
+        scene, step, size, overlay, mark, [&](std::uint64_t done) { progress.show(done); }, image);
     create_folder_of(file);
     write_png(image, file);
-    return {std::move(run), camera};
+    return shot;
 }
 
 }  // namespace tumble::tools

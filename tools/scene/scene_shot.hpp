@@ -19,6 +19,11 @@ struct SceneShot {
     Camera camera;  // of the frame
 };
 
+// Simulates `step` steps, or those until the scene stops, and draws the frame into `image`. Shows no progress, so that
+// threads can draw. The camera is widened to show all marks. Throws SimulationDiverged or RenderError.
+SceneShot paint_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const Overlay& overlay,
+                         const Marker& mark, Image& image);
+
 // Simulates `step` steps, draws the frame and returns the run. The camera is widened to show all marks. Throws
 // SimulationDiverged, RenderError or FileError.
 SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "debug/check.hpp"
+#include "render/output/base64.hpp"
 #include "render/output/compressor.hpp"
 #include "tumble/file.hpp"
 
@@ -89,6 +90,13 @@ std::uint64_t write_png_file(const Image& image, const std::filesystem::path& fi
 }
 
 }  // namespace render
+
+std::string to_png(const Image& image) {
+    const render::PngBytes png = render::encode_png(image);
+    return {png.bytes().begin(), png.bytes().end()};
+}
+
+std::string png_data_url(const Image& image) { return "data:image/png;base64," + render::base64(to_png(image)); }
 
 void write_png(const Image& image, const std::filesystem::path& file) { render::write_png_file(image, file); }
 

@@ -2,10 +2,10 @@
 
 #include <libdeflate.h>
 
-#include <cstdint>
 #include <new>
 
 #include "debug/check.hpp"
+#include "render/output/base64.hpp"
 #include "render/output/compressor.hpp"
 
 namespace tumble::render {
@@ -33,21 +33,6 @@ std::string replaced(std::string_view text, std::string_view mark, std::string_v
 }
 
 }  // namespace
-
-std::string base64(std::string_view bytes) {
-    constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t bits = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            bits = bits << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
-        for (int shift = 18; shift >= 0; shift -= 6) text += kDigits[bits >> shift & 63];
-    }
-    const std::size_t padding = (3 - bytes.size() % 3) % 3;
-    text.replace(text.size() - padding, padding, padding, '=');
-    return text;
-}
 
 std::string replay_page(std::string_view states, std::string_view contacts) {
     const std::string with_states = replaced(kReplayPageText, "%STATES%", base64(deflated(states)));

@@ -10,7 +10,4 @@ namespace tumble::render {
 // they contain out of the markup.
 std::string replay_page(std::string_view states, std::string_view contacts);
 
-// RFC 4648, with padding.
-std::string base64(std::string_view bytes);
-
 }  // namespace tumble::render

@@ -1,0 +1,77 @@
+// `tumble gallery`: its page, sheet, JSON and exit codes.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "process.hpp"
+
+using nlohmann::json;
+using tumble::test::Answer;
+using tumble::test::Folder;
+using tumble::test::read_text;
+using tumble::test::run_tumble;
+
+namespace {
+
+// A resting ball; the claim holds if it stays above 0.
+std::string scene_of(const std::string& name, const std::string& claim) {
+    return R"({"format": 1, "name": ")" + name + R"(", "world": {"duration": 0.5, "gravity": [0, 0]},
+      "bodies": [{"name": "ball", "position": [0, 1], "shapes": [{"circle": {"radius": 0.5}}]}],
+      "expect": [{"that": ")" +
+           claim + R"("}]})";
+}
+
+int side(const std::string& png, std::size_t at) {
+    return static_cast<unsigned char>(png[at + 2]) * 256 + static_cast<unsigned char>(png[at + 3]);
+}
+
+}  // namespace
+
+TEST_CASE("a gallery has a picture, the claims and the timing of each scene, and a sheet of all") {
+    const Folder folder;
+    std::vector<std::string> command{"gallery"};
+    for (const char* name : {"one", "two", "three"})
+        command.push_back(folder.write(std::string(name) + ".json", scene_of(name, "ball.y > 0")));
+    const std::filesystem::path out = folder / "gallery";
+    for (const char* more : {"--columns", "2", "--size", "160x90", "--jobs", "2", "--json", "-o"})
+        command.push_back(more);
+    command.push_back(out.string());
+    const Answer answer = run_tumble(command);
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const json result = json::parse(answer.out);
+    REQUIRE(result["scenes"].size() == 3);
+    for (const json& scene : result["scenes"]) {
+        CHECK(scene["passed"] == true);
+        CHECK(scene["claims"] == 1);
+        CHECK(scene["steps"] == 30);
+        CHECK(scene["drawn"] == true);
+    }
+    CHECK(result["scenes"][2]["name"] == "three");
+    const std::string sheet = read_text(out / "sheet.png");
+    CHECK(side(sheet, 16) == 2 * 160 + 4);  // two columns, two rows, gaps of 4 pixels
+    CHECK(side(sheet, 20) == 2 * 90 + 4);
+    const std::string page = read_text(out / "index.html");
+    CHECK(page.find("three, 0.25 s: 1 of 1 claims hold") != std::string::npos);
+    CHECK(page.find("http") == std::string::npos);
+    const Answer again = run_tumble(command);
+    CHECK(again.code == 4);
+}
+
+TEST_CASE("a gallery shows what fails, and text of scenes is no markup") {
+    const Folder folder;
+    const std::string wrong = folder.write("wrong.json", "{}");
+    const std::string failing = folder.write("failing.json", scene_of("</script><img src=x>", "ball.y > 5"));
+    const std::string out = (folder / "gallery").string();
+    const Answer answer = run_tumble({"gallery", wrong, failing, "-o", out, "--size", "160x90"});
+    CHECK(answer.code == 3);
+    const std::string page = read_text(folder / "gallery/index.html");
+    CHECK(page.find("<img src=x>") == std::string::npos);
+    CHECK(page.find("&lt;/script&gt;") != std::string::npos);
+    CHECK(page.find("failed: expected that") != std::string::npos);
+    CHECK(page.find("wrong.json") != std::string::npos);
+    CHECK(run_tumble({"gallery", failing, "-o", out, "--size", "160x90", "--force"}).code == 7);
+}

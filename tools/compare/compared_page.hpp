@@ -1,0 +1,31 @@
+// The page of a comparison: where two runs part, how far they are apart, both energies, and pictures of both.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/compare/compared_pictures.hpp"
+#include "tools/compare/compared_runs.hpp"
+#include "tools/output/plot.hpp"
+
+namespace tumble::tools {
+
+// A step that a page shows, and why: "start", "they part".
+struct Moment {
+    std::uint64_t step = 0;
+    std::string what;
+};
+
+// The start, the first difference, the first time that positions are 1 cm and 10 cm apart, the largest distance, and
+// the end; each step once.
+std::vector<Moment> moments_of(const ComparedRuns& runs);
+
+// The largest distance of a body in both runs over time.
+Plot distance_plot(const ComparedRuns& runs, int width, int height);
+
+// `pictures` are those of the moments, or empty. `title` names what was compared.
+std::string compared_page(const std::string& title, const ComparedRuns& runs, const std::vector<Moment>& moments,
+                          const std::vector<PairPicture>& pictures, double tolerance);
+
+}  // namespace tumble::tools

@@ -1,0 +1,56 @@
+#include "tools/compare/compared_pictures.hpp"
+
+#include <array>
+#include <utility>
+
+#include "tools/output/image_grid.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+constexpr int kPairGap = 4;  // px between the pictures
+
+// Draws both runs in their present state.
+class PairPainter {
+public:
+    PairPainter(const ComparedSources& sources, const PairPictures& pictures)
+        : sources_(sources), pictures_(pictures), renderer_(pictures.size.width, pictures.size.height) {}
+
+    Image draw(const Camera& camera, double time) {
+        const std::array<Image, 2> images{draw_one(*sources_.a, sources_.name_a, camera, time),
+                                          draw_one(*sources_.b, sources_.name_b, camera, time)};
+        return pictures_.is_overlaid ? mean_of(images[0], images[1]) : image_grid(images, 2, kPairGap);
+    }
+
+private:
+    Image draw_one(const StateSource& source, const std::string& name, const Camera& camera, double time) {
+        Image image;
+        const Marking marking{.caption = pictures_.is_overlaid ? std::vector<std::string>{} : std::vector{name}};
+        renderer_.draw(*source.scene(), *source.built(), camera, time, image, pictures_.overlay, marking);
+        return image;
+    }
+
+    const ComparedSources& sources_;
+    const PairPictures& pictures_;
+    Renderer renderer_;
+};
+
+}  // namespace
+
+void draw_pairs(const CompareInputs& inputs, const PairPictures& pictures,
+                const std::function<bool(std::uint64_t step)>& is_wanted,
+                const std::function<void(PairPicture)>& take) {
+    const ComparedSources sources = open_sources(inputs);
+    if (!sources.a->built() || !sources.b->built()) return;
+    const Scene& scene = *sources.a->scene();
+    PairPainter painter(sources, pictures);
+    Camera camera = make_camera(scene, *sources.a->built(), pictures.size.aspect_ratio());
+    StepStates a, b;
+    while (sources.a->next(a) && sources.b->next(b) && a.step == b.step) {
+        if (a.step > 0) camera = move_camera(camera, scene, *sources.a->built());
+        if (is_wanted(a.step)) take({a.step, a.time, painter.draw(camera, a.time)});
+    }
+}
+
+}  // namespace tumble::tools
