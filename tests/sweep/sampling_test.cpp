@@ -114,13 +114,19 @@ TEST_CASE("the grid has each combination once, and the last parameter changes fa
     plan.scenes = {"a.json", "b.json"};
     plan.seeds = {.is_drawn = false, .list = {7, 8}};
     plan.parameters = {{.name = "x", .pointers = {"/x"}, .values = {"1", "\"two\""}},
-                       {.name = "y", .pointers = {"/y", "/z"}, .kind = Parameter::Kind::range, .lower = 0.0, .upper = 1.0, .count = 3}};
+                       {.name = "y",
+                        .pointers = {"/y", "/z"},
+                        .kind = Parameter::Kind::range,
+                        .lower = 0.0,
+                        .upper = 1.0,
+                        .count = 3}};
     plan.runs = plan.slices = grid_size(plan);
     CHECK(plan.runs == 2 * 2 * 2 * 3);
     std::set<std::string> all;
     for (std::uint64_t run = 0; run < plan.runs; ++run) {
         const RunChoice choice = choose_run(plan, run);
-        all.insert(std::to_string(choice.scene) + "/" + std::to_string(choice.seed) + choice.values[0] + choice.values[1]);
+        all.insert(std::to_string(choice.scene) + "/" + std::to_string(choice.seed) + choice.values[0] +
+                   choice.values[1]);
     }
     CHECK(all.size() == plan.runs);
     CHECK(choose_run(plan, 1).values == std::vector<std::string>{"1", "0.5"});

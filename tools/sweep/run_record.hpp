@@ -28,9 +28,9 @@ struct RunRecord {
     std::uint64_t run = 0;
     // "ok"; "filtered": the filter drops its data; "diverged", "timed_out", "invalid": it has no end state.
     std::string outcome;
-    std::string row;                                            // its line of the table
-    std::vector<std::pair<std::string, std::string>> members;   // of the tar file: suffix and bytes
-    sweep::TrajectoryArray trajectory;                          // for the HDF5 file
+    std::string row{};                                           // its line of the table
+    std::vector<std::pair<std::string, std::string>> members{};  // of the tar file: suffix and bytes
+    sweep::TrajectoryArray trajectory{};                         // for the HDF5 file
     std::uint64_t steps = 0;
 };
 

@@ -14,10 +14,10 @@ namespace tumble::tools {
 // What a run found.
 struct RunFindings {
     std::string outcome = "ok";
-    std::string message{};                    // why there is no end state
-    std::optional<std::uint64_t> steps{};     // nothing if the scene is not valid, or if the run took too long
+    std::string message{};                 // why there is no end state
+    std::optional<std::uint64_t> steps{};  // nothing if the scene is not valid, or if the run took too long
     std::vector<ExpectationResult> claims{};
-    std::vector<double> measures{};           // empty if there is no end state
+    std::vector<double> measures{};  // empty if there is no end state
     std::optional<std::uint64_t> state_hash{};
 
     std::size_t failed_claims() const;
@@ -25,7 +25,8 @@ struct RunFindings {
 
 std::vector<std::string> parameter_names(const sweep::Plan& plan);
 
-// run, scene, seed, the parameters, outcome, steps, claims, failed_claims, the measures, state_hash, data_hash, message.
+// run, scene, seed, the parameters, outcome, steps, claims, failed_claims, the measures, state_hash, data_hash,
+// message.
 std::string table_header(const sweep::Plan& plan);
 std::string table_row(const sweep::Plan& plan, const sweep::RunChoice& choice, const RunFindings& found,
                       std::uint64_t data_hash);

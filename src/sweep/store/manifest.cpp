@@ -42,7 +42,8 @@ std::string line_of(const SweepHeader& header) {
     return Json{{"plan", hex(header.plan)},
                 {"runs", header.runs},
                 {"shard_runs", header.shard_runs},
-                {"version", header.version}}
+                {"version", header.version},
+                {"columns", header.columns}}
         .dump();
 }
 
@@ -58,7 +59,8 @@ void read_line(const std::string& line, Manifest& manifest, const fs::path& file
     const Json json = Json::parse(line);
     if (json.contains("plan")) {
         const SweepHeader header{from_hex(json.at("plan")), json.at("runs").get<std::uint64_t>(),
-                                 json.at("shard_runs").get<std::uint64_t>(), json.at("version").get<std::string>()};
+                                 json.at("shard_runs").get<std::uint64_t>(), json.at("version").get<std::string>(),
+                                 json.at("columns").get<std::string>()};
         if (manifest.header && !(*manifest.header == header)) throw FileError(file, "is of two sweeps");
         manifest.header = header;
     } else if (json.contains("shard")) {

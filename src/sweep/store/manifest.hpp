@@ -28,6 +28,7 @@ struct SweepHeader {
     std::uint64_t runs = 0;
     std::uint64_t shard_runs = 0;
     std::string version;  // of tumble
+    std::string columns;  // the first line of the table
 
     bool operator==(const SweepHeader&) const = default;
 };
