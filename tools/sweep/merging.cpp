@@ -62,7 +62,7 @@ ShardRanges merge_folders(const fs::path& folder, const std::vector<fs::path>& p
     ShardRanges missing = missing_shards(folder, manifest);
     if (missing.empty()) {
         complete_folder(folder);
-        fs::remove(folder / "claims", error);  // if no process is left
+        fs::remove_all(folder / "claims", error);
     }
     return missing;
 }

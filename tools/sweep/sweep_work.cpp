@@ -147,7 +147,10 @@ void Work::work() {
         if (!shard) continue;
         const sweep::ShardEntry entry = write_shard(plan_, *shard, options_.folder, texts_, [this] { count_run(); });
         const std::lock_guard lock(mutex_);
-        append_shard(options_.folder, entry);
+        if (claims_.holds(claim_name(*shard)))
+            append_shard(options_.folder, entry);
+        else if (is_complete(options_.folder, sweep::read_manifest(options_.folder)))
+            fs::remove(options_.folder / entry.table.name);  // another process has done it all, and made the table
         taken_.erase(*shard);
         claims_.release(claim_name(*shard));
     }
@@ -178,6 +181,7 @@ bool Work::finish() {
     while (!is_interrupted()) {
         const sweep::Manifest manifest = sweep::read_manifest(options_.folder);
         if (!missing_shards(options_.folder, manifest).empty()) return false;
+        if (is_complete(options_.folder, manifest) && !claims_.has_folder()) return true;
         if (claims_.take(kFinish)) {
             complete_folder(options_.folder);
             claims_.release(kFinish);

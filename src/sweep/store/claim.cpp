@@ -64,7 +64,7 @@ bool has_ended(const fs::path& claim) {
 }  // namespace
 
 Claims::Claims(const fs::path& sweep_folder, std::chrono::milliseconds lease)
-    : folder_(sweep_folder / "claims"), lease_(lease) {
+    : folder_(sweep_folder / "claims"), text_(own_text()), lease_(lease) {
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) throw FileError(folder_, "cannot create the folder: " + error.message());
@@ -78,16 +78,20 @@ Claims::~Claims() {
     for (const std::string& name : held_) fs::remove(folder_ / name, ignored);
 }
 
-bool Claims::make(const fs::path& file) const {
-    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0 && errno == EEXIST) return false;
+// Linking a file with its text gives the claim its text at once, and fails if there is one.
+bool Claims::make(const std::string& name) const {
+    const fs::path file = folder_ / name, own = folder_ / (name + ".new-" + std::to_string(::getpid()));
+    const int descriptor = ::open(own.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno == ENOENT) return false;  // another process has completed the sweep
     if (descriptor < 0) throw FileError(file, "cannot write: " + std::generic_category().message(errno));
-    const std::string text = own_text();
-    // An empty claim is valid too: it is taken over after its lease.
-    const ssize_t ignored = ::write(descriptor, text.data(), text.size());
-    static_cast<void>(ignored);
+    const bool is_written = ::write(descriptor, text_.data(), text_.size()) == static_cast<ssize_t>(text_.size());
+    int error = is_written ? 0 : errno;
     ::close(descriptor);
-    return true;
+    if (is_written && ::link(own.c_str(), file.c_str()) != 0) error = errno;
+    ::unlink(own.c_str());
+    if (error != 0 && error != EEXIST && error != ENOENT)
+        throw FileError(file, "cannot write: " + std::generic_category().message(error));
+    return error == 0;
 }
 
 bool Claims::is_abandoned(const fs::path& file, const std::string& name) {
@@ -105,7 +109,7 @@ bool Claims::take(const std::string& name) {
     const std::lock_guard lock(mutex_);
     const fs::path file = folder_ / name;
     if (held_.contains(name)) return false;  // another thread has it
-    if (!make(file)) {
+    if (!make(name)) {
         if (!is_abandoned(file, name)) return false;
         // Of several processes that take it over, renaming succeeds in one.
         const fs::path old = folder_ / (name + ".old-" + std::to_string(::getpid()));
@@ -113,7 +117,7 @@ bool Claims::take(const std::string& name) {
         fs::rename(file, old, error);
         if (error) return false;
         fs::remove(old, error);
-        if (!make(file)) return false;
+        if (!make(name)) return false;
     }
     others_.erase(name);
     held_.insert(name);
@@ -126,9 +130,16 @@ void Claims::release(const std::string& name) {
     if (held_.erase(name) > 0) fs::remove(folder_ / name, ignored);
 }
 
+bool Claims::holds(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    return held_.contains(name) && system_text(folder_ / name) == text_;
+}
+
+bool Claims::has_folder() const { return fs::exists(folder_); }
+
 void Claims::remove_folder() {
     std::error_code ignored;
-    fs::remove(folder_, ignored);
+    fs::remove_all(folder_, ignored);
 }
 
 void Claims::renew(const std::stop_token& stop) {

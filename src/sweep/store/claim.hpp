@@ -12,7 +12,8 @@
 
 namespace tumble::sweep {
 
-// The claims of one process in the folder DIR/claims. A claim is a file that only one process can make. Its process
+// The claims of one process in the folder DIR/claims. A claim is a file that only one process can make; its text names
+// that process. Its process
 // touches it again and again; if it has not been touched for the time of the lease, or if its process is known to have
 // ended, another process takes it over. If two processes come to write one shard, they write the same bytes.
 class Claims {
@@ -26,7 +27,12 @@ public:
     bool take(const std::string& name);
     void release(const std::string& name);
 
-    // Removes the folder if it is empty.
+    // Whether a claim that was taken is still that of this process: not if its lease has ended meanwhile.
+    bool holds(const std::string& name);
+
+    bool has_folder() const;
+
+    // Removes the folder with all claims.
     void remove_folder();
 
 private:
@@ -36,11 +42,12 @@ private:
         std::chrono::steady_clock::time_point since;
     };
 
-    bool make(const std::filesystem::path& file) const;
+    bool make(const std::string& name) const;
     bool is_abandoned(const std::filesystem::path& file, const std::string& name);
     void renew(const std::stop_token& stop);
 
     std::filesystem::path folder_;
+    std::string text_;  // of the claims of this process
     std::chrono::milliseconds lease_;
     std::mutex mutex_;
     std::set<std::string> held_;
