@@ -354,3 +354,51 @@ TEST_CASE("status tells what is missing") {
     CHECK(status["complete"] == false);
     CHECK(status["missing"] == json::parse("[[0, 0], [2, 4], [6, 8], [10, 12], [14, 16], [18, 19]]"));
 }
+
+TEST_CASE("plot draws a heat map of the grid, and dots without a second axis") {
+    const Sweeps sweeps(R"({"format": 1, "scene": "scene.json",
+      "parameters": [{"name": "a", "list": [0, 1, 2]}, {"name": "b", "range": [0, 3], "count": 4}],
+      "measures": [{"name": "product", "value": "a * b"}]})");
+    REQUIRE(sweeps.sweep("out").code == 0);
+    const auto plot = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all{"sweep", "plot", sweeps.at("out"), "--x", "a", "-o", "-"};
+        all.insert(all.end(), more.begin(), more.end());
+        return run_tumble(all);
+    };
+    const Answer map = plot({"--y", "b", "--value", "product"});
+    REQUIRE_MESSAGE(map.code == 0, map.err);
+    const auto count = [](const std::string& text, const std::string& word) {
+        int found = 0;
+        for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+        return found;
+    };
+    // 0 is dark blue: all of a = 0 and of b = 0, 3 + 4 - 1 of 12 cells. 2 * 3 is yellow: one.
+    CHECK(count(map.out, "#440154") == 6);
+    CHECK(count(map.out, "#fde725") == 1);
+    CHECK(count(plot({"--value", "product"}).out, "<circle") == 12);
+    CHECK(plot({"--value", "area"}).code == 3);
+    CHECK(plot({"--value", "message"}).code == 3);
+    CHECK(run_tumble({"sweep", "plot", sweeps.at("gone"), "--x", "a", "--value", "b", "-o", "-"}).code == 4);
+}
+
+TEST_CASE("submit writes a script for Slurm with as many tasks as take a minute") {
+    const Sweeps sweeps;
+    const Answer answer = run_tumble({"sweep", "submit", sweeps.plan, "-o", sweeps.at("out"), "--slurm", "--print",
+                                      "--tasks", "8", "--sbatch", "--partition=main"});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    CHECK(answer.out.starts_with("#!/bin/sh\n"));
+    CHECK(answer.out.find("#SBATCH --array=0-7\n") != std::string::npos);
+    CHECK(answer.out.find("#SBATCH --partition=main\n") != std::string::npos);
+    CHECK(answer.out.find("--shard \"$SLURM_ARRAY_TASK_ID\"/8") != std::string::npos);
+    CHECK(run_tumble({"sweep", "submit", sweeps.plan, "-o", sweeps.at("out"), "--print"}).code == 2);
+    // Two hundred runs of a millisecond are one task.
+    CHECK(run_tumble({"sweep", "submit", sweeps.plan, "-o", sweeps.at("out"), "--slurm", "--print"})
+              .out.find("--array=0-0\n") != std::string::npos);
+    // Only the tasks with missing shards: shard 9 is of task 1 of 8.
+    REQUIRE(sweeps.sweep("out").code == 0);
+    CHECK(run_tumble({"sweep", "submit", sweeps.plan, "-o", sweeps.at("out"), "--slurm", "--print", "--tasks", "8"})
+              .out.find("complete") != std::string::npos);
+    fs::remove(sweeps.folder / "out/shard-000009.tar");
+    CHECK(run_tumble({"sweep", "submit", sweeps.plan, "-o", sweeps.at("out"), "--slurm", "--print", "--tasks", "8"})
+              .out.find("--array=1\n") != std::string::npos);
+}

@@ -80,6 +80,7 @@ void add_sweep(CLI::App& app, Command& command) {
     app_sweep.add_flag("--dry-run", options->dry_run,
                        "Simulate 20 runs, write nothing, and print how long and how large the sweep is");
     add_sweep_commands(app_sweep, command);
+    add_sweep_submit(app_sweep, command);
     app_sweep.callback([&app_sweep, &command, options] {
         if (app_sweep.get_subcommands().empty())
             command.action = [&command, options] { return sweep(command, *options); };

@@ -1,4 +1,4 @@
-// `tumble sweep verify`, `status` and `merge`: commands on the folder of a sweep.
+// `tumble sweep verify`, `status`, `merge` and `plot`: commands on the folder of a sweep.
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -7,10 +7,12 @@
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/interrupt.hpp"
+#include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/sweep/merging.hpp"
+#include "tools/sweep/sweep_plot.hpp"
 #include "tools/sweep/sweep_text.hpp"
 #include "tools/sweep/verification.hpp"
 #include "tumble/file.hpp"
@@ -59,6 +61,38 @@ ExitCode merge(const Command& command, const MergeArguments& options) {
     return missing.empty() ? ExitCode::ok : ExitCode::failed;
 }
 
+struct PlotArguments {
+    fs::path folder, picture;
+    SweepPlot plot;
+    bool force = false;
+};
+
+ExitCode plot(const Command& command, const PlotArguments& options) {
+    refuse_to_overwrite(options.picture, options.force);
+    write_file(options.picture, to_svg(draw_sweep(sweep::table_file(options.folder), options.plot)), options.force);
+    JsonWriter json;
+    json.open_object().member("picture", options.picture.string()).close_object();
+    write_output(command.json ? json.text() + "\n" : options.picture.string() + "\n");
+    return ExitCode::ok;
+}
+
+void add_plot(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<PlotArguments>();
+    CLI::App& app_plot =
+        add_subcommand(app, command, "plot", "Draw a column of the table over one or two others, as SVG");
+    app_plot.add_option("DIR", options->folder, "Folder of a complete sweep")->required();
+    app_plot.add_option("--x", options->plot.x, "Column of the horizontal axis")->type_name("NAME")->required();
+    app_plot
+        .add_option("--y", options->plot.y, "Column of the vertical axis of a heat map; without it a dot for each run")
+        ->type_name("NAME");
+    app_plot.add_option("--value", options->plot.value, "Column that is shown")->type_name("NAME")->required();
+    allow_standard_output(
+        *app_plot.add_option("-o,--output", options->picture, "Picture to write")->type_name("F.svg")->required());
+    app_plot.add_flag("--force", options->force, "Replace an existing picture");
+    app_plot.callback(
+        [&command, options] { command.action = [&command, options] { return plot(command, *options); }; });
+}
+
 }  // namespace
 
 void add_sweep_commands(CLI::App& app, Command& command) {
@@ -88,6 +122,8 @@ void add_sweep_commands(CLI::App& app, Command& command) {
     app_merge.add_option("DIR", merged->folder, "Folder to complete")->required();
     app_merge.add_option("PARTS", merged->parts, "Folders whose shards it gets");
     app_merge.callback([&command, merged] { command.action = [&command, merged] { return merge(command, *merged); }; });
+
+    add_plot(app, command);
 }
 
 }  // namespace tumble::tools

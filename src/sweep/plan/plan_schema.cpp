@@ -59,7 +59,7 @@ std::string plan_schema() {
     "timeout": {"type": "number", "minimum": 0.001, "maximum": 1000000, "description": "Seconds of wall clock after which a run is ended and recorded as timed_out."}
   },
   "definitions": {
-    "name": {"type": "string", "pattern": "^[A-Za-z_][A-Za-z0-9_]*$", "maxLength": 64, "description": "A column of the table, and a name in expressions."},
+    "name": {"type": "string", "pattern": "^[A-Za-z_][A-Za-z0-9_]{0,63}$", "description": "A column of the table, and a name in expressions."},
     "pair": {"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "number"}},
     "parameter": {
       "type": "object", "additionalProperties": false, "required": ["name"],
