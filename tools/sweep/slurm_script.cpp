@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // In single quotes, for a shell.
-std::string quoted(const std::string& text) {
+std::string shell_quoted(const std::string& text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return result + "'";
@@ -66,15 +66,16 @@ std::string missing_tasks(const sweep::Plan& plan, const fs::path& folder, std::
 std::string slurm_script(const sweep::Plan& plan, const SlurmOptions& options, const std::string& array) {
     return head(options, job_name(plan)) + "#SBATCH --array=" + array +
            "\n#SBATCH --requeue\n#SBATCH --open-mode=append\n#SBATCH --output=" + options.folder.string() +
-           ".slurm/%a.log\nexec " + quoted(options.program) + " sweep " + quoted(fs::absolute(plan.file).string()) +
-           " -o " + quoted(options.folder.string()) + " --runs " + std::to_string(plan.runs) +
-           " --shard \"$SLURM_ARRAY_TASK_ID\"/" + std::to_string(options.tasks) + " -j \"${SLURM_CPUS_PER_TASK:-1}\"\n";
+           ".slurm/%a.log\nexec " + shell_quoted(options.program) + " sweep " +
+           shell_quoted(fs::absolute(plan.file).string()) + " -o " + shell_quoted(options.folder.string()) +
+           " --runs " + std::to_string(plan.runs) + " --shard \"$SLURM_ARRAY_TASK_ID\"/" +
+           std::to_string(options.tasks) + " -j \"${SLURM_CPUS_PER_TASK:-1}\"\n";
 }
 
 std::string merge_script(const sweep::Plan& plan, const SlurmOptions& options) {
     return head(options, job_name(plan) + "-merge") + "#SBATCH --output=" + options.folder.string() +
-           ".slurm/merge.log\nexec " + quoted(options.program) + " sweep merge " + quoted(options.folder.string()) +
-           "\n";
+           ".slurm/merge.log\nexec " + shell_quoted(options.program) + " sweep merge " +
+           shell_quoted(options.folder.string()) + "\n";
 }
 
 }  // namespace tumble::tools

@@ -29,7 +29,7 @@ struct Range {
     double part(double number) const { return upper > lower ? (number - lower) / (upper - lower) : 0.5; }
 };
 
-double number_of(const char* text) {
+double number_or_nan(const char* text) {
     double number = std::nan("");
     const char* const end = text + std::strlen(text);
     return std::from_chars(text, end, number).ptr == end ? number : std::nan("");
@@ -41,8 +41,8 @@ std::vector<Sample> read_columns(const std::filesystem::path& table, Names... na
     CsvFile<Columns> csv(table, io::ignore_extra_column, names...);
     std::vector<Sample> samples;
     for (std::array<char*, Columns> fields{}; csv.read(fields);) {
-        const Sample sample{number_of(fields[0]), Columns == 3 ? number_of(fields[1]) : 0.0,
-                            number_of(fields[Columns - 1])};
+        const Sample sample{number_or_nan(fields[0]), Columns == 3 ? number_or_nan(fields[1]) : 0.0,
+                            number_or_nan(fields[Columns - 1])};
         if (std::isfinite(sample.x) && std::isfinite(sample.y) && std::isfinite(sample.value))
             samples.push_back(sample);
     }

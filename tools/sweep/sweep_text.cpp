@@ -25,23 +25,23 @@ void write_outcomes(JsonWriter& json, const Outcomes& outcomes) {
     json.close_object();
 }
 
-std::string short_number(double number, const char* unit) {
+std::string three_digits(double number, const char* unit) {
     std::array<char, 48> text{};
     std::snprintf(text.data(), text.size(), "%.3g %s", number, unit);
     return text.data();
 }
 
 std::string duration_text(double seconds) {
-    if (seconds < 120.0) return short_number(seconds, "s");
-    if (seconds < 7200.0) return short_number(seconds / 60.0, "min");
-    return seconds < 2.0 * 86400.0 ? short_number(seconds / 3600.0, "h") : short_number(seconds / 86400.0, "days");
+    if (seconds < 120.0) return three_digits(seconds, "s");
+    if (seconds < 7200.0) return three_digits(seconds / 60.0, "min");
+    return seconds < 2.0 * 86400.0 ? three_digits(seconds / 3600.0, "h") : three_digits(seconds / 86400.0, "days");
 }
 
-std::string size_text(double bytes) {
+std::string bytes_text(double bytes) {
     constexpr std::array<const char*, 6> kUnits{"B", "kB", "MB", "GB", "TB", "PB"};
     std::size_t unit = 0;
     for (; bytes >= 1000.0 && unit + 1 < kUnits.size(); ++unit) bytes /= 1000.0;
-    return short_number(bytes, kUnits[unit]);
+    return three_digits(bytes, kUnits[unit]);
 }
 
 std::string ranges_text(const ShardRanges& ranges) {
@@ -112,7 +112,7 @@ std::string to_json(const SweepReport& report) {
 std::string to_text(const sweep::Plan& plan, const SweepEstimate& estimate) {
     return plan.name + ": " + std::to_string(estimate.runs) + " runs in " + std::to_string(estimate.shards) +
            " shards of " + std::to_string(estimate.shard_runs) + "\nabout " + duration_text(estimate.seconds) + ", " +
-           short_number(estimate.seconds_per_run * 1e3, "ms") + " for a run\nabout " + size_text(estimate.bytes) +
+           three_digits(estimate.seconds_per_run * 1e3, "ms") + " for a run\nabout " + bytes_text(estimate.bytes) +
            " in " + std::to_string(estimate.files) + " files\nof " + std::to_string(estimate.sampled) +
            " sampled runs: " + outcomes_text(estimate.outcomes) + "\n";
 }
@@ -130,8 +130,9 @@ std::string to_json(const SweepEstimate& estimate) {
 std::string to_text(const Verification& verification) {
     std::string text;
     for (const std::string& finding : verification.findings) text += finding + "\n";
-    return text + std::to_string(verification.files) + " files, " + size_text(static_cast<double>(verification.bytes)) +
-           ", and " + std::to_string(verification.repeated_runs) + " runs made again: " +
+    return text + std::to_string(verification.files) + " files, " +
+           bytes_text(static_cast<double>(verification.bytes)) + ", and " + std::to_string(verification.repeated_runs) +
+           " runs made again: " +
            (verification.findings.empty() ? "all as written"
                                           : std::to_string(verification.findings.size()) + " findings") +
            "\n";

@@ -29,7 +29,7 @@ constexpr std::uint64_t kMostShards = 10000000;
 constexpr std::chrono::milliseconds kWait{100};  // between looks at what other processes do
 constexpr const char* kFinish = "finish";
 
-sweep::SweepHeader header_of(const sweep::Plan& plan) {
+sweep::SweepHeader expected_header(const sweep::Plan& plan) {
     return {plan.hash, plan.runs, runs_in_shard(plan), version(), table_header(plan)};
 }
 
@@ -39,7 +39,7 @@ void open_folder(const sweep::Plan& plan, const fs::path& folder) {
     fs::create_directories(folder, error);
     if (error) throw FileError(folder, "cannot create the folder: " + error.message());
     const sweep::Manifest manifest = sweep::read_manifest(folder);
-    const sweep::SweepHeader header = header_of(plan);
+    const sweep::SweepHeader header = expected_header(plan);
     if (manifest.header && !(*manifest.header == header))
         throw FileError(folder, "has another sweep: the plan, its scenes, --runs or the version of tumble (" +
                                     manifest.header->version + ") differ; choose another folder");

@@ -119,7 +119,7 @@ std::vector<std::string> PlanObject::texts(std::string_view key) {
 }
 
 std::string PlanObject::word(std::string_view key, const std::vector<std::string_view>& words) {
-    const std::string found = text(key, std::string(words.front()));
+    std::string found = text(key, std::string(words.front()));
     if (std::ranges::find(words, found) != words.end()) return found;
     error(key, "must be one of " + join_words(words) + ", got " + scene::quoted(found), suggestion(found, words));
     return std::string(words.front());

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using LineJson = nlohmann::ordered_json;
 
 std::string hex(std::uint64_t hash) {
     char text[17];
@@ -30,33 +30,36 @@ std::string hex(std::uint64_t hash) {
     return text;
 }
 
-std::uint64_t from_hex(const Json& text) { return std::stoull(text.get<std::string>(), nullptr, 16); }
+std::uint64_t from_hex(const LineJson& text) { return std::stoull(text.get<std::string>(), nullptr, 16); }
 
-Json to_json(const StoredFile& file) { return {{"name", file.name}, {"bytes", file.bytes}, {"xxh64", hex(file.hash)}}; }
+LineJson to_json(const StoredFile& file) {
+    return {{"name", file.name}, {"bytes", file.bytes}, {"xxh64", hex(file.hash)}};
+}
 
-StoredFile to_file(const Json& json) {
+StoredFile to_file(const LineJson& json) {
     return {json.at("name").get<std::string>(), json.at("bytes").get<std::uint64_t>(), from_hex(json.at("xxh64"))};
 }
 
 std::string line_of(const SweepHeader& header) {
-    return Json{{"plan", hex(header.plan)},
-                {"runs", header.runs},
-                {"shard_runs", header.shard_runs},
-                {"version", header.version},
-                {"columns", header.columns}}
+    return LineJson{{"plan", hex(header.plan)},
+                    {"runs", header.runs},
+                    {"shard_runs", header.shard_runs},
+                    {"version", header.version},
+                    {"columns", header.columns}}
         .dump();
 }
 
 std::string line_of(const ShardEntry& entry) {
-    Json files = Json::array();
+    LineJson files = LineJson::array();
     for (const StoredFile& file : entry.files) files.push_back(to_json(file));
-    return Json{{"shard", entry.shard}, {"outcomes", entry.outcomes}, {"table", to_json(entry.table)}, {"files", files}}
+    return LineJson{
+        {"shard", entry.shard}, {"outcomes", entry.outcomes}, {"table", to_json(entry.table)}, {"files", files}}
         .dump();
 }
 
 // Reads one line; throws an exception of the JSON library or std::invalid_argument if it is none of a manifest.
 void read_line(const std::string& line, Manifest& manifest, const fs::path& file) {
-    const Json json = Json::parse(line);
+    const LineJson json = LineJson::parse(line);
     if (json.contains("plan")) {
         const SweepHeader header{from_hex(json.at("plan")), json.at("runs").get<std::uint64_t>(),
                                  json.at("shard_runs").get<std::uint64_t>(), json.at("version").get<std::string>(),
@@ -67,7 +70,7 @@ void read_line(const std::string& line, Manifest& manifest, const fs::path& file
         ShardEntry entry{.shard = json.at("shard").get<std::uint64_t>()};
         entry.outcomes = json.at("outcomes").get<std::map<std::string, std::uint64_t>>();
         entry.table = to_file(json.at("table"));
-        for (const Json& stored : json.at("files")) entry.files.push_back(to_file(stored));
+        for (const LineJson& stored : json.at("files")) entry.files.push_back(to_file(stored));
         manifest.shards.insert_or_assign(entry.shard, entry);
     } else {
         manifest.table = to_file(json.at("complete"));
@@ -112,7 +115,7 @@ Manifest read_manifest(const fs::path& folder) {
         if (line.empty()) continue;
         try {
             read_line(line, manifest, file);
-        } catch (const Json::exception&) {
+        } catch (const LineJson::exception&) {
             ++manifest.cut_lines;
         } catch (const std::logic_error&) {
             ++manifest.cut_lines;
@@ -128,7 +131,7 @@ void write_manifest(const fs::path& folder, const Manifest& manifest) {
     OutputFile file(manifest_file(folder));
     if (manifest.header) file.write(line_of(*manifest.header) + "\n");
     for (const auto& [shard, entry] : manifest.shards) file.write(line_of(entry) + "\n");
-    if (manifest.table) file.write(Json{{"complete", to_json(*manifest.table)}}.dump() + "\n");
+    if (manifest.table) file.write(LineJson{{"complete", to_json(*manifest.table)}}.dump() + "\n");
     file.commit();
 }
 
