@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 sweep::Manifest manifest_of(const fs::path& folder) {
-    const sweep::Manifest manifest = sweep::read_manifest(folder);
+    sweep::Manifest manifest = sweep::read_manifest(folder);
     if (!manifest.header) throw FileError(folder, "has no sweep: there is no manifest.jsonl with its first line");
     return manifest;
 }

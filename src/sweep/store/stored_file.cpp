@@ -38,7 +38,7 @@ struct StoredFileWriter::Impl {
     Hash hash{};
 };
 
-StoredFileWriter::StoredFileWriter(const std::filesystem::path& folder, std::string name)
+StoredFileWriter::StoredFileWriter(const std::filesystem::path& folder, const std::string& name)
     : impl_(new Impl{name, OutputFile(folder / name)}) {}
 
 StoredFileWriter::~StoredFileWriter() = default;

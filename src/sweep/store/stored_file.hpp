@@ -14,7 +14,7 @@ namespace tumble::sweep {
 // Like OutputFile: the file is there when commit() returns, or not at all.
 class StoredFileWriter {
 public:
-    StoredFileWriter(const std::filesystem::path& folder, std::string name);
+    StoredFileWriter(const std::filesystem::path& folder, const std::string& name);
     ~StoredFileWriter();
 
     void write(std::string_view bytes);
