@@ -87,8 +87,8 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"tools/sweep",
      {"tools/output", "tools/cli", "tools/machine", "tools/measure", "tools/run", "tools/scene", "sweep"}},
     {"tools/commands",
-     {"sweep", "tools/sweep", "tools/output", "tools/claims", "tools/cli", "tools/query", "tools/machine", "tools/measure", "tools/parity",
-      "tools/physics", "tools/diff", "tools/run", "tools/scene", "reference"}},
+     {"sweep", "tools/sweep", "tools/output", "tools/claims", "tools/cli", "tools/query", "tools/machine",
+      "tools/measure", "tools/parity", "tools/physics", "tools/diff", "tools/run", "tools/scene", "reference"}},
     {"tools/pages", {"tools/machine", "tools/commands"}},
     {"tools", {"tools/cli", "tools/commands"}},
 };

@@ -13,10 +13,10 @@ struct SweepEstimate {
     std::uint64_t runs = 0, shards = 0, shard_runs = 0;
     std::uint64_t sampled = 0;
     std::map<std::string, std::uint64_t> outcomes{};  // of the sample
-    double seconds_per_run = 0.0;                   // on one thread
-    double seconds = 0.0;                           // of all runs, on `jobs` threads
-    double bytes = 0.0;                             // of all files
-    std::uint64_t files = 0;                        // at the end
+    double seconds_per_run = 0.0;                     // on one thread
+    double seconds = 0.0;                             // of all runs, on `jobs` threads
+    double bytes = 0.0;                               // of all files
+    std::uint64_t files = 0;                          // at the end
 };
 
 inline constexpr std::uint64_t kSampledRuns = 20;

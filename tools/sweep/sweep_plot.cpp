@@ -68,7 +68,7 @@ Color color_of(double part) {
     const auto index = std::min<std::size_t>(3, static_cast<std::size_t>(place));
     const auto mixed = [&](std::size_t channel) {
         const double from = kColors[index][channel], to = kColors[index + 1][channel];
-        return static_cast<std::uint8_t>(from + (to - from) * (place - static_cast<double>(index)) + 0.5);
+        return static_cast<std::uint8_t>(std::lround(from + (to - from) * (place - static_cast<double>(index))));
     };
     return {mixed(0), mixed(1), mixed(2)};
 }
@@ -124,7 +124,7 @@ void draw_heat_map(Drawing& drawing, const SweepPlot& plot, const std::vector<Sa
     const std::size_t columns = count_cells(samples, &Sample::x), rows = count_cells(samples, &Sample::y);
     std::vector<double> sums(columns * rows), counts(columns * rows);
     const auto cell_of = [](double part, std::size_t count) {
-        return std::min(count - 1, static_cast<std::size_t>(part * static_cast<double>(count - 1) + 0.5));
+        return std::min(count - 1, static_cast<std::size_t>(std::lround(part * static_cast<double>(count - 1))));
     };
     for (const Sample& sample : samples) {
         const std::size_t cell = cell_of(y.part(sample.y), rows) * columns + cell_of(x.part(sample.x), columns);

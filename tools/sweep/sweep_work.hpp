@@ -20,9 +20,9 @@ struct SweepOptions {
 };
 
 struct SweepReport {
-    std::uint64_t runs = 0;                         // of the plan
-    std::uint64_t shards = 0;                       // of the plan
-    std::uint64_t simulated_runs = 0;               // by this process
+    std::uint64_t runs = 0;                           // of the plan
+    std::uint64_t shards = 0;                         // of the plan
+    std::uint64_t simulated_runs = 0;                 // by this process
     std::map<std::string, std::uint64_t> outcomes{};  // of all complete shards
     std::uint64_t missing_shards = 0;
     double seconds = 0.0;
