@@ -26,6 +26,7 @@ build_packages=(
     'fonts-dejavu-core:the font of the text in frames'
     'libpugixml-dev:reads SVG drawings'
     'libbox2d-dev:the engine that bench compares with'
+    'libhdf5-dev:the trajectories of sweeps'
     'libgmp-dev:exact arithmetic to check distances with'
 )
 test_packages=(

@@ -71,6 +71,8 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"reference/families", {"reference/query", "reference/exact", "reference/box2d"}},
     {"reference/parity", {"reference/query", "reference/exact", "reference/box2d", "reference/families"}},
     {"reference/physics", {"reference/box2d"}},
+    {"sweep/plan", {"scene/json", "scene/format", "scene/expressions"}},
+    {"sweep/store", {}},
     {"tools/output", {}},
     {"tools/cli", {"tools/output"}},
     {"tools/query", {"tools/output", "tools/cli"}},
@@ -85,10 +87,12 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"tools/run", {"tools/output", "tools/claims", "tools/cli", "tools/machine", "tools/measure"}},
     {"tools/scene", {"tools/output", "tools/cli", "tools/diff", "tools/measure", "tools/run"}},
     {"tools/gallery", {"tools/output", "tools/cli", "tools/run", "tools/scene"}},
+    {"tools/sweep",
+     {"tools/output", "tools/cli", "tools/machine", "tools/measure", "tools/run", "tools/scene", "sweep"}},
     {"tools/commands",
-     {"tools/output", "tools/claims", "tools/cli", "tools/query", "tools/machine", "tools/measure", "tools/parity",
-      "tools/physics", "tools/diff", "tools/compare", "tools/gallery", "tools/plot", "tools/run", "tools/scene",
-      "reference"}},
+     {"sweep", "tools/sweep", "tools/output", "tools/claims", "tools/cli", "tools/query", "tools/machine",
+      "tools/measure", "tools/parity", "tools/physics", "tools/diff", "tools/compare", "tools/gallery", "tools/plot",
+      "tools/run", "tools/scene", "reference"}},
     {"tools/pages", {"tools/machine", "tools/commands"}},
     {"tools", {"tools/cli", "tools/commands"}},
 };
@@ -109,8 +113,9 @@ inline const std::map<std::string, std::set<std::string>> kNextBelow = {
     {"import", {"scene"}},
     {"render", {"scene"}},
     {"reference", {"scene"}},
+    {"sweep", {"scene"}},
     {"python", {"import", "render"}},
-    {"tools", {"import", "render", "reference"}},
+    {"tools", {"import", "render", "reference", "sweep"}},
 };
 
 // The first folder of a path: "scene" of "scene/json/text.hpp".

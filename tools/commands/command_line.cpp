@@ -27,6 +27,7 @@ CommandLine::CommandLine()
     add_parity(app, command);
     add_bench(app, command);
     add_physics(app, command);
+    add_sweep(app, command);
     app.require_subcommand(0, 1);
 }
 

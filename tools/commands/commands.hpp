@@ -25,6 +25,13 @@ void add_import(CLI::App& app, Command& command);
 void add_parity(CLI::App& app, Command& command);
 void add_bench(CLI::App& app, Command& command);
 void add_physics(CLI::App& app, Command& command);
+void add_sweep(CLI::App& app, Command& command);
+
+// The commands of `sweep` on folders: verify, status, merge, plot.
+void add_sweep_commands(CLI::App& app, Command& command);
+
+// `sweep submit`.
+void add_sweep_submit(CLI::App& app, Command& command);
 
 // `tumble` without arguments.
 ExitCode print_usage();

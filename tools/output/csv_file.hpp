@@ -26,8 +26,13 @@ public:
     // The names must be columns of the header line. Throws FileError or InputError, as all functions do.
     template <class... Names>
     CsvFile(const std::filesystem::path& file, Names... names)
+        : CsvFile(file, io::ignore_column{io::ignore_no_column}, names...) {}
+
+    // The same; `ignored` may allow other columns too (io::ignore_extra_column).
+    template <class... Names>
+    CsvFile(const std::filesystem::path& file, io::ignore_column ignored, Names... names)
         : name_(file.string()), stream_(open_input(file)), csv_(name_, *stream_) {
-        with_input_errors([&] { csv_.read_header(io::ignore_no_column, names...); });
+        with_input_errors([&] { csv_.read_header(ignored, names...); });
     }
 
     // Reads the fields of the next line, which are valid until the next call; false at the end.

@@ -58,50 +58,51 @@ void TrajectoryFile::record(const SceneWorld& world) {
     file_.write(lines_);
 }
 
-ContactsFile::ContactsFile(const std::filesystem::path& file, bool force) : file_(file, force) {
-    file_.write("step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse\n");
-}
-
-void ContactsFile::record(const SceneWorld& built) {
+void ContactLines::append(std::string& lines, const SceneWorld& built) {
     const World& world = built.world;
     names_.update(built);
     const std::string step = std::to_string(world.step_count()) + ",";
-    lines_.clear();
     for (const ContactPoint& point : world.contacts()) {
-        lines_ += step + names_[point.body_a] + "," + names_[point.body_b] + "," + std::to_string(point.feature);
-        for (const double number : {point.point.x, point.point.y}) append_cell(lines_, number);
+        lines += step + names_[point.body_a] + "," + names_[point.body_b] + "," + std::to_string(point.feature);
+        for (const double number : {point.point.x, point.point.y}) append_cell(lines, number);
         for (const float number :
              {point.normal.x, point.normal.y, point.separation, point.normal_impulse, point.tangent_impulse})
-            append_cell(lines_, number);
-        lines_ += '\n';
+            append_cell(lines, number);
+        lines += '\n';
     }
+}
+
+ContactsFile::ContactsFile(const std::filesystem::path& file, bool force) : file_(file, force) {
+    file_.write(ContactLines::kHeader);
+}
+
+void ContactsFile::record(const SceneWorld& built) {
+    lines_.clear();
+    contacts_.append(lines_, built);
     file_.write(lines_);
 }
 
-EventsFile::EventsFile(const std::filesystem::path& file, bool force, const SceneWorld& world) : file_(file, force) {
-    file_.write("step,time,event,a,b,x,y,nx,ny,speed\n");
+EventLines::EventLines(const SceneWorld& world) {
     for (std::size_t i = 0; i < world.joints.size(); ++i)
         joints_.set(world.joints[i].id, csv_field(output_name(world.joints[i], i)));
 }
 
-void EventsFile::add(const std::string& event, const std::string& a, const std::string& b) {
-    lines_ += step_ + event + "," + a + "," + b + ",,,,,\n";
-}
-
-void EventsFile::record(const SceneWorld& built) {
+void EventLines::append(std::string& lines, const SceneWorld& built) {
     const World& world = built.world;
     names_.update(built);
     const StepEvents& events = world.events();
-    step_ = std::to_string(world.step_count()) + ",";
-    append_number(step_, world.time());
-    step_ += ',';
-    lines_.clear();
-    const auto add_contact = [this](const char* event, const auto& contact) {
-        lines_ += step_ + event + "," + names_[contact.shape_a] + "," + names_[contact.shape_b];
-        for (const double number : {contact.point.x, contact.point.y}) append_cell(lines_, number);
+    std::string step = std::to_string(world.step_count()) + ",";
+    append_number(step, world.time());
+    step += ',';
+    const auto add = [&](const char* event, const std::string& a, const std::string& b) {
+        lines += step + event + "," + a + "," + b + ",,,,,\n";
+    };
+    const auto add_contact = [&](const char* event, const auto& contact) {
+        lines += step + event + "," + names_[contact.shape_a] + "," + names_[contact.shape_b];
+        for (const double number : {contact.point.x, contact.point.y}) append_cell(lines, number);
         for (const float number : {contact.normal.x, contact.normal.y, contact.approach_speed})
-            append_cell(lines_, number);
-        lines_ += '\n';
+            append_cell(lines, number);
+        lines += '\n';
     };
     for (const ContactBegin& begin : events.contact_begins) add_contact("contact_begin", begin);
     for (const ContactEnd& end : events.contact_ends) add("contact_end", names_[end.shape_a], names_[end.shape_b]);
@@ -111,6 +112,16 @@ void EventsFile::record(const SceneWorld& built) {
     for (const SensorEvent& event : events.sensor_ends) add("sensor_end", names_[event.sensor], names_[event.visitor]);
     for (const JointId joint : events.broken_joints) add("joint_broke", joints_[joint], "");
     for (const BodyId body : events.fell_asleep) add("fell_asleep", names_[body], "");
+}
+
+EventsFile::EventsFile(const std::filesystem::path& file, bool force, const SceneWorld& world)
+    : file_(file, force), events_(world) {
+    file_.write(EventLines::kHeader);
+}
+
+void EventsFile::record(const SceneWorld& built) {
+    lines_.clear();
+    events_.append(lines_, built);
     file_.write(lines_);
 }
 

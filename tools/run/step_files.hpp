@@ -70,6 +70,18 @@ private:
 // Every contact point: step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse. Separations and
 // normals are those at the start of the step, points move with body_a to the end of the step, impulses are summed over
 // the step.
+class ContactLines {
+public:
+    static constexpr std::string_view kHeader =
+        "step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse\n";
+
+    // Appends the lines of the last step.
+    void append(std::string& lines, const SceneWorld& world);
+
+private:
+    BodyFields names_;
+};
+
 class ContactsFile {
 public:
     ContactsFile(const std::filesystem::path& file, bool force);
@@ -78,13 +90,28 @@ public:
 
 private:
     TableFile file_;
-    BodyFields names_;
+    ContactLines contacts_;
     std::string lines_;
 };
 
 // Events: step,time,event,a,b,x,y,nx,ny,speed. The events are contact_begin and contact_hit (with the
 // point, the normal from a to b and the approach speed), contact_end, sensor_begin and sensor_end (a is the sensor),
 // joint_broke (a is the joint's name or joint[i]) and fell_asleep.
+class EventLines {
+public:
+    static constexpr std::string_view kHeader = "step,time,event,a,b,x,y,nx,ny,speed\n";
+
+    // `world` is that at the start of the run.
+    explicit EventLines(const SceneWorld& world);
+
+    // Appends the lines of the last step.
+    void append(std::string& lines, const SceneWorld& world);
+
+private:
+    BodyFields names_;
+    TextsById<JointId> joints_;
+};
+
 class EventsFile {
 public:
     EventsFile(const std::filesystem::path& file, bool force, const SceneWorld& world);
@@ -92,12 +119,8 @@ public:
     TableFile& file() noexcept { return file_; }
 
 private:
-    void add(const std::string& event, const std::string& a, const std::string& b);
-
     TableFile file_;
-    BodyFields names_;
-    TextsById<JointId> joints_;
-    std::string step_;  // the first two cells of the current step
+    EventLines events_;
     std::string lines_;
 };
 

@@ -1,0 +1,79 @@
+#include "sweep/plan/plan_trial.hpp"
+
+#include <optional>
+#include <string_view>
+
+#include "scene/json/pointer.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_run.hpp"
+
+namespace tumble::sweep {
+
+namespace {
+
+// The place in the plan of a change of the scene: the parameter or the setting whose pointer it begins with.
+std::string place_of(const Plan& plan, const std::string& argument) {
+    for (std::size_t i = 0; i < plan.parameters.size(); ++i)
+        for (const std::string& pointer : plan.parameters[i].pointers)
+            if (argument == "--set " + pointer || argument.starts_with("--set " + pointer + "="))
+                return "/parameters/" + std::to_string(i) + "/set";
+    for (const std::string& setting : plan.settings)
+        if (argument == "--set " + setting) return scene::append_key("/set", setting.substr(0, setting.find('=')));
+    return argument.starts_with("--seed") ? "/seeds" : "";
+}
+
+std::optional<Scene> try_run(const Plan& plan, const RunChoice& choice, scene::Diagnostics& diagnostics) {
+    LoadOptions changes;
+    changes.overrides = overrides_of(plan, choice);
+    changes.seed = choice.seed;
+    try {
+        return load_scene(scene_file(plan, choice.scene), changes);
+    } catch (const SceneError& error) {
+        for (const Diagnostic& diagnostic : error.diagnostics) {
+            if (!diagnostic.is_of_argument) throw;
+            diagnostics.error(place_of(plan, diagnostic.file), diagnostic.file + ": " + diagnostic.message,
+                              diagnostic.hint);
+        }
+    } catch (const FileError& error) {
+        diagnostics.error(plan.scenes.size() > 1 ? "/scenes/" + std::to_string(choice.scene) : "/scene", error.what(),
+                          "paths are relative to the folder of the plan");
+    }
+    return std::nullopt;
+}
+
+void try_expression(const std::string& text, const std::string& pointer, const Scene& scene,
+                    std::span<const std::string> names, bool is_condition, scene::Diagnostics& diagnostics) {
+    try {
+        const Expression expression(text, scene, {}, names);
+        if (is_condition && expression.kind() != Expression::Kind::condition)
+            diagnostics.error(pointer, "is a number, and must be a condition");
+    } catch (const ExpressionError& error) {
+        diagnostics.error_in_text(pointer, error.offset, error.what(), error.hint);
+    }
+}
+
+void try_expressions(const Plan& plan, const Scene& scene, scene::Diagnostics& diagnostics) {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : plan.parameters) names.push_back(parameter.name);
+    for (std::size_t i = 0; i < plan.measures.size(); ++i)
+        try_expression(plan.measures[i].expression, "/measures/" + std::to_string(i) + "/value", scene, names, false,
+                       diagnostics);
+    if (!plan.filter.that.empty()) try_expression(plan.filter.that, "/filter/that", scene, names, true, diagnostics);
+}
+
+}  // namespace
+
+std::string try_first_runs(const Plan& plan, scene::Diagnostics& diagnostics) {
+    std::string texts;
+    // Scenes are the outermost dimension of the grid.
+    const std::uint64_t runs_of_scene = grid_size(plan) / plan.scenes.size();
+    for (std::size_t i = 0; i < plan.scenes.size() && !diagnostics.has_errors(); ++i) {
+        const std::optional<Scene> scene = try_run(plan, choose_run(plan, i * runs_of_scene), diagnostics);
+        if (!scene) continue;
+        try_expressions(plan, *scene, diagnostics);
+        texts += to_json(*scene);
+    }
+    return texts;
+}
+
+}  // namespace tumble::sweep

@@ -1,0 +1,138 @@
+#include "sweep/store/manifest.hpp"
+
+#ifndef __clang_analyzer__
+#define XXH_INLINE_ALL
+#endif
+#include <fcntl.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "tumble/file.hpp"
+
+namespace tumble::sweep {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using LineJson = nlohmann::ordered_json;
+
+std::string hex(std::uint64_t hash) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+    return text;
+}
+
+std::uint64_t from_hex(const LineJson& text) { return std::stoull(text.get<std::string>(), nullptr, 16); }
+
+LineJson to_json(const StoredFile& file) {
+    return {{"name", file.name}, {"bytes", file.bytes}, {"xxh64", hex(file.hash)}};
+}
+
+StoredFile to_file(const LineJson& json) {
+    return {json.at("name").get<std::string>(), json.at("bytes").get<std::uint64_t>(), from_hex(json.at("xxh64"))};
+}
+
+std::string line_of(const SweepHeader& header) {
+    return LineJson{{"plan", hex(header.plan)},
+                    {"runs", header.runs},
+                    {"shard_runs", header.shard_runs},
+                    {"version", header.version},
+                    {"columns", header.columns}}
+        .dump();
+}
+
+std::string line_of(const ShardEntry& entry) {
+    LineJson files = LineJson::array();
+    for (const StoredFile& file : entry.files) files.push_back(to_json(file));
+    return LineJson{
+        {"shard", entry.shard}, {"outcomes", entry.outcomes}, {"table", to_json(entry.table)}, {"files", files}}
+        .dump();
+}
+
+// Reads one line; throws an exception of the JSON library or std::invalid_argument if it is none of a manifest.
+void read_line(const std::string& line, Manifest& manifest, const fs::path& file) {
+    const LineJson json = LineJson::parse(line);
+    if (json.contains("plan")) {
+        const SweepHeader header{from_hex(json.at("plan")), json.at("runs").get<std::uint64_t>(),
+                                 json.at("shard_runs").get<std::uint64_t>(), json.at("version").get<std::string>(),
+                                 json.at("columns").get<std::string>()};
+        if (manifest.header && !(*manifest.header == header)) throw FileError(file, "is of two sweeps");
+        manifest.header = header;
+    } else if (json.contains("shard")) {
+        ShardEntry entry{.shard = json.at("shard").get<std::uint64_t>()};
+        entry.outcomes = json.at("outcomes").get<std::map<std::string, std::uint64_t>>();
+        entry.table = to_file(json.at("table"));
+        for (const LineJson& stored : json.at("files")) entry.files.push_back(to_file(stored));
+        manifest.shards.insert_or_assign(entry.shard, entry);
+    } else {
+        manifest.table = to_file(json.at("complete"));
+    }
+}
+
+[[noreturn]] void fail(const fs::path& file, int error) {
+    throw FileError(file, "cannot write: " + std::generic_category().message(error));
+}
+
+// A line feed before the line ends one that another process has not completed.
+void append_line(const fs::path& folder, const std::string& line) {
+    const fs::path file = manifest_file(folder);
+    const std::string text = "\n" + line + "\n";
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (descriptor < 0) fail(file, errno);
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    const int error = written < 0 ? errno : ENOSPC;
+    const bool is_whole = written == static_cast<ssize_t>(text.size());
+    if (::close(descriptor) != 0 || !is_whole) fail(file, is_whole ? errno : error);
+}
+
+}  // namespace
+
+std::uint64_t hash_of(std::string_view bytes) { return XXH64(bytes.data(), bytes.size(), 0); }
+
+fs::path manifest_file(const fs::path& folder) { return folder / "manifest.jsonl"; }
+fs::path table_file(const fs::path& folder) { return folder / "runs.csv"; }
+
+std::string shard_file_name(std::uint64_t shard, std::string_view extension) {
+    char text[32];
+    std::snprintf(text, sizeof text, "shard-%06llu", static_cast<unsigned long long>(shard));
+    return text + std::string(extension);
+}
+
+Manifest read_manifest(const fs::path& folder) {
+    Manifest manifest;
+    const fs::path file = manifest_file(folder);
+    if (!fs::exists(file)) return manifest;
+    std::istringstream text(read_file(file));
+    for (std::string line; std::getline(text, line);) {
+        if (line.empty()) continue;
+        try {
+            read_line(line, manifest, file);
+        } catch (const LineJson::exception&) {
+            ++manifest.cut_lines;
+        } catch (const std::logic_error&) {
+            ++manifest.cut_lines;
+        }
+    }
+    return manifest;
+}
+
+void append_header(const fs::path& folder, const SweepHeader& header) { append_line(folder, line_of(header)); }
+void append_shard(const fs::path& folder, const ShardEntry& entry) { append_line(folder, line_of(entry)); }
+
+void write_manifest(const fs::path& folder, const Manifest& manifest) {
+    OutputFile file(manifest_file(folder));
+    if (manifest.header) file.write(line_of(*manifest.header) + "\n");
+    for (const auto& [shard, entry] : manifest.shards) file.write(line_of(entry) + "\n");
+    if (manifest.table) file.write(LineJson{{"complete", to_json(*manifest.table)}}.dump() + "\n");
+    file.commit();
+}
+
+}  // namespace tumble::sweep

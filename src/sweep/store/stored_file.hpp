@@ -1,0 +1,34 @@
+// A file of a sweep while it is written, with its checksum.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "sweep/store/manifest.hpp"
+
+namespace tumble::sweep {
+
+// Like OutputFile: the file is there when commit() returns, or not at all.
+class StoredFileWriter {
+public:
+    StoredFileWriter(const std::filesystem::path& folder, const std::string& name);
+    ~StoredFileWriter();
+
+    void write(std::string_view bytes);
+    std::uint64_t size() const noexcept { return size_; }
+    StoredFile commit();
+
+private:
+    struct Impl;
+
+    std::unique_ptr<Impl> impl_;
+    std::uint64_t size_ = 0;
+};
+
+// The size and the checksum of a file, read in blocks. Throws FileError.
+StoredFile read_stored_file(const std::filesystem::path& folder, const std::string& name);
+
+}  // namespace tumble::sweep

@@ -1,0 +1,174 @@
+// The files of shards: the same bytes each time, and what other programs read in them.
+#include <doctest/doctest.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sweep/store/claim.hpp"
+#include "sweep/store/hdf5_file.hpp"
+#include "sweep/store/manifest.hpp"
+#include "sweep/store/stored_file.hpp"
+#include "sweep/store/tar.hpp"
+#include "tumble/file.hpp"
+
+namespace fs = std::filesystem;
+using namespace tumble::sweep;
+
+namespace {
+
+// A new folder that is removed at the end.
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("tumble_store_" + std::to_string(::getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+};
+
+void write(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+
+// Run 3 with two states of two bodies, run 8 with one state of one body.
+std::vector<ShardTrajectory> two_runs() {
+    std::vector<double> numbers(24);
+    for (std::size_t i = 0; i < 24; ++i) numbers[i] = 0.5 * static_cast<double>(i);
+    return {{3, {2, 2, numbers}}, {8, {1, 1, {1, 2, 3, 4, 5, 6}}}};
+}
+
+}  // namespace
+
+TEST_CASE("a tar member is a ustar header of 512 bytes without time, the bytes and zeros") {
+    const std::string member = tar_member("000000000042.json", "{}\n");
+    REQUIRE(member.size() == 1024);
+    CHECK(std::string(member.c_str()) == "000000000042.json");
+    CHECK(member.substr(124, 12) == std::string("00000000003\0", 12));
+    CHECK(member.substr(136, 12) == std::string("00000000000\0", 12));
+    CHECK(member.substr(257, 8) == std::string("ustar\00000", 8));
+    CHECK(member.substr(512, 4) == std::string("{}\n\0", 4));
+    // The checksum is the sum of the header's bytes, with spaces in its own place.
+    unsigned sum = 0;
+    for (std::size_t i = 0; i < 512; ++i) sum += i >= 148 && i < 156 ? ' ' : static_cast<unsigned char>(member[i]);
+    CHECK(std::stoul(member.substr(148, 6), nullptr, 8) == sum);
+    CHECK(tar_member("a", std::string(512, 'x')).size() == 1024);
+    CHECK((1024 + tar_end(1024).size()) % 10240 == 0);
+    CHECK(tar_end(1024).size() >= 1024);
+    CHECK(tar_end(10240 - 512).size() == 10240 + 512);
+    CHECK_THROWS_AS(tar_member(std::string(101, 'a'), ""), std::invalid_argument);
+}
+
+TEST_CASE("an .npy file has its shape and its numbers") {
+    const std::string bytes = to_npy({2, 1, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}, 32);
+    CHECK(bytes.substr(0, 8) == std::string("\x93NUMPY\x01\x00", 8));
+    const std::size_t header = static_cast<unsigned char>(bytes[8]);
+    CHECK((10 + header) % 64 == 0);
+    CHECK(bytes.substr(10, header).find("'descr': '<f4', 'fortran_order': False, 'shape': (2, 1, 6)") !=
+          std::string::npos);
+    CHECK(bytes[10 + header - 1] == '\n');
+    REQUIRE(bytes.size() == 10 + header + 12 * 4);
+    float last = 0;
+    std::memcpy(&last, bytes.data() + bytes.size() - 4, 4);
+    CHECK(last == 12.0f);
+    CHECK(to_npy({2, 1, std::vector<double>(12)}, 64).size() == 10 + header + 12 * 8);
+}
+
+TEST_CASE("an HDF5 file has the runs of a shard, padded by NaN, and the same bytes each time") {
+    for (const int bits : {32, 64}) {
+        auto runs = two_runs();
+        const std::string bytes = to_hdf5(runs, 10, bits);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 counts times in seconds
+        auto again = two_runs();
+        CHECK(to_hdf5(again, 10, bits) == bytes);
+        const Folder folder;
+        write(folder.path / "a.h5", bytes);
+        const hid_t file = H5Fopen((folder.path / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+        REQUIRE(file >= 0);
+        const hid_t data = H5Dopen2(file, "trajectory", H5P_DEFAULT), space = H5Dget_space(data),
+                    type = H5Dget_type(data);
+        hsize_t sizes[4] = {};
+        CHECK(H5Sget_simple_extent_dims(space, sizes, nullptr) == 4);
+        CHECK(H5Tget_size(type) == static_cast<std::size_t>(bits / 8));
+        CHECK(sizes[0] * 1000 + sizes[1] * 100 + sizes[2] * 10 + sizes[3] == 2226);
+        double read[48] = {};
+        CHECK(H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, read) >= 0);
+        CHECK(read[23] == 11.5);
+        CHECK(read[24] == 1.0);
+        CHECK(read[29] == 6.0);
+        CHECK(std::isnan(read[30]));
+        CHECK(std::isnan(read[47]));
+        const hid_t numbers = H5Dopen2(file, "run", H5P_DEFAULT);
+        std::uint64_t run[2] = {};
+        CHECK(H5Dread(numbers, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, run) >= 0);
+        CHECK(run[1] == 8);
+        H5Tclose(type);
+        H5Sclose(space);
+        H5Dclose(numbers);
+        H5Dclose(data);
+        H5Fclose(file);
+    }
+    std::vector<ShardTrajectory> none;
+    CHECK(to_hdf5(none, 1, 32).starts_with("\x89HDF"));
+}
+
+TEST_CASE("a manifest keeps what whole lines say, in the order of the shards") {
+    const Folder folder;
+    const SweepHeader header{1, 25, 10, "0.2.0", "run\n"};
+    append_header(folder.path, header);
+    append_shard(folder.path, {.shard = 2, .outcomes = {{"ok", 5}}, .table = {"c", 3, 4}, .files = {{"t", 5, 6}}});
+    std::ofstream(manifest_file(folder.path), std::ios::app) << R"({"shard": 7, "outc)";  // cut off
+    append_shard(folder.path, {.shard = 0, .table = {"a", 1, 0xffffffffffffffff}});
+    const Manifest manifest = read_manifest(folder.path);
+    CHECK(manifest.header == header);
+    CHECK(manifest.cut_lines == 1);
+    REQUIRE(manifest.shards.size() == 2);
+    CHECK(manifest.shards.begin()->second.table.hash == 0xffffffffffffffff);
+    CHECK(manifest.shards.at(2).outcomes.at("ok") == 5);
+    CHECK(manifest.shards.at(2).files[0].bytes == 5);
+    write_manifest(folder.path, manifest);
+    CHECK(read_manifest(folder.path).cut_lines == 0);
+    const std::string text = tumble::read_file(manifest_file(folder.path));
+    CHECK(text.find("\"shard\":0") < text.find("\"shard\":2"));
+    append_header(folder.path, {2, 25, 10, "0.2.0", "run\n"});
+    CHECK_THROWS_AS(read_manifest(folder.path), tumble::FileError);
+}
+
+TEST_CASE("one of several processes has a claim, until it releases it or gives no sign") {
+    using std::chrono::milliseconds;
+    const Folder folder;
+    Claims one(folder.path, milliseconds(400)), other(folder.path, milliseconds(400));
+    CHECK(one.take("a"));
+    CHECK_FALSE(one.take("a"));
+    CHECK_FALSE(other.take("a"));
+    CHECK(other.take("b"));
+    one.release("a");
+    CHECK(other.take("a"));
+    // A claim that is renewed is kept beyond its lease.
+    CHECK_FALSE(one.take("a"));
+    std::this_thread::sleep_for(milliseconds(900));
+    CHECK_FALSE(one.take("a"));
+    CHECK(other.holds("a"));
+    // One of another system that is not renewed is taken over.
+    write(folder.path / "claims/c", "another-system 1 1\n");
+    CHECK_FALSE(one.take("c"));
+    std::this_thread::sleep_for(milliseconds(600));
+    CHECK(one.take("c"));
+    CHECK_FALSE(other.take("c"));
+}
+
+TEST_CASE("a stored file has the checksum that reading it gives") {
+    const Folder folder;
+    StoredFileWriter writer(folder.path, "f");
+    writer.write("abc");
+    writer.write("def");
+    const StoredFile written = writer.commit(), read = read_stored_file(folder.path, "f");
+    CHECK(written.bytes == 6);
+    CHECK(written.hash == hash_of("abcdef"));
+    CHECK(read.hash == written.hash);
+    CHECK(read.bytes == 6);
+    CHECK_THROWS_AS(read_stored_file(folder.path, "g"), tumble::FileError);
+}

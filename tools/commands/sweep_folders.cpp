@@ -1,0 +1,129 @@
+// `tumble sweep verify`, `status`, `merge` and `plot`: commands on the folder of a sweep.
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/cli/console.hpp"
+#include "tools/cli/interrupt.hpp"
+#include "tools/cli/output_path.hpp"
+#include "tools/cli/validators.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/output/json_writer.hpp"
+#include "tools/sweep/merging.hpp"
+#include "tools/sweep/sweep_plot.hpp"
+#include "tools/sweep/sweep_text.hpp"
+#include "tools/sweep/verification.hpp"
+#include "tumble/file.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct VerifyArguments {
+    fs::path folder, plan;
+    double part = 0.01;
+    std::uint64_t seed = 1;
+};
+
+ExitCode verify(const Command& command, const VerifyArguments& options) {
+    Verification verification = verify_files(options.folder);
+    if (options.plan.empty()) {
+        report_warning("no run is simulated again; state the plan after the folder");
+    } else {
+        const std::optional<sweep::SweepHeader> header = sweep::read_manifest(options.folder).header;
+        catch_interrupts();
+        verify_runs(sweep::read_plan(options.plan, header->runs), options.folder, options.part, options.seed,
+                    verification);
+    }
+    write_output(command.json ? to_json(verification) : to_text(verification));
+    return verification.findings.empty() ? ExitCode::ok : ExitCode::failed;
+}
+
+ExitCode status(const Command& command, const fs::path& folder) {
+    const SweepStatus status = status_of(folder);
+    write_output(command.json ? to_json(status) : to_text(status));
+    return ExitCode::ok;
+}
+
+struct MergeArguments {
+    fs::path folder;
+    std::vector<fs::path> parts;
+};
+
+ExitCode merge(const Command& command, const MergeArguments& options) {
+    const ShardRanges missing = merge_folders(options.folder, options.parts);
+    const SweepStatus status = status_of(options.folder);
+    write_output(command.json ? to_json(status) : to_text(status));
+    return missing.empty() ? ExitCode::ok : ExitCode::failed;
+}
+
+struct PlotArguments {
+    fs::path folder, picture;
+    SweepPlot plot;
+    bool force = false;
+};
+
+ExitCode plot(const Command& command, const PlotArguments& options) {
+    refuse_to_overwrite(options.picture, options.force);
+    write_file(options.picture, to_svg(draw_sweep(sweep::table_file(options.folder), options.plot)), options.force);
+    JsonWriter json;
+    json.open_object().member("picture", options.picture.string()).close_object();
+    write_output(command.json ? json.text() + "\n" : options.picture.string() + "\n");
+    return ExitCode::ok;
+}
+
+void add_plot(CLI::App& app, Command& command) {
+    const auto options = std::make_shared<PlotArguments>();
+    CLI::App& app_plot =
+        add_subcommand(app, command, "plot", "Draw a column of the table over one or two others, as SVG");
+    app_plot.add_option("DIR", options->folder, "Folder of a complete sweep")->required();
+    app_plot.add_option("--x", options->plot.x, "Column of the horizontal axis")->type_name("NAME")->required();
+    app_plot
+        .add_option("--y", options->plot.y, "Column of the vertical axis of a heat map; without it a dot for each run")
+        ->type_name("NAME");
+    app_plot.add_option("--value", options->plot.value, "Column that is shown")->type_name("NAME")->required();
+    allow_standard_output(
+        *app_plot.add_option("-o,--output", options->picture, "Picture to write")->type_name("F.svg")->required());
+    app_plot.add_flag("--force", options->force, "Replace an existing picture");
+    app_plot.callback(
+        [&command, options] { command.action = [&command, options] { return plot(command, *options); }; });
+}
+
+}  // namespace
+
+void add_sweep_commands(CLI::App& app, Command& command) {
+    const auto verified = std::make_shared<VerifyArguments>();
+    CLI::App& app_verify =
+        add_subcommand(app, command, "verify", "Compare all checksums, and simulate some runs again");
+    app_verify.add_option("DIR", verified->folder, "Folder of a sweep")->required();
+    app_verify.add_option("PLAN", verified->plan, "Its plan, to simulate runs again")->type_name("FILE");
+    app_verify.add_option("--part", verified->part, "Part of the runs to simulate again")
+        ->capture_default_str()
+        ->check(number_from_to(0.0, 1.0));
+    app_verify.add_option("--seed", verified->seed, "From which these runs are drawn")
+        ->capture_default_str()
+        ->check(any_seed());
+    app_verify.callback(
+        [&command, verified] { command.action = [&command, verified] { return verify(command, *verified); }; });
+
+    const auto folder = std::make_shared<fs::path>();
+    CLI::App& app_status = add_subcommand(app, command, "status", "Print what is complete and what is missing");
+    app_status.add_option("DIR", *folder, "Folder of a sweep")->required();
+    app_status.callback(
+        [&command, folder] { command.action = [&command, folder] { return status(command, *folder); }; });
+
+    const auto merged = std::make_shared<MergeArguments>();
+    CLI::App& app_merge = add_subcommand(
+        app, command, "merge", "Join folders of one sweep, and complete it; exit code 7 if shards are missing");
+    app_merge.add_option("DIR", merged->folder, "Folder to complete")->required();
+    app_merge.add_option("PARTS", merged->parts, "Folders whose shards it gets");
+    app_merge.callback([&command, merged] { command.action = [&command, merged] { return merge(command, *merged); }; });
+
+    add_plot(app, command);
+}
+
+}  // namespace tumble::tools

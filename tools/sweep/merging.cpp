@@ -1,0 +1,70 @@
+#include "tools/sweep/merging.hpp"
+
+#include <system_error>
+
+#include "sweep/store/stored_file.hpp"
+#include "tools/output/input_error.hpp"
+#include "tumble/file.hpp"
+
+namespace tumble::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void copy_file(const fs::path& from, const fs::path& to, const sweep::StoredFile& file) {
+    OutputFile copy(to / file.name);
+    copy.append_from(from / file.name, 0, file.bytes);
+    copy.save_so_far();
+    const sweep::StoredFile read = sweep::read_stored_file(from, file.name);
+    if (read.bytes != file.bytes || read.hash != file.hash)
+        throw InputError((from / file.name).string() + ": its checksum is not that of its manifest");
+    copy.commit();
+}
+
+// The table of a complete part is one file, which has to be cut again.
+void copy_lines(const fs::path& from, const sweep::Manifest& part, const fs::path& to, const sweep::ShardEntry& entry) {
+    if (fs::exists(from / entry.table.name)) return copy_file(from, to, entry.table);
+    std::uint64_t start = part.header->columns.size();
+    for (const auto& [shard, other] : part.shards)
+        if (shard < entry.shard) start += other.table.bytes;
+    OutputFile copy(to / entry.table.name);
+    copy.append_from(sweep::table_file(from), start, start + entry.table.bytes);
+    copy.commit();
+}
+
+void add_part(const fs::path& folder, const fs::path& from, sweep::Manifest& manifest) {
+    const sweep::Manifest part = sweep::read_manifest(from);
+    if (!part.header) throw FileError(from, "has no sweep: there is no manifest.jsonl with its first line");
+    if (!manifest.header) {
+        append_header(folder, *part.header);
+        manifest.header = part.header;
+    }
+    if (!(*manifest.header == *part.header)) throw FileError(from, "is of another sweep than " + folder.string());
+    for (const auto& [shard, entry] : part.shards) {
+        if (is_stored(folder, manifest, shard) || !is_stored(from, part, shard)) continue;
+        for (const sweep::StoredFile& file : entry.files) copy_file(from, folder, file);
+        copy_lines(from, part, folder, entry);
+        append_shard(folder, entry);
+        manifest.shards.insert_or_assign(shard, entry);
+    }
+}
+
+}  // namespace
+
+ShardRanges merge_folders(const fs::path& folder, const std::vector<fs::path>& parts) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw FileError(folder, "cannot create the folder: " + error.message());
+    sweep::Manifest manifest = sweep::read_manifest(folder);
+    for (const fs::path& part : parts) add_part(folder, part, manifest);
+    if (!manifest.header) throw FileError(folder, "has no sweep: there is no manifest.jsonl with its first line");
+    ShardRanges missing = missing_shards(folder, manifest);
+    if (missing.empty()) {
+        complete_folder(folder);
+        fs::remove_all(folder / "claims", error);
+    }
+    return missing;
+}
+
+}  // namespace tumble::tools

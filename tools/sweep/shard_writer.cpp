@@ -1,0 +1,58 @@
+#include "tools/sweep/shard_writer.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <vector>
+
+#include "sweep/store/hdf5_file.hpp"
+#include "sweep/store/stored_file.hpp"
+#include "sweep/store/tar.hpp"
+
+namespace tumble::tools {
+
+namespace {
+
+// "000000000042.events.csv": the name of a run's member of the tar file.
+std::string member_name(std::uint64_t run, const std::string& suffix) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%012llu.", static_cast<unsigned long long>(run));
+    return text + suffix;
+}
+
+}  // namespace
+
+sweep::ShardEntry write_shard(const sweep::Plan& plan, std::uint64_t shard, const std::filesystem::path& folder,
+                              SceneTexts& texts, const std::function<void()>& count_run) {
+    sweep::ShardEntry entry{.shard = shard};
+    std::optional<sweep::StoredFileWriter> tar;
+    if (plan.write.has_tar()) tar.emplace(folder, sweep::shard_file_name(shard, ".tar"));
+    std::vector<sweep::ShardTrajectory> trajectories;
+    std::string rows;
+    const std::uint64_t first = shard * runs_in_shard(plan), last = std::min(plan.runs, first + runs_in_shard(plan));
+    for (std::uint64_t run = first; run < last; ++run) {
+        RunRecord record = simulate_run(plan, run, texts);
+        ++entry.outcomes[record.outcome];
+        rows += record.row;
+        for (const auto& [suffix, bytes] : record.members)
+            tar->write(sweep::tar_member(member_name(run, suffix), bytes));
+        if (plan.write.has_hdf5() && record.trajectory.steps > 0)
+            trajectories.push_back({run, std::move(record.trajectory)});
+        count_run();
+    }
+    if (tar) {
+        tar->write(sweep::tar_end(tar->size()));
+        entry.files.push_back(tar->commit());
+    }
+    if (plan.write.has_hdf5()) {
+        sweep::StoredFileWriter file(folder, sweep::shard_file_name(shard, ".h5"));
+        file.write(to_hdf5(trajectories, plan.write.trajectory_every, plan.write.trajectory_bits));
+        entry.files.push_back(file.commit());
+    }
+    sweep::StoredFileWriter table(folder, sweep::shard_file_name(shard, ".csv"));
+    table.write(rows);
+    entry.table = table.commit();
+    return entry;
+}
+
+}  // namespace tumble::tools

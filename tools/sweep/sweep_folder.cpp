@@ -1,0 +1,87 @@
+#include "tools/sweep/sweep_folder.hpp"
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+
+#include "sweep/store/stored_file.hpp"
+#include "tools/output/input_error.hpp"
+#include "tumble/file.hpp"
+
+namespace tumble::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool has_size(const fs::path& folder, const sweep::StoredFile& file) {
+    std::error_code error;
+    return fs::file_size(folder / file.name, error) == file.bytes && !error;
+}
+
+// Lines of the table, with a checksum that holds.
+std::string read_lines(const fs::path& folder, const sweep::StoredFile& lines) {
+    std::string text = read_file(folder / lines.name);
+    if (sweep::hash_of(text) != lines.hash)
+        throw InputError((folder / lines.name).string() +
+                         ": the checksum is not that of the manifest; remove the file and run the sweep again");
+    return text;
+}
+
+void write_table(const fs::path& folder, sweep::Manifest& manifest) {
+    sweep::StoredFileWriter table(folder, sweep::table_file(folder).filename().string());
+    table.write(manifest.header->columns);
+    for (const auto& [shard, entry] : manifest.shards) table.write(read_lines(folder, entry.table));
+    manifest.table = table.commit();
+}
+
+}  // namespace
+
+std::uint64_t shards_of(const sweep::SweepHeader& header) {
+    return (header.runs + header.shard_runs - 1) / header.shard_runs;
+}
+
+bool is_stored(const fs::path& folder, const sweep::Manifest& manifest, std::uint64_t shard) {
+    const auto entry = manifest.shards.find(shard);
+    if (entry == manifest.shards.end()) return false;
+    const bool has_lines =
+        has_size(folder, entry->second.table) || (manifest.table && has_size(folder, *manifest.table));
+    return has_lines && std::ranges::all_of(entry->second.files,
+                                            [&](const sweep::StoredFile& file) { return has_size(folder, file); });
+}
+
+ShardRanges missing_shards(const fs::path& folder, const sweep::Manifest& manifest) {
+    ShardRanges missing;
+    const std::uint64_t count = manifest.header ? shards_of(*manifest.header) : 0;
+    std::uint64_t next = 0;  // the first shard that is not decided
+    const auto add_up_to = [&](std::uint64_t end) {
+        if (end <= next) return;
+        if (!missing.empty() && missing.back().second + 1 == next)
+            missing.back().second = end - 1;
+        else
+            missing.emplace_back(next, end - 1);
+    };
+    for (const auto& [shard, entry] : manifest.shards) {
+        if (shard >= count || !is_stored(folder, manifest, shard)) continue;
+        add_up_to(shard);
+        next = shard + 1;
+    }
+    add_up_to(count);
+    return missing;
+}
+
+bool is_complete(const fs::path& folder, const sweep::Manifest& manifest) {
+    return manifest.header && manifest.table && has_size(folder, *manifest.table) &&
+           missing_shards(folder, manifest).empty();
+}
+
+void complete_folder(const fs::path& folder) {
+    sweep::Manifest manifest = sweep::read_manifest(folder);
+    if (!is_complete(folder, manifest)) write_table(folder, manifest);
+    sweep::write_manifest(folder, manifest);
+    for (const auto& [shard, entry] : manifest.shards) fs::remove(folder / entry.table.name);
+    for (const PartialFile& file : find_partial_files(folder))
+        if (!file.is_open) fs::remove(file.path);
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,110 @@
+#include "tools/sweep/verification.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "sweep/plan/permutation.hpp"
+#include "sweep/store/stored_file.hpp"
+#include "tools/cli/interrupt.hpp"
+#include "tools/sweep/run_record.hpp"
+#include "tools/sweep/sweep_folder.hpp"
+#include "tumble/file.hpp"
+
+namespace tumble::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+sweep::Manifest manifest_of(const fs::path& folder) {
+    sweep::Manifest manifest = sweep::read_manifest(folder);
+    if (!manifest.header) throw FileError(folder, "has no sweep: there is no manifest.jsonl with its first line");
+    return manifest;
+}
+
+void verify_file(const fs::path& folder, const sweep::StoredFile& expected, Verification& verification) {
+    const fs::path path = folder / expected.name;
+    if (!fs::exists(path)) {
+        verification.findings.push_back(path.string() + ": is missing");
+        return;
+    }
+    const sweep::StoredFile found = sweep::read_stored_file(folder, expected.name);
+    ++verification.files;
+    verification.bytes += found.bytes;
+    if (found.bytes != expected.bytes)
+        verification.findings.push_back(path.string() + ": has " + std::to_string(found.bytes) + " bytes instead of " +
+                                        std::to_string(expected.bytes));
+    else if (found.hash != expected.hash)
+        verification.findings.push_back(path.string() + ": its checksum is not that of the manifest");
+}
+
+// The lines of a table by their first number, the run. Messages are on one line.
+std::map<std::uint64_t, std::string> read_rows(const fs::path& file, const std::set<std::uint64_t>& wanted) {
+    std::map<std::uint64_t, std::string> rows;
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);) {
+        if (line.empty() || line[0] < '0' || line[0] > '9') continue;
+        const std::uint64_t run = std::stoull(line);
+        if (wanted.contains(run)) rows.emplace(run, line + "\n");
+    }
+    return rows;
+}
+
+// Different runs of the complete shards.
+std::set<std::uint64_t> draw_runs(const sweep::Plan& plan, const fs::path& folder, double part, std::uint64_t seed) {
+    const sweep::Manifest manifest = sweep::read_manifest(folder);
+    const auto wanted = static_cast<std::uint64_t>(std::ceil(part * static_cast<double>(plan.runs)));
+    std::set<std::uint64_t> runs;
+    for (std::uint64_t i = 0; i < plan.runs && runs.size() < std::max<std::uint64_t>(wanted, 1); ++i) {
+        const std::uint64_t run = sweep::permuted(i, plan.runs, seed);
+        if (is_stored(folder, manifest, run / runs_in_shard(plan))) runs.insert(run);
+    }
+    return runs;
+}
+
+}  // namespace
+
+Verification verify_files(const fs::path& folder) {
+    const sweep::Manifest manifest = manifest_of(folder);
+    Verification verification;
+    for (const auto& [shard, entry] : manifest.shards) {
+        for (const sweep::StoredFile& file : entry.files) verify_file(folder, file, verification);
+        if (!manifest.table) verify_file(folder, entry.table, verification);
+    }
+    if (manifest.table) verify_file(folder, *manifest.table, verification);
+    const std::uint64_t shards = shards_of(*manifest.header);
+    if (manifest.shards.size() < shards)
+        verification.findings.push_back(folder.string() + ": " + std::to_string(shards - manifest.shards.size()) +
+                                        " of " + std::to_string(shards) + " shards are not written");
+    return verification;
+}
+
+void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, std::uint64_t seed,
+                 Verification& verification) {
+    const sweep::Manifest manifest = manifest_of(folder);
+    if (manifest.header->plan != plan.hash) throw FileError(folder, "is of another plan than " + plan.file.string());
+    const std::set<std::uint64_t> runs = draw_runs(plan, folder, part, seed);
+    std::map<std::uint64_t, std::string> rows;
+    if (manifest.table)
+        rows = read_rows(sweep::table_file(folder), runs);
+    else
+        for (const std::uint64_t run : runs)
+            rows.merge(read_rows(folder / manifest.shards.at(run / runs_in_shard(plan)).table.name, {run}));
+    SceneTexts texts;
+    for (const std::uint64_t run : runs) {
+        const auto row = rows.find(run);
+        if (row != rows.end() && row->second.find(",timed_out,") != std::string::npos) continue;
+        const RunRecord record = simulate_run(plan, run, texts);
+        ++verification.repeated_runs;
+        if (row == rows.end())
+            verification.findings.push_back("run " + std::to_string(run) + ": is not in the table");
+        else if (row->second != record.row)
+            verification.findings.push_back("run " + std::to_string(run) + ": the table has\n  " + row->second +
+                                            "and the run gives\n  " + record.row.substr(0, record.row.size() - 1));
+    }
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,27 @@
+// Verifies the folder of a sweep: checksums of all files, and a sample of the runs made again.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sweep/plan/plan.hpp"
+
+namespace tumble::tools {
+
+struct Verification {
+    std::uint64_t files = 0, bytes = 0;   // that were read
+    std::uint64_t repeated_runs = 0;      // that were simulated again
+    std::vector<std::string> findings{};  // what is wrong; empty if nothing is
+};
+
+// Reads all files of the complete shards, and finds shards that are missing. Throws FileError if there is no sweep.
+Verification verify_files(const std::filesystem::path& folder);
+
+// Simulates a part of the runs again, drawn from `seed`, at least one, and compares the lines of the table, which have
+// the checksums of all data of a run. Runs that timed out are left out. Throws FileError for a plan of another sweep.
+void verify_runs(const sweep::Plan& plan, const std::filesystem::path& folder, double part, std::uint64_t seed,
+                 Verification& verification);
+
+}  // namespace tumble::tools
