@@ -59,6 +59,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"render/canvas", {"render/style"}},
     {"render/shapes", {"render/style", "render/view", "render/canvas"}},
     {"render/frame", {"render/style", "render/view", "render/canvas", "render/shapes"}},
+    {"render/labels", {"render/style", "render/view", "render/canvas", "render/shapes"}},
     {"render/drawing", {"render/view", "render/canvas", "render/shapes"}},
     {"render/output", {}},
     {"render/replay", {"render/style", "render/output"}},
