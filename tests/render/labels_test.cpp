@@ -1,5 +1,5 @@
 // Labels of frames: masks agree with distances, with filled outlines and with drawn frames; the counts with the masks.
-#include "tumble/labels.hpp"
+#include "tumble/recording.hpp"
 
 #include <doctest/doctest.h>
 

@@ -20,7 +20,7 @@
 #include "render/temporary_folder.hpp"
 #include "support/small_disk.hpp"
 #include "tumble/file.hpp"
-#include "tumble/labels.hpp"
+#include "tumble/recording.hpp"
 
 using namespace tumble;
 

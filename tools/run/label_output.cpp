@@ -67,7 +67,8 @@ void LabelOutput::write_frame(const SceneWorld& world, const FrameLabels& labels
                         .step = world.world.step_count(),
                         .time = world.world.time(),
                         .camera = camera_,
-                        .size = options_.size,
+                        .width = options_.size.width,
+                        .height = options_.size.height,
                         .image = name_in(options_.folder, frame_file(options_.folder, next_frame_)),
                         .mask = {}};
     add_view(views_, view_of(camera_, options_.size, next_frame_));

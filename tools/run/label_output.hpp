@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "tools/run/coco_file.hpp"
+#include "tools/labels/coco_file.hpp"
 #include "tools/run/frame_schedule.hpp"
 #include "tools/run/frame_views.hpp"
 #include "tools/run/run_report.hpp"
-#include "tumble/labels.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble::tools {
 

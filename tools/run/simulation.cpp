@@ -22,8 +22,8 @@
 #include "tools/run/lost_bodies.hpp"
 #include "tools/run/replay_output.hpp"
 #include "tools/run/run_folder.hpp"
-#include "tools/run/step_files.hpp"
 #include "tools/run/video_output.hpp"
+#include "tools/tables/step_files.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
 

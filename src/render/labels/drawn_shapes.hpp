@@ -8,7 +8,7 @@
 #include "render/canvas/primitives.hpp"
 #include "render/shapes/joined_parts.hpp"
 #include "render/view/view.hpp"
-#include "tumble/labels.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble::render {
 

@@ -11,7 +11,7 @@
 #include "render/style/palette.hpp"
 #include "render/view/checked_view.hpp"
 #include "render/view/clip.hpp"
-#include "tumble/labels.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "render/output/compressor.hpp"
 #include "tumble/file.hpp"
-#include "tumble/labels.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble {
 namespace {

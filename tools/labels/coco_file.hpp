@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "tools/labels/labelled_frame.hpp"
 #include "tools/output/json_writer.hpp"
-#include "tools/run/labelled_frame.hpp"
 #include "tumble/file.hpp"
-#include "tumble/labels.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble::tools {
 

@@ -1,4 +1,4 @@
-#include "tools/run/coco_file.hpp"
+#include "tools/labels/coco_file.hpp"
 
 #include <cmath>
 #include <optional>
@@ -38,9 +38,9 @@ const char* type_name(BodyType type) {
 }
 
 DVec2 to_pixel(const LabelledFrame& frame, DVec2 world) {
-    const double scale = frame.size.height / frame.camera.height;
+    const double scale = frame.height / frame.camera.height;
     const DVec2 offset = scale * (world - frame.camera.center);
-    return {0.5 * frame.size.width + offset.x, 0.5 * frame.size.height - offset.y};
+    return {0.5 * frame.width + offset.x, 0.5 * frame.height - offset.y};
 }
 
 // COCO's: 0 out of the frame, 1 covered by another body, 2 visible.
@@ -88,7 +88,7 @@ void CocoFile::add(const SceneWorld& built, const LabelledFrame& frame, const Fr
         if (body.visible > 0) add_annotation(built, frame, labels, body);
     json_.clear();
     json_.open_object().member("id", frame.frame).member("file_name", frame.image);
-    json_.member("width", frame.size.width).member("height", frame.size.height);
+    json_.member("width", frame.width).member("height", frame.height);
     write_frame_members(json_, frame);
     json_.close_object();
     images_ += (images_.empty() ? "\n" : ",\n") + json_.text();
@@ -120,7 +120,7 @@ void CocoFile::write_outlines(const SceneWorld& built, const LabelledFrame& fram
         if (world.is_sensor(id)) continue;
         whole = merge(whole, bounds(world.shape(id), pose));
         const std::vector<DVec2> outline =
-            frame_outline(world.shape(id), pose, frame.camera, frame.size.width, frame.size.height);
+            frame_outline(world.shape(id), pose, frame.camera, frame.width, frame.height);
         if (outline.size() < 3) continue;
         json_.open_array();
         for (const DVec2 point : outline) json_.value(point.x).value(point.y);

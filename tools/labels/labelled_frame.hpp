@@ -5,7 +5,6 @@
 #include <string>
 
 #include "tools/output/json_writer.hpp"
-#include "tools/run/run_options.hpp"
 #include "tumble/render.hpp"
 
 namespace tumble::tools {
@@ -15,18 +14,18 @@ struct LabelledFrame {
     std::uint64_t step = 0;
     double time = 0.0;  // s
     Camera camera;
-    FrameSize size;
-    std::string image;  // path of the PNG file in the folder of the run; empty: not written
+    int width = 0, height = 0;  // pixels
+    std::string image;          // path of the PNG file in the folder of the run; empty: not written
     std::string mask;
 };
 
 // The point (x, y) of the world is at column and row `matrix` (x, y, 1) from the upper left corner.
 inline void write_matrix(JsonWriter& json, const LabelledFrame& frame) {
-    const double scale = frame.size.height / frame.camera.height;
+    const double scale = frame.height / frame.camera.height;
     json.key("world_to_pixels").open_array().open_array();
-    json.value(scale).value(0.0).value(0.5 * frame.size.width - scale * frame.camera.center.x).close_array();
+    json.value(scale).value(0.0).value(0.5 * frame.width - scale * frame.camera.center.x).close_array();
     json.open_array();
-    json.value(0.0).value(-scale).value(0.5 * frame.size.height + scale * frame.camera.center.y).close_array();
+    json.value(0.0).value(-scale).value(0.5 * frame.height + scale * frame.camera.center.y).close_array();
     json.close_array();
 }
 
