@@ -79,6 +79,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"tools/measure", {"reference"}},
     {"tools/parity", {"tools/output", "tools/machine", "reference"}},
     {"tools/physics", {"tools/output", "tools/machine", "reference"}},
+    {"tools/doctor", {"tools/output", "tools/machine"}},
     {"tools/diff", {"tools/output"}},
     {"tools/claims", {}},
     {"tools/tables", {"tools/output", "tools/cli"}},
@@ -88,7 +89,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"tools/scene", {"tools/output", "tools/cli", "tools/diff", "tools/measure", "tools/run"}},
     {"tools/commands",
      {"tools/output", "tools/claims", "tools/cli", "tools/query", "tools/machine", "tools/measure", "tools/parity",
-      "tools/physics", "tools/diff", "tools/run", "tools/scene", "reference"}},
+      "tools/physics", "tools/diff", "tools/doctor", "tools/run", "tools/scene", "reference"}},
     {"tools/pages", {"tools/machine", "tools/commands"}},
     {"tools", {"tools/cli", "tools/commands"}},
 };

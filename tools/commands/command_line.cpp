@@ -24,6 +24,7 @@ CommandLine::CommandLine()
     add_parity(app, command);
     add_bench(app, command);
     add_physics(app, command);
+    add_doctor(app, command);
     app.require_subcommand(0, 1);
 }
 

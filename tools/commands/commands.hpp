@@ -22,6 +22,7 @@ void add_import(CLI::App& app, Command& command);
 void add_parity(CLI::App& app, Command& command);
 void add_bench(CLI::App& app, Command& command);
 void add_physics(CLI::App& app, Command& command);
+void add_doctor(CLI::App& app, Command& command);
 
 // `tumble` without arguments.
 ExitCode print_usage();

@@ -38,9 +38,10 @@ struct RunOptions {
     int threads = 1;                   // that make a step; 0: one for each processor
     bool no_replay_contacts = false;   // leave the contact points out of the replay
     Overlay overlay;                   // drawn over the shapes
-    bool masks = false;                // write the label of the body that each pixel shows
-    bool depth_order = false;          // write the order of drawing, and what covers what
-    bool boxes = false;                // write boxes, outlines and key points of bodies
+    RenderBackend renderer = RenderBackend::automatic;
+    bool masks = false;        // write the label of the body that each pixel shows
+    bool depth_order = false;  // write the order of drawing, and what covers what
+    bool boxes = false;        // write boxes, outlines and key points of bodies
 
     bool draws() const { return !no_frames || !video.empty() || !raw_video.empty(); }
     bool labels() const { return masks || depth_order || boxes; }
@@ -52,10 +53,14 @@ void add_size_option(CLI::App& subcommand, FrameSize& size);
 // --overlay LIST, --hide LIST
 void add_overlay_option(CLI::App& subcommand, Overlay& overlay);
 
+// --renderer NAME
+void add_renderer_option(CLI::App& subcommand, RenderBackend& renderer);
+
 // --threads N
 void add_threads_option(CLI::App& subcommand, int& threads);
 
-// -o, --duration, --fps, --size, --no-frames, --overlay, --hide, --trajectory, --contacts, --hashes, --replay, --video,
+// -o, --duration, --fps, --size, --no-frames, --overlay, --hide, --renderer, --trajectory, --contacts, --hashes,
+// --replay, --video,
 // --raw-video, --masks, --depth-order, --boxes, --checkpoint, --resume, --threads, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 

@@ -9,11 +9,12 @@
 
 namespace tumble::tools {
 
-SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
-                        const Overlay& overlay, const Marker& mark) {
+SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, const ShotSettings& settings,
+                        const std::filesystem::path& file, const Marker& mark) {
+    const FrameSize size = settings.size;
     SceneRun run(scene);
     Camera camera = make_camera(scene, run.built(), size.aspect_ratio());
-    Renderer renderer(size.width, size.height);
+    Renderer renderer(size.width, size.height, settings.renderer);
     std::vector<Trail> trails;
     record_trails(trails, scene, run.built());
     Progress progress("step", step);
@@ -27,7 +28,7 @@ SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, 
     Marking marking = mark ? mark(run.built()) : Marking{};
     marking.trails = std::move(trails);
     camera = widen_camera(camera, run.world(), marking, size.aspect_ratio());
-    renderer.draw(scene, run.built(), camera, run.time(), image, overlay, marking);
+    renderer.draw(scene, run.built(), camera, run.time(), image, settings.overlay, marking);
     create_folder_of(file);
     write_png(image, file);
     return {std::move(run), camera};

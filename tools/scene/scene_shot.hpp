@@ -19,9 +19,16 @@ struct SceneShot {
     Camera camera;  // of the frame
 };
 
+// How the frame is drawn.
+struct ShotSettings {
+    FrameSize size{};
+    Overlay overlay{};
+    RenderBackend renderer = RenderBackend::automatic;
+};
+
 // Simulates `step` steps, draws the frame and returns the run. The camera is widened to show all marks. Throws
 // SimulationDiverged, RenderError or FileError.
-SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
-                        const Overlay& overlay, const Marker& mark = {});
+SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, const ShotSettings& settings,
+                        const std::filesystem::path& file, const Marker& mark = {});
 
 }  // namespace tumble::tools

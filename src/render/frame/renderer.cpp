@@ -3,6 +3,7 @@
 
 #include "render/canvas/canvas.hpp"
 #include "render/canvas/glyph_atlas.hpp"
+#include "render/canvas/make_context.hpp"
 #include "render/frame/draw_list.hpp"
 #include "render/frame/labels.hpp"
 #include "render/frame/marking.hpp"
@@ -34,11 +35,11 @@ struct Renderer::Impl {
     }
 };
 
-Renderer::Renderer(int width, int height)
+Renderer::Renderer(int width, int height, RenderBackend backend)
     : impl_(new Impl{render::checked_side("width", width),
                      render::checked_side("height", height),
-                     render::GlyphAtlas(render::find_font(render::font_candidates())),
-                     render::Canvas(render::make_osmesa_context(), width, height),
+                     {},
+                     render::Canvas(render::make_context(backend), width, height),
                      {}}) {}
 
 Renderer::~Renderer() = default;
