@@ -61,6 +61,12 @@ Around look_around(const SceneWorld& built, DVec2 point, const Camera& camera) {
         const Pose pose = built.world.state(body).pose;
         for (const ShapeId shape : built.world.shapes(body)) {
             if (built.world.is_sensor(shape)) continue;
+            // Most shapes are far away: no distance is needed for them.
+            const Aabb box = bounds(built.world.shape(shape), pose);
+            const double margin = 3.0 * camera.height / kHeight;  // m: an edge and half a line are within 3 pixels
+            if (point.x < double{box.lower.x} - margin || point.x > double{box.upper.x} + margin ||
+                point.y < double{box.lower.y} - margin || point.y > double{box.upper.y} + margin)
+                continue;
             const double away = distance_in_pixels(built.world.shape(shape), pose, point, camera);
             around.has_edge |= std::abs(away) < 1.0;
             const bool is_fixed = built.world.type(body) == BodyType::static_body;
@@ -116,11 +122,13 @@ HandMadeScene overlapping() {
 }  // namespace
 
 TEST_CASE("masks of the shipped scenes agree with the distances of 1000 random pixels") {
+    constexpr std::size_t kMostScenes = 30;  // all would take minutes with sanitizers
     std::size_t scenes = 0, compared = 0, shown = 0, covered = 0;
     for (const std::filesystem::path& file : test::shipped_scenes()) {
         Running now(file, 40);
         now.camera.height *= 0.5;  // fewer pixels of the background
         if (now.run.world().bodies().size() > 500) continue;
+        if (scenes == kMostScenes) break;
         CAPTURE(file);
         Labeller labeller(kWidth, kHeight);
         const Mask& mask = labeller.label(now.scene, now.run.built(), now.camera).mask;

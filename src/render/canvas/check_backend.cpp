@@ -1,4 +1,5 @@
 // What works on this machine: each back end draws one triangle.
+#include <cstddef>
 #include <string>
 #include <system_error>
 
@@ -22,7 +23,7 @@ render::Layer triangle() {
 }
 
 bool is_color(const Image& image, int column, int row, Color color) {
-    const std::uint8_t* const at = image.rgba.data() + 4 * (row * kSide + column);
+    const std::uint8_t* const at = image.rgba.data() + std::ptrdiff_t{4} * (row * kSide + column);
     return at[0] == color.r && at[1] == color.g && at[2] == color.b && at[3] == 255;
 }
 
