@@ -75,7 +75,7 @@ void ShapeRows::add(std::vector<RowSpan>& spans, const View& view, const Shape& 
     if (last_row < first_row_) return;
     TUMBLE_CHECK(0 <= first_row_);
     TUMBLE_CHECK(last_row < view.height);
-    intervals_.assign(static_cast<std::size_t>(last_row - first_row_ + 1), {kInfinity, -kInfinity});
+    intervals_.assign(static_cast<std::size_t>(last_row - first_row_) + 1, {kInfinity, -kInfinity});
 
     // A side of the tube about an edge that lies inwards is within the shape, and widens no interval.
     for (std::size_t i = 0; i < count; ++i) {
