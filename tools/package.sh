@@ -87,6 +87,7 @@ check_program() {
     mkdir "$place/elsewhere"
     cd "$place/elsewhere"
     "$program" demo pendulum > demo.log || { cat demo.log; return 1; }
+    "$program" doctor --need frames,text > doctor.log || { cat doctor.log; return 1; }
     [[ -s out/demo/summary.json || -n $(find out -name summary.json) ]] || die "demo has written no summary"
     [[ -n $(find out -name '*.png' -print -quit) ]] || die "demo has written no frame"
     cd "$project"

@@ -17,7 +17,7 @@
 
 namespace tumble {
 
-// There is no off-screen context or no font, or a shader does not compile. The message names what was tried.
+// There is no off-screen context, no font for a text, or a shader does not compile. The message names what was tried.
 class RenderError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -116,12 +116,44 @@ inline constexpr int kSmallestTextWidth = 400, kSmallestTextHeight = 225;  // pi
 
 inline constexpr int kSmallestFrame = 16, kLargestFrame = 8192;  // pixels per side
 
+// The libraries that offer OpenGL without a display. Each is loaded when it is first used; none is needed for anything
+// but frames and other pictures. Frames of two back ends differ by 2/255 at most.
+enum class RenderBackend {
+    automatic,  // OSMesa, or EGL if it is missing
+    osmesa,     // Mesa's software rasteriser; Mesa has it until version 25.0
+    egl         // EGL without a surface: the driver of a graphics card, or Mesa's software rasteriser
+};
+
+struct BackendName {
+    std::string_view name;
+    RenderBackend backend;
+};
+inline constexpr std::array<BackendName, 3> kBackends{
+    {{"auto", RenderBackend::automatic}, {"osmesa", RenderBackend::osmesa}, {"egl", RenderBackend::egl}}};
+
+// Draws one triangle and looks at its pixels.
+struct BackendCheck {
+    bool works = false;
+    std::string version{};   // of OpenGL, as the library states it
+    std::string renderer{};  // what draws: the rasteriser or the card
+    std::string error{};     // empty if it works
+};
+BackendCheck check_backend(RenderBackend backend);
+
+// The font of the text in frames, and one that has the characters of many scripts, Chinese ones too. Empty if missing:
+// frames with text need the first.
+struct FontFiles {
+    std::string text;
+    std::string wide;
+};
+FontFiles find_font_files();
+
 // Draws frames of one size. Owns an off-screen context: use it on the thread that made it.
 class Renderer {
 public:
-    // Loads OSMesa and the font. Throws RenderError, or std::invalid_argument for a side outside kSmallestFrame to
-    // kLargestFrame.
-    Renderer(int width, int height);
+    // Loads the back end; the first text loads the font. Throws RenderError, or std::invalid_argument for a side
+    // outside kSmallestFrame to kLargestFrame.
+    Renderer(int width, int height, RenderBackend backend = RenderBackend::automatic);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;

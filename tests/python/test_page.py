@@ -10,7 +10,7 @@ EXAMPLES = re.findall(r"```python\n(.*?)```", (PROJECT / "src/python/README.md")
 
 
 def test_the_page_has_examples():
-    assert len(EXAMPLES) == 3
+    assert len(EXAMPLES) == 4
 
 
 @pytest.mark.parametrize("example", range(len(EXAMPLES)))

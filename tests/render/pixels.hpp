@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "render/canvas/canvas.hpp"
+#include "render/canvas/make_context.hpp"
 #include "render/shapes/shape_primitives.hpp"
 
 namespace tumble::render {
@@ -14,10 +15,7 @@ inline constexpr Color kBlack{0, 0, 0};
 class PixelCanvas {
 public:
     PixelCanvas(int width, int height)
-        : width_(width),
-          height_(height),
-          atlas_(find_font(font_candidates())),
-          canvas_(make_osmesa_context(), width, height) {}
+        : width_(width), height_(height), canvas_(make_context(RenderBackend::automatic), width, height) {}
 
     // A view with `scale` pixels per metre and the origin in the middle.
     View view(double scale) const { return {{}, scale, width_, height_}; }

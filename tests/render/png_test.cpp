@@ -20,6 +20,7 @@
 #include "render/temporary_folder.hpp"
 #include "support/small_disk.hpp"
 #include "tumble/file.hpp"
+#include "tumble/recording.hpp"
 
 using namespace tumble;
 
@@ -128,4 +129,24 @@ TEST_CASE("a full disk is an error with that reason") {
     const std::string message = message_of_failed_write(test_image(300, 300), folder.path / "disk/x.png");
     CHECK(message.find("No space left on device") != std::string::npos);
     CHECK(file_count(folder.path / "disk") == 0);
+}
+
+TEST_CASE("a mask is a PNG file with 16 bits that decodes to its labels") {
+    const TemporaryFolder folder;
+    Mask mask{37, 21, {}};
+    for (unsigned i = 0; i < 37 * 21; ++i) mask.labels.push_back(static_cast<BodyLabel>(i * i * 2654435761u >> 7));
+    mask.labels[5] = 65535;
+    mask.labels[6] = 0;
+    const std::filesystem::path file = folder.path / "mask.png";
+    const std::uint64_t size = write_mask_png(mask, file);
+    CHECK(size == std::filesystem::file_size(file));
+    CHECK(stbi_is_16_bit(file.c_str()) == 1);
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_us, decltype(&stbi_image_free)> decoded(
+        stbi_load_16(file.c_str(), &width, &height, &channels, 0), stbi_image_free);
+    REQUIRE(decoded);
+    CHECK(width == 37);
+    CHECK(height == 21);
+    CHECK(channels == 1);
+    CHECK(std::vector<BodyLabel>(decoded.get(), decoded.get() + 37 * 21) == mask.labels);
 }

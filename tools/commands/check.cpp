@@ -104,7 +104,7 @@ void draw_failures(SceneCheck& check, const CheckArguments& options) {
         try {
             refuse_to_overwrite(file, options.force);
             const Scene scene = load_named_scene(check.file, options.check.changes);
-            draw_scene_at(scene, result.step, {}, file, {},
+            draw_scene_at(scene, result.step, {}, file,
                           [&](const SceneWorld& built) { return marks_of(scene.expect.at(i), result, built); });
             check.shots[i] = file;
         } catch (...) {

@@ -28,6 +28,7 @@ CommandLine::CommandLine()
     add_bench(app, command);
     add_physics(app, command);
     add_sweep(app, command);
+    add_doctor(app, command);
     app.require_subcommand(0, 1);
 }
 

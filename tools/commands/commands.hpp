@@ -25,6 +25,7 @@ void add_import(CLI::App& app, Command& command);
 void add_parity(CLI::App& app, Command& command);
 void add_bench(CLI::App& app, Command& command);
 void add_physics(CLI::App& app, Command& command);
+void add_doctor(CLI::App& app, Command& command);
 void add_sweep(CLI::App& app, Command& command);
 
 // The commands of `sweep` on folders: verify, status, merge, plot.

@@ -21,8 +21,7 @@ struct ShotArguments {
     SceneOptions scene;
     double time = 0.0;
     std::filesystem::path file;
-    FrameSize size;
-    Overlay overlay;
+    ShotSettings settings;
     bool force = false;
 };
 
@@ -35,7 +34,7 @@ void report_shot(const Command& command, const ShotArguments& options, const Sce
     const SceneRun& run = shot.run;
     json.open_object().member("file", options.file.string()).member("step", run.world().step_count());
     json.member("time", run.time()).member("state_hash", to_hex(run.world().state_hash())).key("view");
-    write_view(json, options.size, view_of(shot.camera, options.size, 0));
+    write_view(json, options.settings.size, view_of(shot.camera, options.settings.size, 0));
     json.close_object();
     write_output(json.text() + "\n");
 }
@@ -48,7 +47,7 @@ ExitCode shoot(const Command& command, const ShotArguments& options) {
         report_warning("--at is after the end of the scene; the simulation continues until then");
     refuse_to_overwrite(options.file, options.force);
     const std::uint64_t step = nearest_step(options.time, scene.world.steps_per_second);
-    report_shot(command, options, draw_scene_at(scene, step, options.size, options.file, options.overlay));
+    report_shot(command, options, draw_scene_at(scene, step, options.settings, options.file));
     return ExitCode::ok;
 }
 
@@ -65,8 +64,9 @@ void add_shot(CLI::App& app, Command& command) {
     allow_standard_output(*shot.add_option("-o,--output", options->file, "PNG file to write; - is standard output")
                                ->type_name("F.png")
                                ->required());
-    add_size_option(shot, options->size);
-    add_overlay_option(shot, options->overlay);
+    add_size_option(shot, options->settings.size);
+    add_overlay_option(shot, options->settings.overlay);
+    add_renderer_option(shot, options->settings.renderer);
     shot.add_flag("--force", options->force, "Replace the file if it exists");
     shot.callback([&command, options] { command.action = [&command, options] { return shoot(command, *options); }; });
 }

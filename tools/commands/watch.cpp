@@ -68,8 +68,8 @@ fs::path picture_of(const WatchArguments& options) {
 std::string draw(const WatchArguments& options) {
     try {
         const Scene scene = load_named_scene(options.file, options.changes);
-        draw_scene_at(scene, nearest_step(options.time, scene.world.steps_per_second), options.size,
-                      picture_of(options), options.overlay);
+        draw_scene_at(scene, nearest_step(options.time, scene.world.steps_per_second),
+                      {.size = options.size, .overlay = options.overlay}, picture_of(options));
         return "";
     } catch (...) {
         return explain(std::current_exception()).message;

@@ -27,7 +27,7 @@ void draw(GalleryEntry& entry, const GalleryOptions& options) {
         const std::uint64_t step =
             nearest_step(options.time.value_or(0.5 * scene.world.duration), scene.world.steps_per_second);
         Image image;
-        const SceneShot shot = paint_scene_at(scene, step, options.size, options.overlay, {}, image);
+        const SceneShot shot = paint_scene_at(scene, step, {options.size, options.overlay}, {}, image);
         entry.time = shot.run.time();
         entry.picture = std::move(image);
     } catch (...) {

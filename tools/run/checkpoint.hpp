@@ -11,7 +11,7 @@
 
 #include "tools/run/frame_output.hpp"
 #include "tools/run/run_options.hpp"
-#include "tools/run/table_file.hpp"
+#include "tools/tables/table_file.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {

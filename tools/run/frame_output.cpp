@@ -21,7 +21,7 @@ FrameOutput::FrameOutput(const Scene& scene, const SceneWorld& world, const RunO
     : scene_(scene),
       options_(options),
       schedule_(schedule),
-      renderer_(options.size.width, options.size.height),
+      renderer_(options.size.width, options.size.height, options.renderer),
       camera_(make_camera(scene, world, options.size.aspect_ratio())),
       writer_(encoder_threads()),
       overlay_(options.overlay) {

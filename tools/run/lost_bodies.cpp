@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "tools/output/json_writer.hpp"
-#include "tools/run/step_files.hpp"
+#include "tools/tables/step_files.hpp"
 
 namespace tumble::tools {
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "tools/cli/command.hpp"
 #include "tools/cli/output_path.hpp"
@@ -82,6 +83,21 @@ void add_overlay_option(CLI::App& subcommand, Overlay& overlay) {
         ->type_name("LIST");
 }
 
+void add_renderer_option(CLI::App& subcommand, RenderBackend& renderer) {
+    std::vector<std::string> names;
+    for (const BackendName& backend : kBackends) names.emplace_back(backend.name);
+    subcommand
+        .add_option_function<std::string>(
+            "--renderer",
+            [&renderer](const std::string& name) {
+                renderer = std::ranges::find(kBackends, name, &BackendName::name)->backend;
+            },
+            "What draws the frames: osmesa, egl, or auto, the first of them that works")
+        ->type_name("NAME")
+        ->default_str("auto")
+        ->check(CLI::IsMember(names));
+}
+
 void add_threads_option(CLI::App& subcommand, int& threads) {
     subcommand
         .add_option("--threads", threads,
@@ -103,6 +119,7 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     add_size_option(subcommand, options.size);
     subcommand.add_flag("--no-frames", options.no_frames, "Simulate without drawing frames");
     add_overlay_option(subcommand, options.overlay);
+    add_renderer_option(subcommand, options.renderer);
     const auto add_table = [&](const char* name, std::filesystem::path& file, const char* description) {
         allow_standard_output(*subcommand.add_option(name, file, description)->type_name("F.csv"));
     };
@@ -125,20 +142,28 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
                  "--raw-video", options.raw_video,
                  "Write the frames without compression or header: rgb24, rows from the top; - is standard output")
              ->type_name("F"));
+    CLI::Option* const masks =
+        subcommand.add_flag("--masks", options.masks, "Write the body that each pixel shows: PNG files of 16 bits");
+    CLI::Option* const depth_order =
+        subcommand.add_flag("--depth-order", options.depth_order, "Write which shape covers which in each frame");
+    CLI::Option* const boxes = subcommand.add_flag(
+        "--boxes", options.boxes, "Write boxes, outlines, visibility and joints of all bodies in the format of COCO");
     subcommand
         .add_option("--checkpoint", options.checkpoint,
                     "Save the run after each S seconds of wall clock, and when it is interrupted")
         ->type_name("S")
         ->check(number_from_to(0.0, kMaxDuration))
-        ->excludes(replay, video, raw_video);
+        ->excludes(replay, video, raw_video, masks, depth_order, boxes);
     CLI::Option* const resume =
         subcommand.add_flag("--resume", options.resume, "Continue the run in the folder from its checkpoint")
-            ->excludes(replay, video, raw_video);
+            ->excludes(replay, video, raw_video, masks, depth_order, boxes);
     add_threads_option(subcommand, options.threads);
     subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
         if (subcommand.count("--video") + subcommand.count("--raw-video") > 0) return;
-        warn_of_unused(subcommand, {"--fps", "--overlay", "--hide"}, "--no-frames");
+        warn_of_unused(subcommand, {"--overlay", "--hide", "--renderer"}, "--no-frames");
+        if (subcommand.count("--masks") + subcommand.count("--depth-order") + subcommand.count("--boxes") > 0) return;
+        warn_of_unused(subcommand, {"--fps"}, "--no-frames");
         if (subcommand.count("--replay") == 0) warn_of_unused(subcommand, {"--size"}, "--no-frames");
     });
 }

@@ -39,8 +39,13 @@ struct RunOptions {
     int threads = 1;                   // that make a step; 0: one for each processor
     bool no_replay_contacts = false;   // leave the contact points out of the replay
     Overlay overlay;                   // drawn over the shapes
+    RenderBackend renderer = RenderBackend::automatic;
+    bool masks = false;        // write the label of the body that each pixel shows
+    bool depth_order = false;  // write the order of drawing, and what covers what
+    bool boxes = false;        // write boxes, outlines and key points of bodies
 
     bool draws() const { return !no_frames || !video.empty() || !raw_video.empty(); }
+    bool labels() const { return masks || depth_order || boxes; }
 };
 
 // --size WxH
@@ -49,12 +54,15 @@ void add_size_option(CLI::App& subcommand, FrameSize& size, const std::string& s
 // --overlay LIST, --hide LIST
 void add_overlay_option(CLI::App& subcommand, Overlay& overlay);
 
+// --renderer NAME
+void add_renderer_option(CLI::App& subcommand, RenderBackend& renderer);
+
 // --threads N
 void add_threads_option(CLI::App& subcommand, int& threads);
 
-// -o, --duration, --fps, --size, --no-frames, --overlay, --hide, --trajectory, --contacts, --hashes, --replay, --video,
-// --raw-video,
-// --checkpoint, --resume, --threads, --force
+// -o, --duration, --fps, --size, --no-frames, --overlay, --hide, --renderer, --trajectory, --contacts, --hashes,
+// --replay, --video,
+// --raw-video, --masks, --depth-order, --boxes, --checkpoint, --resume, --threads, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 
 }  // namespace tumble::tools

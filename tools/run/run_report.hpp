@@ -14,7 +14,8 @@ namespace tumble::tools {
 
 // Files that a run wrote, all of one kind.
 struct WrittenFiles {
-    std::string kind;  // "frames", "events", "trajectory", "contacts", "hashes", "replay", "video", "raw video"
+    std::string kind;  // "frames", "events", "trajectory", "contacts", "hashes", "replay", "video", "raw video",
+                       // "masks", "labels", "boxes"
     std::filesystem::path path;  // of the first
     std::uint64_t count = 0;
     std::uint64_t bytes = 0;  // of all

@@ -18,11 +18,12 @@
 #include "tools/run/folder_lock.hpp"
 #include "tools/run/frame_output.hpp"
 #include "tools/run/frame_schedule.hpp"
+#include "tools/run/label_output.hpp"
 #include "tools/run/lost_bodies.hpp"
 #include "tools/run/replay_output.hpp"
 #include "tools/run/run_folder.hpp"
-#include "tools/run/step_files.hpp"
 #include "tools/run/video_output.hpp"
+#include "tools/tables/step_files.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
 
@@ -69,6 +70,7 @@ private:
     std::optional<OutputFile> summary_;
     std::optional<ReplayOutput> replay_;
     std::optional<FrameOutput> frames_;
+    std::optional<LabelOutput> labels_;
     Stopwatch watch_;
     Stopwatch since_checkpoint_;
     std::optional<Checkpoint> resumed_;
@@ -94,8 +96,8 @@ std::filesystem::path place_of(const std::filesystem::path& file) {
 // Of two files with the same name, the second would replace the first.
 void require_different_files(const RunOptions& options) {
     std::set<std::filesystem::path> names;
-    for (const auto& file :
-         {summary_file(options.folder), events_file(options.folder), checkpoint_file(options.folder)})
+    for (const auto& file : {summary_file(options.folder), events_file(options.folder), checkpoint_file(options.folder),
+                             labels_file(options.folder), boxes_file(options.folder)})
         names.insert(place_of(file));
     const std::filesystem::path frames = place_of(frame_file(options.folder, 0)).parent_path();
     for (const std::filesystem::path* const file : named_files(options)) {
@@ -132,7 +134,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     report_.dt = 1.0 / scene.world.steps_per_second;
     if (!options.video.empty()) require_video(options, schedule_);
     if (!options.replay.empty()) require_replay(run_.built(), schedule_.step_count());
-    if (options.draws() && schedule_.repeats_frames())
+    if ((options.draws() || options.labels()) && schedule_.repeats_frames())
         report_warning("--fps exceeds the steps per second of the scene: some frames repeat the previous one");
     require_different_files(options);
     require_files_to_continue(options);
@@ -159,7 +161,8 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     if (!options.replay.empty()) replay_.emplace(scene, run_.built(), options);
     if (options.draws()) frames_.emplace(scene, run_.built(), options, schedule_);
     // Last, when nothing that the options name is refused any more: an earlier run is removed.
-    if (!options.resume) clear_run_folder(options.folder, !options.no_frames);
+    if (!options.resume) clear_run_folder(options.folder, !options.no_frames, options.masks);
+    if (options.labels()) labels_.emplace(scene, run_.built(), options, schedule_);
     summary_.emplace(open_output(summary_file(options.folder), force));
     events_.emplace(events_file(options.folder), force, run_.built());
     if (resumed_) resume(std::move(*loaded), *resumed_);
@@ -231,11 +234,14 @@ void Simulation::record_step() {
     if (hashes_) hashes_->record(run_.world());
     if (replay_) replay_->record(run_.built());
     if (frames_) frames_->draw_due(run_.built());
+    if (labels_) labels_->label_due(run_.built());
 }
 
 void Simulation::close_files(bool is_complete) {
     if (frames_)
         for (WrittenFiles& files : frames_->finish()) report_.files.push_back(std::move(files));
+    if (labels_)
+        for (WrittenFiles& files : labels_->finish(run_.built())) report_.files.push_back(std::move(files));
     report_.files.push_back({"events", events_file(options_.folder), 1, events_->file().commit()});
     if (contacts_) report_.files.push_back({"contacts", options_.contacts, 1, contacts_->file().commit()});
     if (trajectory_) report_.files.push_back({"trajectory", options_.trajectory, 1, trajectory_->file().commit()});
@@ -257,6 +263,11 @@ void Simulation::update_report() {
         report_.views = frames_->views();
         report_.frame_size = options_.size;
         report_.encode_seconds = frames_->encode_seconds();
+    }
+    if (labels_) {
+        report_.render_seconds += labels_->seconds();
+        report_.views = labels_->views();
+        report_.frame_size = options_.size;
     }
     report_.total_seconds = watch_.seconds();
     if (!resumed_) return;

@@ -13,11 +13,12 @@ namespace {
 
 using StepObserver = std::function<void(std::uint64_t step)>;
 
-SceneShot paint(const Scene& scene, std::uint64_t step, FrameSize size, const Overlay& overlay, const Marker& mark,
+SceneShot paint(const Scene& scene, std::uint64_t step, const ShotSettings& settings, const Marker& mark,
                 const StepObserver& observe, Image& image) {
+    const FrameSize size = settings.size;
     SceneRun run(scene);
     Camera camera = make_camera(scene, run.built(), size.aspect_ratio());
-    Renderer renderer(size.width, size.height);
+    Renderer renderer(size.width, size.height, settings.renderer);
     std::vector<Trail> trails;
     record_trails(trails, scene, run.built());
     while (run.world().step_count() < step && !run.is_stopped()) {
@@ -29,24 +30,24 @@ SceneShot paint(const Scene& scene, std::uint64_t step, FrameSize size, const Ov
     Marking marking = mark ? mark(run.built()) : Marking{};
     marking.trails = std::move(trails);
     camera = widen_camera(camera, run.world(), marking, size.aspect_ratio());
-    renderer.draw(scene, run.built(), camera, run.time(), image, overlay, marking);
+    renderer.draw(scene, run.built(), camera, run.time(), image, settings.overlay, marking);
     return {std::move(run), camera};
 }
 
 }  // namespace
 
-SceneShot paint_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const Overlay& overlay,
-                         const Marker& mark, Image& image) {
+SceneShot paint_scene_at(const Scene& scene, std::uint64_t step, const ShotSettings& settings, const Marker& mark,
+                         Image& image) {
     return paint(
-        scene, step, size, overlay, mark, [](std::uint64_t) {}, image);
+        scene, step, settings, mark, [](std::uint64_t) {}, image);
 }
 
-SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
-                        const Overlay& overlay, const Marker& mark) {
+SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, const ShotSettings& settings,
+                        const std::filesystem::path& file, const Marker& mark) {
     Progress progress("step", step);
     Image image;
     SceneShot shot = paint(
-        scene, step, size, overlay, mark, [&](std::uint64_t done) { progress.show(done); }, image);
+        scene, step, settings, mark, [&](std::uint64_t done) { progress.show(done); }, image);
     create_folder_of(file);
     write_png(image, file);
     return shot;

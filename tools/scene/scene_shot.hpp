@@ -19,14 +19,21 @@ struct SceneShot {
     Camera camera;  // of the frame
 };
 
+// How the frame is drawn.
+struct ShotSettings {
+    FrameSize size{};
+    Overlay overlay{};
+    RenderBackend renderer = RenderBackend::automatic;
+};
+
 // Simulates `step` steps, or those until the scene stops, and draws the frame into `image`. Shows no progress, so that
 // threads can draw. The camera is widened to show all marks. Throws SimulationDiverged or RenderError.
-SceneShot paint_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const Overlay& overlay,
-                         const Marker& mark, Image& image);
+SceneShot paint_scene_at(const Scene& scene, std::uint64_t step, const ShotSettings& settings, const Marker& mark,
+                         Image& image);
 
 // Simulates `step` steps, draws the frame and returns the run. The camera is widened to show all marks. Throws
 // SimulationDiverged, RenderError or FileError.
-SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, FrameSize size, const std::filesystem::path& file,
-                        const Overlay& overlay, const Marker& mark = {});
+SceneShot draw_scene_at(const Scene& scene, std::uint64_t step, const ShotSettings& settings,
+                        const std::filesystem::path& file, const Marker& mark = {});
 
 }  // namespace tumble::tools

@@ -11,6 +11,7 @@ namespace {
 
 using Floats = py::array_t<float, py::array::c_style>;
 using Flags = py::array_t<std::uint8_t, py::array::c_style>;
+using Labels = py::array_t<std::uint16_t, py::array::c_style>;
 using Counts = py::array_t<std::int64_t, py::array::c_style>;
 using Rewards = py::array_t<double, py::array::c_style>;
 
@@ -60,10 +61,19 @@ RandomPlan to_random(const py::dict& dict) {
             get(dict, "high", 0.0f)};
 }
 
+ImagePlan to_image(const py::dict& dict) {
+    ImagePlan plan{get(dict, "is_mask", false),       get(dict, "columns", 0), get(dict, "rows", 0), {}, {},
+                   get(dict, "follow", std::string())};
+    if (dict.contains("center")) plan.center = to_dvec2(dict["center"].cast<Pair>());
+    if (dict.contains("height")) plan.height = dict["height"].cast<double>();
+    return plan;
+}
+
 EnvPlan to_plan(const py::dict& declared) {
     EnvPlan plan;
     read_all(declared, "actions", plan.actions, to_action);
     read_all(declared, "observations", plan.observations, to_observed);
+    read_all(declared, "images", plan.images, to_image);
     read_all(declared, "randoms", plan.randoms, to_random);
     plan.choices = get(declared, "choices", plan.choices);
     plan.observation_names = get(declared, "observation_names", plan.observation_names);
@@ -133,6 +143,25 @@ EnvArrays to_arrays(const EnvWorlds& worlds, const Floats& actions, const Counts
     return arrays;
 }
 
+// The arrays of the images, in their order.
+std::vector<ImageArray> to_images(const EnvWorlds& worlds, const py::list& list) {
+    const EnvImages& images = worlds.images();
+    if (list.size() != images.count()) throw std::invalid_argument("images need an array each");
+    std::vector<ImageArray> arrays;
+    for (std::size_t i = 0; i < images.count(); ++i) {
+        const py::object array = list[i];
+        require_size(array.cast<py::array>(), worlds.count() * images.size(i), "an image");
+        if (images.is_mask(i)) {
+            auto labels = array.cast<Labels>();
+            arrays.push_back({{}, writable(labels)});
+        } else {
+            auto pixels = array.cast<Flags>();
+            arrays.push_back({writable(pixels), {}});
+        }
+    }
+    return arrays;
+}
+
 }  // namespace
 
 void add_env(py::module_& module) {
@@ -144,17 +173,21 @@ void add_env(py::module_& module) {
         .def("seed", [](Batch& batch, std::uint64_t seed) { batch.exclusively([&](EnvWorlds& w) { w.seed(seed); }); })
         .def("step",
              [](Batch& batch, const Floats& actions, const Counts& choices, Floats observations,
-                Floats final_observations, Rewards rewards, Flags terminated, Flags truncated, Counts steps) {
-                 const EnvArrays arrays = to_arrays(batch.worlds, actions, choices, observations, final_observations,
-                                                    rewards, terminated, truncated, steps);
+                Floats final_observations, const py::list& images, const py::list& final_images, Rewards rewards,
+                Flags terminated, Flags truncated, Counts steps) {
+                 EnvArrays arrays = to_arrays(batch.worlds, actions, choices, observations, final_observations, rewards,
+                                              terminated, truncated, steps);
+                 arrays.images = to_images(batch.worlds, images);
+                 arrays.final_images = to_images(batch.worlds, final_images);
                  batch.exclusively([&](EnvWorlds& worlds) { worlds.step(arrays); });
              })
         .def("reset",
-             [](Batch& batch, Floats observations) {
+             [](Batch& batch, Floats observations, const py::list& images) {
                  require_size(observations, batch.worlds.count() * batch.worlds.plan().observations.size(),
                               "observations");
                  const auto out = writable(observations);
-                 batch.exclusively([&](EnvWorlds& worlds) { worlds.reset(out); });
+                 const std::vector<ImageArray> arrays = to_images(batch.worlds, images);
+                 batch.exclusively([&](EnvWorlds& worlds) { worlds.reset(out, arrays); });
              })
         .def("save",
              [](Batch& batch, std::size_t index) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -80,10 +81,21 @@ struct RandomPlan {
     float low = 0.0f, high = 0.0f;
 };
 
+// An image that is observed: pixels, or the label of the body that each pixel shows. What its camera leaves out is that
+// of the scene's camera.
+struct ImagePlan {
+    bool is_mask = false;
+    int columns = 0, rows = 0;
+    std::optional<DVec2> center{};   // m
+    std::optional<double> height{};  // m of the world from the lower to the upper edge
+    std::string follow{};            // name of a body
+};
+
 struct EnvPlan {
     std::vector<ActionPlan> actions;
     std::vector<float> choices;  // rows of actions; none: the agent gives rows itself
     std::vector<ObservedPlan> observations;
+    std::vector<ImagePlan> images;
     std::vector<RandomPlan> randoms;
     std::vector<std::string> observation_names, action_names;
     std::string reward = "0", done = "false";  // expressions; of the names, previous_NAME and action_NAME too

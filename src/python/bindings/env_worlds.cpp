@@ -10,8 +10,8 @@ namespace tumble::python {
 
 namespace {
 
-// Worlds that a thread takes at once: some 0.1 ms of work.
-constexpr std::size_t kChunk = 64;
+// Worlds that a thread takes at once: some 0.1 ms of work. An image of a world takes about that alone.
+constexpr std::size_t kChunk = 64, kChunkOfImages = 2;
 
 // The memory of a world of a few bodies: it lies behind its definition, as long as the allocator has put it there.
 constexpr std::size_t kPrefetched = 7168, kCacheLine = 64;
@@ -35,6 +35,7 @@ EnvWorlds::EnvWorlds(const Scene& scene, EnvPlan plan, std::size_t count, int th
     : plan_(std::move(plan)),
       scene_(scene),
       start_(build_world(scene)),
+      images_(scene, start_, plan_.images),
       seed_(seed),
       episodes_(count, 0),
       workers_(threads) {
@@ -112,7 +113,7 @@ void EnvWorlds::step_one(std::size_t index, const EnvArrays& arrays, Values& val
     double* const entries = values.data() + seen;
     for (std::size_t i = 0; i < acts; ++i) entries[i] = double{action_value(plan_.actions[i], action[i])};
     World& world = worlds_[index];
-    bool has_ended = false;
+    bool has_ended = false, has_diverged = false;
     try {
         // Forces act during one step only, so that every step gets them.
         for (int k = 0; k < plan_.frame_skip; ++k) {
@@ -126,16 +127,23 @@ void EnvWorlds::step_one(std::size_t index, const EnvArrays& arrays, Values& val
     } catch (const SimulationDiverged&) {
         std::fill(out.begin(), out.end(), 0.0f);
         arrays.rewards[index] = 0.0;
-        has_ended = true;
+        has_ended = has_diverged = true;
     }
     ++arrays.steps[index];
     arrays.terminated[index] = has_ended;
     arrays.truncated[index] = !has_ended && plan_.steps > 0 && arrays.steps[index] >= plan_.steps;
-    if (!has_ended && arrays.truncated[index] == 0) return;
+    if (!has_ended && arrays.truncated[index] == 0) return images_.draw(world, start_, arrays.images, index);
     std::copy(out.begin(), out.end(), row(arrays.final_observations, index, seen).begin());
+    if (has_diverged)
+        images_.clear(arrays.final_images, index);
+    else
+        images_.draw(world, start_, arrays.final_images, index);
     reset_one(index, out, values);
+    images_.draw(world, start_, arrays.images, index);
     arrays.steps[index] = 0;
 }
+
+std::size_t EnvWorlds::chunk() const { return images_.count() > 0 ? kChunkOfImages : kChunk; }
 
 void EnvWorlds::step(const EnvArrays& arrays) {
     if (!plan_.choices.empty()) {
@@ -145,7 +153,7 @@ void EnvWorlds::step(const EnvArrays& arrays) {
                 throw std::invalid_argument("actions must be indices from 0 to " + std::to_string(count_choices - 1) +
                                             ", got " + std::to_string(choice));
     }
-    workers_.run(count(), kChunk, [&](std::size_t begin, std::size_t end) {
+    workers_.run(count(), chunk(), [&](std::size_t begin, std::size_t end) {
         Values values(names_.size());
         for (std::size_t i = begin; i < end; ++i) {
             if (i + 1 < end) prefetch(worlds_[i + 1]);
@@ -154,11 +162,14 @@ void EnvWorlds::step(const EnvArrays& arrays) {
     });
 }
 
-void EnvWorlds::reset(std::span<float> observations) {
+void EnvWorlds::reset(std::span<float> observations, std::span<const ImageArray> images) {
     const std::size_t seen = plan_.observations.size();
-    workers_.run(count(), kChunk, [&](std::size_t begin, std::size_t end) {
+    workers_.run(count(), chunk(), [&](std::size_t begin, std::size_t end) {
         Values values(names_.size());
-        for (std::size_t i = begin; i < end; ++i) reset_one(i, row(observations, i, seen), values);
+        for (std::size_t i = begin; i < end; ++i) {
+            reset_one(i, row(observations, i, seen), values);
+            images_.draw(worlds_[i], start_, images, i);
+        }
     });
 }
 

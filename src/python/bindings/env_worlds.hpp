@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "python/bindings/env_images.hpp"
 #include "python/bindings/env_plan.hpp"
 #include "python/bindings/workers.hpp"
 #include "tumble/scene_run.hpp"
@@ -21,6 +22,7 @@ struct EnvArrays {
     std::span<const std::int64_t> choices;          // [n], if it chooses
     std::span<float> observations;                  // [n, observations]
     std::span<float> final_observations;            // [n, observations]: written where an episode ends
+    std::vector<ImageArray> images, final_images;   // of each image of the plan
     std::span<double> rewards;                      // [n]
     std::span<std::uint8_t> terminated, truncated;  // [n]
     std::span<std::int64_t> steps;                  // [n], of the present episode
@@ -33,15 +35,16 @@ public:
 
     std::size_t count() const { return worlds_.size(); }
     const EnvPlan& plan() const { return plan_; }
+    const EnvImages& images() const { return images_; }
     World& world(std::size_t index) { return worlds_.at(index); }
 
     // Acts, steps all worlds frame_skip times and writes what comes of it. A world that diverges terminates with the
-    // reward 0 and the observations 0. Worlds whose episode ends are reset. Throws std::invalid_argument for a choice
-    // that does not exist, before anything changes.
+    // reward 0, and with observations and images of 0. Worlds whose episode ends are reset. Throws
+    // std::invalid_argument for a choice that does not exist, before anything changes, and RenderError for images.
     void step(const EnvArrays& arrays);
 
-    // Starts a new episode in all worlds, and writes their observations.
-    void reset(std::span<float> observations);
+    // Starts a new episode in all worlds, and writes their observations and their images.
+    void reset(std::span<float> observations, std::span<const ImageArray> images);
 
     // The next reset() begins with episode 0 of a seed again.
     void seed(std::uint64_t seed);
@@ -54,13 +57,15 @@ private:
     void step_one(std::size_t index, const EnvArrays& arrays, Values& values);
     void reset_one(std::size_t index, std::span<float> observations, Values& values);
     void observe(const World& world, std::span<float> out, Values& values) const;
+    std::size_t chunk() const;
     std::size_t first_seen() const { return plan_.observations.size() + plan_.actions.size(); }
     void apply(World& world, const double* values) const;
     Expression compile(const std::string& text, const char* member, std::size_t names) const;
 
     EnvPlan plan_;
     Scene scene_;
-    SceneWorld start_;                                 // of all episodes; its ids are valid in all worlds
+    SceneWorld start_;  // of all episodes; its ids are valid in all worlds
+    EnvImages images_;
     std::vector<std::string> names_;                   // of Values
     std::vector<std::optional<Expression>> measured_;  // of observations that are expressions
     std::optional<Expression> reward_, done_;

@@ -2,24 +2,15 @@
 #include "tumble/render.hpp"
 
 #include <cstring>
-#include <map>
 
 #include "python/bindings/convert.hpp"
 #include "python/bindings/module.hpp"
+#include "python/bindings/renderers.hpp"
 #include "python/bindings/world_box.hpp"
 
 namespace tumble::python {
 
 namespace {
-
-// A renderer belongs to a thread. Each thread keeps that of the last size it drew.
-Renderer& renderer_of(int width, int height) {
-    static thread_local std::map<std::pair<int, int>, Renderer> kept;
-    const auto found = kept.find({width, height});
-    if (found != kept.end()) return found->second;
-    kept.clear();
-    return kept.emplace(std::pair{width, height}, Renderer(width, height)).first->second;
-}
 
 Overlay to_overlay(const std::vector<std::string>& names) {
     Overlay overlay;
@@ -51,7 +42,7 @@ Camera fitted_camera(WorldBox& box, bool has_scene, double aspect_ratio) {
 py::array_t<std::uint8_t> render(WorldBox& box, bool has_scene, int width, int height, std::optional<Pair> center,
                                  std::optional<double> view_height, const std::vector<std::string>& overlay) {
     Image image;
-    Renderer& renderer = renderer_of(width, height);
+    Renderer& renderer = tool_of_size<Renderer>(width, height);
     const World& world = box.world();
     const double aspect_ratio = double(width) / double(height);
     Camera camera;

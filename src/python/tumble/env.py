@@ -29,12 +29,19 @@ from tumble.env_spaces import EnvBase, spaces
 from tumble.scene import Scene
 from tumble.world import World
 
+#: Rows [n, k], or a dictionary if the scene declares images: "state" with the rows, and an array for each image.
+Observations = Any
+
+
 class VectorEnv:
     """N copies of an environment, stepped by one call on all cores.
 
     `step` returns the observations [n, k] of the states after the step; worlds whose episode ended are reset in the same
     call, and their row has the first observation of the next episode. `final_observations` has the rows before the
     reset. The arrays are the environment's own and change with the next call.
+
+    With images, observations are a dictionary: "state" has the rows, and each image an array of its name, pixels
+    [n, height, width, 3] of uint8 or a mask [n, height, width] of uint16. `images` and `final_images` have them too.
     """
 
     def __init__(
@@ -55,21 +62,33 @@ class VectorEnv:
         shape = (count, len(plan.observations))
         self.observations: Rows = np.zeros(shape, np.float32)
         self.final_observations: Rows = np.zeros(shape, np.float32)
+        kinds = {name: plan.image_shape(name) for name in plan.images}
+        self.images: dict[str, npt.NDArray[Any]] = {
+            name: np.zeros((count, *size), kind) for name, (size, kind) in kinds.items()
+        }
+        self.final_images = {name: np.zeros_like(image) for name, image in self.images.items()}
         self._no_rows, self._no_choices = np.zeros(0, np.float32), np.zeros(0, np.int64)
         self.steps = np.zeros(count, np.int64)  #: of the present episodes
 
     def __repr__(self) -> str:
         return f"<VectorEnv of {self.count} x {self.scene!r}>"
 
-    def reset(self, *, seed: int | None = None) -> Rows:
+    def _shown(self, rows: Rows, images: dict[str, npt.NDArray[Any]]) -> Observations:
+        if not images:
+            return rows
+        return {"state": rows, **images} if rows.shape[1] else dict(images)
+
+    def reset(self, *, seed: int | None = None) -> Observations:
         """Starts a new episode in all worlds; a seed starts from episode 0 again. Returns the observations."""
         if seed is not None:
             self._worlds.seed(seed)
         self.steps[:] = 0
-        self._worlds.reset(self.observations)
-        return self.observations
+        self._worlds.reset(self.observations, list(self.images.values()))
+        return self._shown(self.observations, self.images)
 
-    def step(self, actions: Any) -> tuple[Rows, npt.NDArray[np.float64], npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
+    def step(
+        self, actions: Any
+    ) -> tuple[Observations, npt.NDArray[np.float64], npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
         """Acts ([n, k] in [-1, 1], or [n] indices of choices) and steps.
 
         Returns observations [n, k], rewards [n], terminated [n], truncated [n].
@@ -80,9 +99,10 @@ class VectorEnv:
         rewards = np.empty(self.count)
         terminated, truncated = np.empty(self.count, np.uint8), np.empty(self.count, np.uint8)
         self._worlds.step(
-            rows, choices, self.observations, self.final_observations, rewards, terminated, truncated, self.steps
-        )
-        return self.observations, rewards, terminated.view(np.bool_), truncated.view(np.bool_)
+            rows, choices, self.observations, self.final_observations, list(self.images.values()),
+            list(self.final_images.values()), rewards, terminated, truncated, self.steps
+        )  # fmt: skip
+        return self._shown(self.observations, self.images), rewards, terminated.view(np.bool_), truncated.view(np.bool_)
 
     def _choices(self, actions: Any) -> npt.NDArray[np.int64]:
         indices = np.asarray(actions)
@@ -125,7 +145,7 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
         self.render_mode = render_mode
         self._envs = VectorEnv(scene, 1, threads=1)
         self.scene, self.plan = self._envs.scene, self._envs.plan
-        self.observation_space = spaces.Box(-np.inf, np.inf, (len(self.plan.observations),), np.float32)
+        self.observation_space = self._space()
         self.action_space: Any
         if self.plan.choices is not None:
             self.action_space = spaces.Discrete(len(self.plan.choices))
@@ -134,19 +154,37 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
         self._ended = True
         self._camera: tuple[tuple[float, float], float] | None = None
 
-    def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[npt.NDArray[np.float32], dict[str, Any]]:
+    def _space(self) -> Any:
+        state = spaces.Box(-np.inf, np.inf, (len(self.plan.observations),), np.float32)
+        if not self.plan.images:
+            return state
+        parts = {"state": state} if self.plan.observations else {}
+        for name in self.plan.images:
+            size, kind = self.plan.image_shape(name)
+            parts[name] = spaces.Box(0, np.iinfo(kind).max, size, kind)
+        return spaces.Dict(parts)
+
+    @staticmethod
+    def _own(observations: Observations) -> Observations:
+        """A copy of the only world's."""
+        if isinstance(observations, dict):
+            return {name: rows[0].copy() for name, rows in observations.items()}
+        return observations[0].copy()
+
+    def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[Observations, dict[str, Any]]:
         """Starts an episode. The same seed gives the same episode, bit for bit."""
         self._ended = False
-        return self._envs.reset(seed=seed)[0].copy(), {}
+        return self._own(self._envs.reset(seed=seed)), {}
 
-    def step(self, action: Any) -> tuple[npt.NDArray[np.float32], float, bool, bool, dict[str, Any]]:
+    def step(self, action: Any) -> tuple[Observations, float, bool, bool, dict[str, Any]]:
         """Returns observation, reward, terminated, truncated, info."""
         if self._ended:
             raise RuntimeError("the episode has ended: call reset()")
         observations, rewards, terminated, truncated = self._envs.step(np.asarray([action]))
         self._ended = bool(terminated[0] or truncated[0])
-        shown = self._envs.final_observations if self._ended else observations
-        return shown[0].copy(), float(rewards[0]), bool(terminated[0]), bool(truncated[0]), {}
+        envs = self._envs
+        shown = envs._shown(envs.final_observations, envs.final_images) if self._ended else observations
+        return self._own(shown), float(rewards[0]), bool(terminated[0]), bool(truncated[0]), {}
 
     def render(self) -> npt.NDArray[np.uint8]:
         """A frame [height, width, 3]."""

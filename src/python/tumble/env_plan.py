@@ -46,6 +46,7 @@ class Plan:
                 raise ValueError(f"custom.env.choices must have the shape (n, {len(self.actions)})")
         self.names: list[str] = []
         self.observations: list[dict[str, Any]] = []
+        self.images: dict[str, dict[str, Any]] = {}
         for entry in declared.get("observations", []):
             self._observe(entry)
         self.randoms = [self._random(entry) for entry in declared.get("random", [])]
@@ -61,6 +62,7 @@ class Plan:
         """For the C++ module, which compiles the expressions."""
         choices = [] if self.choices is None else self.choices.ravel().tolist()
         return {"actions": self.actions, "choices": choices, "observations": self.observations, "randoms": self.randoms,
+                "images": list(self.images.values()),
                 "observation_names": self.names, "action_names": self.action_names, "reward": self.reward,
                 "done": self.done, "frame_skip": self.frame_skip, "steps": self.steps}  # fmt: skip
 
@@ -89,7 +91,43 @@ class Plan:
         plan["point"] = tuple(map(float, entry.get("point", (0, 0))))
         return plan
 
+    def image_shape(self, name: str) -> tuple[tuple[int, ...], Any]:
+        """The shape and the type of an image: pixels [height, width, 3], or labels [height, width]."""
+        image = self.images[name]
+        size = (int(image["rows"]), int(image["columns"]))
+        return (size, np.uint16) if image["is_mask"] else ((*size, 3), np.uint8)
+
+    @property
+    def labels(self) -> dict[str, int]:
+        """The numbers of bodies in masks; 0 is no body."""
+        return {name: (body & 0xFFFFFFFF) + 1 for name, body in self._bodies.items()}
+
+    def _see(self, kind: str, entry: Mapping[str, Any]) -> None:
+        name = str(entry.get("name", kind))
+        if name in self.images or name == "state":
+            raise ValueError(f"custom.env: an image cannot be called '{name}'")
+        try:
+            columns, rows = map(int, entry[kind])
+        except (TypeError, ValueError):
+            columns = rows = 0
+        if not (16 <= columns <= 8192 and 16 <= rows <= 8192):
+            raise ValueError(f"custom.env: {kind} must be [width, height], each 16 to 8192, got {entry[kind]}")
+        image: dict[str, Any] = {"is_mask": kind == "mask", "columns": columns, "rows": rows}
+        if "center" in entry:
+            image["center"] = tuple(map(float, entry["center"]))
+        if "height" in entry:
+            image["height"] = float(entry["height"])
+            if not 0 < image["height"] < np.inf:
+                raise ValueError(f"custom.env: the height of an image must be above 0, got {entry['height']}")
+        if "follow" in entry:
+            self._body(entry["follow"])
+            image["follow"] = str(entry["follow"])
+        self.images[name] = image
+
     def _observe(self, entry: Mapping[str, Any]) -> None:
+        for kind in ("pixels", "mask"):
+            if kind in entry and "rays" not in entry:  # rays have a mask of categories
+                return self._see(kind, entry)
         scaled = {"scale": float(entry.get("scale", 1.0)), "offset": float(entry.get("offset", 0.0))}
         name = str(entry.get("name", f"observation_{len(self.names)}"))
         if "rays" in entry:
@@ -116,7 +154,7 @@ class Plan:
             plan = {"kind": _OF_BODY.index(entry["of"]), "body": self._body(entry["body"]), **scaled}
         else:
             raise ValueError(f"custom.env: an observation needs body and of ({', '.join(_OF_BODY)}), joint and of "
-                             f"({', '.join(_OF_JOINT)}), touches, rays or value, got {dict(entry)}")  # fmt: skip
+                             f"({', '.join(_OF_JOINT)}), touches, rays, value, pixels or mask, got {dict(entry)}")  # fmt: skip
         self.observations.append(plan)
 
     @staticmethod

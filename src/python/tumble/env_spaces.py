@@ -31,6 +31,8 @@ except ImportError:
                 self._random = np.random.default_rng(seed)
 
             def sample(self) -> npt.NDArray[Any]:
+                if not np.isfinite(self.low).all() or not np.isfinite(self.high).all():  # as gymnasium does
+                    return self._random.normal(size=self.shape).astype(self.dtype)
                 return self._random.uniform(self.low, self.high).astype(self.dtype)
 
             def contains(self, value: Any) -> bool:
@@ -58,5 +60,27 @@ except ImportError:
 
             def __repr__(self) -> str:
                 return f"Discrete({self.n})"
+
+        class Dict:
+            def __init__(self, spaces: dict[str, Any]) -> None:
+                self.spaces = spaces
+
+            def __getitem__(self, name: str) -> Any:
+                return self.spaces[name]
+
+            def seed(self, seed: int | None = None) -> None:
+                for space in self.spaces.values():
+                    space.seed(seed)
+
+            def sample(self) -> dict[str, Any]:
+                return {name: space.sample() for name, space in self.spaces.items()}
+
+            def contains(self, value: Any) -> bool:
+                return value.keys() == self.spaces.keys() and all(
+                    space.contains(value[name]) for name, space in self.spaces.items()
+                )
+
+            def __repr__(self) -> str:
+                return f"Dict({self.spaces})"
 
     spaces = _Spaces()

@@ -67,4 +67,4 @@ class FileError(OSError):
 
 
 class RenderError(RuntimeError):
-    """Frames cannot be drawn on this machine: there is no OSMesa or no font."""
+    """Frames cannot be drawn on this machine: there is no OSMesa and no EGL, or no font."""

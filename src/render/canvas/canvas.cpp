@@ -69,6 +69,11 @@ Canvas::Canvas(std::unique_ptr<OffscreenContext> context, int width, int height)
     gl_.Finish();
 }
 
+std::string Canvas::text_of(GLenum name) const {
+    const GLubyte* const text = gl_.GetString(name);
+    return text ? reinterpret_cast<const char*>(text) : "";
+}
+
 GLuint Canvas::compile(GLenum stage, const char* name, const std::string& source) {
     const GLuint shader = gl_.CreateShader(stage);
     const char* const text = source.c_str();
@@ -129,6 +134,7 @@ void Canvas::draw(Color background, std::span<const Layer* const> layers, const 
     update_atlas(atlas);
     for (const Layer* const layer : layers) draw_layer(*layer);
     gl_.Finish();
+    context_->finish();
     if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR)
         throw RenderError("OpenGL reports error " + std::to_string(error) + " while drawing a frame");
 }

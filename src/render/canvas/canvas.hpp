@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "render/canvas/gl_api.hpp"
 #include "render/canvas/glyph_atlas.hpp"
@@ -25,6 +26,10 @@ public:
     // Draws the layers in order, each over those before, into `image`, which is resized to the canvas.
     void draw(Color background, std::span<const Layer* const> layers, const GlyphAtlas& atlas, Image& image);
 
+    // What OpenGL says of itself.
+    std::string version() const { return text_of(GL_VERSION); }
+    std::string renderer() const { return text_of(GL_RENDERER); }
+
 private:
     // The position of a vertex attribute in an instance or a mesh vertex.
     struct Attribute {
@@ -41,6 +46,7 @@ private:
         GLint outline_width = -1;
     };
 
+    std::string text_of(GLenum name) const;
     GLuint compile(GLenum stage, const char* name, const std::string& source);
     Pipeline make_pipeline(const ShaderSource& source, std::span<const Attribute> attributes, std::size_t stride,
                            bool instanced);

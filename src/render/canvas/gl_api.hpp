@@ -36,6 +36,7 @@ namespace tumble::render {
     X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                       \
     X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)               \
     X(GetShaderiv, PFNGLGETSHADERIVPROC)                         \
+    X(GetString, PFNGLGETSTRINGPROC)                             \
     X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)           \
     X(LinkProgram, PFNGLLINKPROGRAMPROC)                         \
     X(PixelStorei, PFNGLPIXELSTOREIPROC)                         \

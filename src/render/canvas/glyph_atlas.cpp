@@ -24,7 +24,10 @@ std::filesystem::path find_font(std::span<const std::filesystem::path> candidate
         if (std::filesystem::is_regular_file(file, ignored)) return file;
         tried += "\n  " + file.string();
     }
-    throw RenderError("no font for the text in frames (Debian: apt install fonts-dejavu-core); looked for:" + tried);
+    throw RenderError(
+        "no font for the text in frames (Debian: apt install fonts-dejavu-core; frames without text need none); looked "
+        "for:" +
+        tried);
 }
 
 std::span<const std::filesystem::path> font_candidates() {
@@ -68,9 +71,15 @@ struct GlyphAtlas::Font {
 // The font, and the wide one, which is read when a character needs it first.
 struct GlyphAtlas::Fonts {
     Font main;
+    bool is_read = false;
     std::vector<std::filesystem::path> wide_files;
     std::unique_ptr<Font> wide{};
     bool has_looked = false;
+
+    void read(const std::filesystem::path& file) {
+        if (!main.read(file)) throw RenderError(file.string() + ": not a readable TrueType font");
+        is_read = true;
+    }
 
     const Font& get(bool is_wide) const { return is_wide ? *wide : main; }
 
@@ -92,10 +101,20 @@ struct GlyphAtlas::Fonts {
     }
 };
 
-GlyphAtlas::GlyphAtlas(const std::filesystem::path& file, std::span<const std::filesystem::path> wide_fonts)
-    : fonts_(std::make_unique<Fonts>()), texels_(static_cast<std::size_t>(kSize) * kSize) {
+GlyphAtlas::GlyphAtlas() : fonts_(std::make_unique<Fonts>()), texels_(static_cast<std::size_t>(kSize) * kSize) {
+    const std::span<const std::filesystem::path> wide_fonts = wide_font_candidates();
     fonts_->wide_files.assign(wide_fonts.begin(), wide_fonts.end());
-    if (!fonts_->main.read(file)) throw RenderError(file.string() + ": not a readable TrueType font");
+}
+
+GlyphAtlas::GlyphAtlas(const std::filesystem::path& file, std::span<const std::filesystem::path> wide_fonts)
+    : GlyphAtlas() {
+    fonts_->wide_files.assign(wide_fonts.begin(), wide_fonts.end());
+    fonts_->read(file);
+}
+
+GlyphAtlas::Fonts& GlyphAtlas::fonts() const {
+    if (!fonts_->is_read) fonts_->read(find_font(font_candidates()));
+    return *fonts_;
 }
 
 GlyphAtlas::~GlyphAtlas() = default;
@@ -132,12 +151,12 @@ double walk_line(Fonts& fonts, double size, std::string_view utf8, Visit visit) 
 }  // namespace
 
 double GlyphAtlas::width(std::string_view utf8, double size) const {
-    return walk_line(*fonts_, size, utf8, [](bool, int, double) {});
+    return walk_line(fonts(), size, utf8, [](bool, int, double) {});
 }
 
 void GlyphAtlas::layout(std::string_view utf8, double size, double left, int baseline, int frame_width,
                         int frame_height, Color color, std::vector<GlyphInstance>& out) {
-    walk_line(*fonts_, size, utf8, [&](bool is_wide, int index, double pen) {
+    walk_line(fonts(), size, utf8, [&](bool is_wide, int index, double pen) {
         const int quarters = static_cast<int>(std::floor(4.0 * (left + pen) + 0.5));
         const int column = static_cast<int>(std::floor(quarters / 4.0));
         const Glyph& glyph = find_or_draw(is_wide, index, size, quarters - 4 * column);

@@ -30,6 +30,10 @@ class GlyphAtlas {
 public:
     static constexpr int kSize = 512;  // texels a side
 
+    // The first of font_candidates() that exists, which is read for the first text: without one, that throws
+    // RenderError.
+    GlyphAtlas();
+
     // Characters that the font lacks come from the first of the wide fonts that exists; those that it lacks too are
     // boxes. Throws RenderError if the file is not a font.
     explicit GlyphAtlas(const std::filesystem::path& font,
@@ -59,6 +63,7 @@ private:
     };
     using Key = std::tuple<bool, int, int, int>;  // wide font, glyph index, size in 1/16 pixels, quarter of a pixel
 
+    Fonts& fonts() const;
     const Glyph& find_or_draw(bool is_wide, int index, double size, int quarter);
 
     std::unique_ptr<Fonts> fonts_;

@@ -11,6 +11,7 @@
 
 #include "debug/check.hpp"
 #include "render/canvas/canvas.hpp"
+#include "render/canvas/make_context.hpp"
 #include "render/shapes/outline_mesh.hpp"
 #include "render/shapes/shape_primitives.hpp"
 #include "tumble/drawing.hpp"
@@ -136,12 +137,12 @@ Image draw_image(const Drawing& drawing) {
         throw std::invalid_argument("a drawing must be 1 to " + std::to_string(kLargestFrame) +
                                     " pixels wide and high, got " + std::to_string(drawing.width) + "x" +
                                     std::to_string(drawing.height));
-    GlyphAtlas atlas(find_font(font_candidates()));
+    GlyphAtlas atlas;
     LayerStack stack(drawing, atlas);
     for (const DrawnElement& element : drawing.elements)
         std::visit([&](const auto& value) { stack.add(value); }, element);
     Image image;
-    Canvas canvas(make_osmesa_context(), drawing.width, drawing.height);
+    Canvas canvas(make_context(RenderBackend::automatic), drawing.width, drawing.height);
     canvas.draw(drawing.background, stack.layers(), atlas, image);
     return image;
 }

@@ -94,7 +94,7 @@ void add_heading(Labels& labels, const View& view, const LabelText& text) {
     const double margin = labels.pixels(style::kMargin), room = view.width - 2.0 * margin;
     const double title_size = labels.pixels(style::kTitleSize), text_size = labels.pixels(style::kTextSize);
     std::vector<Line> lines;
-    if (const std::string name = fitted(labels, text.title, title_size, room); text.has_title && !name.empty())
+    if (const std::string name = text.has_title ? fitted(labels, text.title, title_size, room) : ""; !name.empty())
         lines.push_back({name, title_size, style::kText});
     if (text.has_time) lines.push_back({seconds(text.time), text_size, style::kFaintText});
     for (const std::string& line : text.caption)

@@ -1,14 +1,14 @@
 // The renderer: world to draw list, draw list to image.
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "render/canvas/canvas.hpp"
 #include "render/canvas/glyph_atlas.hpp"
+#include "render/canvas/make_context.hpp"
 #include "render/frame/draw_list.hpp"
 #include "render/frame/labels.hpp"
 #include "render/frame/marking.hpp"
 #include "render/frame/overlay.hpp"
+#include "render/view/checked_view.hpp"
 #include "tumble/render.hpp"
 
 namespace tumble {
@@ -35,31 +35,11 @@ struct Renderer::Impl {
     }
 };
 
-namespace {
-
-int checked_side(const char* name, int pixels) {
-    if (pixels < kSmallestFrame || pixels > kLargestFrame)
-        throw std::invalid_argument(std::string("the ") + name + " of a frame must be " +
-                                    std::to_string(kSmallestFrame) + " to " + std::to_string(kLargestFrame) +
-                                    " pixels, got " + std::to_string(pixels));
-    return pixels;
-}
-
-render::View checked_view(const Camera& camera, int width, int height) {
-    if (!is_finite(camera.center) || !(camera.height > 0.0) || !std::isfinite(camera.height))
-        throw std::invalid_argument("a camera needs a finite center and a height above 0, got (" +
-                                    std::to_string(camera.center.x) + ", " + std::to_string(camera.center.y) +
-                                    ") and " + std::to_string(camera.height));
-    return render::make_view(camera, width, height);
-}
-
-}  // namespace
-
-Renderer::Renderer(int width, int height)
-    : impl_(new Impl{checked_side("width", width),
-                     checked_side("height", height),
-                     render::GlyphAtlas(render::find_font(render::font_candidates())),
-                     render::Canvas(render::make_osmesa_context(), width, height),
+Renderer::Renderer(int width, int height, RenderBackend backend)
+    : impl_(new Impl{render::checked_side("width", width),
+                     render::checked_side("height", height),
+                     {},
+                     render::Canvas(render::make_context(backend), width, height),
                      {}}) {}
 
 Renderer::~Renderer() = default;
@@ -68,14 +48,14 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image,
                     const Overlay& overlay, const Marking& marking) {
-    const render::View view = checked_view(camera, impl_->width, impl_->height);
+    const render::View view = render::checked_view(camera, impl_->width, impl_->height);
     render::build_draw_list(impl_->list, scene, world, view, marking.trails);
     impl_->finish(view, world.world, {scene.name, time, marking.caption, {}}, image, overlay, marking);
 }
 
 void Renderer::draw(const World& world, const Camera& camera, Image& image, const Overlay& overlay,
                     const Marking& marking) {
-    const render::View view = checked_view(camera, impl_->width, impl_->height);
+    const render::View view = render::checked_view(camera, impl_->width, impl_->height);
     render::build_draw_list(impl_->list, world, view);
     impl_->finish(view, world, {"", world.time(), marking.caption, {}}, image, overlay, marking);
 }

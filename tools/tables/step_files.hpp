@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/run/table_file.hpp"
+#include "tools/tables/table_file.hpp"
 #include "tumble/scene_world.hpp"
 
 namespace tumble::tools {

@@ -1,4 +1,4 @@
-#include "tools/run/table_file.hpp"
+#include "tools/tables/table_file.hpp"
 
 #ifndef __clang_analyzer__  // it assumes null pointers that a string of some size does not have
 #define XXH_INLINE_ALL

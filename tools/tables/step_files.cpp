@@ -1,4 +1,4 @@
-#include "tools/run/step_files.hpp"
+#include "tools/tables/step_files.hpp"
 
 #include "tools/output/json_writer.hpp"
 
