@@ -16,8 +16,8 @@
 #include "tools/plot/expression_plots.hpp"
 #include "tools/plot/expression_table.hpp"
 #include "tools/run/run_options.hpp"
-#include "tools/run/step_files.hpp"
 #include "tools/scene/scene_options.hpp"
+#include "tools/tables/step_files.hpp"
 
 namespace tumble::tools {
 

@@ -76,7 +76,7 @@ ExitCode plot(const Command& command, const PlotArguments& options) {
     return ExitCode::ok;
 }
 
-void add_plot(CLI::App& app, Command& command) {
+void add_sweep_plot(CLI::App& app, Command& command) {
     const auto options = std::make_shared<PlotArguments>();
     CLI::App& app_plot =
         add_subcommand(app, command, "plot", "Draw a column of the table over one or two others, as SVG");
@@ -123,7 +123,7 @@ void add_sweep_commands(CLI::App& app, Command& command) {
     app_merge.add_option("PARTS", merged->parts, "Folders whose shards it gets");
     app_merge.callback([&command, merged] { command.action = [&command, merged] { return merge(command, *merged); }; });
 
-    add_plot(app, command);
+    add_sweep_plot(app, command);
 }
 
 }  // namespace tumble::tools

@@ -9,9 +9,9 @@
 #include "tools/cli/interrupt.hpp"
 #include "tools/measure/stopwatch.hpp"
 #include "tools/output/json_writer.hpp"
-#include "tools/run/step_files.hpp"
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/trajectory_recorder.hpp"
+#include "tools/tables/step_files.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene_file.hpp"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/output/json_writer.hpp"
-#include "tools/run/step_files.hpp"
+#include "tools/tables/step_files.hpp"
 
 namespace tumble::tools {
 
