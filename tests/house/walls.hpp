@@ -98,7 +98,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"tools/commands",
      {"sweep", "tools/sweep", "tools/output", "tools/claims", "tools/cli", "tools/query", "tools/machine",
       "tools/measure", "tools/parity", "tools/physics", "tools/diff", "tools/doctor", "tools/compare", "tools/gallery",
-      "tools/plot", "tools/run", "tools/scene", "reference"}},
+      "tools/plot", "tools/tables", "tools/run", "tools/scene", "reference"}},
     {"tools/pages", {"tools/machine", "tools/commands"}},
     {"tools", {"tools/cli", "tools/commands"}},
 };
