@@ -329,5 +329,5 @@ TEST_CASE("a labeller refuses what a renderer refuses") {
     Labeller labeller(64, 64);
     const World world;
     CHECK_THROWS_AS(static_cast<void>(labeller.mask(world, {{0.0, 0.0}, 0.0})), std::invalid_argument);
-    CHECK(labeller.mask(world, {{0.0, 0.0}, 1.0}).labels == std::vector<BodyLabel>(64 * 64, 0));
+    CHECK(labeller.mask(world, {{0.0, 0.0}, 1.0}).labels == std::vector<BodyLabel>(4096, 0));
 }

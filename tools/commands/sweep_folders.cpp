@@ -61,13 +61,13 @@ ExitCode merge(const Command& command, const MergeArguments& options) {
     return missing.empty() ? ExitCode::ok : ExitCode::failed;
 }
 
-struct PlotArguments {
+struct SweepPlotArguments {
     fs::path folder, picture;
     SweepPlot plot;
     bool force = false;
 };
 
-ExitCode plot(const Command& command, const PlotArguments& options) {
+ExitCode plot_sweep(const Command& command, const SweepPlotArguments& options) {
     refuse_to_overwrite(options.picture, options.force);
     write_file(options.picture, to_svg(draw_sweep(sweep::table_file(options.folder), options.plot)), options.force);
     JsonWriter json;
@@ -77,7 +77,7 @@ ExitCode plot(const Command& command, const PlotArguments& options) {
 }
 
 void add_sweep_plot(CLI::App& app, Command& command) {
-    const auto options = std::make_shared<PlotArguments>();
+    const auto options = std::make_shared<SweepPlotArguments>();
     CLI::App& app_plot =
         add_subcommand(app, command, "plot", "Draw a column of the table over one or two others, as SVG");
     app_plot.add_option("DIR", options->folder, "Folder of a complete sweep")->required();
@@ -90,7 +90,7 @@ void add_sweep_plot(CLI::App& app, Command& command) {
         *app_plot.add_option("-o,--output", options->picture, "Picture to write")->type_name("F.svg")->required());
     app_plot.add_flag("--force", options->force, "Replace an existing picture");
     app_plot.callback(
-        [&command, options] { command.action = [&command, options] { return plot(command, *options); }; });
+        [&command, options] { command.action = [&command, options] { return plot_sweep(command, *options); }; });
 }
 
 }  // namespace
