@@ -119,22 +119,54 @@ TEST_CASE("a manifest keeps what whole lines say, in the order of the shards") {
     const Folder folder;
     const SweepHeader header{1, 25, 10, "0.2.0", "run\n"};
     append_header(folder.path, header);
-    append_shard(folder.path, {.shard = 2, .outcomes = {{"ok", 5}}, .table = {"c", 3, 4}, .files = {{"t", 5, 6}}});
+    append_shard(folder.path, {.shard = 2,
+                               .outcomes = {{"ok", 5}},
+                               .table = {"shard-000002.csv", 3, 4},
+                               .files = {{"shard-000002.tar", 5, 6}}});
     std::ofstream(manifest_file(folder.path), std::ios::app) << R"({"shard": 7, "outc)";  // cut off
-    append_shard(folder.path, {.shard = 0, .table = {"a", 1, 0xffffffffffffffff}});
+    append_shard(folder.path, {.shard = 0, .table = {"shard-000000.csv", 1, 0xffffffffffffffff}});
     const Manifest manifest = read_manifest(folder.path);
     CHECK(manifest.header == header);
-    CHECK(manifest.cut_lines == 1);
+    CHECK(manifest.damaged_lines == 1);
     REQUIRE(manifest.shards.size() == 2);
     CHECK(manifest.shards.begin()->second.table.hash == 0xffffffffffffffff);
     CHECK(manifest.shards.at(2).outcomes.at("ok") == 5);
     CHECK(manifest.shards.at(2).files[0].bytes == 5);
     write_manifest(folder.path, manifest);
-    CHECK(read_manifest(folder.path).cut_lines == 0);
+    CHECK(read_manifest(folder.path).damaged_lines == 0);
     const std::string text = tumble::read_file(manifest_file(folder.path));
     CHECK(text.find("\"shard\":0") < text.find("\"shard\":2"));
     append_header(folder.path, {2, 25, 10, "0.2.0", "run\n"});
     CHECK_THROWS_AS(read_manifest(folder.path), tumble::FileError);
+}
+
+TEST_CASE("a manifest from elsewhere names files of its own folder only, and possible numbers") {
+    const Folder folder;
+    const std::string header = R"({"plan":"1","runs":25,"shard_runs":10,"version":"1","columns":"run\n"})";
+    const std::string hash = R"("bytes":1,"xxh64":"1")", sound = R"({"name":"shard-000001.csv",)" + hash + "}";
+    for (const std::string& line : std::vector<std::string>{
+             R"({"shard":1,"outcomes":{},"table":{"name":"/tmp/a",)" + hash + R"(},"files":[]})",
+             R"({"shard":1,"outcomes":{},"table":)" + sound + R"(,"files":[{"name":"../evil.tar",)" + hash + "}]}",
+             R"({"shard":1,"outcomes":{},"table":)" + sound + R"(,"files":[{"name":"shard-000002.tar",)" + hash + "}]}",
+             R"({"complete":{"name":"..",)" + hash + "}}", R"({"shard":1e300,"outcomes":{},"table":{},"files":[]})",
+             R"({"shard":1,"outcomes":{"ok":-1},"table":)" + sound + R"(,"files":[]})",
+             R"({"shard":3,"outcomes":{},"table":{"name":"shard-000003.csv",)" + hash + R"(},"files":[]})"}) {
+        CAPTURE(line);
+        write(manifest_file(folder.path), header + "\n" + line + "\n");
+        const Manifest manifest = read_manifest(folder.path);
+        CHECK(manifest.damaged_lines == 1);
+        CHECK(manifest.shards.empty());
+        CHECK_FALSE(manifest.table);
+    }
+    write(manifest_file(folder.path),
+          header + "\n" + R"({"shard":1,"outcomes":{},"table":)" + sound + R"(,"files":[]})");
+    CHECK(read_manifest(folder.path).shards.size() == 1);
+    for (const char* const wrong : {R"({"plan":"1","runs":25,"shard_runs":0,"version":"1","columns":"run\n"})",
+                                    R"({"plan":"1","runs":0,"shard_runs":1,"version":"1","columns":"run\n"})"}) {
+        write(manifest_file(folder.path), wrong);
+        CHECK_THROWS_AS(read_manifest(folder.path), tumble::FileError);
+    }
+    CHECK(SweepHeader{1, 0xffffffffffffffff, 10, "", ""}.shards() == 1844674407370955162u);
 }
 
 TEST_CASE("one of several processes has a claim, until it releases it or gives no sign") {
@@ -158,6 +190,15 @@ TEST_CASE("one of several processes has a claim, until it releases it or gives n
     std::this_thread::sleep_for(milliseconds(600));
     CHECK(one.take("c"));
     CHECK_FALSE(other.take("c"));
+    // One that was taken over is not held any more, and its release leaves it to its new owner.
+    const std::string theirs = "another-system 1 1 1\n";
+    write(folder.path / "claims/a", theirs);
+    CHECK_FALSE(other.holds("a"));
+    other.release("a");
+    CHECK(tumble::read_file(folder.path / "claims/a") == theirs);
+    write(folder.path / "claims/c", theirs);
+    one.release("c");
+    CHECK(tumble::read_file(folder.path / "claims/c") == theirs);
 }
 
 TEST_CASE("a stored file has the checksum that reading it gives") {

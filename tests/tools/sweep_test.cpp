@@ -210,6 +210,64 @@ TEST_CASE("the claim of a process that has ended is taken over at once, that of 
     }
 }
 
+TEST_CASE("a process that is stopped beyond its lease, and the one that takes over, lose no shard") {
+    Sweeps sweeps(R"({"format": 1, "scene": "scene.json", "runs": 8000, "shard_runs": 8000})");
+    const auto lease = [&] { return sweeps.arguments("out", {"-j", "1", "--lease", "0.2"}); };
+    Process stopped(tumble_command(lease()));
+    tumble::test::wait_for(sweeps.folder / "out/claims/shard-000000", stopped);
+    stopped.send_signal(SIGSTOP);
+    Process other(tumble_command(lease()));
+    bool is_taken_over = false;
+    for (int i = 0; i < 200 && !is_taken_over; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(25));
+        is_taken_over =
+            read_text(sweeps.folder / "out/claims/shard-000000").find(std::to_string(other.id())) != std::string::npos;
+    }
+    CHECK(is_taken_over);
+    stopped.send_signal(SIGCONT);
+    CHECK(stopped.wait().code == 0);
+    CHECK(other.wait().code == 0);
+    const json status = json::parse(run_tumble({"sweep", "status", sweeps.at("out"), "--json"}).out);
+    CHECK(status["complete"] == true);
+    CHECK(status["stored_shards"] == 1);
+    REQUIRE(sweeps.sweep("alone").code == 0);
+    CHECK(are_equal(sweeps.folder / "out", sweeps.folder / "alone"));
+}
+
+TEST_CASE("a signal ends a dry run and verify with its code") {
+    Sweeps sweeps(
+        R"({"format": 1, "scene": "scene.json", "runs": 4, "shard_runs": 4, "set": {"/world/duration": 20}})");
+    REQUIRE(sweeps.sweep("out").code == 0);
+    Sweeps slow(R"({"format": 1, "scene": "scene.json", "runs": 40, "set": {"/world/duration": 3600}})");
+    const std::vector<std::vector<std::string>> commands{
+        {"sweep", slow.plan, "--dry-run"}, {"sweep", "verify", sweeps.at("out"), sweeps.plan, "--part", "1"}};
+    Process dry(tumble_command(commands[0]));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    dry.send_signal(SIGTERM);
+    CHECK(dry.wait().code == 143);
+    CHECK(run_tumble(commands[1]).code == 0);
+}
+
+TEST_CASE("merge refuses the lines of a complete part that are not those of its manifest") {
+    const Sweeps sweeps;
+    REQUIRE(sweeps.sweep("part").code == 0);
+    const auto size = static_cast<std::streamoff>(fs::file_size(sweeps.folder / "part/runs.csv"));
+    flip_byte(sweeps.folder / "part/runs.csv", size - 5);
+    const Answer answer = run_tumble({"sweep", "merge", sweeps.at("whole"), sweeps.at("part")});
+    CHECK(answer.code != 0);
+    CHECK(answer.err.find(sweeps.at("part/runs.csv") + ": the checksum") != std::string::npos);
+    CHECK_FALSE(fs::exists(sweeps.folder / "whole/shard-000019.csv"));
+}
+
+TEST_CASE("verify reads a table with quotes and words of outcomes in its cells") {
+    const Sweeps sweeps(R"({"format": 1, "scene": "scene.json", "shard_runs": 2, "parameters": [
+        {"name": "word", "set": "/description", "list": ["timed_out", "a\nb", "c,d", "e \"f\""]}]})");
+    REQUIRE(sweeps.sweep("out").code == 0);
+    const Answer answer = run_tumble({"sweep", "verify", sweeps.at("out"), sweeps.plan, "--part", "1"});
+    CHECK_MESSAGE(answer.code == 0, answer.out);
+    CHECK(answer.out.find("4 runs made again: all as written") != std::string::npos);
+}
+
 TEST_CASE("a manifest that is cut in the middle loses only what it no longer says") {
     const Sweeps sweeps;
     REQUIRE(sweeps.sweep("whole").code == 0);

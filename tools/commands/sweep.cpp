@@ -13,6 +13,7 @@
 #include "tools/output/json_writer.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/sweep/estimate.hpp"
+#include "tools/sweep/run_record.hpp"
 #include "tools/sweep/sweep_text.hpp"
 #include "tools/sweep/sweep_work.hpp"
 
@@ -40,20 +41,25 @@ void read_part(const std::string& text, SweepOptions& options) {
     throw CLI::ValidationError("--shard", "must read i/n with i from 0 to n - 1, got " + text);
 }
 
+ExitCode print_estimate(const Command& command, const sweep::Plan& plan, int jobs) try {
+    const SweepEstimate estimate = estimate_sweep(plan, jobs);
+    write_output(command.json ? to_json(estimate) : to_text(plan, estimate));
+    return ExitCode::ok;
+} catch (const Interrupted&) {
+    return interruption_code();
+}
+
 ExitCode sweep(const Command& command, SweepArguments options) {
     if (options.plan.empty()) throw CLI::RequiredError("PLAN");
     read_part(options.part, options.work);
     if (!options.dry_run && options.work.folder.empty()) throw CLI::RequiredError("--output");
-    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside);
     catch_interrupts();
-    if (options.dry_run) {
-        const SweepEstimate estimate = estimate_sweep(plan, options.work.jobs);
-        write_output(command.json ? to_json(estimate) : to_text(plan, estimate));
-        return ExitCode::ok;
-    }
+    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside);
+    if (options.dry_run) return print_estimate(command, plan, options.work.jobs);
     const SweepReport report = run_sweep(plan, options.work);
     write_output(command.json ? to_json(report) : to_text(plan, report));
-    return report.interrupted ? interruption_code() : ExitCode::ok;
+    if (report.interrupted) return interruption_code();
+    return report.missing_of_part == 0 ? ExitCode::ok : ExitCode::failed;
 }
 
 }  // namespace

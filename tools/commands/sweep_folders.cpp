@@ -13,6 +13,7 @@
 #include "tools/output/json_writer.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/sweep/merging.hpp"
+#include "tools/sweep/run_record.hpp"
 #include "tools/sweep/sweep_plot.hpp"
 #include "tools/sweep/sweep_text.hpp"
 #include "tools/sweep/verification.hpp"
@@ -31,7 +32,7 @@ struct VerifyArguments {
     bool allow_outside = false;
 };
 
-ExitCode verify(const Command& command, const VerifyArguments& options) {
+ExitCode verify(const Command& command, const VerifyArguments& options) try {
     Verification verification = verify_files(options.folder);
     if (options.plan.empty()) {
         report_warning("no run is simulated again; state the plan after the folder");
@@ -43,6 +44,8 @@ ExitCode verify(const Command& command, const VerifyArguments& options) {
     }
     write_output(command.json ? to_json(verification) : to_text(verification));
     return verification.findings.empty() ? ExitCode::ok : ExitCode::failed;
+} catch (const Interrupted&) {
+    return interruption_code();
 }
 
 ExitCode status(const Command& command, const fs::path& folder) {

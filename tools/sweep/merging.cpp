@@ -12,14 +12,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void copy_file(const fs::path& from, const fs::path& to, const sweep::StoredFile& file) {
+// Copies `file` from the bytes of another file that begin at `start`. Throws InputError, and leaves no copy, if their
+// checksum is another.
+void copy_bytes(const fs::path& from, std::uint64_t start, const fs::path& to, const sweep::StoredFile& file) {
     OutputFile copy(to / file.name);
-    copy.append_from(from / file.name, 0, file.bytes);
+    copy.append_from(from, start, start + file.bytes);
     copy.save_so_far();
-    const sweep::StoredFile read = sweep::read_stored_file(from, file.name);
-    if (read.bytes != file.bytes || read.hash != file.hash)
-        throw InputError((from / file.name).string() + ": its checksum is not that of its manifest");
+    if (sweep::read_stored_file(to, copy.temporary().filename().string()).hash != file.hash)
+        throw InputError(from.string() + ": the checksum of its bytes is not that of its manifest");
     copy.commit();
+}
+
+void copy_file(const fs::path& from, const fs::path& to, const sweep::StoredFile& file) {
+    copy_bytes(from / file.name, 0, to, file);
 }
 
 // The table of a complete part is one file, which has to be cut again.
@@ -28,9 +33,7 @@ void copy_lines(const fs::path& from, const sweep::Manifest& part, const fs::pat
     std::uint64_t start = part.header->columns.size();
     for (const auto& [shard, other] : part.shards)
         if (shard < entry.shard) start += other.table.bytes;
-    OutputFile copy(to / entry.table.name);
-    copy.append_from(sweep::table_file(from), start, start + entry.table.bytes);
-    copy.commit();
+    copy_bytes(sweep::table_file(from), start, to, entry.table);
 }
 
 void add_part(const fs::path& folder, const fs::path& from, sweep::Manifest& manifest) {

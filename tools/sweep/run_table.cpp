@@ -10,9 +10,12 @@ namespace tumble::tools {
 
 namespace {
 
-// A cell of a JSON value: strings without their quotes.
+// A cell of a JSON value: a string without its quotes, unless it has characters that break the line.
 std::string cell_of(const std::string& value) {
-    return csv_field(value.starts_with('"') ? nlohmann::json::parse(value).get<std::string>() : value);
+    if (!value.starts_with('"')) return csv_field(value);
+    const auto text = nlohmann::json::parse(value).get<std::string>();
+    const bool is_plain = std::ranges::none_of(text, [](unsigned char letter) { return letter < ' '; });
+    return csv_field(is_plain ? text : value);
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ std::string member_name(std::uint64_t run, const std::string& suffix) {
 
 }  // namespace
 
-sweep::ShardEntry write_shard(const sweep::Plan& plan, std::uint64_t shard, const std::filesystem::path& folder,
-                              SceneTexts& texts, const std::function<void()>& count_run) {
+std::optional<sweep::ShardEntry> write_shard(const sweep::Plan& plan, std::uint64_t shard,
+                                             const std::filesystem::path& folder, SceneTexts& texts,
+                                             const ShardCalls& calls) {
     sweep::ShardEntry entry{.shard = shard};
     std::optional<sweep::StoredFileWriter> tar;
     if (plan.write.has_tar()) tar.emplace(folder, sweep::shard_file_name(shard, ".tar"));
@@ -38,8 +39,9 @@ sweep::ShardEntry write_shard(const sweep::Plan& plan, std::uint64_t shard, cons
             tar->write(sweep::tar_member(member_name(run, suffix), bytes));
         if (plan.write.has_hdf5() && record.trajectory.steps > 0)
             trajectories.push_back({run, std::move(record.trajectory)});
-        count_run();
+        calls.count_run();
     }
+    if (!calls.may_commit()) return std::nullopt;
     if (tar) {
         tar->write(sweep::tar_end(tar->size()));
         entry.files.push_back(tar->commit());

@@ -37,10 +37,6 @@ void write_table(const fs::path& folder, sweep::Manifest& manifest) {
 
 }  // namespace
 
-std::uint64_t shards_of(const sweep::SweepHeader& header) {
-    return (header.runs + header.shard_runs - 1) / header.shard_runs;
-}
-
 bool is_stored(const fs::path& folder, const sweep::Manifest& manifest, std::uint64_t shard) {
     const auto entry = manifest.shards.find(shard);
     if (entry == manifest.shards.end()) return false;
@@ -52,7 +48,7 @@ bool is_stored(const fs::path& folder, const sweep::Manifest& manifest, std::uin
 
 ShardRanges missing_shards(const fs::path& folder, const sweep::Manifest& manifest) {
     ShardRanges missing;
-    const std::uint64_t count = manifest.header ? shards_of(*manifest.header) : 0;
+    const std::uint64_t count = manifest.header ? manifest.header->shards() : 0;
     std::uint64_t next = 0;  // the first shard that is not decided
     const auto add_up_to = [&](std::uint64_t end) {
         if (end <= next) return;
@@ -62,7 +58,7 @@ ShardRanges missing_shards(const fs::path& folder, const sweep::Manifest& manife
             missing.emplace_back(next, end - 1);
     };
     for (const auto& [shard, entry] : manifest.shards) {
-        if (shard >= count || !is_stored(folder, manifest, shard)) continue;
+        if (!is_stored(folder, manifest, shard)) continue;
         add_up_to(shard);
         next = shard + 1;
     }

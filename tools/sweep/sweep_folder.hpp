@@ -10,8 +10,6 @@
 
 namespace tumble::tools {
 
-std::uint64_t shards_of(const sweep::SweepHeader& header);
-
 // Whether the files of a shard are there with their sizes; its lines of the table may be in runs.csv instead.
 bool is_stored(const std::filesystem::path& folder, const sweep::Manifest& manifest, std::uint64_t shard);
 

@@ -59,12 +59,13 @@ std::string ranges_text(const ShardRanges& ranges) {
 SweepStatus status_of(const std::filesystem::path& folder) {
     const sweep::Manifest manifest = sweep::read_manifest(folder);
     if (!manifest.header) throw FileError(folder, "has no sweep: there is no manifest.jsonl with its first line");
-    SweepStatus status{.runs = manifest.header->runs, .shards = shards_of(*manifest.header)};
+    SweepStatus status{.runs = manifest.header->runs, .shards = manifest.header->shards()};
     for (const auto& [shard, entry] : manifest.shards) {
         if (!is_stored(folder, manifest, shard)) continue;
         ++status.stored_shards;
         for (const auto& [outcome, count] : entry.outcomes) status.outcomes[outcome] += count;
     }
+    status.damaged_lines = manifest.damaged_lines;
     status.missing = missing_shards(folder, manifest);
     status.complete = is_complete(folder, manifest);
     return status;
@@ -74,6 +75,8 @@ std::string to_text(const SweepStatus& status) {
     std::string text = std::to_string(status.stored_shards) + " of " + std::to_string(status.shards) +
                        " shards are stored, of " + std::to_string(status.runs) +
                        " runs: " + outcomes_text(status.outcomes) + "\n";
+    if (status.damaged_lines > 0)
+        text += "lines of the manifest that are damaged: " + std::to_string(status.damaged_lines) + "\n";
     if (!status.missing.empty()) text += "missing shards: " + ranges_text(status.missing) + "\n";
     if (status.missing.empty() && !status.complete) text += "the table is not made: run the sweep again, or merge\n";
     return text;
@@ -84,7 +87,7 @@ std::string to_json(const SweepStatus& status) {
     json.open_object().member("runs", status.runs).member("shards", status.shards);
     json.member("stored_shards", status.stored_shards).member("complete", status.complete);
     write_outcomes(json, status.outcomes);
-    json.key("missing").open_array();
+    json.member("damaged_lines", status.damaged_lines).key("missing").open_array();
     for (const auto& [first, last] : status.missing) json.open_array().value(first).value(last).close_array();
     json.close_array().close_object();
     return json.text() + "\n";

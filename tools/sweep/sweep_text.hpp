@@ -15,6 +15,7 @@ struct SweepStatus {
     std::uint64_t runs = 0, shards = 0, stored_shards = 0;
     std::map<std::string, std::uint64_t> outcomes{};
     ShardRanges missing{};
+    std::uint64_t damaged_lines = 0;  // of the manifest
     bool complete = false;
 };
 

@@ -26,8 +26,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t kMostShards = 10000000;
-constexpr std::chrono::milliseconds kWait{100};  // between looks at what other processes do
+// Between looks at what other processes do: doubled from the shortest to the longest.
+constexpr std::chrono::milliseconds kShortestWait{100}, kLongestWait{5000};
 constexpr const char* kFinish = "finish";
+constexpr const char* kAppend = "append";
 
 sweep::SweepHeader expected_header(const sweep::Plan& plan) {
     return {plan.hash, plan.runs, runs_in_shard(plan), version(), table_header(plan)};
@@ -51,6 +53,15 @@ void open_folder(const sweep::Plan& plan, const fs::path& folder) {
     append_header(folder, header);
 }
 
+// The runs of the shards of a part.
+std::uint64_t runs_of_part(const sweep::Plan& plan, const SweepOptions& options) {
+    const std::uint64_t shards = shard_count(plan), last = shards - 1;
+    if (options.part >= shards) return 0;
+    const std::uint64_t count = (last - options.part) / options.parts + 1;
+    const std::uint64_t beyond = last % options.parts == options.part ? shards * runs_in_shard(plan) - plan.runs : 0;
+    return count * runs_in_shard(plan) - beyond;
+}
+
 // The threads of a process take shards from it.
 class Work {
 public:
@@ -58,19 +69,25 @@ public:
         : plan_(plan),
           options_(options),
           claims_(options.folder, std::chrono::milliseconds(static_cast<std::int64_t>(options.lease * 1e3))),
-          progress_("runs", plan.runs) {
+          part_runs_(runs_of_part(plan, options)),
+          progress_("runs", part_runs_) {
         look();
+        done_runs_ = part_runs_ - std::min(part_runs_, missing_.size() * runs_in_shard(plan_));
     }
 
     void run();
     bool finish();
     std::uint64_t simulated_runs() const { return simulated_runs_; }
 
+    // How many shards of this part are missing now.
+    std::uint64_t count_missing();
+
 private:
     void look();
     void work();
     std::optional<std::uint64_t> take();
-    bool wait_for_others();
+    bool wait_for_others(std::chrono::milliseconds& wait);
+    void append(const sweep::ShardEntry& entry);
     void count_run();
 
     const sweep::Plan& plan_;
@@ -80,7 +97,8 @@ private:
     std::mutex mutex_;
     std::set<std::uint64_t> missing_;  // of this part, and not taken by a thread
     std::set<std::uint64_t> taken_;    // by threads of this process
-    std::uint64_t done_runs_ = 0;      // complete before this process began
+    std::uint64_t part_runs_ = 0;      // of the shards of this part
+    std::uint64_t done_runs_ = 0;      // of these, complete before this process began
     std::atomic<std::uint64_t> simulated_runs_{0};
     std::atomic<bool> is_stopped_{false};
     std::exception_ptr error_;
@@ -95,8 +113,12 @@ void Work::look() {
     for (const auto& [first, last] : missing_shards(options_.folder, sweep::read_manifest(options_.folder)))
         for (std::uint64_t shard = first; shard <= last; ++shard)
             if (shard % options_.parts == options_.part && !taken_.contains(shard)) missing_.insert(shard);
-    if (simulated_runs_ == 0 && taken_.empty())
-        done_runs_ = plan_.runs - std::min(plan_.runs, missing_.size() * runs_in_shard(plan_));
+}
+
+std::uint64_t Work::count_missing() {
+    const std::lock_guard lock(mutex_);
+    look();
+    return missing_.size();
 }
 
 // A shard for a thread, claimed; nothing if other processes have all that are missing.
@@ -121,16 +143,23 @@ std::optional<std::uint64_t> Work::take() {
     return std::nullopt;
 }
 
-// False if nothing is left that other processes could be writing.
-bool Work::wait_for_others() {
-    {
-        const std::lock_guard lock(mutex_);
-        if (missing_.empty()) return false;
-    }
-    std::this_thread::sleep_for(kWait);
-    const std::lock_guard lock(mutex_);
-    look();
+// False if nothing is left that other processes could be writing, or could have left.
+bool Work::wait_for_others(std::chrono::milliseconds& wait) {
+    if (count_missing() == 0) return false;
+    std::this_thread::sleep_for(wait);
+    wait = std::min(2 * wait, kLongestWait);
     return true;
+}
+
+// Under a claim, because on NFS processes of two hosts that append at once overwrite each other. With mutex_.
+void Work::append(const sweep::ShardEntry& entry) {
+    while (!claims_.take(kAppend)) {
+        if (!claims_.has_folder()) return;  // another process has done it all, and removed the claims
+        if (is_interrupted()) throw Interrupted{};
+        std::this_thread::sleep_for(kShortestWait / 10);
+    }
+    append_shard(options_.folder, entry);
+    claims_.release(kAppend);
 }
 
 void Work::count_run() {
@@ -141,16 +170,17 @@ void Work::count_run() {
 }
 
 void Work::work() {
+    std::chrono::milliseconds wait = kShortestWait;
     while (!is_stopped_ && !is_interrupted()) {
         const std::optional<std::uint64_t> shard = take();
-        if (!shard && !wait_for_others()) return;
+        if (!shard && !wait_for_others(wait)) return;
         if (!shard) continue;
-        const sweep::ShardEntry entry = write_shard(plan_, *shard, options_.folder, texts_, [this] { count_run(); });
+        wait = kShortestWait;
+        const ShardCalls calls{.count_run = [this] { count_run(); },
+                               .may_commit = [&] { return claims_.holds(claim_name(*shard)); }};
+        const std::optional<sweep::ShardEntry> entry = write_shard(plan_, *shard, options_.folder, texts_, calls);
         const std::lock_guard lock(mutex_);
-        if (claims_.holds(claim_name(*shard)))
-            append_shard(options_.folder, entry);
-        else if (is_complete(options_.folder, sweep::read_manifest(options_.folder)))
-            fs::remove(options_.folder / entry.table.name);  // another process has done it all, and made the table
+        if (entry) append(*entry);
         taken_.erase(*shard);
         claims_.release(claim_name(*shard));
     }
@@ -188,7 +218,7 @@ bool Work::finish() {
             claims_.remove_folder();
             return true;
         }
-        std::this_thread::sleep_for(kWait);
+        std::this_thread::sleep_for(kShortestWait);
     }
     return false;
 }
@@ -208,6 +238,7 @@ SweepReport run_sweep(const sweep::Plan& plan, const SweepOptions& options) {
         work.run();
         if (options.parts == 1 && !is_interrupted()) work.finish();
         report.simulated_runs = work.simulated_runs();
+        report.missing_of_part = work.count_missing();
     }
     const sweep::Manifest manifest = sweep::read_manifest(options.folder);
     for (const auto& [shard, entry] : manifest.shards)

@@ -25,6 +25,7 @@ struct SweepReport {
     std::uint64_t simulated_runs = 0;                 // by this process
     std::map<std::string, std::uint64_t> outcomes{};  // of all complete shards
     std::uint64_t missing_shards = 0;
+    std::uint64_t missing_of_part = 0;  // of these, shards that this process should have made
     double seconds = 0.0;
     bool complete = false;     // the whole folder
     bool interrupted = false;  // by a signal

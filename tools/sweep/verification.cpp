@@ -53,14 +53,37 @@ std::map<std::uint64_t, std::string> read_rows(const fs::path& file, const std::
     return rows;
 }
 
-// Different runs of the complete shards.
+// The cell of a line of the table.
+std::string cell_of(const std::string& line, std::size_t column) {
+    std::string cell;
+    bool is_quoted = false;
+    for (const char letter : line) {
+        if (letter == '"') is_quoted = !is_quoted;
+        const bool ends = letter == ',' && !is_quoted;
+        if (ends && column-- == 0) break;
+        if (ends)
+            cell.clear();
+        else
+            cell += letter;
+    }
+    return cell;
+}
+
+// Different runs of the complete shards, of which only the last of the plan may be shorter than the others.
 std::set<std::uint64_t> draw_runs(const sweep::Plan& plan, const fs::path& folder, double part, std::uint64_t seed) {
     const sweep::Manifest manifest = sweep::read_manifest(folder);
-    const auto wanted = static_cast<std::uint64_t>(std::ceil(part * static_cast<double>(plan.runs)));
+    const std::uint64_t shard_runs = runs_in_shard(plan);
+    std::vector<std::uint64_t> stored;
+    for (const auto& [shard, entry] : manifest.shards)
+        if (is_stored(folder, manifest, shard)) stored.push_back(shard);
+    if (stored.empty()) return {};
+    const std::uint64_t last = std::min(plan.runs - stored.back() * shard_runs, shard_runs);
+    const std::uint64_t stored_runs = (stored.size() - 1) * shard_runs + last;
+    const auto wanted = static_cast<std::uint64_t>(std::ceil(part * static_cast<double>(stored_runs)));
     std::set<std::uint64_t> runs;
-    for (std::uint64_t i = 0; i < plan.runs && runs.size() < std::max<std::uint64_t>(wanted, 1); ++i) {
-        const std::uint64_t run = sweep::permuted(i, plan.runs, seed);
-        if (is_stored(folder, manifest, run / runs_in_shard(plan))) runs.insert(run);
+    for (std::uint64_t i = 0; i < std::max<std::uint64_t>(wanted, 1); ++i) {
+        const std::uint64_t place = sweep::permuted(i, stored_runs, seed);
+        runs.insert(stored[place / shard_runs] * shard_runs + place % shard_runs);
     }
     return runs;
 }
@@ -75,7 +98,7 @@ Verification verify_files(const fs::path& folder) {
         if (!manifest.table) verify_file(folder, entry.table, verification);
     }
     if (manifest.table) verify_file(folder, *manifest.table, verification);
-    const std::uint64_t shards = shards_of(*manifest.header);
+    const std::uint64_t shards = manifest.header->shards();
     if (manifest.shards.size() < shards)
         verification.findings.push_back(folder.string() + ": " + std::to_string(shards - manifest.shards.size()) +
                                         " of " + std::to_string(shards) + " shards are not written");
@@ -93,10 +116,14 @@ void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, s
     else
         for (const std::uint64_t run : runs)
             rows.merge(read_rows(folder / manifest.shards.at(run / runs_in_shard(plan)).table.name, {run}));
+    // The columns before `outcome` have plain names.
+    const std::string& columns = manifest.header->columns;
+    const auto outcome =
+        static_cast<std::size_t>(std::ranges::count(columns.substr(0, columns.find(",outcome,") + 1), ','));
     SceneTexts texts;
     for (const std::uint64_t run : runs) {
         const auto row = rows.find(run);
-        if (row != rows.end() && row->second.find(",timed_out,") != std::string::npos) continue;
+        if (row != rows.end() && cell_of(row->second, outcome) == "timed_out") continue;
         const RunRecord record = simulate_run(plan, run, texts);
         ++verification.repeated_runs;
         if (row == rows.end())

@@ -19,8 +19,9 @@ struct Verification {
 // Reads all files of the complete shards, and finds shards that are missing. Throws FileError if there is no sweep.
 Verification verify_files(const std::filesystem::path& folder);
 
-// Simulates a part of the runs again, drawn from `seed`, at least one, and compares the lines of the table, which have
-// the checksums of all data of a run. Runs that timed out are left out. Throws FileError for a plan of another sweep.
+// Simulates a part of the stored runs again, drawn from `seed`, at least one, and compares the lines of the table,
+// which have the checksums of all data of a run. Runs that timed out are left out. Throws FileError for a plan of
+// another sweep.
 void verify_runs(const sweep::Plan& plan, const std::filesystem::path& folder, double part, std::uint64_t seed,
                  Verification& verification);
 

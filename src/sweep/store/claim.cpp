@@ -7,6 +7,8 @@
 
 #include <cerrno>
 #include <condition_variable>
+#include <cstdint>
+#include <random>
 #include <sstream>
 #include <system_error>
 
@@ -34,8 +36,19 @@ std::string first_word(const std::string& text) {
     return word;
 }
 
-// Tells the start of the system, so that process numbers of other hosts are not mistaken for ours.
-std::string system_start() { return first_word(system_text("/proc/sys/kernel/random/boot_id")); }
+// The start of the system and the namespace of process numbers: processes of other hosts and containers have numbers
+// that mean nothing here.
+std::string system_identity() {
+    std::error_code error;
+    return first_word(system_text("/proc/sys/kernel/random/boot_id")) + "/" +
+           fs::read_symlink("/proc/self/ns/pid", error).string();
+}
+
+std::string random_nonce() {
+    std::random_device random;
+    const std::uint64_t number = std::uint64_t{random()} << 32 | random();
+    return std::to_string(number);
+}
 
 // When a process started, so that a later process of the same number is not mistaken for it: the 22nd word of its
 // status, the 20th after the name in brackets. Empty if there is no such process.
@@ -49,22 +62,22 @@ std::string process_start(const std::string& process) {
     return word;
 }
 
-std::string own_text() {
+std::string own_text(const std::string& nonce) {
     const std::string process = std::to_string(::getpid());
-    return system_start() + " " + process + " " + process_start(process) + "\n";
+    return system_identity() + " " + process + " " + process_start(process) + " " + nonce + "\n";
 }
 
 bool has_ended(const fs::path& claim) {
     std::istringstream words(system_text(claim));
     std::string system, process, start;
     words >> system >> process >> start;
-    return !start.empty() && !system.empty() && system == system_start() && process_start(process) != start;
+    return !start.empty() && system == system_identity() && process_start(process) != start;
 }
 
 }  // namespace
 
 Claims::Claims(const fs::path& sweep_folder, std::chrono::milliseconds lease)
-    : folder_(sweep_folder / "claims"), text_(own_text()), lease_(lease) {
+    : folder_(sweep_folder / "claims"), nonce_(random_nonce()), text_(own_text(nonce_)), lease_(lease) {
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) throw FileError(folder_, "cannot create the folder: " + error.message());
@@ -75,13 +88,16 @@ Claims::~Claims() {
     renewal_.request_stop();
     renewal_.join();
     std::error_code ignored;
-    for (const std::string& name : held_) fs::remove(folder_ / name, ignored);
+    for (const std::string& name : held_)
+        if (is_own(name)) fs::remove(folder_ / name, ignored);
 }
+
+bool Claims::is_own(const std::string& name) const { return system_text(folder_ / name) == text_; }
 
 // Linking a file with its text gives the claim its text at once, and fails if there is one.
 bool Claims::make(const std::string& name) const {
-    const fs::path file = folder_ / name, own = folder_ / (name + ".new-" + std::to_string(::getpid()));
-    const int descriptor = ::open(own.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    const fs::path file = folder_ / name, own = folder_ / (name + ".new-" + nonce_);
+    const int descriptor = ::open(own.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno == ENOENT) return false;  // another process has completed the sweep
     if (descriptor < 0) throw FileError(file, "cannot write: " + std::generic_category().message(errno));
     const bool is_written = ::write(descriptor, text_.data(), text_.size()) == static_cast<ssize_t>(text_.size());
@@ -112,7 +128,7 @@ bool Claims::take(const std::string& name) {
     if (!make(name)) {
         if (!is_abandoned(file, name)) return false;
         // Of several processes that take it over, renaming succeeds in one.
-        const fs::path old = folder_ / (name + ".old-" + std::to_string(::getpid()));
+        const fs::path old = folder_ / (name + ".old-" + nonce_);
         std::error_code error;
         fs::rename(file, old, error);
         if (error) return false;
@@ -127,12 +143,12 @@ bool Claims::take(const std::string& name) {
 void Claims::release(const std::string& name) {
     const std::lock_guard lock(mutex_);
     std::error_code ignored;
-    if (held_.erase(name) > 0) fs::remove(folder_ / name, ignored);
+    if (held_.erase(name) > 0 && is_own(name)) fs::remove(folder_ / name, ignored);
 }
 
 bool Claims::holds(const std::string& name) {
     const std::lock_guard lock(mutex_);
-    return held_.contains(name) && system_text(folder_ / name) == text_;
+    return held_.contains(name) && is_own(name);
 }
 
 bool Claims::has_folder() const { return fs::exists(folder_); }
@@ -148,7 +164,8 @@ void Claims::renew(const std::stop_token& stop) {
     std::unique_lock sleeping(sleep);
     while (!wake.wait_for(sleeping, stop, lease_ / 4, [&] { return stop.stop_requested(); })) {
         const std::lock_guard lock(mutex_);
-        for (const std::string& name : held_) ::utimensat(AT_FDCWD, (folder_ / name).c_str(), nullptr, 0);
+        for (const std::string& name : held_)
+            if (is_own(name)) ::utimensat(AT_FDCWD, (folder_ / name).c_str(), nullptr, 0);
     }
 }
 

@@ -13,9 +13,8 @@
 namespace tumble::sweep {
 
 // The claims of one process in the folder DIR/claims. A claim is a file that only one process can make; its text names
-// that process. Its process
-// touches it again and again; if it has not been touched for the time of the lease, or if its process is known to have
-// ended, another process takes it over. If two processes come to write one shard, they write the same bytes.
+// that process. The process renews the file's time each quarter of the lease. Another process takes the claim over when
+// the time has not changed for a whole lease, or when the owner is known to have ended.
 class Claims {
 public:
     Claims(const std::filesystem::path& sweep_folder, std::chrono::milliseconds lease);
@@ -25,6 +24,8 @@ public:
 
     // False if another process has it. Throws FileError.
     bool take(const std::string& name);
+
+    // Leaves a claim that another process has taken over.
     void release(const std::string& name);
 
     // Whether a claim that was taken is still that of this process: not if its lease has ended meanwhile.
@@ -43,11 +44,13 @@ private:
     };
 
     bool make(const std::string& name) const;
+    bool is_own(const std::string& name) const;
     bool is_abandoned(const std::filesystem::path& file, const std::string& name);
     void renew(const std::stop_token& stop);
 
     std::filesystem::path folder_;
-    std::string text_;  // of the claims of this process
+    std::string nonce_;  // no other object has it
+    std::string text_;   // of the claims of this object
     std::chrono::milliseconds lease_;
     std::mutex mutex_;
     std::set<std::string> held_;

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -36,8 +37,13 @@ LineJson to_json(const StoredFile& file) {
     return {{"name", file.name}, {"bytes", file.bytes}, {"xxh64", hex(file.hash)}};
 }
 
-StoredFile to_file(const LineJson& json) {
-    return {json.at("name").get<std::string>(), json.at("bytes").get<std::uint64_t>(), from_hex(json.at("xxh64"))};
+// Throws if it is not a whole number that is not negative; get() would convert any number.
+std::uint64_t whole(const LineJson& json) { return json.get_ref<const std::uint64_t&>(); }
+
+StoredFile to_file(const LineJson& json, const std::set<std::string>& names) {
+    const auto name = json.at("name").get<std::string>();
+    if (!names.contains(name)) throw std::invalid_argument("not a file of a sweep");
+    return {name, whole(json.at("bytes")), from_hex(json.at("xxh64"))};
 }
 
 std::string line_of(const SweepHeader& header) {
@@ -61,19 +67,21 @@ std::string line_of(const ShardEntry& entry) {
 void read_line(const std::string& line, Manifest& manifest, const fs::path& file) {
     const LineJson json = LineJson::parse(line);
     if (json.contains("plan")) {
-        const SweepHeader header{from_hex(json.at("plan")), json.at("runs").get<std::uint64_t>(),
-                                 json.at("shard_runs").get<std::uint64_t>(), json.at("version").get<std::string>(),
-                                 json.at("columns").get<std::string>()};
+        const SweepHeader header{from_hex(json.at("plan")), whole(json.at("runs")), whole(json.at("shard_runs")),
+                                 json.at("version").get<std::string>(), json.at("columns").get<std::string>()};
+        if (header.runs == 0 || header.shard_runs == 0) throw FileError(file, "states a sweep without runs");
         if (manifest.header && !(*manifest.header == header)) throw FileError(file, "is of two sweeps");
         manifest.header = header;
     } else if (json.contains("shard")) {
-        ShardEntry entry{.shard = json.at("shard").get<std::uint64_t>()};
-        entry.outcomes = json.at("outcomes").get<std::map<std::string, std::uint64_t>>();
-        entry.table = to_file(json.at("table"));
-        for (const LineJson& stored : json.at("files")) entry.files.push_back(to_file(stored));
+        ShardEntry entry{.shard = whole(json.at("shard"))};
+        for (const auto& [outcome, count] : json.at("outcomes").items()) entry.outcomes[outcome] = whole(count);
+        entry.table = to_file(json.at("table"), {shard_file_name(entry.shard, ".csv")});
+        for (const LineJson& stored : json.at("files"))
+            entry.files.push_back(
+                to_file(stored, {shard_file_name(entry.shard, ".tar"), shard_file_name(entry.shard, ".h5")}));
         manifest.shards.insert_or_assign(entry.shard, entry);
     } else {
-        manifest.table = to_file(json.at("complete"));
+        manifest.table = to_file(json.at("complete"), {table_file({}).string()});
     }
 }
 
@@ -116,11 +124,13 @@ Manifest read_manifest(const fs::path& folder) {
         try {
             read_line(line, manifest, file);
         } catch (const LineJson::exception&) {
-            ++manifest.cut_lines;
+            ++manifest.damaged_lines;
         } catch (const std::logic_error&) {
-            ++manifest.cut_lines;
+            ++manifest.damaged_lines;
         }
     }
+    const std::uint64_t shards = manifest.header ? manifest.header->shards() : 0;
+    manifest.damaged_lines += std::erase_if(manifest.shards, [&](const auto& entry) { return entry.first >= shards; });
     return manifest;
 }
 

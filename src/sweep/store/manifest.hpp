@@ -25,12 +25,13 @@ std::uint64_t hash_of(std::string_view bytes);
 // What all processes on one folder must agree on.
 struct SweepHeader {
     std::uint64_t plan = 0;  // Plan::hash
-    std::uint64_t runs = 0;
-    std::uint64_t shard_runs = 0;
+    std::uint64_t runs = 1;
+    std::uint64_t shard_runs = 1;
     std::string version;  // of tumble
     std::string columns;  // the first line of the table
 
     bool operator==(const SweepHeader&) const = default;
+    std::uint64_t shards() const { return (runs - 1) / shard_runs + 1; }
 };
 
 struct ShardEntry {
@@ -44,7 +45,7 @@ struct Manifest {
     std::optional<SweepHeader> header{};
     std::map<std::uint64_t, ShardEntry> shards{};
     std::optional<StoredFile> table{};  // runs.csv of a complete sweep
-    std::size_t cut_lines = 0;
+    std::size_t damaged_lines = 0;      // cut off, or not those of a manifest
 };
 
 std::filesystem::path manifest_file(const std::filesystem::path& folder);
@@ -53,7 +54,8 @@ std::filesystem::path table_file(const std::filesystem::path& folder);
 // "shard-000003.csv"
 std::string shard_file_name(std::uint64_t shard, std::string_view extension);
 
-// Empty if there is none. Throws FileError, also for lines that contradict each other.
+// Empty if there is none. A manifest from elsewhere names no other files than those of its own folder. Throws
+// FileError, also for first lines that contradict each other or have impossible numbers.
 Manifest read_manifest(const std::filesystem::path& folder);
 
 // Appends a line in one piece. Throws FileError.
