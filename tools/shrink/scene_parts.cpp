@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numbers>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_world.hpp"
@@ -218,6 +220,28 @@ std::vector<Repeat> repeats_of(const SceneJson& document) {
     visit_bodies(document, add);
     visit_elements(document, "joints", add);
     return repeats;
+}
+
+SceneJson with_single_copies(const SceneJson& document, const Scene& scene, std::size_t index) {
+    SceneJson single = document["bodies"][index];
+    const bool turns = single["repeat"].dump().find("\"turn\"") != std::string::npos;
+    single.erase("repeat");
+    single.erase("skin");  // a loop through copies
+    SceneJson bodies = SceneJson::array();
+    for (std::size_t i = 0; i < index; ++i) bodies.push_back(document["bodies"][i]);
+    const SceneWorld built = build_world(scene);
+    for (const SceneInstance& copy : built.bodies) {
+        if (copy.source != index) continue;
+        const auto pose = built.world.state(copy.id).pose;
+        if (!copy.name.empty()) single["name"] = copy.name;
+        single["position"] = {pose.position.x, pose.position.y};
+        if (turns) single["angle"] = double{angle(pose.rotation)} * 180.0 / std::numbers::pi;
+        bodies.push_back(single);
+    }
+    for (std::size_t i = index + 1; i < document["bodies"].size(); ++i) bodies.push_back(document["bodies"][i]);
+    SceneJson expanded = document;
+    expanded["bodies"] = std::move(bodies);
+    return expanded;
 }
 
 std::vector<Pointer> fractions_of(const SceneJson& document) {

@@ -50,6 +50,10 @@ struct Repeat {
 };
 std::vector<Repeat> repeats_of(const SceneJson& document);
 
+// The document of this scene with the copies of a repeated body, /bodies/INDEX, as bodies of their own, which have the
+// same names and poses. Throws as build_world().
+SceneJson with_single_copies(const SceneJson& document, const Scene& scene, std::size_t index);
+
 // The numbers with a fraction in the world, the materials, bodies, joints and events, without those of time.
 std::vector<Pointer> fractions_of(const SceneJson& document);
 

@@ -10,6 +10,7 @@
 #include "tools/shrink/delta_debugging.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::tools {
 
@@ -18,6 +19,8 @@ namespace {
 // Rounding makes a scene easier to read, not smaller: it gets a part of the runs that one can wait for.
 constexpr std::size_t kMostRoundingRuns = 48;
 constexpr int kMostDigits = 6;
+
+constexpr std::size_t kMostSeparated = 2000;  // bodies of a scene whose copies are written as single bodies
 
 // The shortest decimal that is nearest to a step, as a duration (s).
 double duration_of(std::uint64_t step, double steps_per_second) {
@@ -68,6 +71,7 @@ Shrinker::Shrinker(const std::string& text, Failure failure, std::vector<std::st
 void Shrinker::shrink() {
     if (failure_.claim >= 0) remove(PartKind::claims, false);  // all others
     remove_structure(false);
+    separate_copies();
     shorten();
     remove(PartKind::keys, false);
     round_numbers();
@@ -136,6 +140,28 @@ bool Shrinker::lower_repeats() {
             lowers = true;
     }
     return lowers;
+}
+
+// Of a repeated body of which a claim or a joint needs the last copy, no copy can go before it is single.
+void Shrinker::separate_copies() {
+    for (std::size_t i = 0; i < scene_.bodies.size();) i = separate_copies_of(i) ? 0 : i + 1;
+}
+
+bool Shrinker::separate_copies_of(std::size_t body) {
+    const SceneBody& repeated = scene_.bodies[body];
+    const bool is_kept = std::ranges::find(kept_names_, repeated.name) != kept_names_.end();
+    const std::size_t before = count_bodies(scene_);
+    if (!repeated.repeat || is_kept || before > kMostSeparated) return false;
+    const std::string text = to_json(scene_);
+    const std::uint64_t step = step_;
+    const std::size_t found = try_first(
+        1, [&](std::size_t) { return smaller_text(with_single_copies(document_, scene_, body), PartKind::bodies); });
+    if (found > 0) return false;
+    remove(PartKind::bodies, false);
+    if (count_bodies(scene_) < before) return true;
+    accept(text);
+    step_ = step;
+    return false;
 }
 
 bool Shrinker::shorten_to(std::uint64_t step) {

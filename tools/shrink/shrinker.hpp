@@ -1,7 +1,8 @@
 // Makes a scene smaller while it fails in the same way.
 //
 // First it removes claims, events, bodies, joints, shapes, points of outlines, and materials, each kind by delta
-// debugging; what names a removed body goes with it. Then it lowers the numbers of copies, shortens the run to the step
+// debugging; what names a removed body goes with it. Then it lowers the numbers of copies, or writes copies as single
+// bodies if that lets some of them go, shortens the run to the step
 // of the failure, drops keys that need not differ from their defaults, and rounds numbers. Last it tries again to
 // remove each single part, until none can be removed. It follows Regehr et al., "Test-Case Reduction for C Compiler
 // Bugs", PLDI 2012, in that every candidate is a valid input.
@@ -40,6 +41,8 @@ private:
     bool remove(PartKind kind, bool singly);
     bool remove_structure(bool singly);
     bool lower_repeats();
+    void separate_copies();
+    bool separate_copies_of(std::size_t body);
     bool shorten();
     bool shorten_to(std::uint64_t step);
     bool search_shorter();
