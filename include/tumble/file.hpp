@@ -23,6 +23,10 @@ public:
 std::string read_file(const std::filesystem::path& file,
                       std::size_t limit = std::numeric_limits<std::size_t>::max() - 1);
 
+// Whether a path that a file in `folder` names leads out of that folder: by "..", as an absolute path, or through a
+// symbolic link. A relative `named` is relative to `folder`. Files that do not exist are allowed.
+bool leads_outside(const std::filesystem::path& folder, const std::filesystem::path& named);
+
 // A file to be written. The bytes go to a temporary file in the same folder, with a name that no other thread or
 // process uses, and commit() renames it. The path /dev/stdout stands for standard output: its bytes go there in order,
 // without a temporary file, and an error may leave a part of them written. All functions throw FileError with the

@@ -57,4 +57,8 @@ ImportedScene parse_svg(std::string_view text, const std::string& file_name, con
 ImportedScene import_rube(const std::filesystem::path& file);
 ImportedScene parse_rube(std::string_view text, const std::string& file_name);
 
+// The JSON of a R.U.B.E. export, which may have comments. The wrapper of a JavaScript file that assigns the scene to a
+// variable, "var name = {...};", becomes blanks, so that lines and columns stay.
+std::string rube_json(std::string_view text);
+
 }  // namespace tumble

@@ -44,6 +44,24 @@ TEST_CASE("an import has the masses and the joint anchors of Box2D") {
     CHECK(compare_with_box2d(kSmall, import_rube(kSmall).scene).joints >= 9);
 }
 
+TEST_CASE("the comparison reads comments and the wrapper of a JavaScript file, as the importer does") {
+    std::ostringstream small;
+    small << std::ifstream(kSmall).rdbuf();
+    const std::filesystem::path file = std::filesystem::path(TUMBLE_BINARY_DIR) / "wrapped_export.js";
+    for (const std::string& text : {"// }\n" + small.str() + " /* { */", "var scene = /* { */ " + small.str() + ";\n"}) {
+        std::ofstream(file) << text;
+        bool is_read = true;
+        try {
+            import_rube(file);
+        } catch (const SceneError&) {
+            is_read = false;
+        }
+        CAPTURE(text.substr(0, 20));
+        if (is_read) compare(file);
+        CHECK(is_read);
+    }
+}
+
 TEST_CASE("the comparison detects another mass, another anchor and a missing joint") {
     Scene scene = import_rube(kSmall).scene;
     for (SceneBody& body : scene.bodies)

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "render/output/png.hpp"
-#include "render/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 #include "tumble/file.hpp"
 #include "tumble/render.hpp"
 

@@ -17,7 +17,7 @@
 #define STBI_ONLY_PNG
 #include <stb_image.h>
 
-#include "render/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/small_disk.hpp"
 #include "tumble/file.hpp"
 #include "tumble/recording.hpp"

@@ -132,7 +132,9 @@ TEST_CASE("the schema and the reader accept and refuse the same plans") {
         {"/timeout", 0},
         {"/rnus", 3},
     };
-    for (const auto& [pointer, value] : wrong) {
+    for (const auto& change : wrong) {
+        const std::string pointer = change.first;
+        const json value = change.second;
         json changed = plan;
         changed[json::json_pointer(pointer)] = value;
         CAPTURE(pointer);

@@ -11,6 +11,7 @@
 #include "diff_answer.hpp"
 #include "process.hpp"
 #include "tools/diff/png_reader.hpp"
+#include "tumble/file.hpp"
 #include "tumble/render.hpp"
 
 using nlohmann::json;
@@ -176,4 +177,25 @@ TEST_CASE("diff compares frames pixel by pixel and draws where they differ") {
     CHECK(sizes["first"]["what"] == "4x2 pixels in A, 5x2 pixels in B");
     CHECK(sizes["worst"]["frame"] == "frame_000001.png");
     CHECK(run_tumble({"diff", a + "/frames/frame_000000.png", folder.write("bad.png", "PNG")}).code == 3);
+}
+
+TEST_CASE("diff refuses a picture that is cut, or that claims more bytes than its file has") {
+    const Folder folder;
+    const tumble::Image image{4, 2, std::vector<std::uint8_t>(32, 120)};
+    const std::string whole = (folder / "whole.png").string();
+    tumble::write_png(image, whole);
+    const std::string bytes = tumble::read_file(whole, 1 << 16);
+    CHECK(run_tumble({"diff", whole, whole}).code == 0);
+    const auto refuses = [&](const std::string& changed) {
+        const Answer answer = run_tumble({"diff", whole, folder.write("changed.png", changed)});
+        return answer.code == 3 &&
+               answer.err.find("changed.png: is not a PNG file, or not complete") != std::string::npos;
+    };
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+        CAPTURE(length);
+        CHECK(refuses(bytes.substr(0, length)));
+    }
+    std::string claims = bytes;
+    claims[bytes.find("IDAT") - 4] = 0x20;  // 512 MiB
+    CHECK(refuses(claims));
 }

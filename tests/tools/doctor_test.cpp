@@ -19,6 +19,8 @@ using tumble::test::tumble_command;
 
 namespace {
 
+const std::string kPendulum = TUMBLE_SOURCE_DIR "/scenes/pendulum.json";
+
 const char* const kOsmesaNames[] = {"libOSMesa.so.8", "libOSMesa.so"};
 const char* const kEglNames[] = {"libEGL.so.1", "libEGL.so"};
 
@@ -55,8 +57,7 @@ private:
 };
 
 std::vector<std::string> shot(const std::string& file, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments{"shot",   TUMBLE_SOURCE_DIR "/scenes/pendulum.json", "-o", file, "--size",
-                                       "640x360"};
+    std::vector<std::string> arguments{"shot", kPendulum, "-o", file, "--size", "640x360"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -123,10 +124,10 @@ TEST_CASE("without any OpenGL, everything but frames works, and the doctor says 
     CHECK(has(frames, "libosmesa6"));
     CHECK(has(frames, "libegl1"));
     CHECK(machine.answer({"--version"}).code == 0);
-    CHECK(machine.answer({"check", TUMBLE_SOURCE_DIR "/scenes/pendulum.json"}).code == 0);
+    CHECK(machine.answer({"check", kPendulum}).code == 0);
     CHECK(machine
-              .answer({"run", TUMBLE_SOURCE_DIR "/scenes/pendulum.json", "-o", machine.file("labels"), "--no-frames",
-                       "--duration", "0.1", "--masks", "--boxes"})
+              .answer({"run", kPendulum, "-o", machine.file("labels"), "--no-frames", "--duration", "0.1", "--masks",
+                       "--boxes"})
               .code == 0);
     CHECK(std::filesystem::exists(machine.file("labels/masks/mask_000006.png")));
 }
@@ -143,8 +144,8 @@ TEST_CASE("without ffmpeg, everything but videos works") {
     }
     machine.doctor(0, "frames,text");
     CHECK(machine.answer(shot(machine.file("a.png"))).code == 0);
-    const Answer video = machine.answer({"run", TUMBLE_SOURCE_DIR "/scenes/pendulum.json", "-o", machine.file("out"),
-                                         "--no-frames", "--video", machine.file("a.mp4")});
+    const Answer video =
+        machine.answer({"run", kPendulum, "-o", machine.file("out"), "--no-frames", "--video", machine.file("a.mp4")});
     CHECK(video.code == 5);
     CHECK(has(video, "ffmpeg"));
 }
@@ -174,6 +175,6 @@ TEST_CASE("without fonts, frames without text work") {
     CHECK(text.code == 5);
     CHECK(has(text, "fonts-dejavu-core"));
     CHECK(answer(shot((folder / "bare.png").string(), {"--hide", "title,time,scale"})).code == 0);
-    const std::string scene = TUMBLE_SOURCE_DIR "/scenes/pendulum.json";
+    const std::string scene = kPendulum;
     CHECK(answer({"shot", scene, "-o", (folder / "small.png").string(), "--size", "320x180"}).code == 0);
 }

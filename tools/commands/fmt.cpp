@@ -7,6 +7,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/output/standard_input.hpp"
+#include "tools/scene/scene_options.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
@@ -20,6 +21,7 @@ struct FmtArguments {
     bool write = false;
     bool flat = false;
     bool force = false;
+    bool allow_outside = false;
 };
 
 // Counts the comments of a valid scene: // to the end of the line, and /* */.
@@ -47,6 +49,7 @@ ExitCode format(const Command& command, const FmtArguments& options) {
         throw CLI::ValidationError("--write", "replaces a file, and standard input is none");
     LoadOptions as_written;
     as_written.keep_includes = !options.flat;
+    as_written.allow_outside = options.allow_outside;
     const Scene scene = load_scene_input(options.file, as_written);
     const std::string text = to_json(scene);
     const std::string before = read_input(options.file);
@@ -80,6 +83,7 @@ void add_fmt(CLI::App& app, Command& command) {
     fmt.add_option("SCENE", options->file, "Scene file; - is standard input")->required();
     fmt.add_flag("-w,--write", options->write, "Replace the file instead of printing");
     fmt.add_flag("--force", options->force, "With --write: also replace a file with comments, which are lost");
+    add_outside_option(fmt, options->allow_outside);
     fmt.add_flag("--flat", options->flat, "Resolve includes: print a scene that needs no other file");
     fmt.callback([&command, options] { command.action = [&command, options] { return format(command, *options); }; });
 }

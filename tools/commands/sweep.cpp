@@ -11,6 +11,7 @@
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/scene/scene_options.hpp"
 #include "tools/sweep/estimate.hpp"
 #include "tools/sweep/sweep_text.hpp"
 #include "tools/sweep/sweep_work.hpp"
@@ -23,7 +24,7 @@ struct SweepArguments {
     std::filesystem::path plan;
     std::uint64_t runs = 0;
     std::string part;
-    bool dry_run = false;
+    bool dry_run = false, allow_outside = false;
     SweepOptions work{.jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))};
 };
 
@@ -43,7 +44,7 @@ ExitCode sweep(const Command& command, SweepArguments options) {
     if (options.plan.empty()) throw CLI::RequiredError("PLAN");
     read_part(options.part, options.work);
     if (!options.dry_run && options.work.folder.empty()) throw CLI::RequiredError("--output");
-    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs);
+    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside);
     catch_interrupts();
     if (options.dry_run) {
         const SweepEstimate estimate = estimate_sweep(plan, options.work.jobs);
@@ -79,6 +80,7 @@ void add_sweep(CLI::App& app, Command& command) {
         ->check(number_from_to(0.1, 1e6));
     app_sweep.add_flag("--dry-run", options->dry_run,
                        "Simulate 20 runs, write nothing, and print how long and how large the sweep is");
+    add_outside_option(app_sweep, options->allow_outside);
     add_sweep_commands(app_sweep, command);
     add_sweep_submit(app_sweep, command);
     app_sweep.callback([&app_sweep, &command, options] {

@@ -11,6 +11,7 @@
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/scene/scene_options.hpp"
 #include "tools/sweep/merging.hpp"
 #include "tools/sweep/sweep_plot.hpp"
 #include "tools/sweep/sweep_text.hpp"
@@ -27,6 +28,7 @@ struct VerifyArguments {
     fs::path folder, plan;
     double part = 0.01;
     std::uint64_t seed = 1;
+    bool allow_outside = false;
 };
 
 ExitCode verify(const Command& command, const VerifyArguments& options) {
@@ -36,8 +38,8 @@ ExitCode verify(const Command& command, const VerifyArguments& options) {
     } else {
         const std::optional<sweep::SweepHeader> header = sweep::read_manifest(options.folder).header;
         catch_interrupts();
-        verify_runs(sweep::read_plan(options.plan, header->runs), options.folder, options.part, options.seed,
-                    verification);
+        verify_runs(sweep::read_plan(options.plan, header->runs, options.allow_outside), options.folder, options.part,
+                    options.seed, verification);
     }
     write_output(command.json ? to_json(verification) : to_text(verification));
     return verification.findings.empty() ? ExitCode::ok : ExitCode::failed;
@@ -107,6 +109,7 @@ void add_sweep_commands(CLI::App& app, Command& command) {
     app_verify.add_option("--seed", verified->seed, "From which these runs are drawn")
         ->capture_default_str()
         ->check(any_seed());
+    add_outside_option(app_verify, verified->allow_outside);
     app_verify.callback(
         [&command, verified] { command.action = [&command, verified] { return verify(command, *verified); }; });
 

@@ -10,6 +10,7 @@
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/scene/scene_options.hpp"
 #include "tools/sweep/estimate.hpp"
 #include "tools/sweep/slurm_script.hpp"
 #include "tumble/file.hpp"
@@ -24,7 +25,7 @@ struct SubmitArguments {
     fs::path plan;
     std::uint64_t runs = 0;
     SlurmOptions slurm;
-    bool is_slurm = false, prints = false;
+    bool is_slurm = false, prints = false, allow_outside = false;
 };
 
 // Submits a script and returns the number of the job. The file is named by its folder and has no quotes.
@@ -42,7 +43,7 @@ std::string submit(const fs::path& script, const std::string& options) {
 
 ExitCode submit_sweep(const Command& command, SubmitArguments options) {
     if (!options.is_slurm) throw CLI::RequiredError("--slurm");
-    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs);
+    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside);
     SlurmOptions& slurm = options.slurm;
     slurm.folder = fs::absolute(slurm.folder).lexically_normal();
     if (slurm.folder.string().find('\'') != std::string::npos)
@@ -96,6 +97,7 @@ void add_sweep_submit(CLI::App& app, Command& command) {
         ->allow_extra_args(false);
     app_submit.add_option("--program", options->slurm.program, "The program, as the nodes find it")
         ->capture_default_str();
+    add_outside_option(app_submit, options->allow_outside);
     app_submit.add_flag("--print", options->prints, "Print the script and submit nothing");
     app_submit.callback(
         [&command, options] { command.action = [&command, options] { return submit_sweep(command, *options); }; });

@@ -39,7 +39,7 @@ struct WatchArguments {
 
 // The text of the scene and of each file that it includes directly. Files that cannot be read are left out, as those
 // are that an editor is just replacing.
-std::map<fs::path, std::string> texts_of(const std::string& file) {
+std::map<fs::path, std::string> texts_of(const std::string& file, bool allow_outside) {
     std::map<fs::path, std::string> texts;
     const auto add = [&](const fs::path& path) {
         try {
@@ -51,6 +51,7 @@ std::map<fs::path, std::string> texts_of(const std::string& file) {
     try {
         LoadOptions as_written;
         as_written.keep_includes = true;
+        as_written.allow_outside = allow_outside;
         for (const SceneInclude& part : load_scene(file, as_written).include)
             add(fs::path(file).parent_path() / part.file);
     } catch (const std::exception&) {
@@ -107,7 +108,7 @@ ExitCode watch(const Command& command, const WatchArguments& options) {
     saves.add(options.file);
     for (bool is_saved = true; !is_interrupted(); is_saved = saves.wait(kLongestWait)) {
         if (!is_saved) continue;
-        std::map<fs::path, std::string> texts = texts_of(options.file);
+        std::map<fs::path, std::string> texts = texts_of(options.file, options.changes.allow_outside);
         if (!texts.contains(options.file) || texts == seen) continue;
         for (const auto& [file, text] : texts) saves.add(file);
         seen = std::move(texts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "tools/output/input_error.hpp"
 #include "tumble/file.hpp"
@@ -32,16 +33,36 @@ namespace tumble::tools {
 
 static_assert(kLargestFrame == STBI_MAX_DIMENSIONS);
 
+namespace {
+
+// Whether the file holds all bytes of each chunk up to its end (PNG, 5.3): stb takes memory for as many as a chunk
+// claims.
+bool holds_its_chunks(std::string_view bytes) {
+    constexpr std::size_t kAround = 12;  // length, type and checksum
+    std::size_t at = 8;                  // after the signature
+    while (at <= bytes.size() && bytes.size() - at >= kAround) {
+        std::size_t length = 0;
+        for (const char digit : bytes.substr(at, 4)) length = length << 8 | static_cast<unsigned char>(digit);
+        if (length > bytes.size() - at - kAround) return false;
+        if (bytes.substr(at + 4, 4) == "IEND") return true;
+        at += kAround + length;
+    }
+    return false;
+}
+
+}  // namespace
+
 Image read_png(const std::filesystem::path& file) {
     constexpr std::size_t kMaxBytes = std::size_t{1} << 29;  // more than the pixels of the largest frame
     const std::string bytes = read_file(file, kMaxBytes);
     if (bytes.size() > kMaxBytes) throw InputError(file.string() + ": the picture is too large");
+    if (!holds_its_chunks(bytes)) throw InputError(file.string() + ": is not a PNG file, or not complete");
     Image image;
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
                               &image.width, &image.height, nullptr, 4),
         &stbi_image_free);
-    if (!pixels) throw InputError(file.string() + ": is not a PNG file, or not complete: " + stbi_failure_reason());
+    if (!pixels) throw InputError(file.string() + ": is not a valid PNG file: " + stbi_failure_reason());
     const std::size_t size = 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     image.rgba.assign(pixels.get(), pixels.get() + size);
     return image;

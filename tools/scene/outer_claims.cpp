@@ -105,7 +105,9 @@ double time_ratio(const Scene& scene, const Scene& reference) {
 }
 
 void decide_time_ratio(const EndedRun& run, const SceneExpectation& claim, ExpectationResult& result) {
-    const Scene reference = load_named_scene((run.folder / claim.reference).string());
+    LoadOptions options;
+    options.allow_outside = run.allow_outside;
+    const Scene reference = load_named_scene((run.folder / claim.reference).string(), options);
     std::array<double, 3> ratios{};
     for (double& ratio : ratios) ratio = time_ratio(run.scene, reference);
     std::ranges::sort(ratios);

@@ -13,6 +13,7 @@ struct EndedRun {
     const Scene& scene;
     std::filesystem::path folder;  // of the scene
     std::uint64_t last_step = 0;
+    bool allow_outside = false;  // as LoadOptions::allow_outside, for the reference scene of a claim
 };
 
 // A `picture` or a `max_time_ratio`. A picture that is missing is an error, or is written with `write_missing`: then

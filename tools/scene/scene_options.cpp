@@ -16,6 +16,11 @@ void add_change_options(CLI::App& subcommand, LoadOptions& changes, const std::s
         ->type_name("/json/pointer=value")
         ->allow_extra_args(false);
     subcommand.add_option("--seed", changes.seed, "Replace the seed of " + scene)->type_name("N")->check(any_seed());
+    add_outside_option(subcommand, changes.allow_outside);
+}
+
+void add_outside_option(CLI::App& subcommand, bool& allow_outside) {
+    subcommand.add_flag("--allow-outside", allow_outside, "Accept paths in files that lead out of the file's folder");
 }
 
 void add_scene_options(CLI::App& subcommand, SceneOptions& options) {

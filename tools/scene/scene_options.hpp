@@ -16,10 +16,12 @@ struct SceneOptions {
     LoadOptions changes;
 };
 
-// Adds --set and --seed. `scene` names the scene in their help.
+// Adds --set, --seed and --allow-outside. `scene` names the scene in their help.
 void add_change_options(CLI::App& subcommand, LoadOptions& changes, const std::string& scene = "the scene");
 
-// Adds SCENE, --set and --seed.
+void add_outside_option(CLI::App& subcommand, bool& allow_outside);
+
+// Adds SCENE, --set, --seed and --allow-outside.
 void add_scene_options(CLI::App& subcommand, SceneOptions& options);
 
 // Reads a scene. A scene without a name gets the name of its file. Throws FileError or SceneError.

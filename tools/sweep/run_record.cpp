@@ -66,6 +66,7 @@ Scene SweepRun::load() const {
     LoadOptions changes;
     changes.overrides = overrides_of(plan_, choice_);
     changes.seed = choice_.seed;
+    changes.allow_outside = plan_.allow_outside;
     changes.read_included = [this](const std::filesystem::path& file) { return texts_.read(file); };
     return load_scene(scene_file(plan_, choice_.scene), changes);
 }

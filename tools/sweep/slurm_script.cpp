@@ -68,8 +68,8 @@ std::string slurm_script(const sweep::Plan& plan, const SlurmOptions& options, c
            "\n#SBATCH --requeue\n#SBATCH --open-mode=append\n#SBATCH --output=" + options.folder.string() +
            ".slurm/%a.log\nexec " + shell_quoted(options.program) + " sweep " +
            shell_quoted(fs::absolute(plan.file).string()) + " -o " + shell_quoted(options.folder.string()) +
-           " --runs " + std::to_string(plan.runs) + " --shard \"$SLURM_ARRAY_TASK_ID\"/" +
-           std::to_string(options.tasks) + " -j \"${SLURM_CPUS_PER_TASK:-1}\"\n";
+           " --runs " + std::to_string(plan.runs) + (plan.allow_outside ? " --allow-outside" : "") +
+           " --shard \"$SLURM_ARRAY_TASK_ID\"/" + std::to_string(options.tasks) + " -j \"${SLURM_CPUS_PER_TASK:-1}\"\n";
 }
 
 std::string merge_script(const sweep::Plan& plan, const SlurmOptions& options) {

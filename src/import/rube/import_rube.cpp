@@ -26,21 +26,6 @@ namespace scene {
 
 namespace {
 
-// Replaces the wrapper of a JavaScript file that assigns the scene to a variable, "var name = {...};", by blanks, so
-// that positions in the text remain those of the file.
-std::string without_javascript(std::string_view text) {
-    std::string result(text);
-    const std::size_t open = result.find('{');
-    const std::size_t equals = result.find('=');
-    const std::size_t close = result.find_last_not_of("; \t\r\n");
-    if (open == std::string::npos || equals >= open || close == std::string::npos || result[close] != '}')
-        return result;
-    const auto blank = [](char& c) { c = c == '\n' ? '\n' : ' '; };
-    std::for_each(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(open), blank);
-    std::for_each(result.begin() + static_cast<std::ptrdiff_t>(close) + 1, result.end(), blank);
-    return result;
-}
-
 class RubeImporter {
 public:
     explicit RubeImporter(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -203,8 +188,21 @@ ImportedScene import_rube(const std::filesystem::path& file) {
     return parse_rube(read_file(file, scene::kMaxFileBytes), file.string());
 }
 
+std::string rube_json(std::string_view content) {
+    std::string result(scene::without_byte_order_mark(content));
+    const std::size_t open = result.find('{');
+    const std::size_t equals = result.find('=');
+    const std::size_t close = result.find_last_not_of("; \t\r\n");
+    if (open == std::string::npos || equals >= open || close == std::string::npos || result[close] != '}')
+        return result;
+    const auto blank = [](char& c) { c = c == '\n' ? '\n' : ' '; };
+    std::for_each(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(open), blank);
+    std::for_each(result.begin() + static_cast<std::ptrdiff_t>(close) + 1, result.end(), blank);
+    return result;
+}
+
 ImportedScene parse_rube(std::string_view content, const std::string& file_name) {
-    const std::string text = scene::without_javascript(scene::without_byte_order_mark(content));
+    const std::string text = rube_json(content);
     scene::Diagnostics diagnostics(file_name, text);
     ImportedScene imported;
     if (const std::optional<scene::Json> document = scene::parse_json(text, diagnostics)) {

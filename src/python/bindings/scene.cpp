@@ -42,10 +42,11 @@ py::dict names_of(const World& world, const std::vector<Instance>& instances) {
 
 void add_scene(py::module_& module) {
     module.def("load_scene", [](const std::string& path, const std::vector<std::string>& overrides,
-                                std::optional<std::uint64_t> seed) {
+                                std::optional<std::uint64_t> seed, bool allow_outside) {
         LoadOptions options;
         options.overrides = overrides;
         options.seed = seed;
+        options.allow_outside = allow_outside;
         return to_json(load_scene(path, options));
     });
     module.def("check_scene",

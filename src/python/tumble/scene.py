@@ -45,13 +45,15 @@ class Scene:
         self._name = name
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], *, set: Sequence[str] = (), seed: int | None = None) -> Scene:
+    def load(cls, path: str | os.PathLike[str], *, set: Sequence[str] = (), seed: int | None = None,
+             allow_outside: bool = False) -> Scene:  # fmt: skip
         """Reads a scene file and the files that it includes.
 
-        `set` has overrides as on the command line, "/world/duration=3". Raises SceneError with file, line and column, or
+        `set` has overrides as on the command line, "/world/duration=3". `allow_outside` accepts paths in files that lead
+        out of the folder of their file. Raises SceneError with file, line and column, or
         FileError.
         """
-        text = _tumble.load_scene(os.fspath(path), list(set), seed)
+        text = _tumble.load_scene(os.fspath(path), list(set), seed, allow_outside)
         return cls(json.loads(text), name=Path(path).name)
 
     @classmethod

@@ -11,11 +11,11 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "tumble/file.hpp"
+#include "tumble/scene_import.hpp"
 #include "tumble/scene_world.hpp"
 
 namespace tumble::reference {
@@ -43,14 +43,9 @@ b2Vec2 vector(const Json& object, const char* key) {
     return {number(object[key], "x"), number(object[key], "y")};
 }
 
-// Reads from the first brace to the last: a JavaScript file has other text around the scene.
+// With comments, as the importer accepts them.
 Json parse_export(const std::filesystem::path& file) {
-    const std::string text = read_file(file);
-    const std::size_t open = text.find('{'), close = text.rfind('}');
-    if (open == std::string::npos || close == std::string::npos || close < open)
-        throw std::runtime_error(file.string() + ": is not a R.U.B.E. export");
-    return Json::parse(text.begin() + static_cast<std::ptrdiff_t>(open),
-                       text.begin() + static_cast<std::ptrdiff_t>(close) + 1);
+    return Json::parse(rube_json(read_file(file)), nullptr, true, true);
 }
 
 // Whether Box2D accepts the mass data of a body that may rotate: the inertia about the centre of mass must be positive,

@@ -35,7 +35,7 @@ Scene parse_scene(std::string_view text, const std::string& file_name, const Loa
                   std::vector<Diagnostic>* warnings) {
     text = scene::without_byte_order_mark(text);
     scene::Diagnostics diagnostics(file_name, text);
-    auto [result, own, resolved] = scene::Reading(options.read_included).read(text, file_name, options, diagnostics);
+    auto [result, own, resolved] = scene::Reading(options).read(text, file_name, options, diagnostics);
     std::vector<SceneInclude> include = std::exchange(result.include, {});
     if (options.lint && !diagnostics.has_errors()) scene::add_lints(result, resolved.value(), diagnostics);
     diagnostics.finish(warnings);

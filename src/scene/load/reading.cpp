@@ -10,6 +10,7 @@
 #include "scene/format/writer.hpp"
 #include "scene/json/input.hpp"
 #include "scene/json/json_text.hpp"
+#include "scene/load/named_files.hpp"
 #include "scene/load/place_part.hpp"
 #include "scene/model/geometry.hpp"
 #include "tumble/file.hpp"
@@ -53,6 +54,7 @@ ReadScene Reading::read(std::string_view text, const std::filesystem::path& file
     ReadScene result{.scene = read_scene(*value, diagnostics, context_)};
     value.reset();
     result.own = sizes_of(result.scene);
+    if (read_ && !allow_outside_) check_named_files(result.scene, file, diagnostics);
     open_.push_back(file.lexically_normal());
     include_all(result.scene, file, diagnostics);
     open_.pop_back();

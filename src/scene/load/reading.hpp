@@ -31,7 +31,8 @@ struct ReadScene {
 // Reads one scene. A file that is included many times is read and validated once.
 class Reading {
 public:
-    explicit Reading(ReadIncluded read) : read_(std::move(read)) {}
+    explicit Reading(const LoadOptions& options)
+        : read_(options.read_included), allow_outside_(options.allow_outside) {}
 
     // The scene with everything that it includes. Errors go to `diagnostics`.
     ReadScene read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
@@ -45,6 +46,7 @@ private:
     std::string chain_to(const std::filesystem::path& file) const;
 
     ReadIncluded read_;
+    bool allow_outside_;
     std::map<std::filesystem::path, std::optional<Scene>> parts_;  // nothing for a file with errors
     std::vector<std::filesystem::path> open_;                      // from the scene down to the file that is being read
     DrawContext context_;                                          // of the file that is being read

@@ -78,6 +78,7 @@ struct Plan {
     Filter filter;
     Written write;
     std::uint64_t shard_runs = 0;  // 0: chosen by runs_in_shard()
+    bool allow_outside = false;    // of the option, not of the file: as LoadOptions::allow_outside
     double timeout = 0.0;          // s of wall clock for a run; 0: none
     std::uint64_t hash = 0;        // of the texts of the plan and of its scenes with all that they include
 };
@@ -106,9 +107,10 @@ RunChoice choose_run(const Plan& plan, std::uint64_t run);
 // The changes of the scene that a run makes, as --set takes them.
 std::vector<std::string> overrides_of(const Plan& plan, const RunChoice& choice);
 
-// Reads a plan with its scenes, and tries its first run. `runs` replaces those of the plan if it is not 0. Throws
-// FileError, or SceneError with line and column for a plan that is not valid or does not fit its scenes.
-Plan read_plan(const std::filesystem::path& file, std::uint64_t runs = 0);
+// Reads a plan with its scenes, and tries its first run. `runs` replaces those of the plan if it is not 0. The scenes
+// and what they include are in the folder of the plan, or `allow_outside` accepts others. Throws FileError, or
+// SceneError with line and column for a plan that is not valid or does not fit its scenes.
+Plan read_plan(const std::filesystem::path& file, std::uint64_t runs = 0, bool allow_outside = false);
 
 // The JSON schema (Draft-07) of plans.
 std::string plan_schema();

@@ -9,6 +9,7 @@
 
 #include "scene/json/input.hpp"
 #include "scene/json/json_text.hpp"
+#include "scene/load/named_files.hpp"
 #include "sweep/plan/plan.hpp"
 #include "sweep/plan/plan_object.hpp"
 #include "sweep/plan/plan_trial.hpp"
@@ -229,15 +230,22 @@ Plan read_object(const Json& json, const std::filesystem::path& file, std::uint6
     return plan;
 }
 
+void check_scene_files(const Plan& plan, Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < plan.scenes.size(); ++i)
+        scene::check_named_file(plan.scenes[i], plan.file, pointer_of_scene(plan, i), diagnostics);
+}
+
 }  // namespace
 
-Plan read_plan(const std::filesystem::path& file, std::uint64_t runs) {
+Plan read_plan(const std::filesystem::path& file, std::uint64_t runs, bool allow_outside) {
     const std::string text = read_file(file, scene::kMaxFileBytes);
     const std::string_view body = scene::without_byte_order_mark(text);
     Diagnostics diagnostics(file.string(), body);
     Plan plan;
     if (const auto json = scene::parse_json(body, diagnostics, R"(the smallest plan is {"format": 1, "scene": "F"})")) {
         plan = read_object(*json, file, runs, diagnostics);
+        plan.allow_outside = allow_outside;
+        if (!allow_outside) check_scene_files(plan, diagnostics);
         if (!diagnostics.has_errors()) {
             const std::string scenes = try_first_runs(plan, diagnostics);
             Json of_runs = *json;

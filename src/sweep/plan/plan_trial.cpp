@@ -26,6 +26,7 @@ std::optional<Scene> try_run(const Plan& plan, const RunChoice& choice, scene::D
     LoadOptions changes;
     changes.overrides = overrides_of(plan, choice);
     changes.seed = choice.seed;
+    changes.allow_outside = plan.allow_outside;
     try {
         return load_scene(scene_file(plan, choice.scene), changes);
     } catch (const SceneError& error) {
@@ -35,7 +36,7 @@ std::optional<Scene> try_run(const Plan& plan, const RunChoice& choice, scene::D
                               diagnostic.hint);
         }
     } catch (const FileError& error) {
-        diagnostics.error(plan.scenes.size() > 1 ? "/scenes/" + std::to_string(choice.scene) : "/scene", error.what(),
+        diagnostics.error(pointer_of_scene(plan, choice.scene), error.what(),
                           "paths are relative to the folder of the plan");
     }
     return std::nullopt;
@@ -62,6 +63,10 @@ void try_expressions(const Plan& plan, const Scene& scene, scene::Diagnostics& d
 }
 
 }  // namespace
+
+std::string pointer_of_scene(const Plan& plan, std::size_t scene) {
+    return plan.scenes.size() > 1 ? "/scenes/" + std::to_string(scene) : "/scene";
+}
 
 std::string try_first_runs(const Plan& plan, scene::Diagnostics& diagnostics) {
     std::string texts;

@@ -13,4 +13,7 @@ namespace tumble::sweep {
 // is not valid by itself.
 std::string try_first_runs(const Plan& plan, scene::Diagnostics& diagnostics);
 
+// The JSON pointer of the path of a scene in its plan.
+std::string pointer_of_scene(const Plan& plan, std::size_t scene);
+
 }  // namespace tumble::sweep
