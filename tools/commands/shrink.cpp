@@ -91,11 +91,11 @@ void check_arguments(const ShrinkArguments& options, const Scene& scene) {
             throw CLI::ValidationError("--keep", "there is no body '" + name + "'");
 }
 
-// Files that claims name are found from any folder.
-void make_paths_absolute(Scene& scene, const fs::path& folder) {
-    for (SceneExpectation& claim : scene.expect)
-        for (std::string* file : {&claim.picture, &claim.reference})
-            if (!file->empty()) *file = fs::absolute(folder / *file).lexically_normal().string();
+// A command gets candidates in another folder, where the files that these claims name are not. `check` does not decide
+// them.
+void drop_claims_on_files(Scene& scene) {
+    std::erase_if(scene.expect,
+                  [](const SceneExpectation& claim) { return !claim.picture.empty() || !claim.reference.empty(); });
 }
 
 // What decides the results of the runs besides their candidates.
@@ -185,7 +185,7 @@ void draw(const Shrinker& shrinker, Failure failure, const OutputFiles& files, S
 ExitCode shrink(const Command& command, const ShrinkArguments& options) {
     Scene scene = read_scene(options.scene);
     check_arguments(options, scene);
-    make_paths_absolute(scene, fs::path(options.scene.file).parent_path());
+    if (!options.trial.is_check()) drop_claims_on_files(scene);
     scene.draws.clear();  // the numbers that were drawn stay
     const std::string text = to_json(scene);
     const OutputFiles files = output_files(options, scene);

@@ -70,6 +70,7 @@ Shrinker::Shrinker(const std::string& text, Failure failure, std::vector<std::st
 
 void Shrinker::shrink() {
     if (failure_.claim >= 0) remove(PartKind::claims, false);  // all others
+    if (failure_.claim >= 0 || step_ > 0) shorten();  // what comes later cannot hide the failure, and costs time
     remove_structure(false);
     separate_copies();
     shorten();
