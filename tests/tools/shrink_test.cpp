@@ -103,7 +103,8 @@ TEST_CASE("of twenty planted failures at least 95 % of the bodies go, in at most
         const fs::path output = folder / ("min" + std::to_string(i) + ".json");
         const Answer answer = run_tumble(shrink_arguments(failure, scene, output));
         REQUIRE_MESSAGE(answer.code == 0, answer.err);
-        const json report = json::parse(answer.out), after = report["after"];
+        const json report = json::parse(answer.out);
+        const json& after = report["after"];
         const json minimal = json::parse(read_text(output));
         MESSAGE(failure.title << ": " << report["before"]["bodies"] << " -> " << after["bodies"] << " bodies, "
                               << report["before"]["bytes"] << " -> " << after["bytes"] << " bytes, " << report["runs"]
@@ -175,6 +176,9 @@ TEST_CASE("a signal ends the search with the smallest scene so far, which the sa
         for (int i = 0; i < 6000 && process.is_running() && (!fs::exists(log) || fs::file_size(log) < before + 200);
              ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        const Answer second = run_tumble(shrink_arguments(slow, scene, folder / "out", "1"));
+        CHECK(second.code == 4);
+        CHECK(second.err.find("another process") != std::string::npos);
         process.send_signal(signal);
         const Answer answer = process.wait();
         CHECK(answer.code == 128 + signal);
@@ -282,6 +286,7 @@ TEST_CASE("what cannot be shrunk is refused, and nothing is written") {
     refuse({bad, "-o", output}, 3, "bodies");
     refuse({(folder / "gone.json").string(), "-o", output}, 4, "gone.json");
     refuse({good}, 2, "--output");
+    refuse({good, "-o", "-"}, 2, "--output");
     refuse({good, "-o", output, "--fails", "false"}, 2, "{}");
     refuse({good, "-o", output, "--fails", "no_such_program_x {}"}, 2, "exit code 127");
     refuse({good, "-o", output, "--same-output"}, 2, "--same-output");

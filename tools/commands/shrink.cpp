@@ -81,6 +81,8 @@ OutputFiles output_files(const ShrinkArguments& options, const Scene& scene) {
 
 void check_arguments(const ShrinkArguments& options, const Scene& scene) {
     const TrialSettings& trial = options.trial;
+    if (options.output == "-" || is_standard_output(options.output))
+        throw CLI::ValidationError("--output", "must be a file or a folder: the picture and the log are beside it");
     if (!trial.is_check() && trial.command.find("{}") == std::string::npos)
         throw CLI::ValidationError("--fails", "must be check, or a command with {} in place of the scene's file");
     if (trial.is_check() && trial.same_output)
