@@ -21,7 +21,8 @@ struct PlantedFailure {
 // Twenty.
 const std::vector<PlantedFailure>& planted_failures();
 
-// A scene of about a hundred bodies, with joints, events and claims that hold, and this failure among them.
-nlohmann::json planted_scene(const PlantedFailure& failure);
+// A scene of about a hundred bodies, with joints, events and claims that hold, and this failure among them. Of other
+// bodies there are at least 24.
+nlohmann::json planted_scene(const PlantedFailure& failure, int other_bodies = 97);
 
 }  // namespace tumble::test

@@ -27,6 +27,8 @@ using tumble::test::tumble_command;
 
 namespace {
 
+constexpr int kFewBodies = 30;  // besides the core, where the size of the scene does not matter
+
 const PlantedFailure& planted(const std::string& title) {
     for (const PlantedFailure& failure : planted_failures())
         if (failure.title == title) return failure;
@@ -129,7 +131,7 @@ TEST_CASE("one job and several shrink to the same bytes, with the same number of
     for (const char* title : {"touches", "signal"}) {
         const Folder folder;
         const PlantedFailure& failure = planted(title);
-        const std::string scene = folder.write("scene.json", planted_scene(failure).dump());
+        const std::string scene = folder.write("scene.json", planted_scene(failure, kFewBodies).dump());
         const Answer one = run_tumble(shrink_arguments(failure, scene, folder / "one.json", "1"));
         const Answer three = run_tumble(shrink_arguments(failure, scene, folder / "three.json", "3"));
         REQUIRE(one.code == 0);
@@ -144,7 +146,7 @@ TEST_CASE("one job and several shrink to the same bytes, with the same number of
 TEST_CASE("a search that is killed continues to the same bytes, and one that is complete needs no run") {
     const PlantedFailure& failure = planted("expression");
     const Folder folder;
-    const std::string scene = folder.write("scene.json", planted_scene(failure).dump());
+    const std::string scene = folder.write("scene.json", planted_scene(failure, kFewBodies).dump());
     const Answer whole = run_tumble(shrink_arguments(failure, scene, folder / "whole.json"));
     REQUIRE(whole.code == 0);
     const std::size_t log_size = read_text(folder / "whole.shrink.log").size();
@@ -168,7 +170,7 @@ TEST_CASE("a signal ends the search with the smallest scene so far, which the sa
     PlantedFailure slow = planted("exit code");
     slow.command = "sleep 0.05; " + slow.command;
     const Folder folder;
-    const std::string scene = folder.write("scene.json", planted_scene(slow).dump());
+    const std::string scene = folder.write("scene.json", planted_scene(slow, kFewBodies).dump());
     const fs::path output = folder / "out" / "planted.json", log = folder / "out" / "planted.shrink.log";
     for (const int signal : {SIGINT, SIGKILL}) {
         Process process(tumble_command(shrink_arguments(slow, scene, folder / "out", "1")));
