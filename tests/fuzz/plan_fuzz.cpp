@@ -15,8 +15,7 @@ namespace {
 // With the scene that the seeds name beside it.
 struct PlanFile : fuzz::ScratchFile {
     PlanFile() : ScratchFile("fuzzed.plan.json") {
-        const char* const scene =
-            R"({"format": 1, "bodies": [{"name": "a", "shapes": [{"circle": {"radius": 1}}]}]})";
+        const char* const scene = R"({"format": 1, "bodies": [{"name": "a", "shapes": [{"circle": {"radius": 1}}]}]})";
         save_scene(parse_scene(scene, "scene"), write("").parent_path() / "scene.json");
     }
 };

@@ -119,7 +119,7 @@ inline const std::map<std::string, std::set<std::string>> kNextBelow = {
     {"scene", {"world", "file"}},
     {"import", {"scene"}},
     {"render", {"scene"}},
-    {"reference", {"scene"}},
+    {"reference", {"import"}},
     {"sweep", {"scene"}},
     {"python", {"import", "render"}},
     {"tools", {"import", "render", "reference", "sweep"}},

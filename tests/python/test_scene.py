@@ -80,6 +80,7 @@ def test_errors_have_their_place():
     error = caught.value
     assert (error.file, error.line, error.column) == ("ball.json", 2, 47)  # of the number
     assert error.diagnostics[0].pointer == "/bodies/0/shapes/0/circle/radius"
+    assert error.diagnostics[0].code == "shape"
     assert "must be greater than 0" in str(error)
     assert pickle.loads(pickle.dumps(error)).diagnostics == error.diagnostics
     with pytest.raises(tumble.FileError):
@@ -164,3 +165,14 @@ def test_a_saved_world_continues_in_cpp_and_comes_back(tmp_path):
     back.step(50)
     alone.step(50)
     assert back.state_hash == alone.state_hash
+
+
+def test_a_path_does_not_lead_out_of_the_folder_of_its_file(tmp_path):
+    (tmp_path / "inner").mkdir()
+    (tmp_path / "part.json").write_text('{"format": 1}')
+    outer = tmp_path / "inner" / "scene.json"
+    outer.write_text('{"format": 1, "include": [{"file": "../part.json"}]}')
+    with pytest.raises(tumble.SceneError) as caught:
+        tumble.Scene.load(outer)
+    assert caught.value.diagnostics[0].hint == "--allow-outside permits it"
+    assert tumble.Scene.load(outer, allow_outside=True).data["format"] == 1

@@ -48,7 +48,7 @@ TEST_CASE("the comparison reads comments and the wrapper of a JavaScript file, a
     std::ostringstream small;
     small << std::ifstream(kSmall).rdbuf();
     const std::filesystem::path file = std::filesystem::path(TUMBLE_BINARY_DIR) / "wrapped_export.js";
-    for (const std::string& text : {"// }\n" + small.str() + " /* { */", "var scene = /* { */ " + small.str() + ";\n"}) {
+    for (const std::string& text : {"// }\n" + small.str() + " /* { */", "var scene = " + small.str() + ";\n"}) {
         std::ofstream(file) << text;
         bool is_read = true;
         try {

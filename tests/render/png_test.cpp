@@ -17,8 +17,8 @@
 #define STBI_ONLY_PNG
 #include <stb_image.h>
 
-#include "support/temporary_folder.hpp"
 #include "support/small_disk.hpp"
+#include "support/temporary_folder.hpp"
 #include "tumble/file.hpp"
 #include "tumble/recording.hpp"
 
@@ -148,5 +148,6 @@ TEST_CASE("a mask is a PNG file with 16 bits that decodes to its labels") {
     CHECK(width == 37);
     CHECK(height == 21);
     CHECK(channels == 1);
-    CHECK(std::vector<BodyLabel>(decoded.get(), decoded.get() + 37 * 21) == mask.labels);
+    CHECK(std::vector<BodyLabel>(decoded.get(), decoded.get() + mask.labels.size()) == mask.labels);
+    CHECK(mask.labels.size() == std::size_t{37} * 21);
 }

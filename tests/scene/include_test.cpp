@@ -203,8 +203,8 @@ TEST_CASE("includes nest: poses and prefixes combine") {
     const Files files = {
         {"main.json", includes(R"({"file": "cars/car.json", "position": [0, 5], "prefix": "car/"})")},
         {"cars/car.json",
-         includes(R"({"file": "../parts/axle.json", "position": [2, 0], "angle": 90, "prefix": "front/"})")},
-        {"parts/axle.json", scene_text(R"("bodies": [{"name": "wheel", "position": [1, 0], "angle": 10}])")}};
+         includes(R"({"file": "parts/axle.json", "position": [2, 0], "angle": 90, "prefix": "front/"})")},
+        {"cars/parts/axle.json", scene_text(R"("bodies": [{"name": "wheel", "position": [1, 0], "angle": 10}])")}};
     const Scene scene = load(files);
     REQUIRE(scene.bodies.size() == 1);
     CHECK(scene.bodies.at(0).name == "car/front/wheel");

@@ -27,13 +27,13 @@ std::string read_text(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// Whether the reader accepts a plan, in the folder of the shipped ones.
+// Whether the reader accepts a plan, with scenes of any folder.
 bool reads(const json& plan) {
     const fs::path file = fs::temp_directory_path() / ("tumble_plan_" + std::to_string(::getpid()) + ".json");
     std::ofstream(file) << plan.dump();
     bool is_read = true;
     try {
-        sweep::read_plan(file);
+        sweep::read_plan(file, 0, true);
     } catch (const SceneError&) {
         is_read = false;
     }
@@ -142,4 +142,22 @@ TEST_CASE("the schema and the reader accept and refuse the same plans") {
         CHECK_FALSE(schema.accepts(changed));
         CHECK_FALSE(reads(changed));
     }
+}
+
+TEST_CASE("a plan names scenes outside its folder only if that is allowed") {
+    const fs::path folder = fs::temp_directory_path() / ("tumble_plans_" + std::to_string(::getpid()));
+    fs::create_directories(folder / "plans/deep");
+    for (const char* const scene : {"scene.json", "plans/deep/scene.json"})
+        std::ofstream(folder / scene) << R"({"format": 1})";
+    const fs::path file = folder / "plans/plan.json";
+    std::ofstream(file) << R"({"format": 1, "scenes": ["deep/scene.json", "../scene.json"]})";
+    std::string found;
+    try {
+        sweep::read_plan(file);
+    } catch (const SceneError& error) {
+        for (const Diagnostic& diagnostic : error.diagnostics) found += diagnostic.pointer + ": " + diagnostic.message;
+    }
+    CHECK(found == "/scenes/1: leads out of the folder of this file");
+    CHECK(sweep::read_plan(file, 0, true).runs == 2);
+    fs::remove_all(folder);
 }

@@ -30,6 +30,7 @@ public:
     void hide_osmesa() { hide(kOsmesaNames); }
     void hide_egl() { hide(kEglNames); }
     void hide_programs() { environment_.push_back("PATH=/nowhere"); }
+    void hide_temporary_folder() { environment_.push_back("TMPDIR=/nowhere"); }
 
     Answer answer(const std::vector<std::string>& arguments) const {
         std::vector<std::string> command{"/usr/bin/env", "LD_LIBRARY_PATH=" + folder_.path().string()};
@@ -177,4 +178,16 @@ TEST_CASE("without fonts, frames without text work") {
     CHECK(answer(shot((folder / "bare.png").string(), {"--hide", "title,time,scale"})).code == 0);
     const std::string scene = kPendulum;
     CHECK(answer({"shot", scene, "-o", (folder / "small.png").string(), "--size", "320x180"}).code == 0);
+}
+
+TEST_CASE("without a folder for temporary files, the doctor reports all else") {
+    Machine machine;
+    machine.hide_temporary_folder();
+    const json report = machine.doctor(5);
+    CHECK(report["frames"] == true);
+    CHECK(report["videos"] == false);
+    for (const json& encoder : report["encoders"]) {
+        CHECK(encoder["detail"].get<std::string>().find("TMPDIR") != std::string::npos);
+        CHECK(encoder["package"] == "");
+    }
 }

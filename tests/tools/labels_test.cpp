@@ -107,6 +107,8 @@ TEST_CASE("a run without labels removes those of the run before, and labels are 
     CHECK(run_tumble({"run", scene, "-o", out, "--force", "--masks", "--checkpoint", "1"}).code == 2);
     const std::string table = (folder / "out/labels.json").string();
     CHECK(run_tumble({"run", scene, "-o", out, "--force", "--no-frames", "--boxes", "--hashes", table}).code == 2);
+    const std::string mask = (folder / "out/masks/hashes.csv").string();
+    CHECK(run_tumble({"run", scene, "-o", out, "--force", "--no-frames", "--masks", "--hashes", mask}).code == 2);
 }
 
 TEST_CASE("the same run gives the same labels, byte for byte") {

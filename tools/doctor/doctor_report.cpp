@@ -3,11 +3,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -56,11 +60,15 @@ std::vector<Finding> find_fonts() {
             font("wide", files.wide, "characters of Chinese and other scripts are boxes", "fonts-noto-cjk")};
 }
 
-// A folder that no other process uses, removed with its files.
+// A new folder, removed with its files.
 class ScratchFolder {
 public:
-    ScratchFolder() : path_(std::filesystem::temp_directory_path() / ("tumble-doctor-" + std::to_string(getpid()))) {
-        std::filesystem::create_directories(path_);
+    ScratchFolder() {
+        std::error_code missing;
+        std::string name = (std::filesystem::temp_directory_path(missing) / "tumble-doctor-XXXXXX").string();
+        if (missing) throw FileError("the folder for temporary files, TMPDIR", missing.message());
+        if (::mkdtemp(name.data()) == nullptr) throw FileError(name, std::strerror(errno));
+        path_ = name;
     }
     ~ScratchFolder() {
         std::error_code ignored;
@@ -76,10 +84,11 @@ private:
 };
 
 // Encodes one white frame.
-Finding find_encoder(const std::filesystem::path& folder, const std::string& format) {
+Finding find_encoder(const std::string& format) {
     Finding finding{.name = format, .package = "ffmpeg"};
     try {
-        const std::filesystem::path file = folder / ("frame." + format);
+        const ScratchFolder folder;
+        const std::filesystem::path file = folder.path() / ("frame." + format);
         VideoWriter writer(file, {.format = *video_format_of(file), .width = kFrameSide, .height = kFrameSide});
         writer.write(
             {kFrameSide, kFrameSide, std::vector<std::uint8_t>(std::size_t{4} * kFrameSide * kFrameSide, 255)});
@@ -88,8 +97,9 @@ Finding find_encoder(const std::filesystem::path& folder, const std::string& for
         finding.detail = "one frame of " + std::to_string(bytes) + " bytes";
     } catch (const RenderError& error) {
         finding.detail = joined_lines(error.what());
-    } catch (const FileError& error) {
+    } catch (const std::runtime_error& error) {
         finding.detail = joined_lines(error.what());
+        finding.package.clear();  // the file system fails, not the encoder
     }
     return finding;
 }
@@ -109,7 +119,8 @@ void append_findings(std::string& text, const std::string& title, const std::vec
                 std::string(finding.name.size() < 8 ? 8 - finding.name.size() : 1, ' ') + finding.detail;
         if (finding.works && finding.seconds > 0.0) text += milliseconds(finding.seconds);
         text += "\n";
-        if (!finding.works) text += "         install it by: apt-get install " + finding.package + "\n";
+        if (!finding.works && !finding.package.empty())
+            text += "         install it by: apt-get install " + finding.package + "\n";
     }
 }
 
@@ -135,9 +146,8 @@ DoctorReport examine_machine() {
         if (backend.backend != RenderBackend::automatic)
             report.back_ends.push_back(timed([&] { return find_back_end(backend); }));
     report.fonts = find_fonts();
-    const ScratchFolder folder;
     for (const char* const format : {"mp4", "webm", "gif", "apng"})
-        report.encoders.push_back(timed([&] { return find_encoder(folder.path(), format); }));
+        report.encoders.push_back(timed([&] { return find_encoder(format); }));
     return report;
 }
 

@@ -10,10 +10,10 @@ namespace tumble::tools {
 
 // One thing that tumble uses, if it is there.
 struct Finding {
-    std::string name;  // "osmesa", "font", "mp4"
+    std::string name;  // "osmesa", "text", "mp4"
     bool works = false;
     std::string detail{};   // what it is, or why it does not work
-    std::string package{};  // of Debian, that has it
+    std::string package{};  // of Debian, that has it; empty if none would help
     double seconds = 0.0;   // wall clock of the test
 };
 

@@ -15,7 +15,7 @@ struct LabelledFrame {
     double time = 0.0;  // s
     Camera camera;
     int width = 0, height = 0;  // pixels
-    std::string image;          // path of the PNG file in the folder of the run; empty: not written
+    std::string image;          // path of the PNG file in the folder of the run, also if it is not written
     std::string mask;
 };
 

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -21,7 +23,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kVersion = 3;
+constexpr std::uint64_t kVersion = 3;
 
 void write_view_state(JsonWriter& json, const FrameOutput::State& state) {
     json.key("trails").open_array();
@@ -63,11 +65,18 @@ std::string header_of(const Checkpoint& checkpoint) {
     return json.close_object().text() + "\n";
 }
 
+// Throws if it is not a whole number that is not negative; get() would convert any number.
+std::uint64_t whole(const Json& json) { return json.get_ref<const std::uint64_t&>(); }
+
+std::uint32_t short_whole(const Json& json) {
+    const std::uint64_t number = whole(json);
+    if (number > std::numeric_limits<std::uint32_t>::max()) throw InputError("the id of a body is too large");
+    return static_cast<std::uint32_t>(number);
+}
+
 DVec2 vector_of(const Json& pair) { return {pair.at(0).get<double>(), pair.at(1).get<double>()}; }
 
-BodyId body_of(const Json& json) {
-    return {json.at("index").get<std::uint32_t>(), json.at("generation").get<std::uint32_t>()};
-}
+BodyId body_of(const Json& json) { return {short_whole(json.at("index")), short_whole(json.at("generation"))}; }
 
 FrameOutput::State read_view_state(const Json& json) {
     FrameOutput::State state;
@@ -76,14 +85,13 @@ FrameOutput::State read_view_state(const Json& json) {
     state.camera.follows = body_of(camera);
     state.camera.offset = vector_of(camera.at("offset"));
     for (const Json& saved : json.at("trails")) {
-        Trail trail{.body = body_of(saved), .stride = saved.at("stride").get<std::uint64_t>()};
+        Trail trail{.body = body_of(saved), .stride = whole(saved.at("stride"))};
         if (trail.stride == 0) throw InputError("the stride of a trail is 0");
         for (const Json& point : saved.at("points")) trail.points.push_back(vector_of(point));
         state.trails.push_back(std::move(trail));
     }
     for (const Json& view : json.at("views"))
-        state.views.push_back(
-            {view.at("frame").get<std::uint64_t>(), vector_of(view.at("center")), view.at("scale").get<double>()});
+        state.views.push_back({whole(view.at("frame")), vector_of(view.at("center")), view.at("scale").get<double>()});
     return state;
 }
 
@@ -96,14 +104,14 @@ std::string file_name(const Json& json) {
 
 Checkpoint read_header(const Json& json) {
     Checkpoint checkpoint;
-    if (json.at("checkpoint").get<int>() != kVersion) throw InputError("it is of another version");
+    if (whole(json.at("checkpoint")) != kVersion) throw InputError("it is of another version");
     checkpoint.settings = json.at("settings").get<std::string>();
     for (const Json& table : json.at("tables"))
         checkpoint.tables.push_back({table.at("kind").get<std::string>(),
                                      file_name(table.at("temporary")),
-                                     {table.at("bytes").get<std::uint64_t>(), table.at("hash").get<std::uint64_t>()}});
-    checkpoint.frames = json.at("frames").get<std::uint64_t>();
-    checkpoint.frame_bytes = json.at("frame_bytes").get<std::uint64_t>();
+                                     {whole(table.at("bytes")), whole(table.at("hash"))}});
+    checkpoint.frames = whole(json.at("frames"));
+    checkpoint.frame_bytes = whole(json.at("frame_bytes"));
     checkpoint.view = read_view_state(json);
     checkpoint.simulate_seconds = json.at("simulate").get<double>();
     checkpoint.render_seconds = json.at("render").get<double>();

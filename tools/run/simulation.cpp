@@ -100,12 +100,15 @@ void require_different_files(const RunOptions& options) {
                              labels_file(options.folder), boxes_file(options.folder)})
         names.insert(place_of(file));
     const std::filesystem::path frames = place_of(frame_file(options.folder, 0)).parent_path();
+    const std::filesystem::path masks = place_of(mask_file(options.folder, 0)).parent_path();
     for (const std::filesystem::path* const file : named_files(options)) {
         if (file->empty() || is_standard_output(*file)) continue;
         if (!names.insert(place_of(*file)).second)
             throw CLI::ValidationError(file->string(), "names two output files of the run; give each its own name");
         if (!options.no_frames && is_frame(*file) && place_of(*file).parent_path() == frames)
             throw CLI::ValidationError(file->string(), "has the name of a frame; choose another");
+        if (options.masks && place_of(*file).parent_path() == masks)
+            throw CLI::ValidationError(file->string(), "is in the folder of the masks; choose another");
     }
 }
 

@@ -28,7 +28,7 @@ py::list to_list(const std::vector<Diagnostic>& diagnostics) {
     py::list list;
     for (const Diagnostic& d : diagnostics)
         list.append(type(d.severity == Diagnostic::Severity::error ? "error" : "warning", d.file, d.line, d.column,
-                         d.pointer, d.message, d.hint, to_string(d)));
+                         d.pointer, d.message, d.hint, d.code, to_string(d)));
     return list;
 }
 

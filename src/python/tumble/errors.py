@@ -20,6 +20,7 @@ class Diagnostic:
     pointer: str  #: the JSON pointer of the value, "/bodies/0/shapes"
     message: str
     hint: str
+    code: str  #: of its page, which `tumble explain CODE` prints; "" if it has none
     text: str  #: the whole message with the source line and a caret
 
 

@@ -10,7 +10,7 @@
 #include "scene/format/writer.hpp"
 #include "scene/json/input.hpp"
 #include "scene/json/json_text.hpp"
-#include "scene/load/named_files.hpp"
+#include "scene/json/named_file.hpp"
 #include "scene/load/place_part.hpp"
 #include "scene/model/geometry.hpp"
 #include "tumble/file.hpp"
@@ -40,6 +40,17 @@ void append_materials(Scene& scene, const std::vector<SceneMaterial>& more) {
         else if (!are_same(*known, material))
             throw std::invalid_argument("declares the material " + quoted(material.name) +
                                         " with other values than the one that exists");
+    }
+}
+
+// The paths of the scene's own entries.
+void check_named_files(const Scene& scene, const std::filesystem::path& file, Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < scene.include.size(); ++i)
+        check_named_file(scene.include[i].file, file, "/include/" + std::to_string(i) + "/file", diagnostics);
+    for (std::size_t i = 0; i < scene.expect.size(); ++i) {
+        const std::string claim = "/expect/" + std::to_string(i);
+        check_named_file(scene.expect[i].picture, file, claim + "/picture", diagnostics);
+        check_named_file(scene.expect[i].reference, file, claim + "/reference", diagnostics);
     }
 }
 

@@ -9,7 +9,7 @@
 
 #include "scene/json/input.hpp"
 #include "scene/json/json_text.hpp"
-#include "scene/load/named_files.hpp"
+#include "scene/json/named_file.hpp"
 #include "sweep/plan/plan.hpp"
 #include "sweep/plan/plan_object.hpp"
 #include "sweep/plan/plan_trial.hpp"
