@@ -37,7 +37,7 @@ TEST_CASE("--version prints version, compiler and instruction sets") {
 
 TEST_CASE("every subcommand has help on standard output") {
     for (const char* command : {"run", "demo", "shot", "validate", "schema", "distance", "import", "bench", "check",
-                                "diff", "fmt", "parity", "plot", "compare", "gallery"}) {
+                                "diff", "fmt", "parity", "plot", "compare", "gallery", "shrink"}) {
         CAPTURE(command);
         const Answer answer = run_tumble({command, "--help"});
         CHECK(answer.code == 0);

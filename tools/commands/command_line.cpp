@@ -13,6 +13,7 @@ CommandLine::CommandLine()
     add_demo(app, command);
     add_shot(app, command);
     add_check(app, command);
+    add_shrink(app, command);
     add_watch(app, command);
     add_plot(app, command);
     add_gallery(app, command);

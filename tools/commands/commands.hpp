@@ -11,6 +11,7 @@ void add_run(CLI::App& app, Command& command);
 void add_demo(CLI::App& app, Command& command);
 void add_shot(CLI::App& app, Command& command);
 void add_check(CLI::App& app, Command& command);
+void add_shrink(CLI::App& app, Command& command);
 void add_watch(CLI::App& app, Command& command);
 void add_plot(CLI::App& app, Command& command);
 void add_gallery(CLI::App& app, Command& command);

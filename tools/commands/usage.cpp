@@ -8,7 +8,7 @@ namespace tumble::tools {
 ExitCode print_usage() {
     write_output(
         "  tumble run SCENE              simulate and render a scene; see also demo, shot, plot\n"
-        "  tumble check SCENE...         evaluate the claims of scenes; see also validate, gallery\n"
+        "  tumble check SCENE...         evaluate the claims of scenes; see also validate, shrink\n"
         "  tumble init NAME              make a project folder for scenes; see also watch\n"
         "  tumble diff A B               report where two runs first differ; see also compare\n"
         "  tumble import FILE -o SCENE   convert a drawing or an export; see also fmt, schema\n"
