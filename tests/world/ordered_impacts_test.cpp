@@ -163,6 +163,42 @@ TEST_CASE("in order: a kinematic paddle takes every resting ball along") {
         }
 }
 
+TEST_CASE("in order: a ball bounces off a moving kinematic body as off one at rest") {
+    // Its speed against the plate is reversed: 2 u - v.
+    for (const float plate_speed : {-3.0f, 0.0f, 5.0f, 10.0f})
+        for (const float ball_speed : {-5.0f, 0.0f, 2.0f}) {
+            if (ball_speed >= plate_speed) continue;
+            CAPTURE(plate_speed);
+            CAPTURE(ball_speed);
+            World world = ordered();
+            const BodyId plate = add_body(world, BodyType::kinematic_body, {0.0, -1.0}, make_box({4.0f, 0.5f}));
+            world.set_velocity(plate, {0.0f, plate_speed}, 0.0f);
+            const BodyId ball =
+                throw_disc(world, {}, {0.0f, ball_speed}, {.friction = 0.0f, .restitution = 1.0f}, 0.1f);
+            run(world, 90);
+            CHECK(near(world.state(ball).velocity.y, 2.0f * plate_speed - ball_speed, relative(1e-5)));
+        }
+}
+
+TEST_CASE("in order: a belt does not weaken the bounce of what falls on it") {
+    const auto rebound = [](float belt_speed) {
+        World world = ordered({0.0f, -10.0f});
+        SurfaceMaterial belt{.friction = 0.5f, .restitution = 0.8f};
+        belt.tangent_speed = belt_speed;
+        add_static(world, {0.0, -0.5}, make_box({200.0f, 1.0f}), belt);
+        const BodyId ball = throw_disc(world, {0.0, 3.0}, {}, {.friction = 0.5f, .restitution = 0.8f}, 0.5f);
+        float fastest = 0.0f;
+        for (int step = 0; step < 60; ++step) {
+            world.step();
+            fastest = std::max(fastest, world.state(ball).velocity.y);
+        }
+        return fastest;
+    };
+    const float at_rest = rebound(0.0f);
+    CHECK(at_rest > 5.0f);
+    for (const float speed : {-20.0f, 2.0f, 10.0f, 20.0f}) CHECK(near(rebound(speed), at_rest, relative(1e-3)));
+}
+
 TEST_CASE("in order: ten boxes that land as one stack do not rebound") {
     World world = ordered({0.0f, -10.0f});
     add_floor(world);

@@ -55,6 +55,7 @@ float speed_at_impact(const Contact& contact, const ManifoldPoint& point, const 
 void update_touch(Contact& contact, const BodyStore& bodies, const StepAhead& step) {
     contact.is_touching = false;
     contact.watched = -1;
+    contact.approach = {};
     if (contact.manifold.point_count == 0) return;
     const int deepest = deepest_point(contact.manifold);
     contact.is_touching = contact.manifold.points[deepest].separation <= 0.0f;

@@ -112,21 +112,6 @@ void pair_up(std::vector<ImpactRow>& rows, const std::vector<ImpactPoint>& point
     }
 }
 
-double kinetic_energy(const ImpactBody& body) {
-    const Twist velocity = body.velocity + body.change;
-    double energy = 0.0;
-    if (body.inv_mass.x > 0.0) energy += 0.5 * velocity.linear.x * velocity.linear.x / body.inv_mass.x;
-    if (body.inv_mass.y > 0.0) energy += 0.5 * velocity.linear.y * velocity.linear.y / body.inv_mass.y;
-    if (body.inv_inertia > 0.0) energy += 0.5 * velocity.angular * velocity.angular / body.inv_inertia;
-    return energy;
-}
-
-double kinetic_energy(const ImpactGroup& group) {
-    double energy = 0.0;
-    for (const ImpactBody& body : group.bodies) energy += kinetic_energy(body);
-    return energy;
-}
-
 class ImpactRounds {
 public:
     explicit ImpactRounds(ImpactGroup& group) : group_(group) {
@@ -139,10 +124,9 @@ public:
     void run() {
         do {
             begin_round();
-            const double energy = kinetic_energy(group_);
             while (sweep() > tolerance_ * fastest_ && group_.work < kMaxImpactWork) {
             }
-            bounce(energy);
+            bounce();
         } while (group_.work < kMaxImpactWork && has_impact());
         hold();
         for (ImpactBody& body : group_.bodies) drop_rounding(body);
@@ -160,6 +144,9 @@ private:
             if (!can_bounce(group_.points[i]) || is_approached(group_.points[i], 0.0))
                 group_.rows.push_back(make_row(group_, i));
         pair_up(group_.rows, group_.points);
+        for (ImpactRow& row : group_.rows)
+            for (ImpactDirection* const d : {&row.normal, &row.tangent})
+                d->speed_at_start = speed(row, *d, &ImpactBody::change);
     }
 
     bool has_impact() const {
@@ -254,17 +241,30 @@ private:
         return solve(row, row.tangent, -bound, bound, &ImpactBody::change);
     }
 
-    // Applies e times the impulses of the round, or the largest part of that which leaves no more than `energy`.
-    void bounce(double energy) {
-        const double before = kinetic_energy(group_);
+    // Applies e times the impulses of the round, or the largest part of that which returns no more work than the
+    // contacts have taken in the round.
+    void bounce() {
+        double taken = 0.0;
+        for (const ImpactRow& row : group_.rows)
+            for (const ImpactDirection* const d : {&row.normal, &row.tangent})
+                taken += 0.5 * d->impulse * (d->speed_at_start + speed(row, *d, &ImpactBody::change));
+        const double work_before = work_at_present_speeds();
         push_bounces(1.0);
-        const double part = affordable_part(before, kinetic_energy(group_), energy);
+        const double part = affordable_part(-taken, work_before, 0.5 * (work_at_present_speeds() - work_before));
         push_bounces(part - 1.0);
         for (const ImpactRow& row : group_.rows) {
             point(row).normal_impulse += (1.0 + part * row.restitution) * row.normal.impulse;
             point(row).tangent_impulse += row.tangent.impulse;
             point(row).bounce_count += row.restitution > 0.0;
         }
+    }
+
+    // Of the impulses of the bounce at the present speeds, J.
+    double work_at_present_speeds() {
+        double work = 0.0;
+        for (const ImpactRow& row : group_.rows)
+            work += row.restitution * row.normal.impulse * speed(row, row.normal, &ImpactBody::change);
+        return work;
     }
 
     void push_bounces(double part) {
@@ -274,11 +274,12 @@ private:
                 push(row, row.normal, part * row.restitution * row.normal.impulse, &ImpactBody::change);
     }
 
-    // The round left the points that pushed at rest along their normals. So the energy of a part t of the bounce is
-    // before + t^2 (after - before).
-    static double affordable_part(double before, double after, double energy) {
-        if (!(after > energy * (1.0 + 1e-12))) return 1.0;
-        return std::sqrt(std::clamp((energy - before) / (after - before), 0.0, 1.0));
+    // The largest part t <= 1 of the bounce whose work, linear t + square t^2, is at most `taken`, J. `linear` is what
+    // the sweeps have left: exactly solved, the points that push are at rest along their normals.
+    static double affordable_part(double taken, double linear, double square) {
+        if (!(linear + square - taken > 1e-12 * (square + taken))) return 1.0;
+        const double discriminant = linear * linear + 4.0 * square * std::max(taken, 0.0);
+        return std::clamp((std::sqrt(discriminant) - linear) / (2.0 * square), 0.0, 1.0);
     }
 
     // Keeps the points apart during the motion ahead, by the same sweeps and without friction.

@@ -14,7 +14,8 @@
 // what is slower. A contact bounces in at most kMaxBounces rounds: points of a pile that pass an impact to and fro
 // would need hundreds.
 //
-// No round gains energy: where friction or different restitutions would, the bounce is weaker. The work is bounded
+// No round gains energy: where friction or different restitutions would, the bounce is weaker. Kinematic bodies and
+// moving surfaces do work of their own, which does not count. The number of solved points is bounded
 // (kMaxImpactWork): a group that has approaching contacts when it ends keeps these approaches.
 #pragma once
 
@@ -67,6 +68,7 @@ struct ImpactDirection {
     Twist push_a, push_b;                   // what a unit impulse adds to the velocities
     double mass = 0.0;                      // kg; 0 if it is not solved
     double speed = 0.0;                     // of B's point against A's, without the changes, m/s
+    double speed_at_start = 0.0;            // with the changes of the rounds before, m/s
     double impulse = 0.0;                   // of this round, N s
 };
 
@@ -77,8 +79,8 @@ struct ImpactRow {
     double friction = 0.0;
     double restitution = 0.0;  // 0 if it does not bounce in this round
     bool is_paired = false;    // the next row is the other point of the same contact: both normals are solved at once
-    double coupling =
-        0.0;  // of a paired row: what a unit impulse along one normal adds to the speed of the other, 1/kg
+    // Of a paired row: the speed that a unit impulse along one normal adds along the other, 1/kg.
+    double coupling = 0.0;
 };
 
 struct ImpactGroup {
