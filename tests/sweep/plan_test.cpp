@@ -161,3 +161,27 @@ TEST_CASE("a plan names scenes outside its folder only if that is allowed") {
     CHECK(sweep::read_plan(file, 0, true).runs == 2);
     fs::remove_all(folder);
 }
+
+TEST_CASE("ranges that are too wide, and whole ranges without whole ends, are refused at their key") {
+    const auto error_of = [](const std::string& parameter) {
+        const fs::path file = fs::temp_directory_path() / ("tumble_range_" + std::to_string(::getpid()) + ".json");
+        std::ofstream(file) << R"({"format": 1, "scene": ")" << (kPlans / "tower_and_ball.json").string()
+                            << R"(", "runs": 2, "parameters": [{"name": "p", )" << parameter << "}]}";
+        std::string found;
+        try {
+            sweep::read_plan(file, 0, true);
+        } catch (const SceneError& error) {
+            found = error.diagnostics.at(0).pointer;
+        }
+        fs::remove(file);
+        return found;
+    };
+    CHECK(error_of(R"("range": [0, 2], "whole": true)").empty());
+    CHECK(error_of(R"("log_range": [1e-300, 1e300])").empty());
+    CHECK(error_of(R"("range": [-1.7e308, 1.7e308])") == "/parameters/0/range");
+    CHECK(error_of(R"("normal": [1e308, 1e308])") == "/parameters/0/normal");
+    CHECK(error_of(R"("range": [0.5, 2.5], "whole": true)") == "/parameters/0/range");
+    CHECK(error_of(R"("range": [0, 1e300], "whole": true)") == "/parameters/0/range");
+    CHECK(error_of(R"("range": [1, 2], "whole": true, "count": 5)") == "/parameters/0/count");
+    CHECK(error_of(R"("range": [1, 2], "whole": true, "count": 2)").empty());
+}

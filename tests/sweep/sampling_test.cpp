@@ -142,7 +142,10 @@ TEST_CASE("whole numbers, logarithmic ranges and normal numbers are distributed 
         {.name = "w", .pointers = {}, .kind = Parameter::Kind::range, .lower = 1.0, .upper = 6.0, .whole = true},
         {.name = "l", .pointers = {}, .kind = Parameter::Kind::log_range, .lower = 0.01, .upper = 100.0},
         {.name = "n", .pointers = {}, .kind = Parameter::Kind::normal, .lower = 10.0, .upper = 2.0},
-        {.name = "c", .pointers = {}, .kind = Parameter::Kind::choice, .values = {"true", "false"}}};
+        {.name = "c", .pointers = {}, .kind = Parameter::Kind::choice, .values = {"true", "false"}},
+        {.name = "m", .pointers = {}, .kind = Parameter::Kind::log_range, .lower = 1.0, .upper = 1e6, .whole = true},
+        {.name = "v", .pointers = {}, .kind = Parameter::Kind::log_range, .lower = 1e-300, .upper = 1e300}};
+    int below_1000 = 0, below_1 = 0;
     int sixes = 0, below_one = 0, above_mean = 0, within = 0, truths = 0;
     for (std::uint64_t run = 0; run < 4000; ++run) {
         const RunChoice choice = choose_run(plan, run);
@@ -151,6 +154,9 @@ TEST_CASE("whole numbers, logarithmic ranges and normal numbers are distributed 
         above_mean += std::stod(choice.values[2]) > 10.0;
         within += std::abs(std::stod(choice.values[2]) - 10.0) < 2.0;
         truths += choice.values[3] == "true";
+        below_1000 += std::stod(choice.values[4]) < 1000.0;
+        CHECK(std::stod(choice.values[4]) == std::floor(std::stod(choice.values[4])));
+        below_1 += std::stod(choice.values[5]) < 1.0;
     }
     // Binomial: four deviations, sqrt(4000 p (1 - p)).
     CHECK(std::abs(sixes - 667) < 95);
@@ -158,4 +164,6 @@ TEST_CASE("whole numbers, logarithmic ranges and normal numbers are distributed 
     CHECK(std::abs(above_mean - 2000) < 127);
     CHECK(std::abs(within - 2731) < 118);
     CHECK(std::abs(truths - 2000) < 127);
+    CHECK(std::abs(below_1000 - 2000) < 127);
+    CHECK(std::abs(below_1 - 2000) < 127);
 }

@@ -242,3 +242,19 @@ TEST_CASE("the second end of a falling plank is a hit, although plank and floor 
     run(world, 60);
     CHECK(world.events().contact_hits.empty());
 }
+
+TEST_CASE("a hit is reported with its own speed, not with that of an earlier one") {
+    // A box with another on it lies on the floor, and is then thrown down at 3 m/s.
+    World world;
+    add_floor(world);
+    const BodyId lower = add_dynamic(world, {0.0, 5.5}, make_box({1.0f, 1.0f}));
+    add_dynamic(world, {0.0, 7.5}, make_box({1.0f, 1.0f}));
+    run(world, 180);
+    world.set_velocity(lower, {0.0f, -3.0f}, 0.0f);
+    float fastest = 0.0f;
+    for (int step = 0; step < 10; ++step) {
+        world.step();
+        for (const ContactHit& hit : world.events().contact_hits) fastest = std::max(fastest, hit.approach_speed);
+    }
+    CHECK(near(fastest, 3.0, relative(0.01)));
+}

@@ -5,6 +5,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "scene/json/input.hpp"
@@ -47,6 +48,14 @@ void read_name(PlanObject& object, std::set<std::string>& names, std::string& na
         object.error("name", "occurs twice");
 }
 
+void check_whole_range(PlanObject& object, const std::string& key, const Parameter& parameter) {
+    const double lower = parameter.lower, upper = parameter.upper, most = static_cast<double>(kMostRuns);
+    if (std::floor(lower) != lower || std::floor(upper) != upper || lower < -most || upper > most)
+        object.error(key, "must have whole ends of at most 2^53, for \"whole\": true");
+    else if (parameter.kind == Parameter::Kind::range && static_cast<double>(parameter.count) > upper - lower + 1.0)
+        object.error("count", "is more than there are whole numbers in the range");
+}
+
 void read_range(PlanObject& object, const std::string& key, Parameter& parameter) {
     const auto ends = object.pair(key);
     parameter.count = object.whole("count", 1, kMostRuns, 0);
@@ -58,8 +67,13 @@ void read_range(PlanObject& object, const std::string& key, Parameter& parameter
         if (ends->second < 0.0) object.error(key, "must be [mean, deviation] with a deviation of at least 0");
         if (object.has("count") || parameter.whole)
             object.error("", "numbers of a normal distribution have no \"count\" and are not \"whole\"");
+        if (!std::isfinite(ends->first + 9.0 * ends->second) || !std::isfinite(ends->first - 9.0 * ends->second))
+            object.error(key, "must leave the mean and nine deviations within the numbers of 64 bits");
         return;
     }
+    if (!std::isfinite(ends->second - ends->first))
+        object.error(key, "is too wide: the difference of its ends must be a number of 64 bits");
+    if (parameter.whole) check_whole_range(object, key, parameter);
     if (ends->first > ends->second) object.error(key, "must be [lower, upper] with lower <= upper");
     if (parameter.kind == Parameter::Kind::log_range && ends->first <= 0.0) object.error(key, "must be above 0");
 }

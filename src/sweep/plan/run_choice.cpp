@@ -20,7 +20,11 @@ namespace tumble::sweep {
 
 namespace {
 
-constexpr double kSmallestUnit = 0x1p-54;  // for the quantiles of 0 and 1, which are infinite
+// For the quantiles of 0 and 1, which are infinite.
+constexpr double kSmallestUnit = 0x1p-54, kLargestUnit = 1.0 - 0x1p-53;
+
+// Of the shifts of a Sobol sequence: no run has this number.
+constexpr std::uint64_t kShiftStream = ~std::uint64_t{0};
 
 // The seed of all numbers that are drawn for one name.
 std::uint64_t key_of(const Plan& plan, std::string_view name) { return XXH64(name.data(), name.size(), plan.seed); }
@@ -32,7 +36,7 @@ double unit_of(const Plan& plan, const Parameter& parameter, unsigned dimension,
     if (plan.sampling == Sampling::random) return random.unit();
     if (plan.sampling == Sampling::sobol) {
         // Adding a random number to all points, digit by digit, keeps their slices and avoids the corner 0.
-        const std::uint64_t shift = scene::Random(key, ~run ^ run).next() >> (64 - kSobolBits);
+        const std::uint64_t shift = scene::Random(key, kShiftStream).next() >> (64 - kSobolBits);
         return static_cast<double>(sobol_bits(run, dimension) ^ shift) * 0x1p-53;
     }
     const std::uint64_t slice = permuted(run % plan.slices, plan.slices, key + run / plan.slices);
@@ -40,23 +44,25 @@ double unit_of(const Plan& plan, const Parameter& parameter, unsigned dimension,
 }
 
 // The value of a range or of a normal distribution at `u` in [0, 1].
-double value_at(const Parameter& parameter, double u) {
-    const double lower = parameter.lower, upper = parameter.upper;
-    if (parameter.kind == Parameter::Kind::normal)
-        return lower + upper * normal_quantile(std::clamp(u, kSmallestUnit, 1.0 - kSmallestUnit));
-    if (parameter.kind == Parameter::Kind::log_range && u > 0.0 && u < 1.0)
-        return std::clamp(lower * scene::exponential(u * natural_logarithm(upper / lower)), lower, upper);
+double value_at(Parameter::Kind kind, double lower, double upper, double u) {
+    if (kind == Parameter::Kind::normal)
+        return lower + upper * normal_quantile(std::clamp(u, kSmallestUnit, kLargestUnit));
+    if (kind == Parameter::Kind::log_range && u > 0.0 && u < 1.0)
+        return std::clamp(lower * scene::exponential(u * (natural_logarithm(upper) - natural_logarithm(lower))), lower,
+                          upper);
     return u == 1.0 ? upper : lower + u * (upper - lower);
 }
 
+// A whole number stands for all numbers from itself to the next.
 double drawn_value(const Parameter& parameter, double u) {
-    if (!parameter.whole) return value_at(parameter, u);
-    return std::min(parameter.upper, std::floor(parameter.lower + u * (parameter.upper - parameter.lower + 1.0)));
+    if (!parameter.whole) return value_at(parameter.kind, parameter.lower, parameter.upper, u);
+    const double value = value_at(parameter.kind, parameter.lower, parameter.upper + 1.0, u);
+    return std::clamp(std::floor(value), parameter.lower, parameter.upper);
 }
 
 double grid_value(const Parameter& parameter, std::uint64_t index) {
     const double u = parameter.count < 2 ? 0.0 : static_cast<double>(index) / static_cast<double>(parameter.count - 1);
-    const double value = value_at(parameter, u);
+    const double value = value_at(parameter.kind, parameter.lower, parameter.upper, u);
     return parameter.whole ? std::floor(value + 0.5) : value;
 }
 
