@@ -39,7 +39,9 @@ std::string unknown_argument_text(const CLI::App& app) {
     const std::vector<std::string> unknown = app.remaining(true);
     if (unknown.empty()) return "too many arguments";
     const std::string word = unknown.front().substr(0, unknown.front().find('='));
-    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    // The innermost command: "sweep verify".
+    std::vector<CLI::App*> chosen = app.get_subcommands();
+    while (!chosen.empty() && !chosen.front()->get_subcommands().empty()) chosen = chosen.front()->get_subcommands();
     std::vector<std::string> known;
     if (word.starts_with('-')) {
         for (const CLI::Option* option : (chosen.empty() ? &app : chosen.front())->get_options())

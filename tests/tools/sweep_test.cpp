@@ -449,6 +449,15 @@ TEST_CASE("submit writes a script for Slurm with as many tasks as take a minute"
     CHECK(answer.out.find("#SBATCH --partition=main\n") != std::string::npos);
     CHECK(answer.out.find("--shard \"$SLURM_ARRAY_TASK_ID\"/8") != std::string::npos);
     CHECK(run_tumble({"sweep", "submit", sweeps.plan, "-o", sweeps.at("out"), "--print"}).code == 2);
+    const Answer printed = run_tumble(
+        {"sweep", "submit", sweeps.plan, "-o", sweeps.at("out"), "--slurm", "--print", "--tasks", "100", "--json"});
+    CHECK(json::parse(printed.out)["array"] == "0-19");  // a task for each shard
+    CHECK(json::parse(printed.out)["script"].get<std::string>().starts_with("#!/bin/sh\n"));
+    for (const char* const name : {"a b", "a\nb", "a'b", "a%b"})
+        CHECK(run_tumble({"sweep", "submit", sweeps.plan, "-o", sweeps.at(name), "--slurm", "--print"}).code == 2);
+    const Answer unknown = run_tumble({"sweep", "verify", sweeps.at("out"), "--prt", "1"});
+    CHECK(unknown.code == 2);
+    CHECK(unknown.err.find("of verify\n  hint: did you mean '--part'?") != std::string::npos);
     // Two hundred runs of a millisecond are one task.
     CHECK(run_tumble({"sweep", "submit", sweeps.plan, "-o", sweeps.at("out"), "--slurm", "--print"})
               .out.find("--array=0-0\n") != std::string::npos);

@@ -1,4 +1,5 @@
 // `tumble sweep submit`: a sweep as a job array of Slurm.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -28,6 +29,13 @@ struct SubmitArguments {
     bool is_slurm = false, prints = false, allow_outside = false;
 };
 
+// Whether a text has no control characters and none of `special`.
+bool is_plain(const std::string& text, const std::string& special) {
+    return std::ranges::none_of(text, [&](char letter) {
+        return static_cast<unsigned char>(letter) < ' ' || special.find(letter) != std::string::npos;
+    });
+}
+
 // Submits a script and returns the number of the job. The file is named by its folder and has no quotes.
 std::string submit(const fs::path& script, const std::string& options) {
     const std::string command = "sbatch --parsable " + options + " '" + script.string() + "'";
@@ -46,9 +54,13 @@ ExitCode submit_sweep(const Command& command, SubmitArguments options) {
     const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside);
     SlurmOptions& slurm = options.slurm;
     slurm.folder = fs::absolute(slurm.folder).lexically_normal();
-    if (slurm.folder.string().find('\'') != std::string::npos)
-        throw CLI::ValidationError("--output", "must have no quotes, for the scripts of Slurm");
+    if (!is_plain(slurm.folder.string(), " '\"%"))
+        throw CLI::ValidationError("--output",
+                                   "must have no spaces, quotes, % or line feeds, for the scripts of Slurm");
+    for (const std::string& setting : slurm.settings)
+        if (!is_plain(setting, "")) throw CLI::ValidationError("--sbatch", "must have no line feeds");
     if (slurm.tasks == 0) slurm.tasks = choose_tasks(plan, estimate_sweep(plan, 1).seconds);
+    slurm.tasks = std::min(slurm.tasks, shard_count(plan));
     const std::string array = missing_tasks(plan, slurm.folder, slurm.tasks);
     if (array.empty()) {
         write_output(command.json ? "{\"array\": \"\"}\n"
@@ -57,7 +69,9 @@ ExitCode submit_sweep(const Command& command, SubmitArguments options) {
     }
     const std::string script = slurm_script(plan, slurm, array);
     if (options.prints) {
-        write_output(script);
+        JsonWriter json;
+        json.open_object().member("array", array).member("script", script).close_object();
+        write_output(command.json ? json.text() + "\n" : script);
         return ExitCode::ok;
     }
     const fs::path folder = slurm.folder.string() + ".slurm";

@@ -2,6 +2,8 @@
 // the shipped scenes for `demo`, which the binary lists.
 #include "tools/pages/pages.hpp"
 
+#include <algorithm>
+
 namespace tumble::tools {
 
 namespace {
@@ -18,9 +20,19 @@ std::string command_names(const std::vector<ListedCommand>& commands) {
     return join(names);
 }
 
+// Those of a command and of its parts, each name once.
+std::vector<ListedOption> options_of(const ListedCommand& command) {
+    std::vector<ListedOption> options = command.options;
+    for (const ListedCommand& part : command.parts)
+        for (const ListedOption& option : part.options)
+            if (std::ranges::find(options, option.name, &ListedOption::name) == options.end())
+                options.push_back(option);
+    return options;
+}
+
 std::string option_names(const ListedCommand& command) {
     std::vector<std::string> names;
-    for (const ListedOption& option : command.options) names.push_back(option.name);
+    for (const ListedOption& option : options_of(command)) names.push_back(option.name);
     return join(names);
 }
 
@@ -61,7 +73,7 @@ std::string bash_values(const ListedOption& option) {
 
 std::string bash_cases(const ListedCommand& command, const std::string& name) {
     std::string text;
-    for (const ListedOption& option : command.options) {
+    for (const ListedOption& option : options_of(command)) {
         if (option.kind == ValueKind::none) continue;
         text += "        " + name + ":" + option.name;
         if (!option.letter.empty()) text += " | " + name + ":" + option.letter;
@@ -139,7 +151,7 @@ std::string zsh_completion(const std::vector<ListedCommand>& commands) {
         "in\n";
     for (std::size_t i = 1; i < commands.size(); ++i) {
         text += "        " + commands[i].name + ")\n            _arguments";
-        for (const ListedOption& option : commands[i].options) text += zsh_option(option);
+        for (const ListedOption& option : options_of(commands[i])) text += zsh_option(option);
         text += zsh_arguments(commands[i]) + "\n            ;;\n";
     }
     return text + "    esac\n}\n\n_tumble \"$@\"\n";
@@ -153,7 +165,7 @@ std::string fish_completion(const std::vector<ListedCommand>& commands) {
         const std::string condition = "'__fish_seen_subcommand_from " + command.name + "'";
         text += "complete -c tumble -n __fish_use_subcommand -a " + command.name + " -d " +
                 fish_quoted(command.description) + "\n";
-        for (const ListedOption& option : command.options) text += fish_option(option, condition);
+        for (const ListedOption& option : options_of(command)) text += fish_option(option, condition);
         if (takes_files(command)) text += "complete -c tumble -n " + condition + " -F\n";
         if (command.name == "demo")
             text += "complete -c tumble -n " + condition + " -a \"(tumble" + kListScenes + ")\"\n";

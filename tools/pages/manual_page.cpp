@@ -104,7 +104,10 @@ std::string manual_page(const std::vector<ListedCommand>& commands, const std::s
     text += ".SH DESCRIPTION\n" + roff(program.description) + ".\n.SH OPTIONS\n";
     for (const ListedOption& option : program.options) text += entry(option);
     text += ".SH COMMANDS\n";
-    for (std::size_t i = 1; i < commands.size(); ++i) text += section(commands[i]);
+    for (std::size_t i = 1; i < commands.size(); ++i) {
+        text += section(commands[i]);
+        for (const ListedCommand& part : commands[i].parts) text += section(part);
+    }
     return text + kEnd;
 }
 

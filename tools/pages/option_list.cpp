@@ -47,7 +47,7 @@ ListedArgument listed_argument(const CLI::Option& option) {
 }
 
 ListedCommand listed_command(const CLI::App& app) {
-    ListedCommand result{app.get_name(), app.get_description(), {}, {}};
+    ListedCommand result{app.get_name(), app.get_description(), {}, {}, {}};
     for (const CLI::Option* option : app.get_options()) {
         if (option->get_positional())
             result.arguments.push_back(listed_argument(*option));
@@ -57,12 +57,21 @@ ListedCommand listed_command(const CLI::App& app) {
     return result;
 }
 
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
 }  // namespace
 
 std::vector<ListedCommand> list_commands(const CLI::App& app) {
     std::vector<ListedCommand> commands{listed_command(app)};
-    const auto all = [](const CLI::App*) { return true; };
-    for (const CLI::App* command : app.get_subcommands(all)) commands.push_back(listed_command(*command));
+    for (const CLI::App* command : commands_of(app)) {
+        commands.push_back(listed_command(*command));
+        for (const CLI::App* part : commands_of(*command)) {
+            commands.back().parts.push_back(listed_command(*part));
+            commands.back().parts.back().name = command->get_name() + " " + part->get_name();
+        }
+    }
     return commands;
 }
 

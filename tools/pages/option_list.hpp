@@ -35,6 +35,7 @@ struct ListedCommand {
     std::string description;
     std::vector<ListedOption> options;
     std::vector<ListedArgument> arguments;
+    std::vector<ListedCommand> parts{};  // "sweep verify" of "sweep"
 };
 
 // The first element is the program itself: its options are those before a command.
