@@ -119,3 +119,25 @@ TEST_CASE("a belt carries to the left at its tangent speed, whichever body was c
         CHECK(near(world.state(box).velocity.x, -2.0, kFloat));
     }
 }
+
+TEST_CASE("friction gives a landing disc a spin that rolls, never the opposite one") {
+    for (const ImpactModel model : {ImpactModel::in_order, ImpactModel::at_step_end})
+        for (const float radius : {0.05f, 0.1f, 0.2f, 0.5f})
+            for (const float restitution : {0.0f, 0.01f, 0.5f}) {
+                CAPTURE(radius);
+                CAPTURE(restitution);
+                WorldDef def;
+                def.impacts = model;
+                World world(def);
+                const SurfaceMaterial material{.friction = 0.3f, .restitution = restitution};
+                add_floor(world, material);
+                const BodyId disc = add_dynamic(world, {0.0, radius + 3.0}, make_circle(radius), material);
+                world.set_velocity(disc, {25.0f, -25.0f}, 0.0f);
+                for (int step = 0; step < 30; ++step) {
+                    world.step();
+                    const BodyState state = world.state(disc);
+                    CHECK(state.angular_velocity <= 0.0f);  // clockwise, as it moves to the right
+                    CHECK(-state.angular_velocity * radius <= state.velocity.x * 1.001f);
+                }
+            }
+}

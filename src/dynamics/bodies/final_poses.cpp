@@ -67,7 +67,7 @@ void finalize_pose(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) 
     }
     frame.pose.position = frame.center - DVec2(frame.center_offset);
     body.flags &= ~std::uint32_t{kClampedBody | kPushedBody};
-    if (body.flags & kDynamicBody) clamp_speed(body, limits);
+    if (body.flags & kDynamicBody) clamp_speed(body, limits, spin_limit(body, limits));
     body.delta_position = {};
     body.delta_rotation = {};
     bodies.moving[i].acceleration = {};
