@@ -208,8 +208,8 @@ private:
         if (!first.is_paired) return solve_normal(first, target);
         ImpactRow& second = group_.rows[index + 1];
         const PairImpulses impulses = find_normals(first, second, target);
-        return std::max(change(first, first.normal, impulses.first, target),
-                        change(second, second.normal, impulses.second, target));
+        const double change_of_first = change(first, first.normal, impulses.first, target);
+        return std::max(change_of_first, change(second, second.normal, impulses.second, target));
     }
 
     struct PairImpulses {
