@@ -1,31 +1,38 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything with warnings as errors, and runs all tests:
-#   1. the format of all sources, and clang-tidy for those that changed
-#   2. g++, release: every test; the Python package, installed from its wheel into a virtual environment: its tests, types
-#   3. clang, debug, address and undefined-behaviour sanitizers, TUMBLE_CHECK: the same
-#      state hashes after each step and the same parity results; the tests of the rooms that keep stores, of the command
-#      line (each twelfth shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time
-#   4. clang, thread sanitizer: the tests of threads
-#   5. the release build with each instruction set that the processor has: the golden hashes
-#   6. g++ for aarch64, run by qemu: the golden hashes, and the answers to all families of pairs (tools/aarch64.sh)
-#   7. the Debian package: its contents, its program and a project that uses its library (tools/package.sh)
-# tools/test.sh --full does the same with clang-tidy for all sources, a million pairs of each parity family, ten minutes
-# for each fuzz target, long searches and a hundred thousand random sequences of calls in Python, and its API reference.
+# Installs what is missing, builds everything with warnings as errors, and runs all tests, in stages:
+#   sources   the format of all sources, and clang-tidy for those that changed
+#   release   g++, release: every test
+#   python    the Python package, installed from its wheel into a virtual environment: its tests, types
+#   sanitize  clang, debug, address and undefined-behaviour sanitizers, TUMBLE_CHECK: the same state hashes after each
+#             step and the same parity results; the tests of the rooms that keep stores, of the command line (each
+#             twelfth shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time;
+#             random sequences of calls in Python
+#   threads   clang, thread sanitizer: the tests of threads
+#   sets      the release build with each instruction set that the processor has: the golden hashes
+#   aarch64   g++ for aarch64, run by qemu: the golden hashes, and the answers to all families of pairs (tools/aarch64.sh)
+#   package   the Debian package: its contents, its program and a project that uses its library (tools/package.sh)
+# tools/test.sh STAGE... runs these stages alone, with what they build on.
+# tools/test.sh --full [STAGE...] does the same with clang-tidy for all sources, a million pairs of each parity family, ten
+# minutes for each fuzz target, ten thousand random worlds with sanitizers, long searches and a hundred thousand random
+# sequences of calls in Python, and its API reference.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project"
 jobs=${TUMBLE_JOBS:-2}
 sanitized_rooms=(broad dynamics golden tools)
+all_stages=(sources release python sanitize threads sets aarch64 package)
 lint_arguments=()
-case ${1-} in
-    --full)
-        lint_arguments=(--all)
-        export TUMBLE_PAIRS=1000000 TUMBLE_FUZZ_SECONDS=600 TUMBLE_FUZZ_SEED=0 TUMBLE_LONG=1
-        ;;
-    '') ;;
-    *) echo "usage: ${0##*/} [--full]" >&2; exit 2 ;;
-esac
+if [[ ${1-} == --full ]]; then
+    shift
+    lint_arguments=(--all)
+    export TUMBLE_PAIRS=1000000 TUMBLE_FUZZ_SECONDS=600 TUMBLE_FUZZ_SEED=0 TUMBLE_LONG=1
+fi
+stages=("$@")
+(($#)) || stages=("${all_stages[@]}")
+for stage in "${stages[@]}"; do
+    [[ " ${all_stages[*]} " == *" $stage "* ]] || { echo "usage: ${0##*/} [--full] [STAGE...], of ${all_stages[*]}" >&2; exit 2; }
+done
 
 say() { printf 'test: %s (%d s)\n' "$*" "$SECONDS" >&2; }
 
@@ -77,35 +84,75 @@ check_golden_hashes() {
     done
 }
 
+build_release() {
+    say "building with g++, release"
+    build ci all
+}
+
+test_sources() {
+    say "checking the sources"
+    tools/lint.sh "${lint_arguments[@]}"
+}
+
+test_release() {
+    build_release
+    say "running all tests"
+    ctest --preset ci --parallel "$jobs"
+}
+
+test_python() {
+    build_release
+    say "building the Python package, and running its tests in an environment of its own"
+    rm -rf build/python
+    TUMBLE_BUILD=$project/build/ci TUMBLE_COMMAND=$project/build/ci/tools/tumble tools/python.sh --test
+    [[ -z ${TUMBLE_LONG-} ]] || TUMBLE_BUILD=$project/build/ci tools/python.sh --docs
+}
+
+test_sanitize() {
+    build_release
+    say "building with clang, debug, sanitizers"
+    build sanitize tumble_cli "${sanitized_rooms[@]/#/test_}" fuzz_targets
+    compare_hashes pyramid 5
+    compare_hashes mixed_rain 2
+    compare_parity 20000
+    say "running tests and the fuzz targets with sanitizers"
+    TUMBLE_ONE_OF=12 ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
+    say "running random sequences of calls in Python with sanitizers"
+    TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 150 || echo 100000) TUMBLE_BUILD=$project/build/ci \
+        tools/python.sh --sanitized
+    [[ -n ${TUMBLE_LONG-} ]] || return 0
+    say "running random worlds with sanitizers"
+    build sanitize test_world
+    seq 1 1000 9001 | TUMBLE_WORLDS=1000 xargs -P "$jobs" -I '{}' env TUMBLE_WORLDS_FROM='{}' \
+        build/sanitize/tests/test_world --test-case='random worlds*'
+}
+
+test_threads() {
+    say "building with clang, thread sanitizer"
+    build tsan threads
+    build/tsan/tests/threads
+}
+
+test_sets() {
+    build_release
+    say "comparing the golden hashes of the instruction sets"
+    check_golden_hashes
+}
+
+test_aarch64() {
+    build_release
+    say "comparing with aarch64"
+    tools/aarch64.sh
+}
+
+test_package() {
+    say "building and testing the Debian package"
+    tools/package.sh --test
+}
+
 mkdir -p build
 tools/setup.sh all
-say "checking the sources"
-tools/lint.sh "${lint_arguments[@]}"
-say "building with g++, release"
-build ci all
-say "running all tests"
-ctest --preset ci --parallel "$jobs"
-say "building the Python package, and running its tests in an environment of its own"
-rm -rf build/python
-TUMBLE_BUILD=$project/build/ci TUMBLE_COMMAND=$project/build/ci/tools/tumble tools/python.sh --test
-[[ -z ${TUMBLE_LONG-} ]] || TUMBLE_BUILD=$project/build/ci tools/python.sh --docs
-say "building with clang, debug, sanitizers"
-build sanitize tumble_cli "${sanitized_rooms[@]/#/test_}" fuzz_targets
-compare_hashes pyramid 5
-compare_hashes mixed_rain 2
-compare_parity 20000
-say "running tests and the fuzz targets with sanitizers"
-TUMBLE_ONE_OF=12 ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
-say "running random sequences of calls in Python with sanitizers"
-TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 150 || echo 100000) TUMBLE_BUILD=$project/build/ci \
-    tools/python.sh --sanitized
-say "building with clang, thread sanitizer"
-build tsan threads
-build/tsan/tests/threads
-say "comparing the golden hashes of the instruction sets"
-check_golden_hashes
-say "comparing with aarch64"
-tools/aarch64.sh
-say "building and testing the Debian package"
-tools/package.sh --test
-say "all tests passed"
+for stage in "${stages[@]}"; do
+    "test_$stage"
+done
+say "all tests passed: ${stages[*]}"
