@@ -44,6 +44,8 @@ check_contents() {
     ((missing == 0))
     man --warnings --local-file "$prefix/share/man/man1/tumble.1" 2>&1 > /dev/null | (! grep .)
     bash -n "$prefix/share/bash-completion/completions/tumble"
+    zsh -n "$prefix/share/zsh/vendor-completions/_tumble"
+    fish --no-execute "$prefix/share/fish/vendor_completions.d/tumble.fish"
     say "$(find "$place" -type f | wc -l) files"
 }
 
@@ -53,11 +55,12 @@ check_paths() {
 }
 
 # The objects of AVX2 and AVX-512 are named after them; what is compiled for the baseline uses no register wider than
-# 128 bits and no instruction of AVX, whose names begin with v. tumble_tools and tumble_reference are in the program.
+# 128 bits and no instruction of AVX, whose names begin with v. The program contains tumble_tools,
+# tumble_reference and tumble_sweep.
 check_instructions() {
     local library found
     for library in "$prefix"/lib/libtumble.a "$prefix"/lib/libtumble_render.a build/ci/tools/libtumble_tools.a \
-        build/ci/src/libtumble_reference.a; do
+        build/ci/src/libtumble_reference.a build/ci/src/libtumble_sweep.a; do
         found=$(objdump -d --no-show-raw-insn "$library" | awk '
             /file format/ { dispatched = $1 == "avx2.o:" || $1 == "avx512.o:"; object = $1 }
             !dispatched && ($2 ~ /^v/ || /%[yz]mm|%k[0-7]/) && $1 ~ /^[0-9a-f]+:$/ { print object, $0 }')

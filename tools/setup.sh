@@ -49,6 +49,8 @@ test_packages=(
     'dpkg-dev:finds the packages that the .deb depends on'
     'file:tells the package builder which files are programs'
     'man-db:reads the manual page of the package'
+    'zsh:reads the completions for zsh'
+    'fish:reads the completions for fish'
     'python3-sphinx:writes the API reference of the Python package'
 )
 python_packages=(

@@ -26,6 +26,27 @@ TEST_CASE("without arguments seven lines show the usage and a command to copy") 
     CHECK(answer.err.empty());
 }
 
+TEST_CASE("TUMBLE_SIMD chooses the instruction set, and a set that is not there ends with exit code 2") {
+    const json version = json::parse(run_tumble({"--version", "--json"}).out);
+    const auto run_with = [](const std::string& set) {
+        std::vector<std::string> command = tumble_command({"--version", "--json"});
+        command.insert(command.begin(), {"env", "TUMBLE_SIMD=" + set});
+        return run(command);
+    };
+    REQUIRE(version["instruction_sets"].size() >= 1);
+    for (const std::string set : version["instruction_sets"]) {
+        CAPTURE(set);
+        const Answer answer = run_with(set);
+        CHECK(answer.code == 0);
+        CHECK(json::parse(answer.out)["simd"] == set);
+    }
+    CHECK(json::parse(run_with("").out)["simd"] == version["simd"]);
+    const Answer unknown = run_with("sse9");
+    CHECK(unknown.code == 2);
+    CHECK(unknown.out.empty());
+    CHECK(unknown.err.find("TUMBLE_SIMD is 'sse9'; this build knows baseline") != std::string::npos);
+}
+
 TEST_CASE("--version prints version, compiler and instruction sets") {
     const Answer answer = run_tumble({"--version"});
     CHECK(answer.code == 0);

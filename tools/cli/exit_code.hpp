@@ -5,7 +5,7 @@ namespace tumble::tools {
 
 enum class ExitCode : int {
     ok = 0,              // the command succeeded and all files are complete
-    internal_error = 1,  // a bug, out of memory, or a processor without the instructions of the build
+    internal_error = 1,  // a bug, or out of memory
     usage = 2,           // wrong arguments
     invalid_input = 3,   // a scene, a query, a CSV file
     file_system = 4,     // a file is missing, unreadable, exists already, or the disk is full

@@ -178,8 +178,7 @@ constexpr ProblemPage kPages[] = {
      R"({"format": 1, "expect": [{"body": "ball", "height": [0, 1]}]})",
      R"(The table "expect" of scenes/README.md has the form of each claim.)"},
     {kExitCode, "exit-1", "a bug or no memory",
-     "tumble failed in a manner that it does not expect: a bug, no memory, or a processor without the "
-     "instructions of the build.",
+     "tumble failed in a manner that it does not expect: it has a bug, or there is too little memory.",
      "tumble run scene.json --threads 256",
      "Report the message and the scene. With too little memory, run a smaller scene."},
     {kExitCode, "exit-2", "wrong arguments",
