@@ -8,13 +8,14 @@
 #             twelfth shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time;
 #             random sequences of calls in Python
 #   threads   clang, thread sanitizer: the tests of threads
-#   sets      the release build with each instruction set that the processor has: the golden hashes
+#   sets      the release build with each instruction set that the processor has, and on 1, 2, 3 and 8 threads: the golden
+#             hashes
 #   aarch64   g++ for aarch64, run by qemu: the golden hashes, and the answers to all families of pairs (tools/aarch64.sh)
 #   package   the Debian package: its contents, its program and a project that uses its library (tools/package.sh)
 # tools/test.sh STAGE... runs these stages alone, with what they build on.
-# tools/test.sh --full [STAGE...] does the same with clang-tidy for all sources, a million pairs of each parity family, ten
-# minutes for each fuzz target, ten thousand random worlds with sanitizers, long searches and a hundred thousand random
-# sequences of calls in Python, and its API reference.
+# tools/test.sh --full [STAGE...] does the same with clang-tidy for all sources, a million pairs of each parity family,
+# ten minutes for each fuzz target, ten thousand random worlds with sanitizers and a thousand on several threads, long
+# searches and a hundred thousand random sequences of calls in Python, and its API reference.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -26,7 +27,7 @@ lint_arguments=()
 if [[ ${1-} == --full ]]; then
     shift
     lint_arguments=(--all)
-    export TUMBLE_PAIRS=1000000 TUMBLE_FUZZ_SECONDS=600 TUMBLE_FUZZ_SEED=0 TUMBLE_LONG=1
+    export TUMBLE_PAIRS=1000000 TUMBLE_FUZZ_SECONDS=600 TUMBLE_FUZZ_SEED=0 TUMBLE_THREADED_WORLDS=1000 TUMBLE_LONG=1
 fi
 stages=("$@")
 (($#)) || stages=("${all_stages[@]}")
@@ -84,6 +85,14 @@ check_golden_hashes() {
     done
 }
 
+# check_golden_threads: the same hashes on any number of threads.
+check_golden_threads() {
+    local threads
+    for threads in 1 2 3 8; do
+        TUMBLE_GOLDEN_THREADS=$threads build/ci/tests/test_golden
+    done
+}
+
 build_release() {
     say "building with g++, release"
     build ci all
@@ -137,6 +146,7 @@ test_sets() {
     build_release
     say "comparing the golden hashes of the instruction sets"
     check_golden_hashes
+    check_golden_threads
 }
 
 test_aarch64() {

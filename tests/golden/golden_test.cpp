@@ -7,7 +7,9 @@
 
 #include <cstdint>
 #include <random>
+#include <vector>
 
+#include "support/environment.hpp"
 #include "support/thread_tasks.hpp"
 #include "support/worlds.hpp"
 
@@ -228,13 +230,17 @@ std::uint64_t hash_steps(World& world, int steps) {
     return all_steps;
 }
 
-// The threads that each world is stepped on.
-const Threads kThreads[] = {{}, eager_threads(3)};
+// The threads that each world is stepped on: TUMBLE_GOLDEN_THREADS=n means n of them.
+std::vector<Threads> golden_threads() {
+    const int count = from_environment("TUMBLE_GOLDEN_THREADS", 0);
+    if (count > 0) return {eager_threads(count)};
+    return {Threads{}, eager_threads(3)};
+}
 
 }  // namespace
 
 TEST_CASE("impacts in order have the same hash in every build, in every step, on any number of threads") {
-    for (const Threads& threads : kThreads) {
+    for (const Threads& threads : golden_threads()) {
         World world = make_impacts();
         world.set_threads(threads);
         CHECK(hash_steps(world, 120) == 12794191746370218612u);
@@ -244,7 +250,7 @@ TEST_CASE("impacts in order have the same hash in every build, in every step, on
 }
 
 TEST_CASE("falling hinges have the same hash in every build, in every step, on any number of threads") {
-    for (const Threads& threads : kThreads) {
+    for (const Threads& threads : golden_threads()) {
         World world = make_falling_hinges(ImpactModel::in_order);
         world.set_threads(threads);
         CHECK(hash_steps(world, 400) == 10028691352453577885u);
@@ -253,7 +259,7 @@ TEST_CASE("falling hinges have the same hash in every build, in every step, on a
 }
 
 TEST_CASE("impacts at the step's end have the same hash in every build, in every step, on any number of threads") {
-    for (const Threads& threads : kThreads) {
+    for (const Threads& threads : golden_threads()) {
         World hinges = make_falling_hinges(ImpactModel::at_step_end);
         hinges.set_threads(threads);
         CHECK(hash_steps(hinges, 400) == 14243993751078487432u);
@@ -265,7 +271,7 @@ TEST_CASE("impacts at the step's end have the same hash in every build, in every
 }
 
 TEST_CASE("every build computes the same bits, on any number of threads") {
-    for (const Threads& threads : kThreads) {
+    for (const Threads& threads : golden_threads()) {
         World world = make_everything(ImpactModel::in_order);
         world.set_threads(threads);
         run(world, 60);
@@ -277,7 +283,7 @@ TEST_CASE("every build computes the same bits, on any number of threads") {
 }
 
 TEST_CASE("direct joints have the same hash in every build, in every step, on any number of threads") {
-    for (const Threads& threads : kThreads) {
+    for (const Threads& threads : golden_threads()) {
         World world = make_direct_joints();
         world.set_threads(threads);
         CHECK(hash_steps(world, 60) == 6763704207756709959u);

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
+#include "support/environment.hpp"
 #include "support/random_world.hpp"
 
 using namespace tumble;
@@ -25,11 +25,6 @@ constexpr float kOrdinarySpeed = 200.0f;
 
 // Of all worlds; about three in a hundred are torn between joints that contradict each other.
 constexpr double kTornWorlds = 0.08;
-
-int from_environment(const char* name, int otherwise) {
-    const char* const text = std::getenv(name);
-    return text ? std::atoi(text) : otherwise;
-}
 
 float fastest(const World& world) {
     float speed = 0.0f;

@@ -1,4 +1,6 @@
 // A world makes the same steps with any number of threads, bit for bit.
+//
+// TUMBLE_THREADED_WORLDS=n compares n random worlds instead of a few.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -6,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/environment.hpp"
 #include "support/random_world.hpp"
 #include "support/thread_tasks.hpp"
 #include "support/worlds.hpp"
@@ -131,7 +134,9 @@ TEST_CASE("a net of joints makes the same steps on any number of threads") {
 TEST_CASE("one-sided chains are the same on any number of threads") { check_threads(make_chain_run, 150); }
 
 TEST_CASE("random worlds that are edited make the same steps on any number of threads") {
-    for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    const int worlds = from_environment("TUMBLE_THREADED_WORLDS", 12);
+    for (int i = 1; i <= worlds; ++i) {
+        const auto seed = static_cast<std::uint32_t>(i);
         CAPTURE(seed);
         RandomWorld serial(seed), parallel(seed);
         parallel.world.set_threads(eager_threads(kThreads[seed % 3]));
