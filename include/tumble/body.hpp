@@ -45,7 +45,7 @@ struct BodyDef {
     float angular_damping = 0.0f;      // 1/s, >= 0
     float gravity_scale = 1.0f;        // factor on the world's gravity
     bool allow_fast_rotation = false;  // more than an eighth of a turn per step; for round shapes
-    bool bullet = false;               // continuous collision against dynamic bodies too, not only static and kinematic
+    bool bullet = false;               // swept against dynamic bodies too if ImpactModel is at_step_end
     bool allow_sleep = true;           // false keeps the body's whole island awake
     bool awake = true;                 // false: a dynamic body starts asleep, at rest, until an awake body touches it
     BodyLocks locks{};

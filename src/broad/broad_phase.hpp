@@ -125,6 +125,8 @@ template <class Accept>
 const std::vector<ProxyPair>& BroadPhase::find_new_pairs(Accept&& accept, Crew& crew) {
     const auto consider = [&](std::uint32_t key, std::uint32_t other, std::vector<ProxyPair>& found) {
         const ProxyPair pair = make_pair_of(key, other);
+        TUMBLE_CHECK(pair.a < pair.b);
+        TUMBLE_CHECK(pair.b < proxies_.size());
         if (!pairs_.contains(pair) && accept(pair)) found.push_back(pair);
     };
     const auto dynamic = std::count_if(touched_.begin(), touched_.end(),
@@ -171,6 +173,7 @@ template <class Visitor>
 void BroadPhase::find_pairs_of(std::uint32_t key, bool dynamic_are_found, Visitor&& visit) const {
     const Proxy& proxy = proxies_[key];
     if (proxy.leaf == AabbTree::kNone) return;
+    TUMBLE_CHECK(is_touched_[key] != 0);
     const auto visit_others = [&](std::uint32_t other) {
         if (other != key && !(is_touched_[other] && other < key)) visit(other);
     };

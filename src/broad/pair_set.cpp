@@ -1,5 +1,6 @@
 #include "broad/pair_set.hpp"
 
+#include <bit>
 #include <utility>
 
 #include "debug/check.hpp"
@@ -24,6 +25,8 @@ void PairSet::insert(ProxyPair pair) {
     TUMBLE_CHECK(pair.a < pair.b);
     TUMBLE_CHECK(!contains(pair));
     if (2 * (size_ + 1) > slots_.size()) grow();
+    TUMBLE_CHECK(std::has_single_bit(slots_.size()));
+    TUMBLE_CHECK(2 * (size_ + 1) <= slots_.size());
     slots_[find_slot(pack(pair))] = pack(pair);
     ++size_;
 }

@@ -129,6 +129,7 @@ template <class MayContain, class Visitor>
 void AabbTree::search_subtree(Node root, MayContain& may_contain, Visitor& visit) const {
     Node waiting[kStackSize] = {root};
     for (int count = 1; count > 0;) {
+        TUMBLE_CHECK(count <= kStackSize);
         const NodeData& node = at(waiting[--count]);
         if (!may_contain(node.box)) continue;
         if (node.is_leaf()) {
@@ -147,6 +148,7 @@ template <class Visitor>
 void AabbTree::begin_pairs(std::vector<NodePair>& waiting, std::size_t parts, Visitor&& visit) const {
     waiting.clear();
     if (root_ != kNone) waiting.push_back({root_, root_});
+    TUMBLE_CHECK(parts >= 1u);
     std::vector<NodePair> level;
     while (!waiting.empty() && waiting.size() < parts) {
         level.swap(waiting);

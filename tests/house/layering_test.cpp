@@ -120,18 +120,6 @@ void check_public(const Include& include, const std::string& room) {
         FAIL_CHECK(text_of(include));
 }
 
-// Folders with the number of sources directly in them.
-std::map<std::string, int> count_sources() {
-    std::map<std::string, int> counts;
-    for (const char* top : {"src", "tools", "include"})
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / top)) {
-            const fs::path extension = entry.path().extension();
-            if (extension == ".cpp" || extension == ".hpp")
-                ++counts[fs::relative(entry.path().parent_path(), root).generic_string()];
-        }
-    return counts;
-}
-
 // True if includes can lead from a folder back to it.
 bool leads_back(const std::string& start, const std::string& folder, std::set<std::string>& seen) {
     for (const auto& [target, unused] : kMaySee) {
@@ -176,13 +164,6 @@ TEST_CASE("public headers include the standard library and each other only") {
         if (include.quoted && first_folder(include.target) != "tumble") FAIL_CHECK(text_of(include));
     }
     CHECK(checked > 50);
-}
-
-TEST_CASE("no folder has more than 30 sources") {
-    for (const auto& counted : count_sources()) {
-        CAPTURE(counted.first);
-        CHECK(counted.second <= 30);
-    }
 }
 
 TEST_CASE("tests compare with tolerances that they state, not with those that doctest adds") {

@@ -170,8 +170,8 @@ TEST_CASE("over random hills normals stay in the cone of the neighbours, and sha
             for (int round = 0; round < 60 && gap() > 0.0; ++round) local.position.y -= std::max(gap(), 1e-4);
             local.position.y -= random.uniform(0.0, 0.004);
             const auto composed = [&](const Pose& pose) {
-                const DVec2 place = world_from_chain.position + rotate(world_from_chain.rotation, pose.position);
-                return Pose{place, make_rotation(angle(world_from_chain.rotation) + angle(pose.rotation))};
+                const DVec2 position = world_from_chain.position + rotate(world_from_chain.rotation, pose.position);
+                return Pose{position, make_rotation(angle(world_from_chain.rotation) + angle(pose.rotation))};
             };
             const std::vector<Manifold> found = chain.collide(shape, composed(local), world_from_chain);
             INFO("hills ", index, " step ", step);

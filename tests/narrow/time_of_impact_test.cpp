@@ -122,9 +122,9 @@ Query random_query(Random& random, double turn) {
     Query query;
     query.a = tumble_test::random_shape(random, tumble_test::random_kind(random), 1.0);
     query.b = tumble_test::random_shape(random, tumble_test::random_kind(random), random.uniform(0.3, 3.0));
-    const DVec2 place = random.point(random.chance(0.2) ? 1e4 : 1.0);
-    query.sweep_a = random_sweep(random, place, place + random.point(0.5), random.chance(0.3) ? 0.0 : turn);
-    const DVec2 from = place + random.point(4.0), aim = place + random.point(1.5);
+    const DVec2 center = random.point(random.chance(0.2) ? 1e4 : 1.0);
+    query.sweep_a = random_sweep(random, center, center + random.point(0.5), random.chance(0.3) ? 0.0 : turn);
+    const DVec2 from = center + random.point(4.0), aim = center + random.point(1.5);
     query.sweep_b =
         random_sweep(random, from, from + random.uniform(0.0, 2.0) * (aim - from), random.chance(0.3) ? 0.0 : turn);
     if (random.chance(0.3)) query.target = random.uniform(0.0, 0.3);

@@ -13,7 +13,7 @@ TUTORIAL = Path(__file__).resolve().parents[2] / "src" / "python" / "tutorial"
 def test_the_tutorial_runs(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     end = runpy.run_path(str(TUTORIAL / "tutorial.py"))
-    # The ball bounces from 4 m: at 0.8 of the speed of sqrt(2 g 3.5 m) it rises by 0.64 of the way.
+    # The ball bounces from 4 m: at 0.8 of the speed of sqrt(2 g 3.5 m) it rises by 0.64 of 3.5 m.
     heights = end["heights"]
     lowest = heights.index(min(heights))
     assert 0.5 <= heights[lowest] < 0.5 + np.sqrt(2 * 10 * 3.5) / 60

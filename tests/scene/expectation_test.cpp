@@ -8,24 +8,11 @@
 #include <utility>
 
 #include "scene/disc_scene.hpp"
+#include "scene/judge.hpp"
 
 using namespace tumble;
+using test::judge;
 using test::make_disc_scene;
-
-namespace {
-
-ExpectationResult judge(const Scene& scene, int steps) {
-    SceneRun run(scene);
-    ExpectationWatch watch(scene, run.built());
-    watch.observe(run.built());
-    for (int i = 0; i < steps; ++i) {
-        run.step();
-        watch.observe(run.built());
-    }
-    return watch.results().at(0);
-}
-
-}  // namespace
 
 TEST_CASE("an at_rest_by claim holds if from its time on no body is faster than the limit of sleep") {
     CHECK(judge(make_disc_scene(R"("expect": [{"at_rest_by": 1}])"), 120).passed);
@@ -313,7 +300,7 @@ TEST_CASE("a claim on energy does not count the work of the timeline as gain") {
     CHECK(judge_disc(claim, R"({"at": 1, "spawn": {"name": "b", "velocity": [5, 0], "position": [0, 9],
                                 "shapes": [{"circle": {"radius": 0.5}}]}})")
               .passed);
-    // A force of 2 N over the way that the disc goes in a second, 2 / (2 m) m, minus an error of the order of a step.
+    // A force of 2 N over the displacement of the disc in a second, 2 / (2 m) m, minus an error of the order of a step.
     const ExpectationResult pushed =
         judge_disc(R"({"max_energy_gain": 0.05})", R"({"at": 0, "body": "disc", "force": [2, 0], "until": 1})");
     CHECK_MESSAGE(pushed.passed, pushed.finding);
@@ -330,41 +317,6 @@ TEST_CASE("a claim on energy does not count the work of the timeline as gain") {
     CHECK_FALSE(watch.results()[0].passed);
     CHECK(watch.results()[0].finding == "the energy is 0.637 J above that of the start");
     CHECK(watch.results()[1].passed);
-}
-
-TEST_CASE("a condition is a claim on a state") {
-    const std::string kick = R"("timeline": [{"at": 0.5, "body": "disc", "velocity": [1, 0]}], )";
-    const auto judge_that = [&](const std::string& claim) {
-        return judge(make_disc_scene(kick + R"("expect": [)" + claim + "]"), 120);
-    };
-    CHECK(judge_that(R"({"that": "disc.x > 1.4"})").passed);
-    const ExpectationResult end = judge_that(R"({"that": "disc.x > 1.6"})");
-    CHECK_FALSE(end.passed);
-    CHECK(end.claim == "disc.x > 1.6 at the end");
-    CHECK(end.finding == "disc.x is 1.5");
-    CHECK(judge_that(R"({"that": "disc.vx == 0", "at": 0.4})").passed);
-    CHECK(judge_that(R"({"that": "disc.vx == 1", "when": "always", "from": 0.6})").passed);
-    CHECK(judge_that(R"({"that": "disc.x > 0.5 and disc.x < 0.6", "when": "sometime"})").passed);
-    // The worst state decides: that of the end.
-    const ExpectationResult always = judge_that(R"({"that": "disc.x < 1", "when": "always"})");
-    CHECK_FALSE(always.passed);
-    CHECK(always.step == 120);
-    CHECK(judge_that(R"({"that": "disc.x > -0.6", "frame": {"position": [2, 0]}})").passed);
-    CHECK_FALSE(judge_that(R"({"that": "disc.x > -0.4", "frame": {"position": [2, 0]}})").passed);
-}
-
-TEST_CASE("a claim on an order holds if the first condition holds before the second") {
-    const std::string kick = R"("timeline": [{"at": 0.5, "body": "disc", "velocity": [1, 0]}], )";
-    const auto judge_that = [&](const std::string& claim) {
-        return judge(make_disc_scene(kick + R"("expect": [)" + claim + "]"), 120);
-    };
-    CHECK(judge_that(R"({"that": "disc.x > 0.4", "before": "disc.x > 0.6"})").passed);
-    CHECK(judge_that(R"({"that": "disc.x > 0.4", "before": "disc.x > 60"})").passed);
-    const ExpectationResult late = judge_that(R"({"that": "disc.x > 0.995", "before": "time >= 1"})");
-    CHECK_FALSE(late.passed);
-    CHECK(late.finding == "'disc.x > 0.995' holds first at 1.5 s, 'time >= 1' holds first at 1 s");
-    CHECK_FALSE(judge_that(R"({"that": "disc.x > 9", "before": "time > 1"})").passed);
-    CHECK_FALSE(judge_that(R"({"that": "time >= 1", "before": "time >= 1"})").passed);
 }
 
 TEST_CASE("a claim on the time of a step holds within its limit") {

@@ -146,8 +146,9 @@ TEST_CASE("a GIF leaves out frames above 50 a second, and keeps its duration") {
                 arguments_of(folder, "run.gif", {"--duration", "1", "--fps", "60", "--size", "160x90", "--no-frames"}))
                 .code == 0);
     const json found = probe(folder / "run.gif");
-    CHECK(near(number(found["format"]["duration"]), 61.0 / 60.0, absolute(0.02)));
-    CHECK(near(number(found["streams"][0]["nb_read_frames"]), 51.0, absolute(1.0)));
+    // 61 frames last 61/60 s, in which a rate of 50 has 50.8 frames: ffmpeg rounds to 51, which last 1.02 s.
+    CHECK(found["streams"][0]["nb_read_frames"] == "51");
+    CHECK(found["format"]["duration"] == "1.020000");
 }
 
 TEST_CASE("one processor and several give the same bytes") {

@@ -6,8 +6,8 @@
 namespace tumble::tools {
 
 // After this call the first SIGINT, SIGHUP or SIGTERM sets the flag, and a second one of the same kind ends the
-// process. A SIGHUP that the process was started to ignore (nohup) stays ignored. A pipe that no one reads any more is
-// an error of the write, so that the process can remove what it has not completed.
+// process. A SIGHUP that the process was started to ignore (nohup) stays ignored. A write to a pipe whose
+// reader has ended fails, so that the process can remove what it has not completed.
 void catch_interrupts();
 
 bool is_interrupted() noexcept;

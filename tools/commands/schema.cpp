@@ -23,7 +23,7 @@ void add_schema(CLI::App& app, Command& command) {
     const auto kind = std::make_shared<std::string>("scene");
     CLI::App& schema =
         add_subcommand(app, command, "schema", "Print the JSON schema (Draft-07) of scene files or of plans");
-    schema.add_option("KIND", *kind, "Of which files: scene or plan; default scene")
+    schema.add_option("KIND", *kind, "The files that the schema describes: scene or plan; default scene")
         ->check(CLI::IsMember({"scene", "plan"}));
     schema.callback([&command, kind] { command.action = [kind] { return print_schema(*kind); }; });
 }

@@ -83,7 +83,7 @@ BodyPairs::Rows BodyPairs::find_known(Side side, const StepStates& states) {
     return unknown;
 }
 
-// Joins bodies to those of their names that only the other run had so far.
+// Removes from `rows` the bodies whose name only the other run has had so far, and pairs them with its bodies.
 void BodyPairs::pair_late_names(Side side, const StepStates& states, Rows& rows) {
     std::erase_if(rows, [&](std::size_t row) {
         const NamedState& body = states.bodies[row];

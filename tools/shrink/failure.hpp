@@ -24,7 +24,8 @@ std::vector<Failure> find_failures(const Scene& scene);
 // The text with # in place of each number that is not a part of a name: "the height is 0.31 m" and "body[12]".
 std::string with_masked_numbers(std::string_view text);
 
-// On which side of what the claim allows the finding is: ", below", or nothing if that has no side.
+// On which side of the values that the claim allows the finding is: ", below", ", on the right". Empty if the claim
+// allows no range and no box.
 std::string side_of(const SceneExpectation& claim, const std::string& finding);
 
 // The claim and its result that a Failure of `claim` is about, by simulating the scene again.

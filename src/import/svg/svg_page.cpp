@@ -15,7 +15,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 bool is_positive(DVec2 size) { return size.x > 0.0 && size.y > 0.0; }
 
-// NaN for a missing length, "auto", and a part of a window, whose size nobody knows.
+// NaN for a missing length, "auto", and a part of a window, as its size is not known.
 double read_size(const pugi::xml_attribute& attribute) {
     const std::string_view text = trimmed(attribute.value());
     return text.empty() || text == "auto" || text.ends_with('%') ? kUnknown : parse_length(text, kUnknown);

@@ -117,6 +117,7 @@ private:
     void add_corner_contact(const MeasuredFace& before, const MeasuredFace& after) {
         const CircleEntry circle = find_circle_entry(path_, after.chain.from.w);
         if (!circle.is_reached) return;
+        TUMBLE_CHECK(circle.lower <= circle.upper);
         const bool is_round = path_.reach > kRound * path_.error;
         const DVec2 normal =
             is_round ? (1.0 / length(circle.from_center)) * circle.from_center : corner_normal(before, after);

@@ -48,6 +48,7 @@ void miss(CastResult& result, int vertices) {
     result.fraction = std::min(fraction, 1.0);
     result.lower = std::max(0.0, fraction - doubt);
     result.upper = fraction + doubt;
+    TUMBLE_CHECK(result.lower <= result.fraction);
     result.point.x = point.x;
     result.point.y = point.y;
     result.normal.x = normal.x;
@@ -58,6 +59,7 @@ void miss(CastResult& result, int vertices) {
 // The quadratic |m - t v|^2 = r^2 for the centre m, and the radius r known to 2 E: with (r + 2 E)^2 - r^2 <= D the root
 // of the discriminant h is known to D |v|^2 / h, as sqrt(1 - x) >= 1 - x.
 [[gnu::always_inline]] inline bool cast_at_circle(const Ray& ray, CastResult& result) {
+    TUMBLE_CHECK(ray.core.count == 1);
     const DVec2 on_core = ray.core.point(0), center = on_core - ray.offset, v = ray.motion;
     const double radius_sq = ray.radius * ray.radius, doubt_sq = 4.0 * ray.error * (ray.radius + ray.error);
     const double ahead = dot(v, center), aside = cross(v, center), margin = doubt_sq * ray.motion_sq;
@@ -86,6 +88,8 @@ struct RayVertices {
 
 template <int N>
 TUMBLE_LANE_FUNCTION RayVertices<N> project(const Core& core, DVec2 offset, DVec2 motion) {
+    TUMBLE_CHECK(core.count >= 3);
+    TUMBLE_CHECK(core.count <= N);
     const double scale = core.c * core.c + core.s * core.s;
     const DVec2 o = core.turned_back(offset), v = core.turned_back(motion);
     const DoubleLanes<N> x = scale * load_widened<N>(core.x) - DoubleLanes<N>(o.x),
@@ -129,6 +133,9 @@ template <int N>
     TUMBLE_CHECK(exits != 0u);
     const int from = std::countr_zero(entries), to = core.next(from);
     const int exit_from = std::countr_zero(exits);
+    TUMBLE_CHECK(from < core.count);
+    TUMBLE_CHECK(exit_from < core.count);
+    TUMBLE_CHECK(exit_from != from);
     const Crossing entry = cross_face(vertices, from, to, margin),
                    exit = cross_face(vertices, exit_from, core.next(exit_from), margin);
     if (!entry.is_clear || !exit.is_clear) return false;

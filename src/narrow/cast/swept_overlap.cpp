@@ -68,6 +68,8 @@ SweptSimplex nearest_in_triangle(const SweptSimplex& simplex) {
 }
 
 SweptSimplex with(const SweptSimplex& simplex, DVec2 w) {
+    TUMBLE_CHECK(simplex.count >= 1);
+    TUMBLE_CHECK(simplex.count <= 2);
     if (simplex.count == 1) return nearest_on_edge(simplex.w[0], w);
     return nearest_in_triangle({{simplex.w[0], simplex.w[1], w}, 3, {}, 0.0});
 }
@@ -76,6 +78,7 @@ SweptSimplex with(const SweptSimplex& simplex, DVec2 w) {
 // beyond.
 DistanceStatus status_inside(const SweptDifference& difference, const SweptSimplex& triangle, double error) {
     const double turn = cross(triangle.w[1] - triangle.w[0], triangle.w[2] - triangle.w[0]) < 0.0 ? -1.0 : 1.0;
+    TUMBLE_CHECK(triangle.count == 3);
     for (int i = 0; i < 3; ++i) {
         const DVec2 from = triangle.w[i], to = triangle.w[(i + 1) % 3], outwards = -turn * perp(to - from);
         const double bound = error * length(outwards);
@@ -87,6 +90,7 @@ DistanceStatus status_inside(const SweptDifference& difference, const SweptSimpl
 
 DistanceStatus find_status(const SweptDifference& difference, DVec2 first_direction, double reach, double error) {
     TUMBLE_CHECK(reach >= 0.0);
+    TUMBLE_CHECK(error >= 0.0);
     SweptSimplex simplex = nearest_to_vertex(difference.support(first_direction).w);
     for (int step = 0; step < kStepCap; ++step) {
         if (simplex.away + error < reach) return DistanceStatus::overlapping;

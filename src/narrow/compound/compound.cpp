@@ -79,6 +79,7 @@ CompoundOverlap compound_overlap(std::span<const Shape> a, const Pose& world_fro
         result.part_b = part_b;
     });
     if (!valid) return {};
+    TUMBLE_CHECK((result.part_a >= 0) == (result.status != DistanceStatus::separated));
     return result;
 }
 

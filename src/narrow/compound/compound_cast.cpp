@@ -52,6 +52,7 @@ private:
 // infinite if they never do.
 double first_touch_of_boxes(const Aabb& a, const Aabb& b, DVec2 motion, double margin) {
     double enter = 0.0, leave = kInfinite;
+    TUMBLE_CHECK(margin >= 0.0);
     const auto cut = [&](double a_lower, double a_upper, double b_lower, double b_upper, double path) {
         const double from = (a_lower - margin) - b_upper,
                      to = (a_upper + margin) - b_lower;  // displacements of B at which they touch
@@ -126,6 +127,7 @@ CompoundCast compound_time_of_impact(std::span<const Shape> a, const Sweep& swee
     const double speed = (length(velocity) + std::abs(sweep_a.turn) * farthest(a, sweep_a.local_center) +
                           std::abs(sweep_b.turn) * farthest(b, sweep_b.local_center)) *
                          (1.0 + 0x1p-40);
+    TUMBLE_CHECK(!(speed < 0.0));
     const double margin = target + 0x1p-20 * (pairs.sizes() + target);
     return find_first(
         pairs,

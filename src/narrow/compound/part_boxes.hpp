@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "narrow/cores/core_pair.hpp"
 #include "tumble/math.hpp"
 #include "tumble/shape.hpp"
@@ -28,6 +29,7 @@ struct PartBoxes {
             reach = std::max(reach, turned_radius(part, pose.rotation) + part.radius());
             valid = valid && boxes.back().lower.x <= boxes.back().upper.x && part.radius() >= 0.0f;
         }
+        TUMBLE_CHECK(boxes.size() == parts.size());
         valid = valid && !parts.empty();
     }
 };

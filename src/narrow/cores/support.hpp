@@ -50,6 +50,7 @@ struct Support {
 }
 
 [[gnu::always_inline]] inline int own_vertex(unsigned is_b, VertexPair pair) {
+    TUMBLE_CHECK(is_b <= 1u);
     return static_cast<int>((pair.a | static_cast<unsigned>(pair.b) << 16) >> (16 * is_b) & 0xffff);
 }
 

@@ -1,6 +1,7 @@
 // A small core with all its vertices turned into world axes at once, a vertex in each lane.
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/cores/core_pair.hpp"
 #include "simd/double_lanes.hpp"
 
@@ -16,6 +17,8 @@ struct TurnedCore {
 
 template <int N>
 TUMBLE_LANE_FUNCTION TurnedCore<N> turn(const Core& core) {
+    TUMBLE_CHECK(core.count >= 1);
+    TUMBLE_CHECK(core.count <= N);
     const DoubleLanes<N> x = load_widened<N>(core.x), y = load_widened<N>(core.y);
     return {core.c * x - core.s * y, core.s * x + core.c * y};
 }

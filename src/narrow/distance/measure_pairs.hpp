@@ -35,6 +35,7 @@ public:
         ends_first_ = bits_of(beyond_first);
         by_face_ = bits_of(is_valid & is_inside & (is_apart | (upper_ < zero)));
         by_vertex_ = bits_of(is_valid & ~is_inside & is_apart & ~leading_.is_tied);
+        TUMBLE_CHECK((by_face_ & by_vertex_) == 0u);
         if (by_vertex_ != 0) measure_ends(pairs, beyond_first, is_inside);
     }
 
@@ -59,6 +60,8 @@ public:
                   nearest = static_cast<int>(leading_.nearest[lane]);
         const unsigned is_b = edge >= N;
         const int counts[2] = {a.vertex_count(), b.vertex_count()};
+        TUMBLE_CHECK(from < counts[is_b]);
+        TUMBLE_CHECK(nearest < counts[1 - is_b]);
         const int to = from + 1 == counts[is_b] ? 0 : from + 1;
         const VertexPair first = pair_of_owner(is_b, from, nearest), second = pair_of_owner(is_b, to, nearest);
         const bool is_face = (by_face_ >> lane & 1u) != 0, ends_first = (ends_first_ >> lane & 1u) != 0;
@@ -66,6 +69,7 @@ public:
         core.pairs[1] = !is_face && ends_first ? first : second;
         core.pair_count = is_face ? 2 : 1;
         core.overlap = is_face && core.upper < 0.0;
+        TUMBLE_CHECK(core.lower <= core.upper);
         core.iterations = 2;
         return core;
     }

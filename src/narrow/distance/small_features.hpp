@@ -2,6 +2,7 @@
 // to an answer end with these formulas, so the answer has the same bits on each.
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/distance/core_distance.hpp"
 #include "narrow/faces/leading_faces.hpp"
 
@@ -12,6 +13,8 @@ namespace tumble {
 template <int N>
 TUMBLE_LANE_FUNCTION bool measure_by_vertex(const CorePair& pair, const TurnedPair<N>& turned, VertexPair at,
                                             CoreDistance& result) {
+    TUMBLE_CHECK(at.a < pair.a.count);
+    TUMBLE_CHECK(at.b < pair.b.count);
     const double a_x = turned[0].x[at.a], a_y = turned[0].y[at.a], b_x = turned[1].x[at.b], b_y = turned[1].y[at.b];
     const double x = to_origin(a_x, b_x, pair.offset.x), y = to_origin(a_y, b_y, pair.offset.y);
     const VertexMeasure<double> measured = measure_vertex(
@@ -62,6 +65,7 @@ enum class Foot { inside, beyond_first, beyond_second };
     result.pairs[1] = pair_of_owner(face.is_b, face.to, face.nearest);
     result.pair_count = 2;
     result.overlap = result.upper < 0.0;
+    TUMBLE_CHECK(!(result.upper < result.lower));
     if (measured.before >= 0.0) return Foot::beyond_first;
     return measured.behind <= 0.0 ? Foot::beyond_second : Foot::inside;
 }

@@ -21,6 +21,8 @@ public:
         const Closest closest = reduce_edge(pair_, simplex);
         TUMBLE_CHECK(!(closest.distance_sq < 0.0));
         if (!(closest.distance_sq < distance_sq_)) return;
+        TUMBLE_CHECK(simplex.count >= 1);
+        TUMBLE_CHECK(simplex.count <= 2);
         distance_sq_ = closest.distance_sq;
         simplex_ = simplex;
     }

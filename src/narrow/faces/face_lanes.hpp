@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "debug/check.hpp"
 #include "narrow/cores/turned_core.hpp"
 
 namespace tumble {
@@ -59,6 +60,8 @@ TUMBLE_LANE_FUNCTION FaceLanes<N> faces_of(const Core& owner, const TurnedCore<N
                                            double offset_x, double offset_y) {
     const DoubleLanes<N> none(-std::numeric_limits<double>::infinity());
     if (owner.count == 1) return {none, none, none, none, none};
+    TUMBLE_CHECK(owner.count > 1);
+    TUMBLE_CHECK(owner.count <= N);
     const DoubleLanes<N> local_x = load_widened<N>(owner.x), local_y = load_widened<N>(owner.y);
     const DoubleLanes<N> edge_x = next_lanes(local_x) - local_x, edge_y = next_lanes(local_y) - local_y;
     const DoubleLanes<N> x = outward_x_of(owner.c, owner.s, edge_x, edge_y),

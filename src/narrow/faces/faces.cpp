@@ -92,6 +92,8 @@ void move_below_origin(const CorePair& pair, Face& face) {
         const VertexPair next = neighbour(pair, face.direction, end, step);
         const double left = distance_to_go(next);
         const double part = left < 0.0 ? to_go / (to_go - left) : 1.0;
+        TUMBLE_CHECK(part > 0.0);
+        TUMBLE_CHECK(part <= 1.0);
         const double from = height(pair, face.direction, end), to = height(pair, face.direction, next);
         if (next == end || from + part * (to - from) < level) return;
         face.pairs[1 - far] = end;
@@ -107,6 +109,7 @@ FoundFace deepest_face_in_lanes(const CorePair& pair) {
     const LeadingFaces<N> leading(pair, turned);
     if (leading.bits == 0) return {};
     const OwnedFace face = leading.first();
+    TUMBLE_CHECK(face.from != face.to);
     const double sign = kSign[face.is_b];
     return {{{sign * face.numbers.outward_x, sign * face.numbers.outward_y},
              face.numbers.separation,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "debug/check.hpp"
 #include "narrow/faces/face_lanes.hpp"
 #include "narrow/faces/feature_formulas.hpp"
 #include "simd/gather_columns.hpp"
@@ -27,6 +28,8 @@ struct CoreOfPairs {
     CoreOfPairs(const Shape* const (&shapes)[kPairs], const Pose* const (&poses)[kPairs]) {
         const float *rows_x[kPairs], *rows_y[kPairs];
         for (int lane = 0; lane < kPairs; ++lane) {
+            TUMBLE_CHECK(shapes[lane]->vertex_count() >= 1);
+            TUMBLE_CHECK(shapes[lane]->vertex_count() <= N);
             rows_x[lane] = shapes[lane]->x().data();
             rows_y[lane] = shapes[lane]->y().data();
         }
@@ -83,6 +86,10 @@ struct LeadingFaceOfPairs {
         scan<0>(pairs.a, pairs.b, pairs.offset_x, pairs.offset_y, std::make_index_sequence<N>());
         scan<N>(pairs.b, pairs.a, -pairs.offset_x, -pairs.offset_y, std::make_index_sequence<N>());
         is_b = PairLanes(N - 0.5) < edge;
+        TUMBLE_CHECK(smallest(edge) >= 0.0);
+        TUMBLE_CHECK(largest(edge) < 2.0 * N);
+        TUMBLE_CHECK(smallest(nearest) >= 0.0);
+        TUMBLE_CHECK(largest(nearest) < N);
         find_other(pairs.a, pairs.b, std::make_index_sequence<N>());
     }
 

@@ -7,6 +7,7 @@
 #include <bit>
 #include <limits>
 
+#include "debug/check.hpp"
 #include "narrow/faces/face_lanes.hpp"
 #include "narrow/faces/feature_formulas.hpp"
 
@@ -29,6 +30,8 @@ template <int N>
 TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, int from) {
     const Core* const cores[2] = {&pair.a, &pair.b};
     const Core& owner = *cores[is_b];
+    TUMBLE_CHECK(from >= 0);
+    TUMBLE_CHECK(from < owner.count);
     const TurnedCore<N> other = turn<N>(*cores[1 - is_b]);
     const double sign = kSign[is_b], offset_x = sign * pair.offset.x, offset_y = sign * pair.offset.y;
     const int to = owner.next(from);
@@ -37,6 +40,7 @@ TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, in
     const DoubleLanes<N> of_other = heights(other, x, y);
     const double lowest = smallest(of_other);
     const int nearest = std::countr_zero(bits_of(of_other == DoubleLanes<N>(lowest)));
+    TUMBLE_CHECK(nearest < cores[1 - is_b]->count);
     const double own_height = x * first.x + y * first.y;
     const double gap = (lowest - own_height) + (offset_x * x + offset_y * y);
     const double length = std::sqrt(x * x + y * y);
@@ -76,6 +80,8 @@ LeadingFaces<N>::LeadingFaces(const CorePair& cores, const TurnedPair<N>& turned
 template <int N>
 OwnedFace LeadingFaces<N>::first() const {
     const unsigned bit = static_cast<unsigned>(std::countr_zero(bits)), is_b = bit >= N;
+    TUMBLE_CHECK(bits != 0u);
+    TUMBLE_CHECK(bit < 2u * N);
     const int from = static_cast<int>(bit % N);
     const Core* const cores[2] = {&pair.a, &pair.b};
     const FaceLanes<N>* const faces[2] = {&of_a, &of_b};
@@ -83,6 +89,9 @@ OwnedFace LeadingFaces<N>::first() const {
     const TurnedCore<N>& own = turned[is_b];
     const TurnedCore<N>& other = turned[1 - is_b];
     const int to = cores[is_b]->next(from), nearest = static_cast<int>(face.nearest[from]);
+    TUMBLE_CHECK(from < cores[is_b]->count);
+    TUMBLE_CHECK(nearest < cores[1 - is_b]->count);
+    TUMBLE_CHECK(face.length[from] > 0.0);
     const double x = face.outward_x[from], y = face.outward_y[from];
     return {is_b,
             from,

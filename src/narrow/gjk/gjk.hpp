@@ -89,6 +89,7 @@ template <typename Reducer, typename Observer>
         const MinkowskiSupport found = support(pair, closest.direction, simplex.vertices[0].pair());
         best.height = found.height;
         ++best.iterations;
+        TUMBLE_CHECK(best.iterations <= cap);
         observe(simplex, closest, found);
         if (has_converged(pair, best, found.vertex)) return best;
         if (best.iterations >= cap) {

@@ -9,12 +9,15 @@
 // [vdB04, 4.3].
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/gjk/simplex.hpp"
 
 namespace tumble {
 
 struct Johnson {
     [[gnu::always_inline]] static Closest reduce(const CorePair& pair, Simplex& simplex) {
+        TUMBLE_CHECK(simplex.count >= 1);
+        TUMBLE_CHECK(simplex.count <= 3);
         if (simplex.count == 1) return closest_on_vertex(simplex.vertices[0]);
         return simplex.count == 2 ? reduce_edge(pair, simplex) : reduce_triangle(pair, simplex);
     }
@@ -26,6 +29,7 @@ private:
                     e20 = edge_between(pair, v[2], v[0]);
         // Cofactors of two vertices, by the edge between them, divided by the square of the scale: the products below
         // would overflow otherwise.
+        TUMBLE_CHECK(pair.scale > 0.0);
         const double unit = 1.0 / (pair.scale * pair.scale);
         const double delta0_of_01 = unit * dot(v[1].w, e01), delta1_of_01 = -unit * dot(v[0].w, e01);
         const double delta1_of_12 = unit * dot(v[2].w, e12), delta2_of_12 = -unit * dot(v[1].w, e12);
@@ -67,6 +71,8 @@ private:
             keep(kept, keep_edge(kept, from, to, edge));
         }
         Closest take(Simplex& simplex) const {
+            TUMBLE_CHECK(best_.count >= 1);
+            TUMBLE_CHECK(best_.count <= 2);
             simplex = best_;
             return closest_;
         }

@@ -5,6 +5,7 @@
 // nearest point.
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/cores/error_bound.hpp"
 #include "narrow/gjk/simplex.hpp"
 
@@ -12,6 +13,8 @@ namespace tumble {
 
 struct SignedVolumes {
     [[gnu::always_inline]] static Closest reduce(const CorePair& pair, Simplex& simplex) {
+        TUMBLE_CHECK(simplex.count >= 1);
+        TUMBLE_CHECK(simplex.count <= 3);
         if (simplex.count == 1) return closest_on_vertex(simplex.vertices[0]);
         const MinkowskiVertex(&v)[3] = simplex.vertices;
         return simplex.count == 2 ? reduce_segment(simplex, 0, 1, edge_between(pair, v[0], v[1]))
@@ -26,6 +29,8 @@ private:
     // S1D: the foot of the origin if it lies between the ends along the axis on which the edge is longest, else the end
     // beyond which it lies.
     [[gnu::always_inline]] static Closest reduce_segment(Simplex& simplex, int from, int to, DVec2 edge) {
+        TUMBLE_CHECK(from < simplex.count);
+        TUMBLE_CHECK(to < simplex.count);
         const DVec2 start = simplex.vertices[from].w;
         const double along = -dot(start, edge) / length_sq(edge);
         const bool by_x = std::abs(edge.x) >= std::abs(edge.y);
@@ -57,6 +62,7 @@ private:
             best = behind;
             closest = there;
         }
+        TUMBLE_CHECK(best.count <= 2);
         if (best.count > 0) simplex = best;
         return closest;
     }

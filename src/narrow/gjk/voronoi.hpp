@@ -5,6 +5,7 @@
 // an origin beyond a sharp tip is never taken as inside.
 #pragma once
 
+#include "debug/check.hpp"
 #include "narrow/gjk/simplex.hpp"
 
 namespace tumble {
@@ -12,6 +13,8 @@ namespace tumble {
 struct VoronoiRegions {
     // Reduces the simplex to the smallest subset that contains the point nearest to the origin, and returns that point.
     [[gnu::always_inline]] static Closest reduce(const CorePair& pair, Simplex& simplex) {
+        TUMBLE_CHECK(simplex.count >= 1);
+        TUMBLE_CHECK(simplex.count <= 3);
         if (simplex.count == 1) return closest_on_vertex(simplex.vertices[0]);
         return simplex.count == 2 ? reduce_edge(pair, simplex) : reduce_triangle(pair, simplex);
     }

@@ -55,6 +55,8 @@ Motion::Motion(const Shape& a, const Sweep& sweep_a, const Shape& b, const Sweep
 void Motion::move(MovingCores& cores, double fraction) const {
     a_.turn(fraction, cores.pair.a, cores.center_a);
     b_.turn(fraction, cores.pair.b, cores.center_b);
+    TUMBLE_CHECK(cores.pair.a.count == a_.core.count);
+    TUMBLE_CHECK(cores.pair.b.count == b_.core.count);
     cores.separation.x = separation_.x + fraction * velocity_.x;
     cores.separation.y = separation_.y + fraction * velocity_.y;
     cores.pair.offset.x = cores.separation.x + (cores.center_a.x - cores.center_b.x);

@@ -1,4 +1,5 @@
 // The links of a chain: for each segment the end points of its neighbours.
+#include "debug/check.hpp"
 #include "shape/arguments.hpp"
 #include "tumble/chain.hpp"
 
@@ -7,6 +8,7 @@ namespace tumble {
 std::vector<ChainLink> make_chain_links(std::span<const Vec2> points, bool loop, bool one_sided) {
     require_points(points, 2);
     const std::size_t count = points.size(), segments = loop ? count : count - 1;
+    TUMBLE_CHECK(segments >= 1);
     std::vector<ChainLink> links(segments);
     for (std::size_t i = 0; i < segments; ++i) {
         links[i].has_before = loop || i > 0;

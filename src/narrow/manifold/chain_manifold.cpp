@@ -110,6 +110,7 @@ void keep_points_beside(const OpenSegment& segment, double tolerance, Manifold& 
         if (is_beside) manifold.points[kept++] = manifold.points[i];
     }
     manifold.point_count = kept;
+    TUMBLE_CHECK(kept <= 2);
 }
 
 }  // namespace

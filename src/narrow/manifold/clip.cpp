@@ -31,6 +31,7 @@ ClippedEdge clip(const ClipInput& input) {
     const DVec2 tangent = is_known ? perp(input.normal) : (1.0 / length(along)) * along;
     const DVec2 normal = -perp(tangent);
     const double side = dot(along, tangent);
+    TUMBLE_CHECK(side > 0.0);
     const DVec2 shift = input.shift - origin;
 
     const auto point_at = [&](DVec2 relative, int reference_vertex, int incident_vertex) {

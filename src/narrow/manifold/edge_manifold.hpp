@@ -27,6 +27,9 @@ inline Manifold edge_manifold(const CorePair& pair, ReferenceEdge reference, Ski
     // By index: a branch on the owner of the edge would be mispredicted half the time.
     const Core* const cores[2] = {&pair.a, &pair.b};
     const bool is_on_a = reference.side == Side::a;
+    TUMBLE_CHECK(reference.edge < cores[!is_on_a]->count);
+    TUMBLE_CHECK(reference.nearest < cores[is_on_a]->count);
+    TUMBLE_CHECK(tolerance >= 0.0);
     const double sign = kSign[!is_on_a];
     const DVec2 shift = sign * pair.offset;
     const ClippedEdge edge = clip(

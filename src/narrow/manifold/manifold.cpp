@@ -13,6 +13,8 @@ namespace {
 Manifold corner_manifold(const CorePair& pair, const ContactFeature& core, double radius_a, double radius_b) {
     const VertexPair at = core.pairs[0];
     const double separation = core.distance - (radius_a + radius_b);
+    TUMBLE_CHECK(at.a < pair.a.count);
+    TUMBLE_CHECK(at.b < pair.b.count);
     const DVec2 middle = pair.a.point(at.a) + (radius_a + 0.5 * separation) * core.normal;
     Manifold manifold;
     manifold.normal = to_float(core.normal);

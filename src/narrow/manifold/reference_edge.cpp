@@ -27,6 +27,7 @@ ReferenceEdge edge_between_vertices(const Core& core, Side side, int first, int 
 // a stack of equal boxes stays upright on two points, not on one.
 ReferenceEdge square_edge_at(const Core& core, Side side, int vertex, DVec2 outward) {
     constexpr double kSquareCosine = 1.0 - 0.5e-4;
+    TUMBLE_CHECK(vertex < core.count);
     for (const int edge : {core.previous(vertex), vertex}) {
         const DVec2 direction = -perp(core.edge(edge, core.next(edge)));
         if (dot(direction, outward) > kSquareCosine * length(direction)) return {side, edge, -1, {}};

@@ -83,13 +83,13 @@ struct DrawList {
     Layer islands;  // bodies again, in the colours of their islands
     Layer details;  // orientation marks and joints
     Layer overlay;  // contacts, normals, boxes, velocities; markings
-    Layer labels;
+    Layer captions;
 
     std::array<Layer*, 8> layers() {
-        return {&grid, &ground, &sensors, &bodies, &islands, &details, &overlay, &labels};
+        return {&grid, &ground, &sensors, &bodies, &islands, &details, &overlay, &captions};
     }
     std::array<const Layer*, 8> layers() const {
-        return {&grid, &ground, &sensors, &bodies, &islands, &details, &overlay, &labels};
+        return {&grid, &ground, &sensors, &bodies, &islands, &details, &overlay, &captions};
     }
 };
 

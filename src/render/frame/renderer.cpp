@@ -4,8 +4,8 @@
 #include "render/canvas/canvas.hpp"
 #include "render/canvas/glyph_atlas.hpp"
 #include "render/canvas/make_context.hpp"
+#include "render/frame/captions.hpp"
 #include "render/frame/draw_list.hpp"
-#include "render/frame/labels.hpp"
 #include "render/frame/marking.hpp"
 #include "render/frame/overlay.hpp"
 #include "render/view/checked_view.hpp"
@@ -20,8 +20,8 @@ struct Renderer::Impl {
     render::Canvas canvas;
     render::DrawList list;
 
-    // Adds what lies over the bodies to the draw list, and draws it.
-    void finish(const render::View& view, const World& world, render::LabelText text, Image& image,
+    // Adds overlay, marking and texts to the draw list, and draws it.
+    void finish(const render::View& view, const World& world, render::FrameText text, Image& image,
                 const Overlay& overlay, const Marking& marking) {
         render::add_overlay(list, view, world, overlay);
         render::add_marking(list.overlay, view, world, marking);
@@ -30,7 +30,7 @@ struct Renderer::Impl {
         text.has_time = overlay.time;
         text.has_scale_bar = overlay.scale_bar;
         if (!overlay.grid) list.grid.clear();
-        render::add_labels(list, atlas, view, text);
+        render::add_captions(list, atlas, view, text);
         canvas.draw(list.background, std::as_const(list).layers(), atlas, image);
     }
 };

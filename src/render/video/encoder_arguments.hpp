@@ -1,4 +1,4 @@
-// What ffmpeg is told.
+// The arguments of ffmpeg.
 #pragma once
 
 #include <string>

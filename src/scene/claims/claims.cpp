@@ -80,6 +80,8 @@ std::unique_ptr<Claim> make_claim(const SceneExpectation& claim, const KnownName
     if (std::unique_ptr<Claim> of_world = make_claim_of_world(claim, built)) return of_world;
     if (std::unique_ptr<Claim> of_conditions = make_claim_of_conditions(claim, names)) return of_conditions;
     if (std::unique_ptr<Claim> of_runs = make_claim_of_runs(claim)) return of_runs;
+    if (std::unique_ptr<Claim> of_touches = make_claim_of_touches(claim, names.bodies)) return of_touches;
+    if (std::unique_ptr<Claim> of_counts = make_claim_of_counts(claim)) return of_counts;
     return make_claim_of_bodies(claim, names.bodies);
 }
 

@@ -57,8 +57,14 @@ std::unique_ptr<Claim> make_claim_of_runs(const SceneExpectation& expectation);
 // Whether a watch can decide the claim: it needs neither frames nor another scene.
 bool is_decided_by_watch(const SceneExpectation& expectation);
 
-// Claims on bodies: position, speed, angle, touching, counts of bodies and of events. A claim on the common name of
-// copies must hold for every copy; a `touches` claim holds if any copy touches.
+// Claims that bodies touch or never touch. On the common name of copies, any copy may touch. Null for other claims.
+std::unique_ptr<Claim> make_claim_of_touches(const SceneExpectation& expectation, const BodyNames& names);
+
+// Counts of bodies and of events. Null for other claims.
+std::unique_ptr<Claim> make_claim_of_counts(const SceneExpectation& expectation);
+
+// All other claims, which are on bodies: position, speed, angle. A claim on the common name of copies must hold for
+// every copy.
 std::unique_ptr<Claim> make_claim_of_bodies(const SceneExpectation& expectation, const BodyNames& names);
 
 // Whether the claim is on a position, an angle or a condition, which can be measured in a frame.

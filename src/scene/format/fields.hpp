@@ -14,7 +14,8 @@
 // those of the structs. Errors across fields are found by validate_scene().
 #pragma once
 
-#include "scene/format/fields_of_runs.hpp"
+#include "scene/format/fields_of_claims.hpp"
+#include "scene/format/fields_of_joints.hpp"
 
 namespace tumble::scene {
 
@@ -40,8 +41,8 @@ void visit_fields(V& v, Type<SceneSettings>) {
         &SceneSettings::seed);
     v.field({"sleeping", "Whether bodies at rest fall asleep, which saves computing time."}, &SceneSettings::sleeping);
     v.field({"continuous",
-             "Whether fast bodies are swept against static and kinematic bodies, so that they do not pass through thin "
-             "ones."},
+             "Whether fast bodies are swept, so that they do not pass through thin ones: against all others, or with "
+             "'impacts' at the step's end against static and kinematic bodies only."},
             &SceneSettings::continuous);
     v.field({"joints",
              "How joints are solved: 'iterative', one after the other, or 'direct', all at once. Direct joints do not "

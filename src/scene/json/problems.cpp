@@ -43,11 +43,13 @@ constexpr ProblemPage kPages[] = {
      R"({"format": 1, "bodies": [{"shapes": [{"polygon": {"vertices": [[0, 0], [2, 0], [2, 2], [1, 0.5]]}}]}]})",
      R"(Remove these vertices, or use an "outline", which may be concave.)"},
     {kWarning, codes::fast_body, "a body that may pass through others",
-     "The body moves farther in one step than it is thick. Bodies are swept against static and kinematic ones "
-     R"(if the world is "continuous", and against dynamic ones only if they are bullets.)",
-     R"({"format": 1, "bodies": [{"position": [50, 0], "shapes": [{"box": {"size": [1, 1]}}]}, {"velocity": )"
-     R"([60, 0], "shapes": [{"circle": {"radius": 0.25}}]}]})",
-     R"(Set "bullet": true, use more "steps_per_second", or set "impacts": "in_order" for the world.)"},
+     "The body moves farther in one step than it is thick. Fast bodies are swept against all others by default. "
+     R"(With "impacts": "at_step_end", only bullets are swept against dynamic bodies; with "continuous": false, )"
+     "no body is swept.",
+     R"({"format": 1, "world": {"impacts": "at_step_end"}, "bodies": [{"position": [50, 0], "shapes": [{"box": )"
+     R"({"size": [1, 1]}}]}, {"velocity": [60, 0], "shapes": [{"circle": {"radius": 0.25}}]}]})",
+     R"(Remove "impacts" or "continuous" from the world, set "bullet": true on the body, or use more )"
+     R"("steps_per_second".)"},
     {kWarning, codes::behind_chain, "a body on the solid side of a chain",
      "A chain is one-sided: its solid side is on the left, seen along its points, and it stops only bodies that "
      "come from the right. This body starts on the left and falls through.",

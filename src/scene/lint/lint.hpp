@@ -15,7 +15,8 @@ void add_lints(const Scene& scene, const ResolvedScene& resolved, Diagnostics& d
 // Single bodies: slivers, sizes outside the tested range, dynamic bodies without mass, static bodies with a velocity.
 void add_body_lints(const Scene& scene, Diagnostics& diagnostics);
 
-// Bodies whose surface moves farther in a step than they are thick: by their velocity, a motor or an event.
+// Bodies that may pass through others, because their surface moves farther in a step than they are thick, by their
+// velocity, a motor or an event, and because nothing sweeps them against these others.
 void add_motion_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics);
 
 // Joints before the first step: large mass ratios, anchors apart or far away, springs too stiff for the steps.

@@ -1,5 +1,7 @@
-// Tunnelling: continuous collision stops bodies from passing through static and kinematic bodies, and bullets through
-// all others. Other bodies may pass through each other if their displacement in a step exceeds their thickness.
+// Tunnelling. Continuous collision keeps fast bodies from passing through all others if the world's impacts are in
+// order. If they are at the end of the step, it keeps them from passing through static and kinematic bodies only, and
+// bullets through all others. What is not swept may pass through a body if its displacement in a step exceeds its
+// thickness.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -134,7 +136,8 @@ private:
     void lint_displacement(const SceneBody& body, double displacement, const std::string& pointer,
                            const std::string& moves) {
         const bool is_continuous = scene_.world.continuous;
-        const bool may_pass_through = !is_continuous || (dynamic_count_ > 1 && !body.bullet);
+        const bool is_swept_against_all = scene_.world.impacts == ImpactModel::in_order || body.bullet;
+        const bool may_pass_through = !is_continuous || (dynamic_count_ > 1 && !is_swept_against_all);
         if (body.type != BodyType::dynamic_body || !may_pass_through) return;
         const double thickness = thickness_of(body);
         if (!(displacement > thickness)) return;
@@ -142,7 +145,7 @@ private:
             is_continuous ? "other moving bodies" : "anything in its path, because the world is not continuous";
         const std::string remedy =
             is_continuous
-                ? R"(set "bullet": true, also on bodies that move as fast towards it, or use more steps_per_second)"
+                ? R"(set "impacts": "in_order", or "bullet": true on this body and on fast ones that it meets)"
                 : R"(set "continuous": true, or use more steps_per_second)";
         diagnostics_.warning(codes::fast_body, pointer,
                              moves + brief(displacement) + " m in a step, and the body is " + brief(thickness) +

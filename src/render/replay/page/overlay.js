@@ -154,11 +154,11 @@ function clipped(from, to, width, height) {
   const margin = 10;
   let first = 0, last = 1;
   for (const [axis, most] of [[0, width], [1, height]]) {
-    const way = to[axis] - from[axis], low = -margin - from[axis], high = most + margin - from[axis];
-    if (way === 0 && (low > 0 || high < 0)) return null;
-    if (way === 0) continue;
-    first = Math.max(first, Math.min(low / way, high / way));
-    last = Math.min(last, Math.max(low / way, high / way));
+    const length = to[axis] - from[axis], low = -margin - from[axis], high = most + margin - from[axis];
+    if (length === 0 && (low > 0 || high < 0)) return null;
+    if (length === 0) continue;
+    first = Math.max(first, Math.min(low / length, high / length));
+    last = Math.min(last, Math.max(low / length, high / length));
   }
   const at = (share) => [0, 1].map((axis) => from[axis] + share * (to[axis] - from[axis]));
   return first <= last ? [at(first), at(last)] : null;

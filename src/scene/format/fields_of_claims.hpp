@@ -1,7 +1,7 @@
-// The scene fields of the timeline and of claims. Part of fields.hpp.
+// The scene fields of claims. Part of fields.hpp.
 #pragma once
 
-#include "scene/format/fields_of_bodies.hpp"
+#include "scene/format/fields_of_timeline.hpp"
 
 namespace tumble::scene {
 
@@ -18,64 +18,19 @@ inline constexpr std::array<std::pair<SceneEventKind, std::string_view>, 7> kEnu
      {SceneEventKind::joint_broke, "joint_broke"},
      {SceneEventKind::fell_asleep, "fell_asleep"}}};
 
+// Limits for the whole run, and the body or joint that a claim is about.
 template <class V>
-void visit_fields(V& v, Type<SceneFrame>) {
-    v.field({"position", "Position of the frame's origin in the world.", "m", kPosition}, &SceneFrame::position);
-    v.field({"angle", "Rotation of the frame.", "degrees"}, &SceneFrame::angle);
-}
-
-template <class V>
-void visit_fields(V& v, Type<SceneEvent>) {
-    v.field({"at", "Time of a single event.", "s", kTime}, &SceneEvent::at);
-    v.field({"every", "Interval of a repeated event, which happens first at time 0 or at 'from'.", "s", kInterval},
-            &SceneEvent::every);
-    v.field({.name = "when",
-             .description =
-                 "Condition on the state, for example \"touching(ball, bell)\": the event happens once, when the "
-                 "condition first holds.",
-             .text = Text::expression},
-            &SceneEvent::when);
-    v.exactly_one({"at", "every", "when"});
-    v.field({"delay", "Time from the state in which 'when' first holds to the event.", "s", kTime}, &SceneEvent::delay);
-    v.field({"frame", "Coordinate frame in which 'when' measures. Default: that of the world."}, &SceneEvent::frame);
-    v.field({"from", "Time of the first repetition.", "s", kTime}, &SceneEvent::from);
-    v.field({"until", "Time of the last repetition, or the end of a force or torque.", "s", kTime}, &SceneEvent::until);
-    v.field({.name = "body", .description = "Name of the body that the event acts on.", .text = Text::name},
-            &SceneEvent::body);
-    v.field({.name = "joint", .description = "Name of the joint that the event acts on.", .text = Text::name},
-            &SceneEvent::joint);
-    v.field({"impulse", "Impulse applied at the centre of mass of the body.", "N s", kForce}, &SceneEvent::impulse);
-    v.field({"angular_impulse", "Angular impulse applied to the body.", "N m s", kForce}, &SceneEvent::angular_impulse);
-    v.field({"force", "Force applied at the centre of mass of the body, from then on.", "N", kForce},
-            &SceneEvent::force);
-    v.field({"torque", "Torque applied to the body, from then on.", "N m", kForce}, &SceneEvent::torque);
-    v.field({"velocity", "New velocity of the body.", "m/s"}, &SceneEvent::velocity);
-    v.field({"angular_velocity", "New angular velocity of the body.", "degrees/s"}, &SceneEvent::angular_velocity);
-    v.field({"motor_speed", "New speed of the joint's motor: degrees/s if it rotates, m/s if it slides."},
-            &SceneEvent::motor_speed);
-    v.field({"target", "New world point that a mouse joint pulls its body to.", "m", kPosition}, &SceneEvent::target);
-    v.field({"gravity", "New gravity of the world.", "m/s^2"}, &SceneEvent::gravity);
-    v.field({"spawn", "Body that is created. With 'every', the bodies are named name[0], name[1] and so on."},
-            &SceneEvent::spawn);
-    v.field({.name = "despawn", .description = "Name of a body that is removed.", .text = Text::name},
-            &SceneEvent::despawn);
-    v.field({.name = "release", .description = "Name of a joint that is removed.", .text = Text::name},
-            &SceneEvent::release);
-    v.field({"stop", "true: the run ends."}, &SceneEvent::stop);
-    v.exactly_one({"impulse", "angular_impulse", "force", "torque", "velocity", "angular_velocity", "motor_speed",
-                   "target", "gravity", "spawn", "despawn", "release", "stop"});
-}
-
-template <class V>
-void visit_fields(V& v, Type<SceneExpectation>) {
+void visit_limits_of_run(V& v) {
     v.field({"at_rest_by", "Time from which every dynamic body must be at rest: asleep, or slower than 0.05 m/s.", "s",
              kTime},
             &SceneExpectation::at_rest_by);
-    v.field({"max_penetration",
-             "Greatest allowed depth of an overlap. Resting overlap stays below 0.01 m; a body that lands at v may "
-             "overlap by up to v / steps_per_second - 0.02 m in the first step.",
-             "m", kRounding},
-            &SceneExpectation::max_penetration);
+    v.field(
+        {"max_penetration",
+         "Greatest allowed depth of an overlap. Bodies that rest or land overlap by less than 0.01 m; with impacts "
+         "at the step's end, a body that lands at v may overlap by up to v / steps_per_second - 0.02 m in the first "
+         "step.",
+         "m", kRounding},
+        &SceneExpectation::max_penetration);
     v.field(
         {"max_joint_error", "Greatest allowed distance between the anchors of a joint: of 'joint', or of every joint.",
          "m", kRounding},
@@ -91,6 +46,11 @@ void visit_fields(V& v, Type<SceneExpectation>) {
             &SceneExpectation::body);
     v.field({.name = "joint", .description = "Name of the joint that the claim is about.", .text = Text::name},
             &SceneExpectation::joint);
+}
+
+// Where a body is, how it moves and what it touches.
+template <class V>
+void visit_claims_of_body(V& v) {
     v.field(
         {"inside", "Lower left and upper right corner of a box that must contain the body's position.", "m", kPosition},
         &SceneExpectation::inside);
@@ -114,6 +74,11 @@ void visit_fields(V& v, Type<SceneExpectation>) {
          .description = "Name of a body that the body must never touch. The common name of copies means all of them.",
          .text = Text::name},
         &SceneExpectation::never_touches);
+}
+
+// How many bodies are in a region, and how many events happened.
+template <class V>
+void visit_claims_of_counts(V& v) {
     v.field({"count",
              "Least and greatest allowed number of bodies whose position is in 'region': of the copies of 'body', or "
              "of all. Static bodies do not count.",
@@ -128,6 +93,11 @@ void visit_fields(V& v, Type<SceneExpectation>) {
              {0.0, 1e9}},
             &SceneExpectation::event_count);
     v.field({"event", "Kind of the events that 'event_count' counts."}, &SceneExpectation::event);
+}
+
+// The state as a whole, or a condition on it.
+template <class V>
+void visit_claims_of_state(V& v) {
     v.field({"state_hash", "Expected state hash: 16 hexadecimal digits, as the run command prints them."},
             &SceneExpectation::state_hash);
     v.field({.name = "that",
@@ -139,6 +109,11 @@ void visit_fields(V& v, Type<SceneExpectation>) {
          .description = "Condition: 'that' must hold in a state before the first one in which this condition holds.",
          .text = Text::expression},
         &SceneExpectation::before);
+}
+
+// The time of a step and the frame, compared with those of another file.
+template <class V>
+void visit_claims_with_reference(V& v) {
     v.field(
         {"max_ms_per_step", "Greatest allowed mean time of a step, on the wall clock.", "ms", {0.0, kLongest, true}},
         &SceneExpectation::max_ms_per_step);
@@ -163,9 +138,11 @@ void visit_fields(V& v, Type<SceneExpectation>) {
              "",
              {0.0, 255.0}},
             &SceneExpectation::tolerance);
-    v.exactly_one({"at_rest_by", "max_penetration", "max_joint_error", "max_energy_gain", "inside", "outside", "height",
-                   "speed", "angle", "touches", "never_touches", "count", "event_count", "state_hash", "that",
-                   "max_ms_per_step", "max_time_ratio", "picture"});
+}
+
+// In which frame and at which times a claim is evaluated.
+template <class V>
+void visit_moments(V& v) {
     v.field(
         {"frame",
          "Coordinate frame in which boxes, heights, angles and conditions are measured. Default: that of the world."},
@@ -177,6 +154,20 @@ void visit_fields(V& v, Type<SceneExpectation>) {
     v.field({"at", "Time of the one state in which the claim must hold.", "s", kTime}, &SceneExpectation::at);
     v.field({"from", "Time before which states and events are not counted.", "s", kTime}, &SceneExpectation::from);
     v.field({"until", "Time after which states and events are not counted.", "s", kTime}, &SceneExpectation::until);
+}
+
+// The order of the calls is the order in which keys are written.
+template <class V>
+void visit_fields(V& v, Type<SceneExpectation>) {
+    visit_limits_of_run(v);
+    visit_claims_of_body(v);
+    visit_claims_of_counts(v);
+    visit_claims_of_state(v);
+    visit_claims_with_reference(v);
+    v.exactly_one({"at_rest_by", "max_penetration", "max_joint_error", "max_energy_gain", "inside", "outside", "height",
+                   "speed", "angle", "touches", "never_touches", "count", "event_count", "state_hash", "that",
+                   "max_ms_per_step", "max_time_ratio", "picture"});
+    visit_moments(v);
 }
 
 }  // namespace tumble::scene

@@ -13,7 +13,7 @@
 
 namespace tumble::render {
 
-struct LabelText {
+struct FrameText {
     std::string_view title;
     double time = 0.0;  // s
     std::span<const std::string> caption;
@@ -23,6 +23,6 @@ struct LabelText {
 
 // Appends the text and pale plates behind it, which keep it readable over bodies. Frames below kSmallestTextWidth x
 // kSmallestTextHeight get none.
-void add_labels(DrawList& list, GlyphAtlas& atlas, const View& view, const LabelText& text);
+void add_captions(DrawList& list, GlyphAtlas& atlas, const View& view, const FrameText& text);
 
 }  // namespace tumble::render
