@@ -14,8 +14,8 @@
 #   package   the Debian package: its contents, its program and a project that uses its library (tools/package.sh)
 # tools/test.sh STAGE... runs these stages alone, with what they build on.
 # tools/test.sh --full [STAGE...] does the same with clang-tidy for all sources, a million pairs of each parity family,
-# ten minutes for each fuzz target, ten thousand random worlds with sanitizers and a thousand on several threads, long
-# searches and a hundred thousand random sequences of calls in Python, and its API reference.
+# ten minutes for each fuzz target, the tests of the world and ten thousand random worlds with sanitizers, a thousand on
+# several threads, long searches and a hundred thousand random sequences of calls in Python, and its API reference.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -130,8 +130,9 @@ test_sanitize() {
     TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 150 || echo 100000) TUMBLE_BUILD=$project/build/ci \
         tools/python.sh --sanitized
     [[ -n ${TUMBLE_LONG-} ]] || return 0
-    say "running random worlds with sanitizers"
+    say "running the tests of the world with sanitizers"
     build sanitize test_world
+    build/sanitize/tests/test_world --test-case-exclude='random worlds*'
     seq 1 1000 9001 | TUMBLE_WORLDS=1000 xargs -P "$jobs" -I '{}' env TUMBLE_WORLDS_FROM='{}' \
         build/sanitize/tests/test_world --test-case='random worlds*'
 }

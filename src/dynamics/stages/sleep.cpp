@@ -102,13 +102,15 @@ void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
     set_contacts_aside(simulation);
 }
 
-// The bodies whose boxes overlap those of an enabled body, one entry for each pair of shapes.
+// The bodies whose boxes overlap those of an enabled body, one entry for each pair of shapes. A body that has diverged
+// has no boxes.
 std::vector<std::uint32_t> bodies_near(const Simulation& simulation, std::uint32_t body) {
     TUMBLE_CHECK(simulation.bodies.records[body].is_enabled);
     std::vector<std::uint32_t> near;
     for (const ShapeId shape : simulation.bodies.records[body].shapes)
-        simulation.broad.query(simulation.broad.box(shape.index),
-                               [&](std::uint32_t other) { near.push_back(simulation.shapes[other].body); });
+        if (simulation.broad.has(shape.index))
+            simulation.broad.query(simulation.broad.box(shape.index),
+                                   [&](std::uint32_t other) { near.push_back(simulation.shapes[other].body); });
     return near;
 }
 
