@@ -49,6 +49,8 @@ test_packages=(
     'dpkg-dev:finds the packages that the .deb depends on'
     'file:tells the package builder which files are programs'
     'man-db:reads the manual page of the package'
+    'slurm-wlm:the scheduler of clusters that sweeps are submitted to'
+    'munge:lets its daemons trust each other'
     'python3-sphinx:writes the API reference of the Python package'
 )
 python_packages=(

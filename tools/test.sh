@@ -7,8 +7,9 @@
 #      line (each twelfth shipped scene and row of physics) and of the golden hashes; each fuzz target for a short time
 #   4. clang, thread sanitizer: the tests of threads
 #   5. the release build with each instruction set that the processor has: the golden hashes
-#   6. g++ for aarch64, run by qemu: the golden hashes, and the answers to all families of pairs (tools/aarch64.sh)
-#   7. the Debian package: its contents, its program and a project that uses its library (tools/package.sh)
+#   6. a sweep on a Slurm cluster of one machine, with a killed task (tools/slurm.sh)
+#   7. g++ for aarch64, run by qemu: the golden hashes, and the answers to all families of pairs (tools/aarch64.sh)
+#   8. the Debian package: its contents, its program and a project that uses its library (tools/package.sh)
 # tools/test.sh --full does the same with clang-tidy for all sources, a million pairs of each parity family, ten minutes
 # for each fuzz target, long searches and a hundred thousand random sequences of calls in Python, and its API reference.
 set -euo pipefail
@@ -104,6 +105,8 @@ build tsan threads
 build/tsan/tests/threads
 say "comparing the golden hashes of the instruction sets"
 check_golden_hashes
+say "running a sweep on a Slurm cluster of one machine"
+tools/slurm.sh build/ci/tools/tumble
 say "comparing with aarch64"
 tools/aarch64.sh
 say "building and testing the Debian package"
