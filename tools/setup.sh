@@ -51,6 +51,8 @@ test_packages=(
     'man-db:reads the manual page of the package'
     'zsh:reads the completions for zsh'
     'fish:reads the completions for fish'
+    'slurm-wlm:the scheduler of clusters that sweeps are submitted to'
+    'munge:lets its daemons trust each other'
     'python3-sphinx:writes the API reference of the Python package'
 )
 python_packages=(

@@ -10,6 +10,7 @@
 #   threads   clang, thread sanitizer: the tests of threads
 #   sets      the release build with each instruction set that the processor has, and on 1, 2, 3 and 8 threads: the golden
 #             hashes
+#   slurm     a sweep on a Slurm cluster of one machine, with a killed task (tools/slurm.sh)
 #   aarch64   g++ for aarch64, run by qemu: the golden hashes, and the answers to all families of pairs (tools/aarch64.sh)
 #   package   the Debian package: its contents, its program and a project that uses its library (tools/package.sh)
 # tools/test.sh STAGE... runs these stages alone, with what they build on.
@@ -22,7 +23,7 @@ project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project"
 jobs=${TUMBLE_JOBS:-2}
 sanitized_rooms=(broad dynamics golden tools)
-all_stages=(sources release python sanitize threads sets aarch64 package)
+all_stages=(sources release python sanitize threads sets slurm aarch64 package)
 lint_arguments=()
 if [[ ${1-} == --full ]]; then
     shift
@@ -148,6 +149,12 @@ test_sets() {
     say "comparing the golden hashes of the instruction sets"
     check_golden_hashes
     check_golden_threads
+}
+
+test_slurm() {
+    build_release
+    say "running a sweep on a Slurm cluster of one machine"
+    tools/slurm.sh build/ci/tools/tumble
 }
 
 test_aarch64() {

@@ -186,7 +186,10 @@ private:
 // seen in the frame. Arcs are chords at most 1/20 pixel off. Empty if the shape is out of view.
 std::vector<DVec2> frame_outline(const Shape& shape, const Pose& pose, const Camera& camera, int width, int height);
 
-// Writes a mask as a PNG file of one channel with 16 bits. Throws FileError. Returns the size in bytes.
+// The bytes of a mask as a PNG file of one channel with 16 bits. The same mask gives the same bytes.
+std::string to_png(const Mask& mask);
+
+// Writes them. Throws FileError. Returns the size in bytes.
 std::uint64_t write_mask_png(const Mask& mask, const std::filesystem::path& file);
 
 }  // namespace tumble

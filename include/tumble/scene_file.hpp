@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -71,6 +72,24 @@ struct LoadOptions {
 Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* warnings = nullptr);
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options,
                  std::vector<Diagnostic>* warnings = nullptr);
+// A scene file that is read and parsed once, for many scenes that differ in their overrides and seeds. Files that it
+// includes are read each time. Threads may share it.
+class SceneSource {
+public:
+    // Throws FileError.
+    explicit SceneSource(const std::filesystem::path& file, const ReadIncluded& read = {});
+    ~SceneSource();
+    SceneSource(SceneSource&&) noexcept;
+    SceneSource& operator=(SceneSource&&) noexcept;
+
+    // The scene that load_scene() gives with these options.
+    Scene load(const LoadOptions& options, std::vector<Diagnostic>* warnings = nullptr) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
 // A text can include files only through options.read_included. Their paths are relative to the folder of `file_name`.
 Scene parse_scene(std::string_view text, const std::string& file_name, std::vector<Diagnostic>* warnings = nullptr);
 Scene parse_scene(std::string_view text, const std::string& file_name, const LoadOptions& options,

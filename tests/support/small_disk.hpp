@@ -28,6 +28,7 @@ public:
     SmallDisk& operator=(const SmallDisk&) = delete;
 
     bool is_mounted() const { return mounted_; }
+    void make_read_only() const { mount(nullptr, folder_.c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr); }
 
 private:
     std::filesystem::path folder_;

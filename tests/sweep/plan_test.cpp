@@ -51,12 +51,14 @@ TEST_CASE("plan.schema.json is the schema of this version, and the shipped plans
         if (!entry.path().string().ends_with(".plan.json")) continue;
         CAPTURE(entry.path());
         CHECK(schema.accepts_text(read_text(entry.path())));
-        const sweep::Plan plan = sweep::read_plan(entry.path());
+        std::vector<Diagnostic> warnings;
+        const sweep::Plan plan = sweep::read_plan(entry.path(), 0, false, &warnings);
+        CHECK(warnings.empty());
         CHECK(entry.path().filename() == plan.name + ".plan.json");
         CHECK(plan.runs > 0);
         ++plans;
     }
-    CHECK(plans == 4);
+    CHECK(plans == 5);
 }
 
 TEST_CASE("the scenes of the plans are valid without warnings") {
@@ -89,7 +91,11 @@ TEST_CASE("the schema and the reader accept and refuse the same plans") {
                          {{"name", "k"}, {"list", {1, 2}}}}},
                        {"measures", {{{"name", "m"}, {"value", "ball.x + l"}}}},
                        {"filter", {{"claims", true}, {"that", "ball.y > 0"}}},
-                       {"write", {{"trajectory", {{"every", 2}, {"as", "npy"}, {"bits", 64}}}, {"events", true}}},
+                       {"write",
+                        {{"trajectory", {{"every", 2}, {"as", "npy"}, {"bits", 64}}},
+                         {"events", true},
+                         {"frames", {{"every", 5}, {"size", {64, 48}}, {"plain", true}}},
+                         {"masks", {{"every", 5}, {"size", {64, 48}}}}}},
                        {"shard_runs", 2},
                        {"timeout", 3}};
     CHECK(schema.accepts(plan));
@@ -125,6 +131,13 @@ TEST_CASE("the schema and the reader accept and refuse the same plans") {
         {"/filter/claim", true},
         {"/write/events", 1},
         {"/write/frames", true},
+        {"/write/frames/every", 0},
+        {"/write/frames/size", {64, 15}},
+        {"/write/frames/size", {4097, 64}},
+        {"/write/frames/size", {64.5, 64}},
+        {"/write/frames/size", {1e300, 64}},
+        {"/write/frames/size", 64},
+        {"/write/masks/plain", true},
         {"/write/trajectory/every", 0},
         {"/write/trajectory/as", "csv"},
         {"/write/trajectory/bits", 16},

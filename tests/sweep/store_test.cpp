@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include "sweep/store/claim.hpp"
 #include "sweep/store/hdf5_file.hpp"
+#include "sweep/store/lease.hpp"
 #include "sweep/store/manifest.hpp"
 #include "sweep/store/stored_file.hpp"
 #include "sweep/store/tar.hpp"
@@ -117,7 +117,7 @@ TEST_CASE("an HDF5 file has the runs of a shard, padded by NaN, and the same byt
 
 TEST_CASE("a manifest keeps what whole lines say, in the order of the shards") {
     const Folder folder;
-    const SweepHeader header{1, 25, 10, "0.2.0", "run\n"};
+    const SweepHeader header{1, 25, 10, "0.2.0", "run\n", "a.plan.json", "OpenGL 3.3"};
     append_header(folder.path, header);
     append_shard(folder.path, {.shard = 2,
                                .outcomes = {{"ok", 5}},
@@ -161,44 +161,46 @@ TEST_CASE("a manifest from elsewhere names files of its own folder only, and pos
     write(manifest_file(folder.path),
           header + "\n" + R"({"shard":1,"outcomes":{},"table":)" + sound + R"(,"files":[]})");
     CHECK(read_manifest(folder.path).shards.size() == 1);
-    for (const char* const wrong : {R"({"plan":"1","runs":25,"shard_runs":0,"version":"1","columns":"run\n"})",
-                                    R"({"plan":"1","runs":0,"shard_runs":1,"version":"1","columns":"run\n"})"}) {
+    for (const char* const wrong :
+         {R"({"plan":"1","runs":25,"shard_runs":0,"version":"1","columns":"run\n"})",
+          R"({"plan":"1","runs":0,"shard_runs":1,"version":"1","columns":"run\n"})",
+          R"({"plan":"1","runs":1,"shard_runs":1,"version":"1","columns":"","plan_file":"../a"})"}) {
         write(manifest_file(folder.path), wrong);
         CHECK_THROWS_AS(read_manifest(folder.path), tumble::FileError);
     }
     CHECK(SweepHeader{1, 0xffffffffffffffff, 10, "", ""}.shards() == 1844674407370955162u);
 }
 
-TEST_CASE("one of several processes has a claim, until it releases it or gives no sign") {
+TEST_CASE("one of several processes has a lease, until it releases it or gives no sign") {
     using std::chrono::milliseconds;
     const Folder folder;
-    Claims one(folder.path, milliseconds(400)), other(folder.path, milliseconds(400));
+    Leases one(folder.path, milliseconds(400)), other(folder.path, milliseconds(400));
     CHECK(one.take("a"));
     CHECK_FALSE(one.take("a"));
     CHECK_FALSE(other.take("a"));
     CHECK(other.take("b"));
     one.release("a");
     CHECK(other.take("a"));
-    // A claim that is renewed is kept beyond its lease.
+    // A lease that is renewed is kept beyond its term.
     CHECK_FALSE(one.take("a"));
     std::this_thread::sleep_for(milliseconds(900));
     CHECK_FALSE(one.take("a"));
     CHECK(other.holds("a"));
     // One of another system that is not renewed is taken over.
-    write(folder.path / "claims/c", "another-system 1 1\n");
+    write(folder.path / "leases/c", "another-system 1 1\n");
     CHECK_FALSE(one.take("c"));
     std::this_thread::sleep_for(milliseconds(600));
     CHECK(one.take("c"));
     CHECK_FALSE(other.take("c"));
     // One that was taken over is not held any more, and its release leaves it to its new owner.
     const std::string theirs = "another-system 1 1 1\n";
-    write(folder.path / "claims/a", theirs);
+    write(folder.path / "leases/a", theirs);
     CHECK_FALSE(other.holds("a"));
     other.release("a");
-    CHECK(tumble::read_file(folder.path / "claims/a") == theirs);
-    write(folder.path / "claims/c", theirs);
+    CHECK(tumble::read_file(folder.path / "leases/a") == theirs);
+    write(folder.path / "leases/c", theirs);
     one.release("c");
-    CHECK(tumble::read_file(folder.path / "claims/c") == theirs);
+    CHECK(tumble::read_file(folder.path / "leases/c") == theirs);
 }
 
 TEST_CASE("a stored file has the checksum that reading it gives") {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/interrupt.hpp"
@@ -54,7 +55,12 @@ ExitCode sweep(const Command& command, SweepArguments options) {
     read_part(options.part, options.work);
     if (!options.dry_run && options.work.folder.empty()) throw CLI::RequiredError("--output");
     catch_interrupts();
-    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside);
+    std::vector<Diagnostic> warnings;
+    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside, &warnings);
+    for (Diagnostic& warning : warnings) {
+        warning.code.clear();  // codes are about scenes
+        narrate(to_string(warning) + "\n");
+    }
     if (options.dry_run) return print_estimate(command, plan, options.work.jobs);
     const SweepReport report = run_sweep(plan, options.work);
     write_output(command.json ? to_json(report) : to_text(plan, report));
@@ -84,6 +90,8 @@ void add_sweep(CLI::App& app, Command& command) {
         ->type_name("S")
         ->capture_default_str()
         ->check(number_from_to(0.1, 1e6));
+    app_sweep.add_flag("--check", options->work.check,
+                       "First read all stored files, and make those again whose checksums are wrong");
     app_sweep.add_flag("--dry-run", options->dry_run,
                        "Simulate 20 runs, write nothing, and print how long and how large the sweep is");
     add_outside_option(app_sweep, options->allow_outside);

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -28,19 +29,29 @@ namespace fs = std::filesystem;
 struct VerifyArguments {
     fs::path folder, plan;
     double part = 0.01;
-    std::uint64_t seed = 1;
+    std::optional<std::uint64_t> seed;
     bool allow_outside = false;
 };
 
+// The plan that is stated, or the copy in the folder; empty if there is none.
+fs::path plan_to_verify(const VerifyArguments& options, const sweep::SweepHeader& header) {
+    if (!options.plan.empty() || header.plan_file.empty()) return options.plan;
+    const fs::path copy = copies_in(options.folder) / header.plan_file;
+    return fs::exists(copy) ? copy : fs::path();
+}
+
 ExitCode verify(const Command& command, const VerifyArguments& options) try {
     Verification verification = verify_files(options.folder);
-    if (options.plan.empty()) {
-        report_warning("no run is simulated again; state the plan after the folder");
+    const sweep::SweepHeader header = sweep::read_manifest(options.folder).header.value();
+    const fs::path plan = plan_to_verify(options, header);
+    if (plan.empty()) {
+        report_warning(
+            "no run is simulated again, because the folder has no copy of the plan; state it after the folder");
     } else {
-        const std::optional<sweep::SweepHeader> header = sweep::read_manifest(options.folder).header;
         catch_interrupts();
-        verify_runs(sweep::read_plan(options.plan, header->runs, options.allow_outside), options.folder, options.part,
-                    options.seed, verification);
+        verification.seed = options.seed ? *options.seed : std::random_device()();
+        verify_runs(sweep::read_plan(plan, header.runs, options.allow_outside), options.folder, options.part,
+                    verification);
     }
     write_output(command.json ? to_json(verification) : to_text(verification));
     return verification.findings.empty() ? ExitCode::ok : ExitCode::failed;
@@ -105,12 +116,13 @@ void add_sweep_commands(CLI::App& app, Command& command) {
     CLI::App& app_verify =
         add_subcommand(app, command, "verify", "Compare all checksums, and simulate some runs again");
     app_verify.add_option("DIR", verified->folder, "Folder of a sweep")->required();
-    app_verify.add_option("PLAN", verified->plan, "Its plan, to simulate runs again")->type_name("FILE");
+    app_verify.add_option("PLAN", verified->plan, "Its plan, to simulate runs again; default: the copy in the folder")
+        ->type_name("FILE");
     app_verify.add_option("--part", verified->part, "Part of the runs to simulate again")
         ->capture_default_str()
         ->check(number_from_to(0.0, 1.0));
-    app_verify.add_option("--seed", verified->seed, "From which these runs are drawn")
-        ->capture_default_str()
+    app_verify.add_option("--seed", verified->seed, "From which these runs are drawn; default: another each time")
+        ->type_name("N")
         ->check(any_seed());
     add_outside_option(app_verify, verified->allow_outside);
     app_verify.callback(

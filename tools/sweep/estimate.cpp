@@ -23,12 +23,13 @@ SweepEstimate estimate_sweep(const sweep::Plan& plan, int jobs) {
     SweepEstimate estimate{.runs = plan.runs, .shards = shard_count(plan), .shard_runs = runs_in_shard(plan)};
     estimate.sampled = std::min(kSampledRuns, plan.runs);
     SceneTexts texts;
+    RunMaker maker(plan, texts);
     std::size_t bytes = 0;
     const Stopwatch watch;
     for (std::uint64_t i = 0; i < estimate.sampled; ++i) {
         // In the middle of each twentieth, without a product beyond 64 bits.
         const std::uint64_t part = plan.runs / estimate.sampled;
-        const RunRecord record = simulate_run(plan, i * part + part / 2, texts);
+        const RunRecord record = maker.make(i * part + part / 2);
         ++estimate.outcomes[record.outcome];
         bytes += bytes_of(plan, record);
     }
@@ -38,7 +39,8 @@ SweepEstimate estimate_sweep(const sweep::Plan& plan, int jobs) {
         estimate.seconds_per_run * runs / std::min(static_cast<double>(jobs), static_cast<double>(estimate.shards));
     estimate.bytes = static_cast<double>(bytes) / sampled * runs;
     const std::uint64_t files_of_shard = (plan.write.has_tar() ? 1 : 0) + (plan.write.has_hdf5() ? 1 : 0);
-    estimate.files = estimate.shards * files_of_shard + 2;
+    const std::uint64_t copies = plan.allow_outside ? 0 : 1 + plan.scenes.size();
+    estimate.files = estimate.shards * files_of_shard + 2 + copies;
     return estimate;
 }
 

@@ -4,6 +4,7 @@
 
 #include "sweep/store/stored_file.hpp"
 #include "tools/output/input_error.hpp"
+#include "tools/sweep/scene_texts.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -44,6 +45,7 @@ void add_part(const fs::path& folder, const fs::path& from, sweep::Manifest& man
         manifest.header = part.header;
     }
     if (!(*manifest.header == *part.header)) throw FileError(from, "is of another sweep than " + folder.string());
+    merge_copies(from, folder);
     for (const auto& [shard, entry] : part.shards) {
         if (is_stored(folder, manifest, shard) || !is_stored(from, part, shard)) continue;
         for (const sweep::StoredFile& file : entry.files) copy_file(from, folder, file);
@@ -65,7 +67,7 @@ ShardRanges merge_folders(const fs::path& folder, const std::vector<fs::path>& p
     ShardRanges missing = missing_shards(folder, manifest);
     if (missing.empty()) {
         complete_folder(folder);
-        fs::remove_all(folder / "claims", error);
+        fs::remove_all(folder / "leases", error);
     }
     return missing;
 }

@@ -1,9 +1,11 @@
 #include "tools/sweep/run_record.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <new>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "sweep/store/manifest.hpp"
 #include "tools/cli/interrupt.hpp"
@@ -12,7 +14,6 @@
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/trajectory_recorder.hpp"
 #include "tools/tables/step_files.hpp"
-#include "tumble/file.hpp"
 #include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
@@ -35,44 +36,51 @@ std::vector<double> numbers_of(const RunChoice& choice) {
     return numbers;
 }
 
+// The message of an error as a cell of the table: on one line, and without the folder of the plan, which may be another
+// on another machine.
+std::string message_of(const Plan& plan, std::string message) {
+    const std::string folder = plan.file.parent_path().string() + "/";
+    for (std::size_t at = message.find(folder); folder.size() > 1 && at != std::string::npos; at = message.find(folder))
+        message.erase(at, folder.size());
+    std::ranges::replace(message, '\n', ' ');
+    return message;
+}
+
 // One run while it is simulated.
 class SweepRun {
 public:
-    SweepRun(const Plan& plan, const RunChoice& choice, SceneTexts& texts)
-        : plan_(plan), choice_(choice), texts_(texts) {}
+    using Load = std::function<Scene(const RunChoice&)>;
+
+    // `pictures` may be null.
+    SweepRun(const Plan& plan, const RunChoice& choice, Load load, FrameRecorder* pictures)
+        : plan_(plan), choice_(choice), load_(std::move(load)), pictures_(pictures) {}
 
     RunRecord make();
 
 private:
-    Scene load() const;
     void simulate();
-    void record(const SceneWorld& built);
+    void record(const Scene& scene, const SceneWorld& built);
     void look_around() const;
     void evaluate(const SceneRun& run, const Scene& scene);
-    void add_data(RunRecord& record) const;
+    void end(const char* outcome, const std::string& message);
+    void add_data(RunRecord& record);
 
     const Plan& plan_;
     const RunChoice& choice_;
-    SceneTexts& texts_;
+    Load load_;
+    FrameRecorder* pictures_;
     RunFindings found_;
     TrajectoryRecorder trajectory_;
     std::optional<EventLines> events_;
     ContactLines contacts_;
     std::string event_text_{EventLines::kHeader}, contact_text_{ContactLines::kHeader}, final_state_;
+    std::vector<std::pair<std::string, std::string>> picture_files_;
     Stopwatch watch_;
 };
 
-Scene SweepRun::load() const {
-    LoadOptions changes;
-    changes.overrides = overrides_of(plan_, choice_);
-    changes.seed = choice_.seed;
-    changes.allow_outside = plan_.allow_outside;
-    changes.read_included = [this](const std::filesystem::path& file) { return texts_.read(file); };
-    return load_scene(scene_file(plan_, choice_.scene), changes);
-}
-
-void SweepRun::record(const SceneWorld& built) {
+void SweepRun::record(const Scene& scene, const SceneWorld& built) {
     const sweep::Written& write = plan_.write;
+    if (pictures_ != nullptr) pictures_->record(scene, built, *found_.steps, picture_files_);
     if (write.has_trajectory() && *found_.steps % write.trajectory_every == 0) trajectory_.record(built);
     if (*found_.steps == 0) return;
     if (write.events) events_->append(event_text_, built);
@@ -86,19 +94,21 @@ void SweepRun::look_around() const {
 }
 
 void SweepRun::simulate() {
-    const Scene scene = load();
+    const Scene scene = load_(choice_);
     found_.steps = 0;
     SceneRun run(scene);
     ExpectationWatch watch(scene, run.built());
     if (plan_.write.events) events_.emplace(run.built());
     watch.observe(run.built());
-    record(run.built());
+    if (pictures_ != nullptr) pictures_->start(scene, run.built());
+    record(scene, run.built());
     const std::uint64_t step_count = count_steps(scene);
     while (*found_.steps < step_count && !run.is_stopped()) {
         run.step();
         ++*found_.steps;
-        watch.observe(run.built());
-        record(run.built());
+        const bool is_last = *found_.steps == step_count || run.is_stopped();
+        is_last ? watch.observe(run.built()) : watch.observe_before_end(run.built());
+        record(scene, run.built());
         look_around();
     }
     found_.claims = watch.results();
@@ -113,6 +123,8 @@ void SweepRun::evaluate(const SceneRun& run, const Scene& scene) {
     };
     for (const sweep::Measure& measure : plan_.measures) found_.measures.push_back(value_of(measure.expression));
     found_.state_hash = run.world().state_hash();
+    const std::vector<SceneInstance>& bodies = run.built().bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i) found_.bodies.push_back(output_name(bodies[i], i));
     if ((plan_.filter.claims && found_.failed_claims() > 0) ||
         (!plan_.filter.that.empty() && value_of(plan_.filter.that) != 1.0))
         found_.outcome = "filtered";
@@ -121,13 +133,14 @@ void SweepRun::evaluate(const SceneRun& run, const Scene& scene) {
     final_state_.assign(reinterpret_cast<const char*>(state.data()), state.size());
 }
 
-void SweepRun::add_data(RunRecord& record) const {
+void SweepRun::add_data(RunRecord& record) {
     const sweep::Written& write = plan_.write;
     if (write.summary) record.members.emplace_back("json", summary_text(plan_, choice_, found_));
     if (found_.outcome != "ok" && found_.outcome != "diverged") return;
     if (write.events) record.members.emplace_back("events.csv", event_text_);
     if (write.contacts) record.members.emplace_back("contacts.csv", contact_text_);
     if (write.final_state && !final_state_.empty()) record.members.emplace_back("state", final_state_);
+    std::ranges::move(picture_files_, std::back_inserter(record.members));
     if (!write.has_trajectory()) return;
     record.trajectory = trajectory_.array();
     if (!write.trajectory_in_tar) return;
@@ -144,6 +157,11 @@ std::uint64_t data_hash(const RunRecord& record) {
     return sweep::hash_of(all);
 }
 
+// Nothing is kept of the run but its message.
+void SweepRun::end(const char* outcome, const std::string& message) {
+    found_ = {.outcome = outcome, .message = message_of(plan_, message)};
+}
+
 RunRecord SweepRun::make() {
     try {
         simulate();
@@ -151,11 +169,17 @@ RunRecord SweepRun::make() {
         found_.outcome = "diverged";
         found_.message = error.what();
     } catch (const TimedOut&) {
-        found_ = {.outcome = "timed_out", .message = "took longer than the timeout of the plan"};
+        end("timed_out", "took longer than the timeout of the plan");
     } catch (const SceneError& error) {
-        found_ = {.outcome = "invalid", .message = error.diagnostics.front().message};
+        end("invalid", error.diagnostics.front().message);
     } catch (const ExpressionError& error) {
-        found_ = {.outcome = "invalid", .message = error.what()};
+        end("invalid", error.what());
+    } catch (const RenderError&) {
+        throw;  // no run would have frames
+    } catch (const std::bad_alloc&) {
+        end("failed", "no memory");
+    } catch (const std::exception& error) {
+        end("failed", error.what());
     }
     RunRecord record{.run = choice_.run, .outcome = found_.outcome, .steps = found_.steps.value_or(0)};
     add_data(record);
@@ -165,15 +189,37 @@ RunRecord SweepRun::make() {
 
 }  // namespace
 
-const std::string& SceneTexts::read(const std::filesystem::path& file) {
-    const std::lock_guard lock(mutex_);
-    const auto found = texts_.find(file);
-    return found != texts_.end() ? found->second : texts_.emplace(file, read_file(file)).first->second;
+RunMaker::RunMaker(const Plan& plan, SceneTexts& texts) : plan_(plan), texts_(texts) {
+    if (plan.write.has_pictures()) pictures_.emplace(plan.write);
 }
 
-RunRecord simulate_run(const Plan& plan, std::uint64_t run, SceneTexts& texts) {
-    const RunChoice choice = choose_run(plan, run);
-    return SweepRun(plan, choice, texts).make();
+Scene RunMaker::load(const RunChoice& choice) {
+    LoadOptions changes;
+    changes.overrides = overrides_of(plan_, choice);
+    changes.seed = choice.seed;
+    changes.allow_outside = plan_.allow_outside;
+    changes.read_included = [this](const std::filesystem::path& file) { return texts_.read(file); };
+    const auto found = sources_.find(choice.scene);
+    if (found != sources_.end()) return found->second.load(changes);
+    SceneSource source(scene_file(plan_, choice.scene), changes.read_included);
+    return sources_.emplace(choice.scene, std::move(source)).first->second.load(changes);
+}
+
+RunRecord RunMaker::make(std::uint64_t run) {
+    const RunChoice choice = choose_run(plan_, run);
+    const auto load_scene_of = [this](const RunChoice& chosen) { return load(chosen); };
+    RunRecord record = SweepRun(plan_, choice, load_scene_of, pictures_ ? &*pictures_ : nullptr).make();
+    texts_.copy_new();
+    return record;
+}
+
+RunRecord RunMaker::record_crash(std::uint64_t run, const std::string& signal) const {
+    const RunFindings found{.outcome = "crashed", .message = "its process ended by " + signal + ", again and again"};
+    RunRecord record{.run = run, .outcome = found.outcome};
+    const RunChoice choice = choose_run(plan_, run);
+    if (plan_.write.summary) record.members.emplace_back("json", summary_text(plan_, choice, found));
+    record.row = table_row(plan_, choice, found, data_hash(record));
+    return record;
 }
 
 }  // namespace tumble::tools

@@ -2,31 +2,24 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
-#include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sweep/plan/plan.hpp"
 #include "sweep/store/trajectory_array.hpp"
+#include "tools/sweep/frame_recorder.hpp"
+#include "tools/sweep/scene_texts.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
 
-// The texts of scene files and of their includes, read once for all runs and threads.
-class SceneTexts {
-public:
-    const std::string& read(const std::filesystem::path& file);
-
-private:
-    std::mutex mutex_;
-    std::map<std::filesystem::path, std::string> texts_;
-};
-
 struct RunRecord {
     std::uint64_t run = 0;
-    // "ok"; "filtered": the filter drops its data; "diverged", "timed_out", "invalid": it has no end state.
+    // "ok"; "filtered": the filter drops its data; "diverged", "timed_out", "invalid", "failed", "crashed": it has no
+    // end state.
     std::string outcome;
     std::string row{};                                           // its line of the table
     std::vector<std::pair<std::string, std::string>> members{};  // of the tar file: suffix and bytes
@@ -37,8 +30,28 @@ struct RunRecord {
 // Thrown after SIGINT, SIGHUP or SIGTERM.
 struct Interrupted {};
 
-// The bytes of the record depend on the plan and the run alone, except for `timed_out`. A run that diverges, takes too
-// long or has a scene that is not valid is recorded as such. Throws FileError and Interrupted.
-RunRecord simulate_run(const sweep::Plan& plan, std::uint64_t run, SceneTexts& texts);
+// Makes runs one after the other on one thread, which keeps what all of them need.
+class RunMaker {
+public:
+    // The plan and the texts must outlive the object. Throws RenderError if the plan writes frames, and there is no
+    // off-screen OpenGL.
+    RunMaker(const sweep::Plan& plan, SceneTexts& texts);
+
+    // The bytes of the record depend on the plan and the run alone, except for `timed_out` and `failed`. A run that
+    // diverges, takes too long, has a scene that is not valid, or finds no memory is recorded as such. Throws
+    // FileError, RenderError and Interrupted.
+    RunRecord make(std::uint64_t run);
+
+    // The record of a run that ends its process by a signal, without simulating it.
+    RunRecord record_crash(std::uint64_t run, const std::string& signal) const;
+
+private:
+    Scene load(const sweep::RunChoice& choice);
+
+    const sweep::Plan& plan_;
+    SceneTexts& texts_;
+    std::map<std::size_t, SceneSource> sources_;  // of the scenes that have been simulated
+    std::optional<FrameRecorder> pictures_;
+};
 
 }  // namespace tumble::tools

@@ -65,7 +65,7 @@ std::string summary_text(const sweep::Plan& plan, const sweep::RunChoice& choice
     json.close_object().member("outcome", found.outcome).member("message", found.message);
     if (found.steps) json.member("steps", *found.steps);
     if (found.state_hash) json.member("state_hash", to_hex(*found.state_hash));
-    json.key("measures").open_object();
+    json.member("bodies", found.bodies).key("measures").open_object();
     for (std::size_t i = 0; i < found.measures.size(); ++i) json.member(plan.measures[i].name, found.measures[i]);
     json.close_object().key("claims").open_array();
     for (const ExpectationResult& claim : found.claims) {

@@ -19,6 +19,7 @@ struct RunFindings {
     std::vector<ExpectationResult> claims{};
     std::vector<double> measures{};  // empty if there is no end state
     std::optional<std::uint64_t> state_hash{};
+    std::vector<std::string> bodies{};  // in the order of trajectories; the label of a body in masks is its index + 1
 
     std::size_t failed_claims() const;
 };

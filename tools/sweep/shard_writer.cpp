@@ -8,6 +8,7 @@
 #include "sweep/store/hdf5_file.hpp"
 #include "sweep/store/stored_file.hpp"
 #include "sweep/store/tar.hpp"
+#include "tools/sweep/crash_log.hpp"
 
 namespace tumble::tools {
 
@@ -23,7 +24,7 @@ std::string member_name(std::uint64_t run, const std::string& suffix) {
 }  // namespace
 
 std::optional<sweep::ShardEntry> write_shard(const sweep::Plan& plan, std::uint64_t shard,
-                                             const std::filesystem::path& folder, SceneTexts& texts,
+                                             const std::filesystem::path& folder, RunMaker& runs,
                                              const ShardCalls& calls) {
     sweep::ShardEntry entry{.shard = shard};
     std::optional<sweep::StoredFileWriter> tar;
@@ -32,7 +33,9 @@ std::optional<sweep::ShardEntry> write_shard(const sweep::Plan& plan, std::uint6
     std::string rows;
     const std::uint64_t first = shard * runs_in_shard(plan), last = std::min(plan.runs, first + runs_in_shard(plan));
     for (std::uint64_t run = first; run < last; ++run) {
-        RunRecord record = simulate_run(plan, run, texts);
+        const auto crashed = calls.crashed.find(run);
+        const RunMark mark(run);
+        RunRecord record = crashed == calls.crashed.end() ? runs.make(run) : runs.record_crash(run, crashed->second);
         ++entry.outcomes[record.outcome];
         rows += record.row;
         for (const auto& [suffix, bytes] : record.members)

@@ -6,6 +6,7 @@
 
 #include "sweep/store/stored_file.hpp"
 #include "tools/output/input_error.hpp"
+#include "tools/sweep/scene_texts.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -24,7 +25,7 @@ std::string read_lines(const fs::path& folder, const sweep::StoredFile& lines) {
     std::string text = read_file(folder / lines.name);
     if (sweep::hash_of(text) != lines.hash)
         throw InputError((folder / lines.name).string() +
-                         ": the checksum is not that of the manifest; remove the file and run the sweep again");
+                         ": the checksum is not that of the manifest; run the sweep again with --check");
     return text;
 }
 
@@ -33,6 +34,17 @@ void write_table(const fs::path& folder, sweep::Manifest& manifest) {
     table.write(manifest.header->columns);
     for (const auto& [shard, entry] : manifest.shards) table.write(read_lines(folder, entry.table));
     manifest.table = table.commit();
+}
+
+// What killed processes have left in the folder and in the copies of the scenes.
+void remove_partial_files(const fs::path& folder) {
+    std::vector<fs::path> folders{folder, copies_in(folder)};
+    std::error_code none;  // without copies there is nothing to remove
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copies_in(folder), none))
+        if (entry.is_directory() && !entry.is_symlink()) folders.push_back(entry.path());
+    for (const fs::path& searched : folders)
+        for (const PartialFile& file : find_partial_files(searched))
+            if (!file.is_open) fs::remove(file.path);
 }
 
 }  // namespace
@@ -76,8 +88,7 @@ void complete_folder(const fs::path& folder) {
     if (!is_complete(folder, manifest)) write_table(folder, manifest);
     sweep::write_manifest(folder, manifest);
     for (const auto& [shard, entry] : manifest.shards) fs::remove(folder / entry.table.name);
-    for (const PartialFile& file : find_partial_files(folder))
-        if (!file.is_open) fs::remove(file.path);
+    remove_partial_files(folder);
 }
 
 }  // namespace tumble::tools

@@ -135,7 +135,8 @@ std::string to_text(const Verification& verification) {
     for (const std::string& finding : verification.findings) text += finding + "\n";
     return text + std::to_string(verification.files) + " files, " +
            bytes_text(static_cast<double>(verification.bytes)) + ", and " + std::to_string(verification.repeated_runs) +
-           " runs made again: " +
+           " runs made again" +
+           (verification.repeated_runs > 0 ? ", drawn by --seed " + std::to_string(verification.seed) : "") + ": " +
            (verification.findings.empty() ? "all as written"
                                           : std::to_string(verification.findings.size()) + " findings") +
            "\n";
@@ -144,7 +145,9 @@ std::string to_text(const Verification& verification) {
 std::string to_json(const Verification& verification) {
     JsonWriter json;
     json.open_object().member("files", verification.files).member("bytes", verification.bytes);
-    json.member("repeated_runs", verification.repeated_runs).member("findings", verification.findings);
+    json.member("repeated_runs", verification.repeated_runs)
+        .member("seed", verification.seed)
+        .member("findings", verification.findings);
     json.member("passed", verification.findings.empty()).close_object();
     return json.text() + "\n";
 }

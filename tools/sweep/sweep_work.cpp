@@ -9,14 +9,18 @@
 #include <thread>
 #include <vector>
 
-#include "sweep/store/claim.hpp"
+#include "sweep/store/durable.hpp"
+#include "sweep/store/lease.hpp"
 #include "tools/cli/console.hpp"
 #include "tools/cli/interrupt.hpp"
 #include "tools/machine/build_info.hpp"
 #include "tools/measure/stopwatch.hpp"
 #include "tools/output/input_error.hpp"
+#include "tools/sweep/crash_log.hpp"
+#include "tools/sweep/frame_recorder.hpp"
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/shard_writer.hpp"
+#include "tools/sweep/verification.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -32,7 +36,20 @@ constexpr const char* kFinish = "finish";
 constexpr const char* kAppend = "append";
 
 sweep::SweepHeader expected_header(const sweep::Plan& plan) {
-    return {plan.hash, plan.runs, runs_in_shard(plan), version(), table_header(plan)};
+    return {plan.hash,
+            plan.runs,
+            runs_in_shard(plan),
+            version(),
+            table_header(plan),
+            plan.allow_outside ? "" : plan.file.filename().string(),
+            plan.write.has_frames() ? renderer_name() : ""};
+}
+
+std::string difference_text(const sweep::SweepHeader& found, const sweep::SweepHeader& wanted) {
+    if (found.version != wanted.version) return "has a sweep of version " + found.version + " of tumble";
+    if (found.renderer != wanted.renderer)
+        return "has a sweep with frames of " + found.renderer + ", and this machine draws by " + wanted.renderer;
+    return "has another sweep: the plan, the name of its file, its scenes, --runs or --allow-outside differ";
 }
 
 // Creates the folder, or refuses one of something else.
@@ -43,12 +60,11 @@ void open_folder(const sweep::Plan& plan, const fs::path& folder) {
     const sweep::Manifest manifest = sweep::read_manifest(folder);
     const sweep::SweepHeader header = expected_header(plan);
     if (manifest.header && !(*manifest.header == header))
-        throw FileError(folder, "has another sweep: the plan, its scenes, --runs or the version of tumble (" +
-                                    manifest.header->version + ") differ; choose another folder");
+        throw FileError(folder, difference_text(*manifest.header, header) + "; choose another folder");
     if (manifest.header) return;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-        if (entry.path().filename() != "claims" && entry.path() != sweep::manifest_file(folder) &&
-            !entry.path().filename().string().starts_with("shard-"))
+        if (entry.path().filename() != "leases" && entry.path() != copies_in(folder) &&
+            entry.path() != sweep::manifest_file(folder) && !entry.path().filename().string().starts_with("shard-"))
             throw FileError(folder, "is not empty, and has no sweep");
     append_header(folder, header);
 }
@@ -68,7 +84,9 @@ public:
     Work(const sweep::Plan& plan, const SweepOptions& options)
         : plan_(plan),
           options_(options),
-          claims_(options.folder, std::chrono::milliseconds(static_cast<std::int64_t>(options.lease * 1e3))),
+          leases_(options.folder, std::chrono::milliseconds(static_cast<std::int64_t>(options.lease * 1e3))),
+          crash_log_(options.folder),
+          texts_(plan, options.folder),
           part_runs_(runs_of_part(plan, options)),
           progress_("runs", part_runs_) {
         look();
@@ -92,7 +110,8 @@ private:
 
     const sweep::Plan& plan_;
     const SweepOptions& options_;
-    sweep::Claims claims_;
+    sweep::Leases leases_;
+    CrashLog crash_log_;
     SceneTexts texts_;
     std::mutex mutex_;
     std::set<std::uint64_t> missing_;  // of this part, and not taken by a thread
@@ -105,7 +124,7 @@ private:
     Progress progress_;
 };
 
-std::string claim_name(std::uint64_t shard) { return sweep::shard_file_name(shard, ""); }
+std::string lease_name(std::uint64_t shard) { return sweep::shard_file_name(shard, ""); }
 
 // Finds out what is missing. With mutex_, or before the threads.
 void Work::look() {
@@ -121,12 +140,12 @@ std::uint64_t Work::count_missing() {
     return missing_.size();
 }
 
-// A shard for a thread, claimed; nothing if other processes have all that are missing.
+// A shard for a thread, with its lease; nothing if other processes have all that are missing.
 std::optional<std::uint64_t> Work::take() {
     const std::lock_guard lock(mutex_);
     for (auto it = missing_.begin(); it != missing_.end();) {
         const std::uint64_t shard = *it;
-        if (!claims_.take(claim_name(shard))) {
+        if (!leases_.take(lease_name(shard))) {
             ++it;
             continue;
         }
@@ -134,7 +153,7 @@ std::optional<std::uint64_t> Work::take() {
         // Another process may have completed it since the manifest was read.
         if (fs::exists(options_.folder / sweep::shard_file_name(shard, ".csv")) &&
             is_stored(options_.folder, sweep::read_manifest(options_.folder), shard)) {
-            claims_.release(claim_name(shard));
+            leases_.release(lease_name(shard));
             continue;
         }
         taken_.insert(shard);
@@ -151,15 +170,16 @@ bool Work::wait_for_others(std::chrono::milliseconds& wait) {
     return true;
 }
 
-// Under a claim, because on NFS processes of two hosts that append at once overwrite each other. With mutex_.
+// Under a lease, because on NFS processes of two hosts that append at once overwrite each other. With mutex_.
 void Work::append(const sweep::ShardEntry& entry) {
-    while (!claims_.take(kAppend)) {
-        if (!claims_.has_folder()) return;  // another process has done it all, and removed the claims
+    while (!leases_.take(kAppend)) {
+        if (!leases_.has_folder()) return;  // another process has done it all, and removed the leases
         if (is_interrupted()) throw Interrupted{};
         std::this_thread::sleep_for(kShortestWait / 10);
     }
+    sweep::make_durable(options_.folder);  // the names of the shard's files
     append_shard(options_.folder, entry);
-    claims_.release(kAppend);
+    leases_.release(kAppend);
 }
 
 void Work::count_run() {
@@ -170,6 +190,8 @@ void Work::count_run() {
 }
 
 void Work::work() {
+    const HandlerStack stack;
+    RunMaker runs(plan_, texts_);
     std::chrono::milliseconds wait = kShortestWait;
     while (!is_stopped_ && !is_interrupted()) {
         const std::optional<std::uint64_t> shard = take();
@@ -177,12 +199,13 @@ void Work::work() {
         if (!shard) continue;
         wait = kShortestWait;
         const ShardCalls calls{.count_run = [this] { count_run(); },
-                               .may_commit = [&] { return claims_.holds(claim_name(*shard)); }};
-        const std::optional<sweep::ShardEntry> entry = write_shard(plan_, *shard, options_.folder, texts_, calls);
+                               .may_commit = [&] { return leases_.holds(lease_name(*shard)); },
+                               .crashed = CrashLog::runs_to_skip(options_.folder)};
+        const std::optional<sweep::ShardEntry> entry = write_shard(plan_, *shard, options_.folder, runs, calls);
         const std::lock_guard lock(mutex_);
         if (entry) append(*entry);
         taken_.erase(*shard);
-        claims_.release(claim_name(*shard));
+        leases_.release(lease_name(*shard));
     }
 }
 
@@ -211,11 +234,11 @@ bool Work::finish() {
     while (!is_interrupted()) {
         const sweep::Manifest manifest = sweep::read_manifest(options_.folder);
         if (!missing_shards(options_.folder, manifest).empty()) return false;
-        if (is_complete(options_.folder, manifest) && !claims_.has_folder()) return true;
-        if (claims_.take(kFinish)) {
+        if (is_complete(options_.folder, manifest) && !leases_.has_folder()) return true;
+        if (leases_.take(kFinish)) {
             complete_folder(options_.folder);
-            claims_.release(kFinish);
-            claims_.remove_folder();
+            leases_.release(kFinish);
+            leases_.remove_folder();
             return true;
         }
         std::this_thread::sleep_for(kShortestWait);
@@ -232,6 +255,7 @@ SweepReport run_sweep(const sweep::Plan& plan, const SweepOptions& options) {
                          " fit into a folder; state a larger \"shard_runs\", or fewer --runs");
     const Stopwatch watch;
     open_folder(plan, options.folder);
+    if (options.check) remove_damaged_files(options.folder);
     SweepReport report{.runs = plan.runs, .shards = shard_count(plan)};
     {
         Work work(plan, options);

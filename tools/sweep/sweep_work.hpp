@@ -17,6 +17,7 @@ struct SweepOptions {
     std::uint64_t part = 0;  // of `parts`: this process makes the shards s with s % parts == part
     std::uint64_t parts = 1;
     double lease = 60.0;  // s after which the shard of a process that no one hears of is taken over
+    bool check = false;   // read all files first, and make those again whose checksums are wrong
 };
 
 struct SweepReport {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <system_error>
 
 #include "sweep/plan/permutation.hpp"
 #include "sweep/store/stored_file.hpp"
@@ -39,6 +40,22 @@ void verify_file(const fs::path& folder, const sweep::StoredFile& expected, Veri
                                         std::to_string(expected.bytes));
     else if (found.hash != expected.hash)
         verification.findings.push_back(path.string() + ": its checksum is not that of the manifest");
+}
+
+// Of the complete shards, and the table.
+std::vector<sweep::StoredFile> stored_files(const sweep::Manifest& manifest) {
+    std::vector<sweep::StoredFile> files;
+    for (const auto& [shard, entry] : manifest.shards) {
+        files.insert(files.end(), entry.files.begin(), entry.files.end());
+        if (!manifest.table) files.push_back(entry.table);
+    }
+    if (manifest.table) files.push_back(*manifest.table);
+    return files;
+}
+
+// Whether the same command would give other results on another machine, or at another time.
+bool depends_on_machine(const std::string& outcome) {
+    return outcome == "timed_out" || outcome == "failed" || outcome == "crashed";
 }
 
 // The lines of a table by their first number, the run. Messages are on one line.
@@ -93,11 +110,7 @@ std::set<std::uint64_t> draw_runs(const sweep::Plan& plan, const fs::path& folde
 Verification verify_files(const fs::path& folder) {
     const sweep::Manifest manifest = manifest_of(folder);
     Verification verification;
-    for (const auto& [shard, entry] : manifest.shards) {
-        for (const sweep::StoredFile& file : entry.files) verify_file(folder, file, verification);
-        if (!manifest.table) verify_file(folder, entry.table, verification);
-    }
-    if (manifest.table) verify_file(folder, *manifest.table, verification);
+    for (const sweep::StoredFile& file : stored_files(manifest)) verify_file(folder, file, verification);
     const std::uint64_t shards = manifest.header->shards();
     if (manifest.shards.size() < shards)
         verification.findings.push_back(folder.string() + ": " + std::to_string(shards - manifest.shards.size()) +
@@ -105,11 +118,22 @@ Verification verify_files(const fs::path& folder) {
     return verification;
 }
 
-void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, std::uint64_t seed,
-                 Verification& verification) {
+void remove_damaged_files(const fs::path& folder) {
+    for (const sweep::StoredFile& file : stored_files(sweep::read_manifest(folder))) {
+        if (is_interrupted()) return;
+        std::error_code error;
+        if (!fs::exists(folder / file.name) || sweep::read_stored_file(folder, file.name).hash == file.hash) continue;
+        if (!fs::remove(folder / file.name, error)) throw FileError(folder / file.name, "cannot remove the file");
+    }
+}
+
+void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, Verification& verification) {
     const sweep::Manifest manifest = manifest_of(folder);
     if (manifest.header->plan != plan.hash) throw FileError(folder, "is of another plan than " + plan.file.string());
-    const std::set<std::uint64_t> runs = draw_runs(plan, folder, part, seed);
+    if (plan.write.has_frames() && manifest.header->renderer != renderer_name())
+        throw FileError(folder, "has frames of " + manifest.header->renderer + ", and this machine draws by " +
+                                    renderer_name() + ": their bytes may differ");
+    const std::set<std::uint64_t> runs = draw_runs(plan, folder, part, verification.seed);
     std::map<std::uint64_t, std::string> rows;
     if (manifest.table)
         rows = read_rows(sweep::table_file(folder), runs);
@@ -121,10 +145,11 @@ void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, s
     const auto outcome =
         static_cast<std::size_t>(std::ranges::count(columns.substr(0, columns.find(",outcome,") + 1), ','));
     SceneTexts texts;
+    RunMaker maker(plan, texts);
     for (const std::uint64_t run : runs) {
         const auto row = rows.find(run);
-        if (row != rows.end() && cell_of(row->second, outcome) == "timed_out") continue;
-        const RunRecord record = simulate_run(plan, run, texts);
+        if (row != rows.end() && depends_on_machine(cell_of(row->second, outcome))) continue;
+        const RunRecord record = maker.make(run);
         ++verification.repeated_runs;
         if (row == rows.end())
             verification.findings.push_back("run " + std::to_string(run) + ": is not in the table");

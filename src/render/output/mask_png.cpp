@@ -58,7 +58,7 @@ std::string zlib_compressed(const std::string& bytes) {
 
 }  // namespace
 
-std::uint64_t write_mask_png(const Mask& mask, const std::filesystem::path& file) {
+std::string to_png(const Mask& mask) {
     std::string header;
     append_big_endian(header, static_cast<std::uint32_t>(mask.width));
     append_big_endian(header, static_cast<std::uint32_t>(mask.height));
@@ -67,8 +67,12 @@ std::uint64_t write_mask_png(const Mask& mask, const std::filesystem::path& file
     append_chunk(png, "IHDR", header);
     append_chunk(png, "IDAT", zlib_compressed(filtered_rows(mask)));
     append_chunk(png, "IEND", {});
+    return png;
+}
+
+std::uint64_t write_mask_png(const Mask& mask, const std::filesystem::path& file) {
     OutputFile output(file);
-    output.write(png);
+    output.write(to_png(mask));
     return output.commit();
 }
 

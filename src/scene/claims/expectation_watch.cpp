@@ -89,6 +89,8 @@ void load_from(scene::SaveReader& reader, Watched& watched) {
 }  // namespace
 
 struct ExpectationWatch::Impl {
+    void observe(const SceneWorld& built, bool may_be_end);
+
     std::vector<Watched> watched;  // [scene.expect.size()]
     double rate = 0.0;             // steps/s
     std::uint64_t last_step = 0;
@@ -117,23 +119,28 @@ ExpectationWatch::~ExpectationWatch() = default;
 ExpectationWatch::ExpectationWatch(ExpectationWatch&&) noexcept = default;
 ExpectationWatch& ExpectationWatch::operator=(ExpectationWatch&&) noexcept = default;
 
-void ExpectationWatch::observe(const SceneWorld& built) {
+void ExpectationWatch::observe(const SceneWorld& built) { impl_->observe(built, true); }
+void ExpectationWatch::observe_before_end(const SceneWorld& built) { impl_->observe(built, false); }
+
+void ExpectationWatch::Impl::observe(const SceneWorld& built, bool may_be_end) {
     const std::uint64_t step = built.world.step_count();
-    TUMBLE_CHECK(step >= impl_->last_step);
-    impl_->last_step = step;
-    for (Watched& watched : impl_->watched) {
-        watched.claim->follow(built);
-        if (step < watched.from || step > watched.to) continue;
-        watched.reached = true;
-        if (!watched.claim->applies()) continue;
-        const double excess = watched.claim->excess(built), severity = watched.claim->severity();
-        if (!watched.decides(excess, severity)) continue;
-        watched.seen = true;
-        watched.excess = excess;
-        watched.severity = severity;
-        watched.finding = watched.claim->finding(built);
-        watched.state_hash = watched.claim->state_hash();
-        watched.step = step;
+    TUMBLE_CHECK(step >= last_step);
+    last_step = step;
+    for (Watched& claim : watched) {
+        claim.claim->follow(built);
+        const bool is_on_end = claim.moment == SceneMoment::end && claim.to == kForever;
+        if (is_on_end && !may_be_end) continue;
+        if (step < claim.from || step > claim.to) continue;
+        claim.reached = true;
+        if (!claim.claim->applies()) continue;
+        const double excess = claim.claim->excess(built), severity = claim.claim->severity();
+        if (!claim.decides(excess, severity)) continue;
+        claim.seen = true;
+        claim.excess = excess;
+        claim.severity = severity;
+        claim.finding = claim.claim->finding(built);
+        claim.state_hash = claim.claim->state_hash();
+        claim.step = step;
     }
 }
 

@@ -48,7 +48,7 @@ std::string keys_hint(const std::string& step, const Json& object) {
 // defaults contain. Null, with an error in `diagnostics`, if a step leads nowhere; otherwise `resolved` is the pointer
 // with indices in place of names.
 Json* find_or_create(Json& scene, const std::string& pointer, Diagnostics& diagnostics, std::string& resolved) {
-    const Json all_defaults = write_scene(Scene{}, true);
+    static const Json all_defaults = write_scene(Scene{}, true);
     const Json* defaults = &all_defaults;
     Json* value = &scene;
     const std::vector<std::string> steps = split_pointer(pointer);

@@ -29,13 +29,12 @@ void keep_own(Scene& scene, const scene::SceneSizes& own) {
     std::erase_if(scene.draws, [](const SceneDraw& draw) { return draw.pointer.empty(); });
 }
 
-}  // namespace
-
-Scene parse_scene(std::string_view text, const std::string& file_name, const LoadOptions& options,
-                  std::vector<Diagnostic>* warnings) {
+// `parsed` is the value of the text, or null if it is not known.
+Scene read_whole(std::string_view text, const scene::Json* parsed, const std::string& file_name,
+                 const LoadOptions& options, std::vector<Diagnostic>* warnings) {
     text = scene::without_byte_order_mark(text);
     scene::Diagnostics diagnostics(file_name, text);
-    auto [result, own, resolved] = scene::Reading(options).read(text, file_name, options, diagnostics);
+    auto [result, own, resolved] = scene::Reading(options).read(text, file_name, options, diagnostics, parsed);
     std::vector<SceneInclude> include = std::exchange(result.include, {});
     if (options.lint && !diagnostics.has_errors()) scene::add_lints(result, resolved.value(), diagnostics);
     diagnostics.finish(warnings);
@@ -45,18 +44,52 @@ Scene parse_scene(std::string_view text, const std::string& file_name, const Loa
     return std::move(result);
 }
 
+LoadOptions with_reader(LoadOptions options) {
+    if (!options.read_included) options.read_included = read_scene_file;
+    return options;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& file_name, const LoadOptions& options,
+                  std::vector<Diagnostic>* warnings) {
+    return read_whole(text, nullptr, file_name, options, warnings);
+}
+
 Scene parse_scene(std::string_view text, const std::string& file_name, std::vector<Diagnostic>* warnings) {
     return parse_scene(text, file_name, LoadOptions{}, warnings);
 }
 
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<Diagnostic>* warnings) {
-    LoadOptions from_file = options;
-    if (!from_file.read_included) from_file.read_included = read_scene_file;
+    const LoadOptions from_file = with_reader(options);
     return parse_scene(from_file.read_included(file), file.string(), from_file, warnings);
 }
 
 Scene load_scene(const std::filesystem::path& file, std::vector<Diagnostic>* warnings) {
     return load_scene(file, LoadOptions{}, warnings);
+}
+
+struct SceneSource::Impl {
+    std::string file;
+    std::string text;
+    std::optional<scene::Json> value;  // nothing for a text with errors, which load() reports
+};
+
+SceneSource::SceneSource(const std::filesystem::path& file, const ReadIncluded& read)
+    : impl_(new Impl{file.string(), read ? read(file) : read_scene_file(file), std::nullopt}) {
+    const std::string_view body = scene::without_byte_order_mark(impl_->text);
+    scene::Diagnostics diagnostics(impl_->file, body);
+    impl_->value = scene::parse_json(body, diagnostics);
+    if (diagnostics.has_errors()) impl_->value.reset();
+}
+
+SceneSource::~SceneSource() = default;
+SceneSource::SceneSource(SceneSource&&) noexcept = default;
+SceneSource& SceneSource::operator=(SceneSource&&) noexcept = default;
+
+Scene SceneSource::load(const LoadOptions& options, std::vector<Diagnostic>* warnings) const {
+    return read_whole(impl_->text, impl_->value ? &*impl_->value : nullptr, impl_->file, with_reader(options),
+                      warnings);
 }
 
 void save_scene(const Scene& scene, const std::filesystem::path& file) {

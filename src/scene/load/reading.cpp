@@ -57,8 +57,9 @@ void check_named_files(const Scene& scene, const std::filesystem::path& file, Di
 }  // namespace
 
 ReadScene Reading::read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
-                        Diagnostics& diagnostics) {
-    std::optional<Json> value = parse_json(text, diagnostics, R"(the smallest scene is {"format": 1})");
+                        Diagnostics& diagnostics, const Json* parsed) {
+    std::optional<Json> value =
+        parsed != nullptr ? *parsed : parse_json(text, diagnostics, R"(the smallest scene is {"format": 1})");
     if (!value) return {};
     apply_overrides(changes, *value, diagnostics);
     if (open_.empty()) context_.seed = seed_of(*value);

@@ -13,6 +13,7 @@
 #include "scene/format/draw.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/json/included_parts.hpp"
+#include "scene/json/json.hpp"
 #include "scene/model/scene_sizes.hpp"
 #include "tumble/scene_file.hpp"
 
@@ -34,9 +35,10 @@ public:
     explicit Reading(const LoadOptions& options)
         : read_(options.read_included), allow_outside_(options.allow_outside) {}
 
-    // The scene with everything that it includes. Errors go to `diagnostics`.
+    // The scene with everything that it includes. Errors go to `diagnostics`. `parsed` is the value of the text, if it
+    // is known.
     ReadScene read(std::string_view text, const std::filesystem::path& file, const LoadOptions& changes,
-                   Diagnostics& diagnostics);
+                   Diagnostics& diagnostics, const Json* parsed = nullptr);
 
 private:
     void include_all(Scene& scene, const std::filesystem::path& file, Diagnostics& diagnostics);

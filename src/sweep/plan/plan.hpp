@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tumble/scene_file.hpp"
+
 namespace tumble::sweep {
 
 // Where the numbers of drawn parameters come from: independent, one in each of `slices` equal slices of every parameter
@@ -38,14 +40,27 @@ struct Filter {
     std::string that{};   // keep only runs for which this condition holds at the end; empty: all
 };
 
+// PNG files of a run, in the tar file: of the state at the start, and after every `every` steps.
+struct Pictures {
+    std::uint64_t every = 0;  // steps; 0: none
+    int width = 256, height = 256;
+    bool is_plain = false;  // of frames: without grid, scale bar and text
+
+    bool are_due(std::uint64_t step) const { return every > 0 && step % every == 0; }
+};
+
 struct Written {
     std::uint64_t trajectory_every = 0;  // steps; 0: no trajectory
     bool trajectory_in_tar = false;      // as .npy in the tar file; else in the HDF5 file
     int trajectory_bits = 32;            // of a number: 32 or 64
     bool events = false, contacts = false, final_state = false, summary = false;
+    Pictures frames{}, masks{};
 
+    bool has_frames() const { return frames.every > 0; }
+    bool has_pictures() const { return has_frames() || masks.every > 0; }
     bool has_tar() const {
-        return events || contacts || final_state || summary || (has_trajectory() && trajectory_in_tar);
+        return events || contacts || final_state || summary || has_pictures() ||
+               (has_trajectory() && trajectory_in_tar);
     }
     bool has_hdf5() const { return has_trajectory() && !trajectory_in_tar; }
     bool has_trajectory() const { return trajectory_every > 0; }
@@ -89,7 +104,8 @@ std::filesystem::path scene_file(const Plan& plan, std::size_t scene);
 // Combinations of scenes, seeds and values on the grid.
 std::uint64_t grid_size(const Plan& plan);
 
-// The runs of a shard: those of the plan, else as many as make 64 shards, at most 1000.
+// The runs of a shard: those of the plan, else as many as make 60 shards, at most 2000. Sixty shards are at most 180
+// files at a time: a tar file, an HDF5 file, and the lines of the table.
 std::uint64_t runs_in_shard(const Plan& plan);
 std::uint64_t shard_count(const Plan& plan);
 
@@ -109,8 +125,10 @@ std::vector<std::string> overrides_of(const Plan& plan, const RunChoice& choice)
 
 // Reads a plan with its scenes, and tries its first run. `runs` replaces those of the plan if it is not 0. The scenes
 // and what they include are in the folder of the plan, or `allow_outside` accepts others. Throws FileError, or
-// SceneError with line and column for a plan that is not valid or does not fit its scenes.
-Plan read_plan(const std::filesystem::path& file, std::uint64_t runs = 0, bool allow_outside = false);
+// SceneError with line and column for a plan that is not valid or does not fit its scenes. Warnings are appended to
+// `warnings` if it is not null.
+Plan read_plan(const std::filesystem::path& file, std::uint64_t runs = 0, bool allow_outside = false,
+               std::vector<Diagnostic>* warnings = nullptr);
 
 // The JSON schema (Draft-07) of plans.
 std::string plan_schema();

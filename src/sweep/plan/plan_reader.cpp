@@ -12,9 +12,11 @@
 #include "scene/json/json_text.hpp"
 #include "scene/json/named_file.hpp"
 #include "sweep/plan/plan.hpp"
+#include "sweep/plan/plan_lints.hpp"
 #include "sweep/plan/plan_object.hpp"
 #include "sweep/plan/plan_trial.hpp"
 #include "sweep/plan/sobol.hpp"
+#include "sweep/plan/written_reader.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::sweep {
@@ -24,7 +26,6 @@ namespace {
 using scene::Diagnostics;
 using scene::Json;
 
-constexpr std::uint64_t kMostSteps = 1000000;
 constexpr double kLongestTimeout = 1e6;  // s
 
 bool is_name(const std::string& text) {
@@ -146,27 +147,6 @@ Seeds read_seeds(PlanObject& plan, Diagnostics& diagnostics) {
     return seeds;
 }
 
-Written read_written(PlanObject& plan, Diagnostics& diagnostics) {
-    Written written;
-    const Json* const json = plan.find("write");
-    if (json == nullptr) return written;
-    PlanObject object(*json, plan.pointer_to("write"), diagnostics);
-    if (const Json* const trajectory = object.find("trajectory")) {
-        PlanObject inner(*trajectory, object.pointer_to("trajectory"), diagnostics);
-        written.trajectory_every = inner.whole("every", 1, kMostSteps, 1);
-        written.trajectory_in_tar = inner.word("as", {"hdf5", "npy"}) == "npy";
-        written.trajectory_bits = static_cast<int>(inner.whole("bits", 32, 64, 32));
-        if (written.trajectory_bits % 32 != 0) inner.error("bits", "must be 32 or 64");
-        inner.finish();
-    }
-    written.events = object.flag("events", false);
-    written.contacts = object.flag("contacts", false);
-    written.final_state = object.flag("final_state", false);
-    written.summary = object.flag("summary", false);
-    object.finish();
-    return written;
-}
-
 Filter read_filter(PlanObject& plan, Diagnostics& diagnostics) {
     Filter filter;
     const Json* const json = plan.find("filter");
@@ -251,7 +231,8 @@ void check_scene_files(const Plan& plan, Diagnostics& diagnostics) {
 
 }  // namespace
 
-Plan read_plan(const std::filesystem::path& file, std::uint64_t runs, bool allow_outside) {
+Plan read_plan(const std::filesystem::path& file, std::uint64_t runs, bool allow_outside,
+               std::vector<Diagnostic>* warnings) {
     const std::string text = read_file(file, scene::kMaxFileBytes);
     const std::string_view body = scene::without_byte_order_mark(text);
     Diagnostics diagnostics(file.string(), body);
@@ -261,14 +242,15 @@ Plan read_plan(const std::filesystem::path& file, std::uint64_t runs, bool allow
         plan.allow_outside = allow_outside;
         if (!allow_outside) check_scene_files(plan, diagnostics);
         if (!diagnostics.has_errors()) {
-            const std::string scenes = try_first_runs(plan, diagnostics);
+            const TriedScenes scenes = try_first_runs(plan, diagnostics);
+            if (!diagnostics.has_errors()) add_plan_lints(plan, scenes.facts, diagnostics);
             Json of_runs = *json;
             for (const char* const key : {"$schema", "name", "description"}) of_runs.erase(key);
-            const std::string all = scene::compact_text(of_runs) + scenes;
+            const std::string all = scene::compact_text(of_runs) + scenes.texts;
             plan.hash = XXH64(all.data(), all.size(), 0);
         }
     }
-    diagnostics.finish(nullptr);
+    diagnostics.finish(warnings);
     return plan;
 }
 

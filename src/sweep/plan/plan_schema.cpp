@@ -50,16 +50,26 @@ std::string plan_schema() {
           "every": {"type": "integer", "minimum": 1, "maximum": 1000000, "description": "Steps between two states. Default 1."},
           "as": {"enum": ["hdf5", "npy"], "description": "In an HDF5 file for each shard, or as .npy in its tar file. Default hdf5."},
           "bits": {"enum": [32, 64], "description": "Of each number. Default 32."}}},
+        "frames": {"$ref": "#/definitions/frames"},
+        "masks": {"$ref": "#/definitions/masks"},
         "events": {"type": "boolean", "description": "The events of the steps, as CSV in the tar file. Default false."},
         "contacts": {"type": "boolean", "description": "The contact points of the steps, as CSV in the tar file. Default false."},
         "final_state": {"type": "boolean", "description": "The snapshot of the world at the end, in the tar file. Default false."},
         "summary": {"type": "boolean", "description": "Parameters, outcome, measures and claims as JSON in the tar file. Default false."}}
     },
-    "shard_runs": {"type": "integer", "minimum": 1, "maximum": 1000000, "description": "The runs of a shard; by default as many as make 64 shards, at most 1000."},
+    "shard_runs": {"type": "integer", "minimum": 1, "maximum": 1000000, "description": "The runs of a shard; by default as many as make 60 shards, at most 2000."},
     "timeout": {"type": "number", "minimum": 0.001, "maximum": 1000000, "description": "Seconds of wall clock after which a run is ended and recorded as timed_out."}
   },
   "definitions": {
     "name": {"type": "string", "pattern": "^[A-Za-z_][A-Za-z0-9_]{0,63}$", "description": "A column of the table, and a name in expressions."},
+    "size": {"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "integer", "minimum": 16, "maximum": 4096}, "description": "Width and height in pixels. Default [256, 256]; of masks that of the frames."},
+    "frames": {"type": "object", "additionalProperties": false, "description": "Pictures of the run as PNG in the tar file: of the start, and after every n-th step.", "properties": {
+      "every": {"type": "integer", "minimum": 1, "maximum": 1000000, "description": "Steps between two frames. Default 1."},
+      "size": {"$ref": "#/definitions/size"},
+      "plain": {"type": "boolean", "description": "Without grid, scale bar and text. Default false."}}},
+    "masks": {"type": "object", "additionalProperties": false, "description": "Which body each pixel of a frame shows, as PNG with 16 bits in the tar file: 0 for none, else one more than the index of the body.", "properties": {
+      "every": {"type": "integer", "minimum": 1, "maximum": 1000000, "description": "Steps between two masks. Default: that of the frames, else 1."},
+      "size": {"$ref": "#/definitions/size"}}},
     "pair": {"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "number"}},
     "parameter": {
       "type": "object", "additionalProperties": false, "required": ["name"],

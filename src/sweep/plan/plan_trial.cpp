@@ -6,6 +6,7 @@
 #include "scene/json/pointer.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
+#include "tumble/scene_world.hpp"
 
 namespace tumble::sweep {
 
@@ -62,23 +63,29 @@ void try_expressions(const Plan& plan, const Scene& scene, scene::Diagnostics& d
     if (!plan.filter.that.empty()) try_expression(plan.filter.that, "/filter/that", scene, names, true, diagnostics);
 }
 
+SceneFacts facts_of(const Scene& scene) {
+    const bool has_camera = scene.camera.height && (scene.camera.center || !scene.camera.follow.empty());
+    return {count_bodies(scene), count_steps(scene), !scene.expect.empty(), has_camera};
+}
+
 }  // namespace
 
 std::string pointer_of_scene(const Plan& plan, std::size_t scene) {
     return plan.scenes.size() > 1 ? "/scenes/" + std::to_string(scene) : "/scene";
 }
 
-std::string try_first_runs(const Plan& plan, scene::Diagnostics& diagnostics) {
-    std::string texts;
+TriedScenes try_first_runs(const Plan& plan, scene::Diagnostics& diagnostics) {
+    TriedScenes tried;
     // Scenes are the outermost dimension of the grid.
     const std::uint64_t runs_of_scene = grid_size(plan) / plan.scenes.size();
     for (std::size_t i = 0; i < plan.scenes.size() && !diagnostics.has_errors(); ++i) {
         const std::optional<Scene> scene = try_run(plan, choose_run(plan, i * runs_of_scene), diagnostics);
         if (!scene) continue;
         try_expressions(plan, *scene, diagnostics);
-        texts += to_json(*scene);
+        tried.texts += to_json(*scene);
+        tried.facts.push_back(facts_of(*scene));
     }
-    return texts;
+    return tried;
 }
 
 }  // namespace tumble::sweep

@@ -1,17 +1,31 @@
 // Tries a plan on its scenes before anything is simulated.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "scene/json/diagnostics.hpp"
 #include "sweep/plan/plan.hpp"
 
 namespace tumble::sweep {
 
+// What the warnings about a plan ask of a scene, as its first run has it.
+struct SceneFacts {
+    std::size_t bodies = 0;  // of the initial state
+    std::uint64_t steps = 0;
+    bool has_claims = false;
+    bool has_camera = false;  // that the scene states, so that it is the same for all runs
+};
+
+struct TriedScenes {
+    std::string texts{};  // canonical
+    std::vector<SceneFacts> facts{};
+};
+
 // Reads each scene as its first run does, and its expressions. An error in a value of the plan is reported at the
-// parameter that sets it. Returns the canonical texts of the scenes. Throws FileError, and SceneError for a scene that
-// is not valid by itself.
-std::string try_first_runs(const Plan& plan, scene::Diagnostics& diagnostics);
+// parameter that sets it. Throws FileError, and SceneError for a scene that is not valid by itself.
+TriedScenes try_first_runs(const Plan& plan, scene::Diagnostics& diagnostics);
 
 // The JSON pointer of the path of a scene in its plan.
 std::string pointer_of_scene(const Plan& plan, std::size_t scene);

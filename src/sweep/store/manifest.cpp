@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "sweep/store/durable.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::sweep {
@@ -47,12 +48,14 @@ StoredFile to_file(const LineJson& json, const std::set<std::string>& names) {
 }
 
 std::string line_of(const SweepHeader& header) {
-    return LineJson{{"plan", hex(header.plan)},
-                    {"runs", header.runs},
-                    {"shard_runs", header.shard_runs},
-                    {"version", header.version},
-                    {"columns", header.columns}}
-        .dump();
+    LineJson json{{"plan", hex(header.plan)},
+                  {"runs", header.runs},
+                  {"shard_runs", header.shard_runs},
+                  {"version", header.version},
+                  {"columns", header.columns}};
+    if (!header.plan_file.empty()) json["plan_file"] = header.plan_file;
+    if (!header.renderer.empty()) json["renderer"] = header.renderer;
+    return json.dump();
 }
 
 std::string line_of(const ShardEntry& entry) {
@@ -67,8 +70,15 @@ std::string line_of(const ShardEntry& entry) {
 void read_line(const std::string& line, Manifest& manifest, const fs::path& file) {
     const LineJson json = LineJson::parse(line);
     if (json.contains("plan")) {
-        const SweepHeader header{from_hex(json.at("plan")), whole(json.at("runs")), whole(json.at("shard_runs")),
-                                 json.at("version").get<std::string>(), json.at("columns").get<std::string>()};
+        const SweepHeader header{from_hex(json.at("plan")),
+                                 whole(json.at("runs")),
+                                 whole(json.at("shard_runs")),
+                                 json.at("version").get<std::string>(),
+                                 json.at("columns").get<std::string>(),
+                                 json.value("plan_file", ""),
+                                 json.value("renderer", "")};
+        if (fs::path(header.plan_file).filename() != header.plan_file)
+            throw FileError(file, "names a plan outside of its folder");
         if (header.runs == 0 || header.shard_runs == 0) throw FileError(file, "states a sweep without runs");
         if (manifest.header && !(*manifest.header == header)) throw FileError(file, "is of two sweeps");
         manifest.header = header;
@@ -99,6 +109,7 @@ void append_line(const fs::path& folder, const std::string& line) {
     const int error = written < 0 ? errno : ENOSPC;
     const bool is_whole = written == static_cast<ssize_t>(text.size());
     if (::close(descriptor) != 0 || !is_whole) fail(file, is_whole ? errno : error);
+    make_durable(file);
 }
 
 }  // namespace
@@ -142,7 +153,10 @@ void write_manifest(const fs::path& folder, const Manifest& manifest) {
     if (manifest.header) file.write(line_of(*manifest.header) + "\n");
     for (const auto& [shard, entry] : manifest.shards) file.write(line_of(entry) + "\n");
     if (manifest.table) file.write(LineJson{{"complete", to_json(*manifest.table)}}.dump() + "\n");
+    file.save_so_far();
+    make_durable(file.temporary());
     file.commit();
+    make_durable(folder);
 }
 
 }  // namespace tumble::sweep

@@ -27,8 +27,10 @@ struct SweepHeader {
     std::uint64_t plan = 0;  // Plan::hash
     std::uint64_t runs = 1;
     std::uint64_t shard_runs = 1;
-    std::string version;  // of tumble
-    std::string columns;  // the first line of the table
+    std::string version;      // of tumble
+    std::string columns;      // the first line of the table
+    std::string plan_file{};  // its name in DIR/plan; empty if the plan was not copied
+    std::string renderer{};   // that draws the frames, on which their bytes depend; empty without frames
 
     bool operator==(const SweepHeader&) const = default;
     std::uint64_t shards() const { return (runs - 1) / shard_runs + 1; }

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "sweep/store/durable.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::sweep {
@@ -50,6 +51,8 @@ void StoredFileWriter::write(std::string_view bytes) {
 }
 
 StoredFile StoredFileWriter::commit() {
+    impl_->file.save_so_far();
+    make_durable(impl_->file.temporary());
     const std::uint64_t bytes = impl_->file.commit();
     return {impl_->name, bytes, impl_->hash.digest()};
 }

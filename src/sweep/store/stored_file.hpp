@@ -19,6 +19,7 @@ public:
 
     void write(std::string_view bytes);
     std::uint64_t size() const noexcept { return size_; }
+    // The bytes are on the disk when it gets its name. The name is when make_durable() of the folder returns.
     StoredFile commit();
 
 private:

@@ -1,4 +1,4 @@
-#include "sweep/store/claim.hpp"
+#include "sweep/store/lease.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -67,8 +67,8 @@ std::string own_text(const std::string& nonce) {
     return system_identity() + " " + process + " " + process_start(process) + " " + nonce + "\n";
 }
 
-bool has_ended(const fs::path& claim) {
-    std::istringstream words(system_text(claim));
+bool has_ended(const fs::path& lease) {
+    std::istringstream words(system_text(lease));
     std::string system, process, start;
     words >> system >> process >> start;
     return !start.empty() && system == system_identity() && process_start(process) != start;
@@ -76,15 +76,15 @@ bool has_ended(const fs::path& claim) {
 
 }  // namespace
 
-Claims::Claims(const fs::path& sweep_folder, std::chrono::milliseconds lease)
-    : folder_(sweep_folder / "claims"), nonce_(random_nonce()), text_(own_text(nonce_)), lease_(lease) {
+Leases::Leases(const fs::path& sweep_folder, std::chrono::milliseconds term)
+    : folder_(sweep_folder / "leases"), nonce_(random_nonce()), text_(own_text(nonce_)), term_(term) {
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) throw FileError(folder_, "cannot create the folder: " + error.message());
     renewal_ = std::jthread([this](const std::stop_token& stop) { renew(stop); });
 }
 
-Claims::~Claims() {
+Leases::~Leases() {
     renewal_.request_stop();
     renewal_.join();
     std::error_code ignored;
@@ -92,10 +92,10 @@ Claims::~Claims() {
         if (is_own(name)) fs::remove(folder_ / name, ignored);
 }
 
-bool Claims::is_own(const std::string& name) const { return system_text(folder_ / name) == text_; }
+bool Leases::is_own(const std::string& name) const { return system_text(folder_ / name) == text_; }
 
-// Linking a file with its text gives the claim its text at once, and fails if there is one.
-bool Claims::make(const std::string& name) const {
+// Linking a file with its text gives it its text at once, and fails if there is one.
+bool Leases::make(const std::string& name) const {
     const fs::path file = folder_ / name, own = folder_ / (name + ".new-" + nonce_);
     const int descriptor = ::open(own.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0 && errno == ENOENT) return false;  // another process has completed the sweep
@@ -110,7 +110,7 @@ bool Claims::make(const std::string& name) const {
     return error == 0;
 }
 
-bool Claims::is_abandoned(const fs::path& file, const std::string& name) {
+bool Leases::is_abandoned(const fs::path& file, const std::string& name) {
     if (has_ended(file)) return true;
     std::error_code error;
     const fs::file_time_type touched = fs::last_write_time(file, error);
@@ -118,10 +118,10 @@ bool Claims::is_abandoned(const fs::path& file, const std::string& name) {
     const auto now = std::chrono::steady_clock::now();
     const auto [seen, is_new] = others_.try_emplace(name, Seen{touched, now});
     if (!is_new && seen->second.touched != touched) seen->second = {touched, now};
-    return now - seen->second.since > lease_;
+    return now - seen->second.since > term_;
 }
 
-bool Claims::take(const std::string& name) {
+bool Leases::take(const std::string& name) {
     const std::lock_guard lock(mutex_);
     const fs::path file = folder_ / name;
     if (held_.contains(name)) return false;  // another thread has it
@@ -140,29 +140,29 @@ bool Claims::take(const std::string& name) {
     return true;
 }
 
-void Claims::release(const std::string& name) {
+void Leases::release(const std::string& name) {
     const std::lock_guard lock(mutex_);
     std::error_code ignored;
     if (held_.erase(name) > 0 && is_own(name)) fs::remove(folder_ / name, ignored);
 }
 
-bool Claims::holds(const std::string& name) {
+bool Leases::holds(const std::string& name) {
     const std::lock_guard lock(mutex_);
     return held_.contains(name) && is_own(name);
 }
 
-bool Claims::has_folder() const { return fs::exists(folder_); }
+bool Leases::has_folder() const { return fs::exists(folder_); }
 
-void Claims::remove_folder() {
+void Leases::remove_folder() {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
 }
 
-void Claims::renew(const std::stop_token& stop) {
+void Leases::renew(const std::stop_token& stop) {
     std::mutex sleep;
     std::condition_variable_any wake;
     std::unique_lock sleeping(sleep);
-    while (!wake.wait_for(sleeping, stop, lease_ / 4, [&] { return stop.stop_requested(); })) {
+    while (!wake.wait_for(sleeping, stop, term_ / 4, [&] { return stop.stop_requested(); })) {
         const std::lock_guard lock(mutex_);
         for (const std::string& name : held_)
             if (is_own(name)) ::utimensat(AT_FDCWD, (folder_ / name).c_str(), nullptr, 0);

@@ -1,0 +1,75 @@
+// tumble sweep: frames and masks.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tools/sweep/sweeps.hpp"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using tumble::test::Answer;
+using tumble::test::are_equal;
+using tumble::test::read_text;
+using tumble::test::run_tumble;
+using tumble::test::Sweeps;
+
+namespace {
+
+constexpr const char* kPictures = R"({"format": 1, "scene": "scene.json", "runs": 6, "shard_runs": 2,
+  "parameters": [{"name": "height", "set": "/bodies/ball/position/1", "range": [1.2, 4]}],
+  "set": {"/camera": {"center": [0, 2], "height": 6}},
+  "write": {"frames": {"every": 15, "size": [96, 64], "plain": true}, "masks": {"size": [48, 32]}, "summary": true}})";
+
+}  // namespace
+
+TEST_CASE("frames and masks of each run are in the tar files, and do not depend on the thread that draws them") {
+    const Sweeps sweeps(kPictures);
+    REQUIRE(sweeps.sweep("one", {"-j", "1"}).code == 0);
+    REQUIRE(sweeps.sweep("three", {"-j", "3"}).code == 0);
+    CHECK(are_equal(sweeps.folder / "one", sweeps.folder / "three"));
+    const Answer list = tumble::test::run({"/bin/tar", "-tf", sweeps.at("one/shard-000001.tar")});
+    std::string expected;
+    for (const std::string run : {"000000000002", "000000000003"}) {
+        expected += run + ".json\n";
+        // 0.5 s are 30 steps.
+        for (const std::string step : {"000000", "000015", "000030"})
+            expected += run + ".frame." + step + ".png\n" + run + ".mask." + step + ".png\n";
+    }
+    CHECK(list.out == expected);
+    CHECK(run_tumble({"sweep", "verify", sweeps.at("one"), "--part", "1"}).code == 0);
+}
+
+TEST_CASE("the frames of a run are those of tumble run, and its masks have the labels of its summary") {
+    const Sweeps sweeps(kPictures);
+    REQUIRE(sweeps.sweep("out").code == 0);
+    REQUIRE(tumble::test::run({"/bin/tar", "-xf", sweeps.at("out/shard-000000.tar"), "-C", sweeps.at("")}).code == 0);
+    const json summary = json::parse(read_text(sweeps.folder / "000000000001.json"));
+    CHECK(summary["bodies"] == json::array({"floor", "ball"}));
+    const std::string height = summary["parameters"]["height"].dump();
+    const Answer answer =
+        run_tumble({"run", sweeps.at("scene.json"), "-o", sweeps.at("run"), "--size", "48x32", "--fps", "4", "--masks",
+                    "--no-frames", "--set", "/camera={\"center\": [0, 2], \"height\": 6}", "--set",
+                    "/bodies/ball/position/1=" + height});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    int masks = 0;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(sweeps.folder / "run"))
+        if (entry.path().string().find("mask") != std::string::npos && entry.path().extension() == ".png" &&
+            read_text(entry.path()) == read_text(sweeps.folder / "000000000001.mask.000015.png"))
+            ++masks;
+    CHECK(masks == 1);
+}
+
+TEST_CASE("a sweep with frames of another renderer is not continued and not compared") {
+    const Sweeps sweeps(kPictures);
+    REQUIRE(sweeps.sweep("out").code == 0);
+    const std::string manifest = read_text(sweeps.folder / "out/manifest.jsonl");
+    const std::size_t at = manifest.find("\"renderer\":\"") + 12;
+    REQUIRE(at > 12);
+    sweeps.folder.write("out/manifest.jsonl", manifest.substr(0, at) + "another " + manifest.substr(at));
+    const Answer sweep = sweeps.sweep("out");
+    CHECK(sweep.code == 4);
+    CHECK_MESSAGE(sweep.err.find("frames of another") != std::string::npos, sweep.err);
+    CHECK(run_tumble({"sweep", "verify", sweeps.at("out")}).code == 4);
+}

@@ -1,0 +1,52 @@
+#include "tools/sweep/frame_recorder.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace tumble::tools {
+
+namespace {
+
+double aspect_ratio(const sweep::Pictures& pictures) {
+    return static_cast<double>(pictures.width) / static_cast<double>(pictures.height);
+}
+
+std::string picture_suffix(const char* kind, std::uint64_t step) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%s.%06llu.png", kind, static_cast<unsigned long long>(step));
+    return text.data();
+}
+
+}  // namespace
+
+std::string renderer_name() {
+    const BackendCheck check = check_backend(RenderBackend::automatic);
+    if (!check.works) throw RenderError(check.error);
+    return check.version + ", " + check.renderer;
+}
+
+FrameRecorder::FrameRecorder(const sweep::Written& written) : written_(written) {
+    const sweep::Pictures &frames = written.frames, &masks = written.masks;
+    if (written.has_frames()) renderer_.emplace(frames.width, frames.height);
+    if (masks.every > 0) labeller_.emplace(masks.width, masks.height);
+    for (const OverlayPart& part : kFrameParts) overlay_.*part.member = !frames.is_plain;
+}
+
+void FrameRecorder::start(const Scene& scene, const SceneWorld& built) {
+    if (renderer_) frame_camera_ = make_camera(scene, built, aspect_ratio(written_.frames));
+    if (labeller_) mask_camera_ = make_camera(scene, built, aspect_ratio(written_.masks));
+}
+
+void FrameRecorder::record(const Scene& scene, const SceneWorld& built, std::uint64_t step,
+                           std::vector<std::pair<std::string, std::string>>& members) {
+    if (renderer_) frame_camera_ = move_camera(frame_camera_, scene, built);
+    if (labeller_) mask_camera_ = move_camera(mask_camera_, scene, built);
+    if (written_.frames.are_due(step)) {
+        renderer_->draw(scene, built, frame_camera_, built.world.time(), image_, overlay_);
+        members.emplace_back(picture_suffix("frame", step), to_png(image_));
+    }
+    if (written_.masks.are_due(step))
+        members.emplace_back(picture_suffix("mask", step), to_png(labeller_->label(scene, built, mask_camera_).mask));
+}
+
+}  // namespace tumble::tools

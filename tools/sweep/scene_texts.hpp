@@ -1,0 +1,43 @@
+// The scene files of a sweep: read once, and copied into its folder, so that it can be verified without the originals.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "sweep/plan/plan.hpp"
+
+namespace tumble::tools {
+
+// DIR/plan: the plan and the scene files of the sweep in DIR, with their paths relative to the folder of the plan.
+std::filesystem::path copies_in(const std::filesystem::path& sweep_folder);
+
+// The texts of scene files and of their includes, read once for all runs and threads.
+class SceneTexts {
+public:
+    SceneTexts() = default;
+
+    // Copies the plan to DIR/plan. Of a plan that may read files of other folders nothing is copied. Throws FileError.
+    SceneTexts(const sweep::Plan& plan, const std::filesystem::path& sweep_folder);
+
+    // Throws FileError.
+    const std::string& read(const std::filesystem::path& file);
+
+    // Copies the files that were read since the last call. Throws FileError, also if there is a copy with another text.
+    void copy_new();
+
+private:
+    void copy(const std::filesystem::path& file, const std::string& text) const;
+
+    std::filesystem::path folder_{}, copies_{};  // empty: nothing is copied
+    std::mutex mutex_;
+    std::map<std::filesystem::path, std::string> texts_;
+    std::vector<std::filesystem::path> new_;  // read, and not yet copied
+};
+
+// Copies to DIR/plan of one sweep what that of another has more. Throws FileError.
+void merge_copies(const std::filesystem::path& from_sweep, const std::filesystem::path& to_sweep);
+
+}  // namespace tumble::tools
