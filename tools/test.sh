@@ -97,7 +97,7 @@ compare_parity 20000
 say "running tests and the fuzz targets with sanitizers"
 TUMBLE_ONE_OF=12 ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
 say "running random sequences of calls in Python with sanitizers"
-TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 150 || echo 100000) TUMBLE_BUILD=$project/build/ci \
+TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 500 || echo 100000) TUMBLE_BUILD=$project/build/ci \
     tools/python.sh --sanitized
 say "building with clang, thread sanitizer"
 build tsan threads
