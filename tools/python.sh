@@ -41,7 +41,7 @@ if [[ ${1-} == --test ]]; then
 fi
 if [[ ${1-} == --measure ]]; then
     cmake --build "$TUMBLE_BUILD" --target rates >&2
-    exec "$python" "$project/tests/python/measure.py" "$TUMBLE_BUILD/tests/rates"
+    exec "$python" "$project/tests/python/measure.py" "$TUMBLE_BUILD/tests/rates.so"
 fi
 if [[ ${1-} == --sanitized ]]; then
     shift

@@ -1,12 +1,12 @@
-"""The rates of the package, beside those of C++: measure.py RATES, the program of rates.cpp. tools/python.sh --measure runs it.
+"""The rates of the package, beside those of C++: measure.py RATES, the library of rates.cpp. tools/python.sh --measure runs it.
 
-Both sides take turns, and each figure is a median. Times are those of the CPU, except where several cores work.
+Both sides take turns in this process, and each figure is a median. Times are those of the CPU, except where several cores
+work.
 """
 
+import ctypes
 import os
-import subprocess
 import sys
-import tempfile
 import time
 from pathlib import Path
 
@@ -26,29 +26,24 @@ def seconds(call, clock=time.process_time):
 
 
 class Cpp:
-    """The program that does the same work."""
+    """The same work on a world in C++."""
 
-    def __init__(self, program, *snapshots):
-        self.files = tempfile.TemporaryDirectory()
-        paths = [Path(self.files.name) / str(i) for i in range(len(snapshots))]
-        for path, snapshot in zip(paths, snapshots):
-            path.write_bytes(snapshot)
-        self.process = subprocess.Popen([program, *paths], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    def __init__(self, library, world):
+        self.library, saved = ctypes.CDLL(library), world.save()
+        self.library.load.restype = ctypes.c_void_p
+        self.world = ctypes.c_void_p(self.library.load(saved, ctypes.c_size_t(len(saved))))
 
-    def seconds(self, work, repetitions):
-        self.process.stdin.write(f"{work} {repetitions}\n")
-        self.process.stdin.flush()
-        return float(self.process.stdout.readline())
+    def run(self, work, repetitions):
+        self.library.run(self.world, work.encode(), repetitions)
 
 
 def beside(cpp, work, repetitions, call, rounds=ROUNDS):
     """The median seconds of one repetition in Python and in C++, and the median of the ratios of neighbours."""
-    cpp.seconds(work, repetitions), call(repetitions)
+    sides = [lambda: call(repetitions), lambda: cpp.run(work, repetitions)]
     pairs = []
     for i in range(rounds):  # each goes first in half of the rounds
-        theirs = cpp.seconds(work, repetitions) if i % 2 else None
-        ours = seconds(lambda: call(repetitions))
-        pairs.append((ours, theirs or cpp.seconds(work, repetitions)))
+        first = seconds(sides[i % 2])
+        pairs.append((first, seconds(sides[1 - i % 2]))[:: 1 - 2 * (i % 2)])
     ours, theirs = np.array(pairs).T
     return np.median(ours) / repetitions, np.median(theirs) / repetitions, np.median(ours / theirs)
 
@@ -94,13 +89,11 @@ def any_row(random, envs):
     return random.uniform(-1, 1, (envs.count, len(envs.plan.actions)))
 
 
-def main(program):
+def main(library):
     pyramid = tumble.World.load(tumble.Scene.load(SCENES / "large_pyramid.json").start().world.save())
     bodies = many_bodies()
     walkers = tumble.env.make_vector("bipedal_walker", 256, threads=1)
-    cpp = Cpp(program, pyramid.save(), bodies.save(), walkers.world(0).save())
-
-    ours, theirs, ratio = beside(cpp, "step", 10, lambda n: steps(pyramid, n), 41)
+    ours, theirs, ratio = beside(Cpp(library, pyramid), "step", 3, lambda n: steps(pyramid, n), 101)
     show("a step of large_pyramid", f"{ours * 1e6:.0f} us, C++ {theirs * 1e6:.0f} us, {ratio:.3f} x", "1.01 x")
 
     held = bodies.positions, bodies.angles
@@ -114,11 +107,11 @@ def main(program):
             bodies.positions.copy(), bodies.angles.copy()
 
     first = bodies.bodies[0]
-    ours, theirs, _ = beside(cpp, "poses", 20, copies)
+    ours, theirs, _ = beside(Cpp(library, bodies), "poses", 20, copies)
     show("the same, filled after a step and copied", f"{ours * 1e6:.0f} us, C++ {theirs * 1e6:.0f} us", "200 us")
 
     pairs = pairs_of_boxes()
-    ours, theirs, ratio = beside(cpp, "distances", 1, lambda n: tumble.distances(*pairs), 9)
+    ours, theirs, ratio = beside(Cpp(library, bodies), "distances", 1, lambda n: tumble.distances(*pairs), 9)
     show("a million distances through arrays", f"{1 / ours:.2f} M/s, C++ {1 / theirs:.2f} M/s, {100 / ratio:.0f} %", "60 %")
 
     cores = len(os.sched_getaffinity(0))
@@ -129,7 +122,7 @@ def main(program):
     rate = env_rate("bipedal_walker", 256, 1, any_row, 10)
     show("walkers with ten rays on one core, steps of environments", f"{rate / 1e3:.0f} k/s", "100 k/s")
 
-    ours, theirs, _ = beside(cpp, "reset", 256, lambda n: walkers.reset())
+    ours, theirs, _ = beside(Cpp(library, walkers.world()), "reset", 256, lambda n: walkers.reset())
     show("the reset of a walker, with its observation", f"{ours * 1e6:.1f} us, C++ {theirs * 1e6:.1f} us", "50 us")
 
 

@@ -1,14 +1,8 @@
-// For measure.py: does in C++ what it does in Python. rates PYRAMID BODIES START reads three snapshots, then lines from
-// the standard input, "step 10": the work and its repetitions. It prints the seconds of CPU time that each has taken.
+// For measure.py, which loads this library into its own process: does in C++ what measure.py does in Python.
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
-#include <fstream>
-#include <iostream>
-#include <iterator>
+#include <cstddef>
 #include <span>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "tumble/distance.hpp"
@@ -17,19 +11,6 @@
 namespace {
 
 using namespace tumble;
-
-World load(const char* file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    return World::load(std::as_bytes(std::span(bytes)));
-}
-
-// Of this process.
-double cpu_seconds() {
-    std::timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
 
 // Pairs of boxes on a circle about each other: pair i at 2.4 m, at angles that differ.
 struct Batch {
@@ -40,8 +21,8 @@ struct Batch {
 
     Batch() : results(kPairs) {
         for (std::size_t i = 0; i < kPairs; ++i) {
-            const Rotation turn = make_rotation(1e-3 * double(i));
-            at.push_back({{2.4 * double{turn.c}, 2.4 * double{turn.s}}, make_rotation(7e-4 * double(i))});
+            const DVec2 way(rotate(make_rotation(1e-3 * double(i)), Vec2{1.0f, 0.0f}));
+            at.push_back({2.4 * way, make_rotation(7e-4 * double(i))});
         }
     }
 
@@ -55,25 +36,32 @@ struct Batch {
     }
 };
 
+struct Work {
+    World world;  // to be stepped, or to be reset to `start`
+    World start;
+    std::vector<DVec2> positions;
+    std::vector<double> angles;
+};
+
 }  // namespace
 
-int main(int count, char** files) {
-    if (count != 4) return EXIT_FAILURE;
-    World pyramid = load(files[1]), worn = load(files[3]);
-    const World bodies = load(files[2]), start = load(files[3]);
-    std::vector<DVec2> positions(bodies.bodies().size());
-    std::vector<double> angles(bodies.bodies().size());
-    Batch batch;
-    std::string work;
-    for (int repetitions = 0; std::cin >> work >> repetitions;) {
-        const double begin = cpu_seconds();
-        for (int i = 0; i < repetitions; ++i) {
-            if (work == "step") pyramid.step();
-            if (work == "poses") bodies.read_states({.positions = positions, .angles = angles});
-            if (work == "distances") batch.run();
-            if (work == "reset") worn.assign(start);
-        }
-        std::printf("%.9f\n", cpu_seconds() - begin);
-        std::fflush(stdout);
+// The world of a snapshot, for run(). It stays until the process ends.
+extern "C" [[gnu::visibility("default")]] void* load(const char* snapshot, std::size_t size) {
+    const auto bytes = std::as_bytes(std::span(snapshot, size));
+    auto* const work = new Work{World::load(bytes), World::load(bytes), {}, {}};
+    work->positions.resize(work->world.bodies().size());
+    work->angles.resize(work->world.bodies().size());
+    return work;
+}
+
+extern "C" [[gnu::visibility("default")]] void run(void* loaded, const char* name, int repetitions) {
+    static Batch batch;
+    Work& work = *static_cast<Work*>(loaded);
+    const std::string_view what(name);
+    for (int i = 0; i < repetitions; ++i) {
+        if (what == "step") work.world.step();
+        if (what == "poses") work.world.read_states({.positions = work.positions, .angles = work.angles});
+        if (what == "distances") batch.run();
+        if (what == "reset") work.world.assign(work.start);
     }
 }

@@ -434,3 +434,12 @@ def test_a_world_shows_itself():
     with pytest.raises(tumble.FileError):
         tumble.write_png(pixels, "/no/such/folder/x.png")
     assert repr(world).startswith("<World at 0.000 s: 2 bodies")
+
+
+def test_a_circle_larger_than_all_frames_fills_the_frame():
+    def pixels(radius):
+        world = tumble.World(gravity=(0, 0))
+        world.add_body(shapes=[tumble.circle(radius)])
+        return world.render(64, 48, center=(0, 0), view_height=4)
+
+    assert np.array_equal(pixels(1e5), pixels(1e16))
