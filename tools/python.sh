@@ -3,8 +3,9 @@
 # first if a source has changed.
 #   tools/python.sh SCRIPT.py ARGS...   runs a script
 #   tools/python.sh -m pytest ...       any arguments of python3
-#   tools/python.sh --test              runs the tests of the package, and checks its types
+#   tools/python.sh --test              runs the tests of the package, and checks its types and its stub
 #   tools/python.sh --sanitized         runs random sequences of calls with the address sanitizer, in the preset sanitize
+#   tools/python.sh --measure           prints the rates of the package beside those of C++
 #   tools/python.sh --docs              writes the API reference, by Sphinx, to build/python/docs
 # TUMBLE_BUILD names the build folder of the library (default: build/release). TUMBLE_SEQUENCES is the number of random
 # sequences of calls, TUMBLE_LONG=1 runs the tests that take minutes too.
@@ -34,8 +35,13 @@ fi
 if [[ ${1-} == --test ]]; then
     shift
     "$python" -m pytest -q -p no:cacheprovider "$project/tests/python" "$@"
-    cd -- "$project/src/python"
-    exec /usr/bin/python3 -m mypy --strict --no-incremental --cache-dir=/dev/null -p tumble
+    (cd -- "$project/src/python" && /usr/bin/python3 -m mypy --strict --no-incremental --cache-dir=/dev/null -p tumble)
+    cd -- "$environment"
+    exec "$python" -m mypy.stubtest tumble._tumble --allowlist "$project/src/python/stubtest.txt"
+fi
+if [[ ${1-} == --measure ]]; then
+    cmake --build "$TUMBLE_BUILD" --target rates >&2
+    exec "$python" "$project/tests/python/measure.py" "$TUMBLE_BUILD/tests/rates.so"
 fi
 if [[ ${1-} == --sanitized ]]; then
     shift

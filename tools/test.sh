@@ -128,7 +128,7 @@ test_sanitize() {
     say "running tests and the fuzz targets with sanitizers"
     TUMBLE_ONE_OF=12 ctest --preset sanitize -L "^($(IFS="|"; echo "${sanitized_rooms[*]}")|fuzz)\$" --parallel "$jobs"
     say "running random sequences of calls in Python with sanitizers"
-    TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 150 || echo 100000) TUMBLE_BUILD=$project/build/ci \
+    TUMBLE_SEQUENCES=$([[ -z ${TUMBLE_LONG-} ]] && echo 500 || echo 100000) TUMBLE_BUILD=$project/build/ci \
         tools/python.sh --sanitized
     [[ -n ${TUMBLE_LONG-} ]] || return 0
     say "running the tests of the world with sanitizers"

@@ -1,6 +1,7 @@
 // Scene files: reading and writing a Scene as JSON, the diagnostics of a file, and the JSON schema.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -94,6 +95,19 @@ private:
 Scene parse_scene(std::string_view text, const std::string& file_name, std::vector<Diagnostic>* warnings = nullptr);
 Scene parse_scene(std::string_view text, const std::string& file_name, const LoadOptions& options,
                   std::vector<Diagnostic>* warnings = nullptr);
+
+// What a program finds wrong in a value that it reads itself, such as one in Scene::custom.
+struct ValueProblem {
+    std::string message;
+    std::string hint{};                   // may be empty
+    bool at_key = false;                  // the key of the value is wrong, not the value
+    std::optional<std::size_t> inside{};  // of a string: the error is so many bytes from its start
+};
+
+// Throws a SceneError with the line and the column that the value has in the text of its file, which parse_scene() has
+// read. For a pointer that leads beyond what the text contains, they are those of the innermost value that exists.
+void refuse_value(std::string_view text, const std::string& file_name, const std::string& pointer,
+                  const ValueProblem& problem);
 
 // The canonical text: keys in the schema's order, defaults left out, shortest round-trip numbers. Throws
 // std::invalid_argument for a `custom` that is not JSON.

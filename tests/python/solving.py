@@ -24,7 +24,7 @@ def returns(envs, weights, seed, policy=linear):
     envs.reset(seed=seed)
     alive, total = np.ones(envs.count, bool), np.zeros(envs.count)
     for _ in range(envs.plan.steps):
-        _, rewards, terminated, truncated = envs.step(policy(envs, weights))
+        _, rewards, terminated, truncated, _ = envs.step(policy(envs, weights))
         total += np.where(alive, rewards, 0.0)
         alive &= ~(terminated | truncated)
         if not alive.any():

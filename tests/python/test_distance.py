@@ -51,8 +51,38 @@ def test_wrong_arrays_raise():
         tumble.distances(a, np.zeros((3, 3)), a, np.zeros((2, 3)))
     with pytest.raises(ValueError):
         tumble.distances(a, [["x", 0, 0]], a, (0, 0, 0))
-    with pytest.raises((TypeError, RuntimeError)):
-        tumble.distances(["box"], np.zeros((1, 3)), a, (0, 0, 0))
+    for shapes in (["box"], [None], [a, None], [3], 3, None, [tumble.World()]):
+        with pytest.raises(TypeError):
+            tumble.distances(shapes, np.zeros((1, 3)), a, (0, 0, 0))
+        with pytest.raises(TypeError):
+            tumble.distances(a, np.zeros((1, 3)), shapes, (0, 0, 0))
+    with pytest.raises(ValueError, match="one length"):
+        tumble.distances([a, a], np.zeros((3, 3)), a, (0, 0, 0))
+
+
+class Made:
+    """A sequence that makes its shapes when they are asked for, and may have another length than it says."""
+
+    def __init__(self, count, extra=0):
+        self.count, self.extra = count, extra
+
+    def __len__(self):
+        return self.count
+
+    def __getitem__(self, i):
+        if i >= self.count + self.extra:
+            raise IndexError
+        return tumble.polygon([(0, 0), (1 + i, 0), (1 + i, 1), (0, 1)])
+
+
+def test_shapes_that_are_made_on_the_fly_live_as_long_as_the_query():
+    """Box i ends at x = 1 + i: the gap to a point at x = 10 is 9 - i."""
+    n = 9
+    batch = tumble.distances(Made(n), (0, 0, 0), tumble.circle(0), (10, 0.5, 0))
+    assert batch["distance"].tolist() == [9 - i for i in range(n)]
+    for extra in (-1, 1):
+        with pytest.raises(ValueError, match="must have 1 or 9 shapes"):
+            tumble.distances(Made(n, extra), (0, 0, 0), tumble.circle(0), (10, 0, 0))
 
 
 def test_a_trace_lists_the_iterations():

@@ -11,11 +11,11 @@ import tumble.env
 
 def score(weights, envs, seed):
     """The steps that a linear policy survives in each world, at most one episode."""
-    observations = envs.reset(seed=seed)
+    observations, _ = envs.reset(seed=seed)
     alive, steps = np.ones(envs.count, bool), np.zeros(envs.count)
     for _ in range(envs.plan.steps):
         actions = (np.einsum("ij,ij->i", observations, weights) > 0).astype(np.int64)
-        observations, rewards, terminated, truncated = envs.step(actions)
+        observations, rewards, terminated, truncated, infos = envs.step(actions)
         steps += alive * rewards
         alive &= ~(terminated | truncated)
         if not alive.any():
@@ -52,14 +52,16 @@ def test_an_episode_depends_on_its_seed_alone():
 
 def test_worlds_that_end_are_reset_and_keep_their_last_observation():
     envs = tumble.env.make_vector("cart_pole", 3)
-    first = envs.reset(seed=1).copy()
+    first = envs.reset(seed=1)[0].copy()
     assert first.shape == (3, 4) and len({tuple(row) for row in first.tolist()}) == 3
     for step in range(1, 500):
-        observations, rewards, terminated, truncated = envs.step(np.array([0, 1, step % 2]))
+        observations, rewards, terminated, truncated, infos = envs.step(np.array([0, 1, step % 2]))
         if terminated.any():
             break
     ended = int(np.argmax(terminated))
-    assert abs(envs.final_observations[ended, 2]) > 0.2095 or abs(envs.final_observations[ended, 0]) > 2.4
+    last = infos["final_obs"][ended]
+    assert abs(last[2]) > 0.2095 or abs(last[0]) > 2.4
+    assert np.array_equal(infos["_final_obs"], terminated)
     assert abs(observations[ended, 2]) < 0.01 and envs.steps[ended] == 0
     assert rewards.tolist() == [1, 1, 1] and not truncated.any()
 
@@ -90,25 +92,81 @@ def test_one_environment_has_the_interface_of_gymnasium():
         ("reward", "where(x > 1, 1, 0)", "write if"),
         ("reward", "x ** 2", "a power is written"),
         ("reward", "x.real", "there is no body or joint 'x'"),
-        ("reward", "angel + 1", "unknown name 'angel', in 'angel . 1' at 0; did you mean 'angle'"),
-        ("done", "x >", "done: expected a value, got the end"),
+        ("reward", "angel + 1", "unknown name 'angel'(.|\n)*did you mean 'angle'"),
+        ("reward", 1, "reward must be a text"),
+        ("done", "x >", "/custom/env/done: expected a value, got the end"),
         ("done", "x", "done must be a condition"),
         ("observations", [{"name": "time", "body": "cart", "of": "x"}], "a value cannot be called 'time'"),
         ("observations", [{"name": "late", "value": "later"}, {"name": "later", "body": "cart", "of": "x"}], "unknown name"),
-        ("steps", -1, "steps must be at least 0"),
+        ("observations", ["x"], "an observation must be an object"),
+        ("observations", "x", "observations must be a list"),
+        ("observations", [{"body": "cart"}], "an observation needs 'of'"),
+        ("observations", [{"body": "cart", "of": "x", "scal": 2}], "no 'scal'(.|\n)*did you mean 'scale'"),
+        ("observations", [{"body": "cart", "of": "x", "scale": "2"}], "scale must be a number"),
+        ("observations", [{"body": "cart", "joint": "hinge", "of": "x"}], "an observation needs one of"),
+        ("observations", [{"joint": "hinge", "of": "colour"}], "there is no quantity of a joint 'colour'"),
+        ("observations", [{"touches": ["cart", "rail", "pole"]}], "touches must be a body, or a list of two"),
+        ("observations", [{"touches": ["cart", "hand"]}], "there is no body 'hand'"),
+        ("observations", [{"contact_force": "horse"}], "there is no body 'horse'"),
+        ("observations", [{"rays": "cart", "count": 0}], "count must be a whole number from 1 to"),
+        ("observations", [{"rays": "cart", "count": 2.5}], "count must be a whole number from 1 to"),
+        ("observations", [{"rays": "cart", "length": 0}], "length must be above 0"),
+        ("steps", -1, "steps must be a whole number from 0"),
+        ("frame_skip", 0, "frame_skip must be a whole number from 1"),
         ("actions", [{"force": "horse"}], "there is no body 'horse'"),
+        ("actions", [{"force": "crat"}], "did you mean 'cart'"),
         ("actions", [{"push": "cart"}], "an action needs one of"),
-        ("observations", [{"joint": "hinge", "of": "colour"}], "an observation needs"),
-        ("random", [{"body": "cart", "of": "colour", "range": [0, 1]}], "random needs of"),
+        ("actions", [{"force": "cart", "speed": 3}], "an action has no 'speed'"),
+        ("actions", [{"force": "cart", "axis": [1]}], "axis must be two numbers"),
+        ("actions", [{"motor_effort": "hinge"}], "an action needs 'speed'"),
+        ("random", [{"body": "cart", "of": "colour", "range": [0, 1]}], "there is no random quantity 'colour'"),
+        ("random", [{"body": "cart", "of": "x"}], "an entry of random needs 'range'"),
         ("choices", [[1, 2]], "choices must have the shape"),
-        ("prize", 1, "has no 'prize'"),
+        ("choices", [["left"]], "choices must have the shape"),
+        ("prize", 1, "env has no 'prize'"),
     ],
 )
 def test_a_wrong_declaration_is_explained(member, value, message):
     scene = tumble.env.scene_of("cart_pole")
     scene.data["custom"]["env"][member] = value
-    with pytest.raises(ValueError, match=message):
+    with pytest.raises(tumble.SceneError, match=message) as caught:
         tumble.env.TumbleEnv(scene)
+    assert caught.value.diagnostics[0].pointer.startswith("/custom/env/" + member)
+
+
+@pytest.mark.parametrize(
+    ("entry", "place"),
+    [
+        ('{"force": "cart", "rang": [-10, 10]}', (6, 24)),  # of the key
+        ('{"force": "crat", "range": [-10, 10]}', (6, 16)),  # of the value
+        ('{"motor_effort": "hinge"}', (6, 6)),  # of the object
+    ],
+)
+def test_an_error_of_a_declaration_has_its_place_in_the_file(entry, place, tmp_path):
+    """With comments, as in a file; and after an edit the place in the new data, which is one line."""
+    file = tmp_path / "cart.json"
+    file.write_text(f'''{{"format": 1, // a comment
+        "bodies": [{{"name": "cart", "shapes": [{{"circle": {{"radius": 1}}}}]}}, {{"name": "base"}}],
+        "joints": [{{"name": "hinge", "type": "revolute", "bodies": ["base", "cart"], "anchor": [0, 0]}}],
+ "custom": {{"env": {{
+  "actions": [
+     {entry}]}}}}}}''')
+    with pytest.raises(tumble.SceneError) as caught:
+        tumble.env.TumbleEnv(file)
+    error = caught.value
+    assert (error.file, error.line, error.column) == (str(file), *place)
+    scene = tumble.Scene.load(file)
+    scene.data["custom"]["env"]["steps"] = 10
+    with pytest.raises(tumble.SceneError) as caught:
+        tumble.env.TumbleEnv(scene)
+    assert caught.value.line == 1 and caught.value.file == "cart.json"
+
+
+def test_an_error_in_an_expression_points_into_its_text():
+    scene = tumble.Scene.parse('{"format": 1,\n "custom": {"env": {"reward": "1 + wrong"}}}', "made.json")
+    with pytest.raises(tumble.SceneError) as caught:
+        tumble.env.TumbleEnv(scene)
+    assert (caught.value.file, caught.value.line, caught.value.column) == ("made.json", 2, 36)
 
 
 def test_wrong_actions_raise():
@@ -142,11 +200,11 @@ def test_rewards_and_ends_are_in_the_grammar_of_claims():
     env["reward"] = "seen_0 - previous_seen_0 + 10 * action_push"
     envs = tumble.env.VectorEnv(scene, 2)
     run = scene.start()
-    before = envs.reset()[0, 0].copy()
+    before = envs.reset()[0][0, 0].copy()
     for step in range(1, 30):
         run.bodies["cart"].apply_force((10 if step % 3 else -10, 0), run.bodies["cart"].position)
         run.step()
-        observations, rewards, terminated, _ = envs.step([1 if step % 3 else 0] * 2)
+        observations, rewards, terminated, *_ = envs.step([1 if step % 3 else 0] * 2)
         assert observations[1].tolist() == [np.float32(run.value(text)) for text in texts]
         assert rewards[1] == float(observations[1, 0]) - float(before) + 10 * (1 if step % 3 else -1)
         assert not terminated.any()
@@ -160,7 +218,7 @@ def test_an_unknown_value_is_nan_and_an_unknown_end_does_not_hold():
     scene.data["custom"]["env"].update(reward="late.x", done="late.x < 1")
     envs = tumble.env.VectorEnv(scene, 1)
     envs.reset()
-    _, rewards, terminated, _ = envs.step([0])
+    _, rewards, terminated, *_ = envs.step([0])
     assert np.isnan(rewards[0]) and not terminated[0]
 
 
@@ -198,7 +256,7 @@ def test_random_starts_move_bodies_and_scale_their_properties():
                        {"body": "ball", "of": "friction", "range": [0.5, 0.5]}]}},
     })  # fmt: skip
     envs = tumble.env.VectorEnv(scene, 3)
-    assert envs.reset()[2] == pytest.approx([2, -1, 0.5, np.pi / 2], abs=1e-5)
+    assert envs.reset()[0][2] == pytest.approx([2, -1, 0.5, np.pi / 2], abs=1e-5)
     assert envs.world(2).bodies[0].shapes[0].friction == 0.25
 
 

@@ -31,7 +31,7 @@ def center_of(mask, label):
 
 def test_pixels_and_masks_show_the_worlds():
     envs = tumble.env.VectorEnv(scene(), 3)
-    seen = envs.reset()
+    seen, _ = envs.reset()
     assert seen["state"].shape == (3, 1) and seen["state"].dtype == np.float32
     assert seen["pixels"].shape == (3, 48, 64, 3) and seen["pixels"].dtype == np.uint8
     assert seen["mask"].shape == (3, 48, 64) and seen["mask"].dtype == np.uint16
@@ -51,9 +51,9 @@ def test_pixels_and_masks_show_the_worlds():
 
 def test_an_episode_that_ends_has_a_last_image_and_a_first_one():
     envs = tumble.env.VectorEnv(scene(), 2)
-    first = envs.reset()["mask"].copy()
+    first = envs.reset()[0]["mask"].copy()
     for _ in range(20):
-        seen, _, terminated, _ = envs.step(np.zeros((2, 0)))
+        seen, _, terminated, *_ = envs.step(np.zeros((2, 0)))
         if terminated.all():
             break
     assert terminated.all() and np.array_equal(seen["mask"], first)
@@ -83,7 +83,7 @@ def test_an_image_may_have_a_camera_of_its_own():
             {"mask": [48, 48], "name": "behind", "follow": "ball", "center": [0, 3], "height": 6},
             {"name": "x", "body": "ball", "of": "x"}]  # fmt: skip
     envs = tumble.env.VectorEnv(scene(observations=eyes), 1)
-    seen = envs.reset()
+    seen, _ = envs.reset()
     assert (seen["near"] == 2).sum() == pytest.approx(4 * (seen["behind"] == 2).sum(), rel=0.1)
     for _ in range(5):
         seen = envs.step(np.zeros((1, 0)))[0]
@@ -108,9 +108,9 @@ def test_images_do_not_depend_on_threads(count, threads):
 @pytest.mark.parametrize(
     ("entry", "message"),
     [
-        ({"pixels": [64]}, "pixels must be .width, height."),
+        ({"pixels": [64]}, "pixels must be two numbers"),
         ({"mask": [8, 64], "name": "small"}, "each 16 to 8192"),
-        ({"mask": 64, "name": "square"}, "mask must be"),
+        ({"mask": 64, "name": "square"}, "mask must be two numbers"),
         ({"pixels": [64, 64], "name": "state"}, "cannot be called 'state'"),
         ({"pixels": [64, 64], "name": "mask"}, "cannot be called 'mask'"),
         ({"pixels": [64, 64], "follow": "horse"}, "no body 'horse'"),

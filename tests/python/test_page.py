@@ -10,7 +10,12 @@ EXAMPLES = re.findall(r"```python\n(.*?)```", (PROJECT / "src/python/README.md")
 
 
 def test_the_page_has_examples():
-    assert len(EXAMPLES) == 4
+    assert len(EXAMPLES) == 5
+
+
+def test_a_custom_environment_takes_thirty_lines():
+    (example,) = [example for example in EXAMPLES if '"custom"' in example and "Scene({" in example]
+    assert sum(bool(line.strip()) for line in example.splitlines()) <= 30
 
 
 @pytest.mark.parametrize("example", range(len(EXAMPLES)))

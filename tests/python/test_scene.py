@@ -56,6 +56,32 @@ def test_claims_are_evaluated():
     assert "penetrat" in run.claims[0].claim or "overlap" in run.claims[0].claim
 
 
+def test_a_claim_that_needs_frames_is_not_decided():
+    scene = tumble.Scene.load(SCENES / "pyramid.json")
+    scene.data["expect"].append({"picture": "pyramid.png"})
+    run = scene.run(duration=0.1)
+    claim = run.claims[-1]
+    assert not claim.is_decided and not claim.passed and not run.passed
+    assert all(claim.is_decided for claim in run.claims[:-1])
+
+
+def test_warnings_have_their_place():
+    """Two boxes that overlap by half a metre."""
+    box = {"shapes": [{"box": {"size": [1, 1]}}]}
+    scene = tumble.Scene({"bodies": [{"name": "a", **box}, {"name": "b", "position": [0.5, 0], **box}]})
+    (warning,) = [warning for warning in scene.validate() if warning.code == "overlap"]
+    assert warning.severity == "warning" and warning.pointer == "/bodies/1" and warning.line == 1
+    assert "0.5 m inside 'a'" in warning.message and "warning: " in warning.text
+    scene.data["bodies"][1]["position"] = [3, 0]
+    assert not any(warning.code == "overlap" for warning in scene.validate())
+
+
+def test_threads_run_the_same_scene():
+    scene = tumble.Scene.load(SCENES / "large_pyramid.json")
+    one, two = scene.run(duration=0.2), scene.run(duration=0.2, threads=2)
+    assert two.world.threads == 2 and one.state_hash == two.state_hash
+
+
 def test_a_run_can_be_acted_on_saved_and_continued():
     scene = tumble.Scene.load(SCENES / "fountain.json")
     run = scene.start()
@@ -90,7 +116,7 @@ def test_errors_have_their_place():
         scene.run()
     scene.data["bodies"] = [np.nan]
     with pytest.raises(ValueError, match="JSON"):
-        scene.check()
+        scene.validate()
 
 
 def test_a_run_is_drawn_with_the_camera_of_its_scene():

@@ -59,7 +59,7 @@ def test_ten_thousand_episodes_repeat_bit_for_bit():
         envs.reset(seed=11)
         random, episodes, seen = np.random.default_rng(3), 0, []
         while episodes < 10000:
-            observations, rewards, terminated, truncated = envs.step(random.integers(0, 2, 500))
+            observations, rewards, terminated, truncated, _ = envs.step(random.integers(0, 2, 500))
             episodes += int((terminated | truncated).sum())
             seen.append((observations.tobytes(), envs.final_observations.tobytes(), rewards.tobytes()))
         return seen

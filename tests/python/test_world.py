@@ -259,9 +259,22 @@ def test_wrong_types_and_shapes_raise():
         lambda: tumble.World(gravity=None),
         lambda: tumble.World(wind=3),
         lambda: world.add_joint("revolute", body),
+        lambda: world.add_joint("revolute", body, 3),
+        lambda: world.add_joint("gear", joint_a=body, joint_b=3),
+        lambda: world.cast_ray((0, 0), (1, 0), exclude=5),
+        lambda: world.distance(1, 2),
+        lambda: world.distance(body, None),
+        lambda: world.body(1.5),
+        lambda: world.body("1"),
+        lambda: body.add_shape(tumble.circle(1), sensor="yes"),
+        lambda: body.add_shape(tumble.circle(1), group=2**40),
+        lambda: world.cast_ray((0, 0), (1, 0), mask=-1),
+        lambda: setattr(world, "threads", "two"),
+        lambda: tumble.step_all([world, 3]),
     ):
         with pytest.raises(TypeError):
             call()
+    stranger = tumble.World().add_body(shapes=[tumble.circle(1)])
     for call in (
         lambda: world.add_body("solid"),
         lambda: tumble.polygon([1, 2, 3]),
@@ -272,9 +285,18 @@ def test_wrong_types_and_shapes_raise():
         lambda: tumble.World(steps_per_second=0),
         lambda: tumble.World(joints="exact"),
         lambda: world.cast_rays(np.zeros((2, 2)), np.zeros((3, 2))),
-        lambda: world.add_joint("revolute", body, tumble.World().add_body()),
+        lambda: world.add_joint("revolute", body, stranger),
+        lambda: world.distance(body, stranger),
+        lambda: world.cast_ray((0, 0), (1, 0), exclude=stranger),
+        lambda: world.overlap(tumble.circle(1), exclude=stranger),
         lambda: world.body(99),
+        lambda: world.body(-1),
+        lambda: world.body(2**70),
         lambda: world.shape(99),
+        lambda: setattr(body, "position", (10**400, 0)),
+        lambda: setattr(world, "threads", -1),
+        lambda: tumble.step_all([world], -1),
+        lambda: tumble.step_all([world], threads=0),
     ):
         with pytest.raises(ValueError):
             call()
@@ -306,6 +328,91 @@ def test_other_threads_run_during_a_step_but_may_not_touch_the_world():
     assert world.step_count == 200
 
 
+def test_views_show_the_state_in_which_a_world_diverged():
+    world = tumble.World(gravity=(0, 0), steps_per_second=0.125)
+    other = world.add_body(shapes=[tumble.circle(1)], velocity=(1, 0))
+    body = world.add_body("kinematic", position=(9, 9))
+    world.step(2)
+    positions, velocities = world.positions, world.velocities
+    assert positions[0, 0] == 16
+    body.velocity = (3e38, 0)  # more than a float can represent after 8 s
+    with pytest.raises(tumble.SimulationDiverged) as caught:
+        world.step(3)
+    assert caught.value.body == body.id and caught.value.step == 3
+    assert positions[0, 0] == other.position[0] == 24
+    assert np.array_equal(positions[1], body.position, equal_nan=True) and not np.isfinite(positions[1]).all()
+    assert np.array_equal(velocities[1], np.float32(body.velocity), equal_nan=True)
+    with pytest.raises(tumble.SimulationDiverged):
+        world.step()
+
+
+def test_threads_make_the_same_steps():
+    def pile(threads):
+        world = make_world(threads=threads)
+        for i in range(900):
+            world.add_body(shapes=[tumble.box(0.5, 0.5)], position=(0.6 * (i % 30), 1 + 0.6 * (i // 30)))
+        return world
+
+    one, two = pile(1), pile(2)
+    assert (one.threads, two.threads) == (1, 2)
+    one.step(20)
+    two.step(20)
+    assert one.state_hash == two.state_hash
+    two.threads = 1
+    assert two.threads == 1 and two.copy().threads == 1
+
+
+def test_many_worlds_are_stepped_at_once():
+    """Runs among them go on with their timelines; one that diverges does not keep the others from their steps."""
+    worlds, twins = ([make_world(gravity=(i, -10)) for i in range(6)] for _ in range(2))
+    for world in worlds + twins:
+        world.add_body(shapes=[tumble.circle(0.5)], position=(0, 4))
+    run = tumble.Scene({
+        "bodies": [{"name": "ball", "shapes": [{"circle": {"radius": 0.5}}]}], "world": {"gravity": [0, 0]},
+        "timeline": [{"at": 0.1, "body": "ball", "velocity": [3, 0]}]}).start()  # fmt: skip
+    view = worlds[3].positions
+    tumble.step_all([*worlds, run], 60, threads=3)
+    for world, twin in zip(worlds, twins):
+        twin.step(60)
+        assert world.state_hash == twin.state_hash
+    assert np.array_equal(view, twins[3].positions)
+    assert run.bodies["ball"].position[0] == pytest.approx(2.7, abs=1e-5)
+    lost = tumble.World(steps_per_second=0.1)
+    lost.add_body("kinematic", velocity=(3e38, 0))
+    with pytest.raises(tumble.SimulationDiverged):
+        tumble.step_all([lost, *worlds], threads=2)
+    assert [world.step_count for world in worlds] == [61] * 6
+    with pytest.raises(ValueError, match="twice"):
+        tumble.step_all([worlds[0], worlds[0]])
+    assert worlds[0].step_count == 61
+    tumble.step_all([])
+
+
+def test_motions_can_be_locked_and_filters_changed():
+    world = make_world()
+    body = world.add_body(position=(0, 3), velocity=(1, 1), angular_velocity=1)
+    shape = body.add_shape(tumble.circle(0.5), rolling_resistance=0.25, tangent_speed=0.5, mask=6, group=-2)
+    assert body.locks == (False, False, False)
+    body.lock(y=True, rotation=True)
+    assert body.locks.y and body.locks.rotation and not body.locks.x
+    world.step(60)
+    assert body.position[1] == 3 and body.angle == 0 and body.position[0] == pytest.approx(1, abs=1e-6)
+    assert (body.allow_sleep, body.allow_fast_rotation) == (True, False)
+    body.allow_sleep, body.allow_fast_rotation = False, True
+    assert (body.allow_sleep, body.allow_fast_rotation) == (False, True)
+    assert (shape.rolling_resistance, shape.tangent_speed) == (0.25, 0.5)
+    shape.rolling_resistance, shape.tangent_speed = 0.5, -1
+    assert (shape.rolling_resistance, shape.tangent_speed, shape.friction) == (0.5, -1, pytest.approx(0.6))
+    assert shape.filter == (1, 6, -2)
+    shape.set_filter(mask=0)
+    assert shape.filter == tumble.Filter(category=1, mask=0, group=-2)
+    body.lock()
+    world.step(240)
+    assert body.position[1] < -3  # through the floor
+    assert repr(tumble.box(2, 1, radius=0.25)) == "<Shape of 4 vertices, radius 0.25 m, 2 x 1 m>"
+    assert repr(tumble.circle(0.5)) == "<Shape of 1 vertex, radius 0.5 m, 1 x 1 m>"
+
+
 def test_a_world_shows_itself():
     world = make_world()
     world.add_body(shapes=[tumble.circle(0.5)], position=(0, 2))
@@ -327,3 +434,12 @@ def test_a_world_shows_itself():
     with pytest.raises(tumble.FileError):
         tumble.write_png(pixels, "/no/such/folder/x.png")
     assert repr(world).startswith("<World at 0.000 s: 2 bodies")
+
+
+def test_a_circle_larger_than_all_frames_fills_the_frame():
+    def pixels(radius):
+        world = tumble.World(gravity=(0, 0))
+        world.add_body(shapes=[tumble.circle(radius)])
+        return world.render(64, 48, center=(0, 0), view_height=4)
+
+    assert np.array_equal(pixels(1e5), pixels(1e16))

@@ -47,6 +47,8 @@ void read(const py::handle& value, Pose& out) {
     const auto [x, y, angle] = value.cast<std::tuple<double, double, double>>();
     out = to_pose({x, y}, angle);
 }
+void read(const py::handle& value, SurfaceMaterial& out) { out = to_material(value.cast<py::dict>()); }
+void read(const py::handle& value, CollisionFilter& out) { out = to_filter(value.cast<py::dict>()); }
 template <class Enum>
 requires std::is_enum_v<Enum>
 void read(const py::handle& value, Enum& out) { out = static_cast<Enum>(value.cast<int>()); }
@@ -110,6 +112,17 @@ template <class Visit>
 void visit_members(auto& def,
                    Visit&& visit) requires std::is_same_v<std::remove_cvref_t<decltype(def)>, CollisionFilter> {
     visit("category", def.category), visit("mask", def.mask), visit("group", def.group);
+}
+
+template <class Visit>
+void visit_members(auto& def, Visit&& visit) requires std::is_same_v<std::remove_cvref_t<decltype(def)>, ShapeDef> {
+    visit("material", def.material), visit("filter", def.filter), visit("sensor", def.sensor);
+    visit("user_data", def.user_data);
+}
+
+template <class Visit>
+void visit_members(auto& def, Visit&& visit) requires std::is_same_v<std::remove_cvref_t<decltype(def)>, QueryFilter> {
+    visit("filter", def.shape), visit("exclude", def.except), visit("sensors", def.sensors);
 }
 
 // Any joint: the members that its kind has.
@@ -208,18 +221,13 @@ CollisionFilter to_filter(const py::dict& members) {
 
 ShapeDef to_shape_def(const Shape& shape, const py::dict& members) {
     ShapeDef def{.shape = shape};
-    if (members.contains("material")) def.material = to_material(members["material"]);
-    if (members.contains("filter")) def.filter = to_filter(members["filter"]);
-    if (members.contains("sensor")) read(members["sensor"], def.sensor);
-    if (members.contains("user_data")) read(members["user_data"], def.user_data);
+    set_members(def, members, "shape");
     return def;
 }
 
 QueryFilter to_query_filter(const py::dict& members) {
     QueryFilter filter;
-    if (members.contains("filter")) filter.shape = to_filter(members["filter"]);
-    if (members.contains("exclude")) read(members["exclude"], filter.except);
-    if (members.contains("sensors")) read(members["sensors"], filter.sensors);
+    set_members(filter, members, "query");
     return filter;
 }
 

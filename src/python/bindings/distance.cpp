@@ -36,13 +36,31 @@ private:
     py::ssize_t rows_, columns_;
 };
 
-// Either one shape for all queries, or one for each.
-std::vector<const Shape*> shapes_of(const py::object& shapes) {
-    if (py::isinstance<Shape>(shapes)) return {shapes.cast<const Shape*>()};
-    std::vector<const Shape*> result;
-    for (const py::handle shape : shapes) result.push_back(shape.cast<const Shape*>());
-    return result;
-}
+// The shapes of one side of a batch: one for all queries, or one for each. It refers to the Python objects, which a
+// sequence may make on the fly and another thread may remove from a list.
+class Shapes {
+public:
+    Shapes(const py::object& shapes, const char* name, py::ssize_t count)
+        : held_(py::isinstance<Shape>(shapes) ? py::make_tuple(shapes) : py::tuple(shapes)) {
+        py::detail::make_caster<Shape> caster;  // of all, as finding the type takes longer than a cast
+        for (const py::handle shape : held_) {
+            if (!caster.load(shape, false))
+                throw py::type_error(std::string(name) + " must be a Shape or Shapes, got " +
+                                     py::repr(shape).cast<std::string>());
+            shapes_.push_back(static_cast<const Shape*>(caster));
+        }
+        if (held_.size() != 1 && static_cast<py::ssize_t>(held_.size()) != count)
+            throw py::value_error(std::string(name) + " must have 1 or " + std::to_string(count) + " shapes, got " +
+                                  std::to_string(held_.size()));
+    }
+    const Shape* operator[](py::ssize_t i) const {
+        return shapes_[shapes_.size() == 1 ? 0 : static_cast<std::size_t>(i)];
+    }
+
+private:
+    py::tuple held_;
+    std::vector<const Shape*> shapes_;
+};
 
 void store(const DistanceResult& from, BatchEntry& to) {
     to = {from.distance,
@@ -57,7 +75,7 @@ void store(const DistanceResult& from, BatchEntry& to) {
 
 py::array_t<BatchEntry> query_batch(const py::object& shapes_a, const Doubles& poses_a, const py::object& shapes_b,
                                     const Doubles& poses_b, py::ssize_t count) {
-    const std::vector<const Shape*> a = shapes_of(shapes_a), b = shapes_of(shapes_b);
+    const Shapes a(shapes_a, "a", count), b(shapes_b, "b", count);
     py::array_t<BatchEntry> results(count);
     BatchEntry* out = results.mutable_data();
     const Poses at_a(poses_a), at_b(poses_b);
@@ -69,8 +87,7 @@ py::array_t<BatchEntry> query_batch(const py::object& shapes_a, const Doubles& p
         const std::size_t size = std::min<std::size_t>(kChunk, static_cast<std::size_t>(count - begin));
         for (std::size_t k = 0; k < size; ++k) {
             const py::ssize_t i = begin + static_cast<py::ssize_t>(k);
-            pairs[k] = {a.size() == 1 ? a[0] : a[static_cast<std::size_t>(i)], at_a[i],
-                        b.size() == 1 ? b[0] : b[static_cast<std::size_t>(i)], at_b[i]};
+            pairs[k] = {a[i], at_a[i], b[i], at_b[i]};
         }
         distance_batch(std::span(pairs).first(size), std::span(answers).first(size));
         for (std::size_t k = 0; k < size; ++k) store(answers[k], out[begin + static_cast<py::ssize_t>(k)]);

@@ -39,7 +39,8 @@ ActionPlan to_action(const py::dict& dict) {
             to_vec2(get(dict, "point", Pair{})),
             get(dict, "speed", 0.0f),
             get(dict, "low", 0.0f),
-            get(dict, "high", 0.0f)};
+            get(dict, "high", 0.0f),
+            get(dict, "pointer", std::string())};
 }
 
 ObservedPlan to_observed(const py::dict& dict) {
@@ -53,7 +54,8 @@ ObservedPlan to_observed(const py::dict& dict) {
             get(dict, "mask", ~std::uint64_t{0}),
             get(dict, "offset", 0.0f),
             get(dict, "scale", 1.0f),
-            get(dict, "expression", std::string())};
+            get(dict, "expression", std::string()),
+            get(dict, "pointer", std::string())};
 }
 
 RandomPlan to_random(const py::dict& dict) {
@@ -82,6 +84,8 @@ EnvPlan to_plan(const py::dict& declared) {
     plan.done = get(declared, "done", plan.done);
     plan.frame_skip = get(declared, "frame_skip", plan.frame_skip);
     plan.steps = get(declared, "steps", plan.steps);
+    plan.text = get(declared, "text", plan.text);
+    plan.file = get(declared, "file", plan.file);
     return plan;
 }
 
@@ -98,7 +102,7 @@ struct Batch {
 
     template <class Call>
     void exclusively(Call&& call) {
-        if (is_busy.exchange(true)) throw std::runtime_error("another thread is stepping these worlds");
+        if (is_busy.exchange(true)) throw InUse("another thread is stepping these worlds");
         const py::gil_scoped_release release;
         try {
             call(worlds);

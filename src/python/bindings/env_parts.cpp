@@ -48,12 +48,15 @@ double free_part(const World& world, const ObservedPlan& plan) {
     return hit ? hit->fraction : 1.0;
 }
 
-bool touches(const std::vector<ContactPoint>& contacts, BodyId body, BodyId other) {
+// The sum of the impulses between a body and another, or all others, in the last step, N s.
+double normal_impulse(const std::vector<ContactPoint>& contacts, BodyId body, BodyId other) {
     const auto is_other = [&](BodyId id) { return other == BodyId{} || id == other; };
-    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& contact) {
-        return contact.normal_impulse > 0.0f && ((contact.body_a == body && is_other(contact.body_b)) ||
-                                                 (contact.body_b == body && is_other(contact.body_a)));
-    });
+    double sum = 0.0;
+    for (const ContactPoint& contact : contacts)
+        if ((contact.body_a == body && is_other(contact.body_b)) ||
+            (contact.body_b == body && is_other(contact.body_a)))
+            sum += double{contact.normal_impulse};
+    return sum;
 }
 
 void move(World& world, BodyId body, DVec2 by, double turn) {
@@ -78,9 +81,12 @@ void scale_material(World& world, BodyId body, float SurfaceMaterial::*member, f
 
 }  // namespace
 
+std::uint64_t random_whole(std::uint64_t seed, std::uint64_t world, std::uint64_t episode, std::uint64_t draw) {
+    return scramble(scramble(scramble(scramble(seed) ^ world) ^ episode) ^ draw) >> 11;
+}
+
 double uniform(std::uint64_t seed, std::uint64_t world, std::uint64_t episode, std::uint64_t draw) {
-    const std::uint64_t bits = scramble(scramble(scramble(scramble(seed) ^ world) ^ episode) ^ draw);
-    return static_cast<double>(bits >> 11) * 0x1p-53;
+    return static_cast<double>(random_whole(seed, world, episode, draw)) * 0x1p-53;
 }
 
 void randomize(World& world, const RandomPlan& plan, float value) {
@@ -134,7 +140,9 @@ double measure(const World& world, const std::vector<ContactPoint>& contacts, co
         case ObservedKind::angular_velocity: return double{world.state(plan.body).angular_velocity};
         case ObservedKind::joint_position: return world.joint_motion(plan.joint).position;
         case ObservedKind::joint_speed: return world.joint_motion(plan.joint).speed;
-        case ObservedKind::touching: return touches(contacts, plan.body, plan.other) ? 1.0 : 0.0;
+        case ObservedKind::touching: return normal_impulse(contacts, plan.body, plan.other) > 0.0 ? 1.0 : 0.0;
+        case ObservedKind::contact_force:
+            return normal_impulse(contacts, plan.body, plan.other) * double{world.def().steps_per_second};
         case ObservedKind::ray: return free_part(world, plan);
         case ObservedKind::value: break;
     }

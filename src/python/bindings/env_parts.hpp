@@ -18,6 +18,9 @@ double measure(const World& world, const std::vector<ContactPoint>& contacts, co
 
 void randomize(World& world, const RandomPlan& plan, float value);
 
+// In [0, 2^53): a function of its arguments alone.
+std::uint64_t random_whole(std::uint64_t seed, std::uint64_t world, std::uint64_t episode, std::uint64_t draw);
+
 // In [0, 1): a function of its arguments alone.
 double uniform(std::uint64_t seed, std::uint64_t world, std::uint64_t episode, std::uint64_t draw);
 

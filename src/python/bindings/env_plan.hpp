@@ -30,6 +30,7 @@ struct ActionPlan {
     Vec2 axis{}, point{};
     float speed = 0.0f;
     float low = 0.0f, high = 0.0f;
+    std::string pointer{};  // of its entry in custom.env: "/actions/0"
 };
 
 enum class ObservedKind : std::uint8_t {
@@ -41,9 +42,10 @@ enum class ObservedKind : std::uint8_t {
     angular_velocity,
     joint_position,
     joint_speed,
-    touching,  // 1 if the body touches `other`, or any body if it has none
-    ray,       // the part of a ray from `point` along `axis` that is free, 0 to 1; in coordinates of the body
-    value      // of an expression, also of previous observations, actions, and the observations before it
+    touching,      // 1 if the body touches `other`, or any body if it has none
+    ray,           // the part of a ray from `point` along `axis` that is free, 0 to 1; in coordinates of the body
+    value,         // of an expression, also of previous observations, actions, and the observations before it
+    contact_force  // the sum of the normal forces between the body and `other`, or all bodies, in the last step, N
 };
 
 // One entry of an observation: (value - offset) * scale.
@@ -56,6 +58,7 @@ struct ObservedPlan {
     std::uint64_t mask = ~0ull;  // the categories of shapes that the ray sees
     float offset = 0.0f, scale = 1.0f;
     std::string expression{};
+    std::string pointer{};  // of its entry in custom.env: "/observations/3"
 };
 
 // Drawn from [low, high] at each reset. The quantities of the motion are added to those of the start; the last three
@@ -100,7 +103,8 @@ struct EnvPlan {
     std::vector<std::string> observation_names, action_names;
     std::string reward = "0", done = "false";  // expressions; of the names, previous_NAME and action_NAME too
     int frame_skip = 1;
-    std::int64_t steps = 0;  // of an episode; 0: no limit
+    std::int64_t steps = 0;      // of an episode; 0: no limit
+    std::string text{}, file{};  // what declares it: for errors with their line
 };
 
 }  // namespace tumble::python

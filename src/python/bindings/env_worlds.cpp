@@ -5,6 +5,7 @@
 #include <string>
 
 #include "python/bindings/env_parts.hpp"
+#include "tumble/scene_file.hpp"
 
 namespace tumble::python {
 
@@ -22,6 +23,11 @@ void prefetch(const World& world) {
     const auto begin = reinterpret_cast<std::uintptr_t>(&world.def());
     for (std::size_t at = 0; at < kPrefetched; at += kCacheLine)
         __builtin_prefetch(reinterpret_cast<const void*>(begin + at));
+}
+
+// Throws SceneError with the line of what is wrong in custom.env.
+void refuse(const EnvPlan& plan, const std::string& pointer, const ValueProblem& problem) {
+    refuse_value(plan.text, plan.file, "/custom/env" + pointer, problem);
 }
 
 template <class T>
@@ -42,31 +48,55 @@ EnvWorlds::EnvWorlds(const Scene& scene, EnvPlan plan, std::size_t count, int th
     for (const std::string& name : plan_.observation_names) names_.push_back("previous_" + name);
     for (const std::string& name : plan_.action_names) names_.push_back("action_" + name);
     names_.insert(names_.end(), plan_.observation_names.begin(), plan_.observation_names.end());
+    check_names(plan_.actions, plan_.action_names);
+    check_names(plan_.observations, plan_.observation_names);
     for (std::size_t i = 0; i < plan_.observations.size(); ++i) {
         const ObservedPlan& observed = plan_.observations[i];
-        needs_contacts_ |= observed.kind == ObservedKind::touching;
+        needs_contacts_ |= observed.kind == ObservedKind::touching || observed.kind == ObservedKind::contact_force;
         measured_.emplace_back();
         if (observed.kind == ObservedKind::value)
-            measured_.back().emplace(compile(observed.expression, "observations", first_seen() + i));
+            measured_.back().emplace(compile(observed.expression, observed.pointer + "/value", first_seen() + i));
     }
-    reward_.emplace(compile(plan_.reward, "reward", names_.size()));
-    done_.emplace(compile(plan_.done, "done", names_.size()));
+    reward_.emplace(compile(plan_.reward, "/reward", names_.size()));
+    done_.emplace(compile(plan_.done, "/done", names_.size()));
     if (done_->kind() != Expression::Kind::condition)
-        throw ExpressionError(0, "done must be a condition, and '" + plan_.done + "' is a number");
+        refuse(plan_, "/done", {.message = "done must be a condition, and '" + plan_.done + "' is a number"});
+    if (std::ranges::any_of(scene.draws, [](const SceneDraw& draw) { return !draw.pointer.empty(); }))
+        text_ = to_json(scene);
     const std::vector<std::byte> snapshot = start_.world.save();
     for (std::size_t i = 0; i < count; ++i) worlds_.push_back(World::load(snapshot));
 }
 
 // `names` of the values may be in it, those that are known when it is evaluated.
-Expression EnvWorlds::compile(const std::string& text, const char* member, std::size_t names) const {
+Expression EnvWorlds::compile(const std::string& text, const std::string& pointer, std::size_t names) const {
     try {
         return Expression(text, scene_, {}, std::span(names_).first(names));
     } catch (const ExpressionError& error) {
-        std::string message =
-            std::string(member) + ": " + error.what() + ", in '" + text + "' at " + std::to_string(error.offset);
-        if (!error.hint.empty()) message += "; " + error.hint;
-        throw ExpressionError(error.offset, message, error.hint);
+        refuse(plan_, pointer, {.message = error.what(), .hint = error.hint, .inside = error.offset});
+        throw;
     }
+}
+
+// That expressions may have the name of each entry.
+template <class Entry>
+void EnvWorlds::check_names(const std::vector<Entry>& entries, std::span<const std::string> names) const {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        try {
+            Expression("0", scene_, {}, names.subspan(i, 1));
+        } catch (const ExpressionError& error) {
+            refuse(plan_, entries[i].pointer + "/name", {.message = error.what(), .hint = error.hint});
+        }
+    }
+}
+
+// The start of the next episode of a world, with random numbers of its own.
+World EnvWorlds::redrawn(std::size_t index) const {
+    LoadOptions options;
+    options.seed = random_whole(seed_, index, episodes_[index], plan_.randoms.size());
+    SceneWorld drawn = build_world(parse_scene(text_, plan_.file, options));
+    if (drawn.bodies.size() != start_.bodies.size() || drawn.joints.size() != start_.joints.size())
+        throw std::invalid_argument("the random numbers of " + plan_.file + " change how many bodies or joints it has");
+    return std::move(drawn.world);
 }
 
 void EnvWorlds::seed(std::uint64_t seed) {
@@ -76,7 +106,10 @@ void EnvWorlds::seed(std::uint64_t seed) {
 
 void EnvWorlds::reset_one(std::size_t index, std::span<float> observations, Values& values) {
     World& world = worlds_[index];
-    world.assign(start_.world);
+    if (text_.empty())
+        world.assign(start_.world);
+    else
+        world.assign(redrawn(index));
     for (std::size_t i = 0; i < plan_.randoms.size(); ++i) {
         const RandomPlan& random = plan_.randoms[i];
         const double part = uniform(seed_, index, episodes_[index], i);

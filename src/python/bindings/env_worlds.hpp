@@ -1,7 +1,8 @@
 // Many copies of the world of a scene for learning: acted on, stepped, observed, rewarded and reset in one call.
 //
 // All worlds start from one snapshot, then each draws its random values from its own seed and the number of its
-// episode, so that an episode does not depend on the other worlds or on the number of threads.
+// episode, so that an episode does not depend on the other worlds or on the number of threads. If the scene itself has
+// numbers that are declared as random, each episode reads it again with a seed of its own.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,7 @@ struct EnvArrays {
 
 class EnvWorlds {
 public:
-    // Throws ExpressionError, with the name of the member in its message, and SceneError.
+    // Throws SceneError, with the line of an expression that is wrong.
     EnvWorlds(const Scene& scene, EnvPlan plan, std::size_t count, int threads, std::uint64_t seed);
 
     std::size_t count() const { return worlds_.size(); }
@@ -60,11 +61,15 @@ private:
     std::size_t chunk() const;
     std::size_t first_seen() const { return plan_.observations.size() + plan_.actions.size(); }
     void apply(World& world, const double* values) const;
-    Expression compile(const std::string& text, const char* member, std::size_t names) const;
+    Expression compile(const std::string& text, const std::string& pointer, std::size_t names) const;
+    template <class Entry>
+    void check_names(const std::vector<Entry>& entries, std::span<const std::string> names) const;
+    World redrawn(std::size_t index) const;
 
     EnvPlan plan_;
     Scene scene_;
     SceneWorld start_;  // of all episodes; its ids are valid in all worlds
+    std::string text_;  // of a scene that declares random numbers; else empty
     EnvImages images_;
     std::vector<std::string> names_;                   // of Values
     std::vector<std::optional<Expression>> measured_;  // of observations that are expressions

@@ -1,6 +1,9 @@
 // C++ exceptions as the classes of tumble/errors.py. std::invalid_argument becomes ValueError by pybind11.
+#include "python/bindings/errors.hpp"
+
 #include "python/bindings/ids.hpp"
 #include "python/bindings/module.hpp"
+#include "python/bindings/world_box.hpp"
 #include "tumble/render.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/world.hpp"
@@ -23,6 +26,8 @@ void set_error(const char* name, Arguments&&... arguments) {
     PyErr_SetObject(type.ptr(), type(std::forward<Arguments>(arguments)...).ptr());
 }
 
+}  // namespace
+
 py::list to_list(const std::vector<Diagnostic>& diagnostics) {
     const py::object type = class_of("Diagnostic");
     py::list list;
@@ -31,8 +36,6 @@ py::list to_list(const std::vector<Diagnostic>& diagnostics) {
                          d.pointer, d.message, d.hint, d.code, to_string(d)));
     return list;
 }
-
-}  // namespace
 
 void add_errors(py::module_&) {
     // pybind11 passes it by value. NOLINTNEXTLINE(performance-unnecessary-value-param)
@@ -47,6 +50,8 @@ void add_errors(py::module_&) {
             set_error("SimulationDiverged", error.what(), to_number(error.body), error.step);
         } catch (const RenderError& error) {
             set_error("RenderError", error.what());
+        } catch (const InUse& error) {
+            set_error("InUseError", error.what());
         } catch (const FileError& error) {
             set_error("FileError", error.what());
         }

@@ -1,12 +1,14 @@
-// Frames as arrays of pixels, and PNG files.
+// Frames as arrays of pixels, PNG files and videos.
 #include "tumble/render.hpp"
 
 #include <cstring>
+#include <mutex>
 
 #include "python/bindings/convert.hpp"
 #include "python/bindings/module.hpp"
 #include "python/bindings/renderers.hpp"
 #include "python/bindings/world_box.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble::python {
 
@@ -58,13 +60,61 @@ py::array_t<std::uint8_t> render(WorldBox& box, bool has_scene, int width, int h
 
 using Pixels = py::array_t<std::uint8_t, py::array::c_style>;
 
-void save_png(const Pixels& pixels, const std::string& path) {
+// Of an array [height, width, 4].
+Image to_image(const Pixels& pixels) {
     Image image;
     image.height = static_cast<int>(pixels.shape(0));
     image.width = static_cast<int>(pixels.shape(1));
     image.rgba.assign(pixels.data(), pixels.data() + pixels.size());
-    write_png(image, path);
+    return image;
 }
+
+// A video that one thread at a time writes, without the GIL, as ffmpeg may have to be waited for.
+class VideoBox {
+public:
+    VideoBox(const std::string& path, int width, int height, double frames_per_second)
+        : writer_(path, checked({format_of(path), width, height, frames_per_second})) {}
+
+    void write(const Pixels& pixels) {
+        const Image image = to_image(pixels);
+        exclusively([&] { writer_.write(image); });
+    }
+    std::uint64_t finish() {
+        std::uint64_t bytes = 0;
+        exclusively([&] { bytes = writer_.finish(); });
+        return bytes;
+    }
+
+    static VideoFormat format_of(const std::string& path) {
+        if (const auto format = video_format_of(path)) return *format;
+        throw std::invalid_argument("a video is an .mp4, .webm, .gif or .apng, got '" + path + "'");
+    }
+
+private:
+    static VideoSettings checked(const VideoSettings& settings) {
+        const bool needs_even = settings.format == VideoFormat::mp4 || settings.format == VideoFormat::webm;
+        if (settings.width < 1 || settings.height < 1 || (needs_even && (settings.width | settings.height) % 2 != 0))
+            throw std::invalid_argument("frames of " + std::to_string(settings.width) + "x" +
+                                        std::to_string(settings.height) +
+                                        " cannot be a video: mp4 and webm need an "
+                                        "even size");
+        if (!(settings.frames_per_second > 0.0 && settings.frames_per_second <= 1000.0))
+            throw std::invalid_argument("fps must be above 0 and at most 1000, got " +
+                                        std::to_string(settings.frames_per_second));
+        return settings;
+    }
+
+    template <class Call>
+    void exclusively(Call&& call) {
+        const std::unique_lock lock(mutex_, std::try_to_lock);
+        if (!lock) throw InUse("another thread is writing this video");
+        const py::gil_scoped_release release;
+        call();
+    }
+
+    VideoWriter writer_;
+    std::mutex mutex_;
+};
 
 }  // namespace
 
@@ -74,7 +124,12 @@ void add_render(py::module_& module) {
         const Camera camera = fitted_camera(box, has_scene, aspect_ratio);
         return py::make_tuple(to_tuple(camera.center), camera.height);
     });
-    module.def("write_png", save_png);
+    module.def("write_png", [](const Pixels& pixels, const std::string& path) { write_png(to_image(pixels), path); });
+    module.def("require_video_name", [](const std::string& path) { VideoBox::format_of(path); });
+    py::class_<VideoBox>(module, "VideoWriter")
+        .def(py::init<const std::string&, int, int, double>())
+        .def("write", &VideoBox::write)
+        .def("finish", &VideoBox::finish);
 }
 
 }  // namespace tumble::python

@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "python/bindings/convert.hpp"
+#include "python/bindings/errors.hpp"
 #include "python/bindings/ids.hpp"
 #include "python/bindings/module.hpp"
 #include "python/bindings/world_box.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
+#include "tumble/suggest.hpp"
 
 namespace tumble::python {
 
@@ -49,8 +51,22 @@ void add_scene(py::module_& module) {
         options.allow_outside = allow_outside;
         return to_json(load_scene(path, options));
     });
-    module.def("check_scene",
+    module.def("canonical_text",
                [](const std::string& text, const std::string& name) { return to_json(parse_scene(text, name)); });
+    module.def("validate_scene", [](const std::string& text, const std::string& name) {
+        LoadOptions options;
+        options.lint = true;
+        std::vector<Diagnostic> warnings;
+        parse_scene(text, name, options, &warnings);
+        return to_list(warnings);
+    });
+    module.def("refuse_value", [](const std::string& text, const std::string& name, const std::string& pointer,
+                                  const std::string& message, const std::string& hint, bool at_key) {
+        refuse_value(text, name, pointer, {.message = message, .hint = hint, .at_key = at_key});
+    });
+    module.def("suggestion", [](const std::string& word, const std::vector<std::string>& candidates) {
+        return suggestion(word, std::vector<std::string_view>(candidates.begin(), candidates.end()));
+    });
     module.def("scene_hash", [](const std::string& text) { return scene_hash(parse_scene(text, "scene")); });
     module.def("scene_schema", scene_schema);
     module.def("count_steps", [](const std::string& text) { return count_steps(parse_scene(text, "scene")); });
@@ -61,7 +77,8 @@ void add_scene(py::module_& module) {
     module.def("run_claims", [](WorldBox& box) {
         py::list claims;
         for (const ExpectationResult& result : box.run().watch.results())
-            claims.append(py::make_tuple(result.passed, result.claim, result.finding, result.step, result.time));
+            claims.append(py::make_tuple(result.passed && result.is_decided, result.claim, result.finding, result.step,
+                                         result.time, result.is_decided));
         return claims;
     });
     module.def("run_value", [](WorldBox& box, const std::string& text) -> py::object {

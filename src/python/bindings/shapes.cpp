@@ -2,6 +2,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cstdio>
+
 #include "python/bindings/convert.hpp"
 #include "python/bindings/module.hpp"
 #include "tumble/shape.hpp"
@@ -20,6 +22,16 @@ py::array_t<float> vertices_of(const Shape& shape) {
     return vertices;
 }
 
+// "<Shape of 4 vertices, radius 0.1 m, 2 x 1 m>"
+std::string text_of(const Shape& shape) {
+    const Aabb box = bounds(shape, Pose{});
+    char text[120];
+    std::snprintf(text, sizeof text, "<Shape of %d %s, radius %g m, %.6g x %.6g m>", shape.vertex_count(),
+                  shape.vertex_count() == 1 ? "vertex" : "vertices", double{shape.radius()}, box.upper.x - box.lower.x,
+                  box.upper.y - box.lower.y);
+    return text;
+}
+
 std::vector<Vec2> points_of(const Doubles& points) {
     const auto in = points.unchecked<2>();
     std::vector<Vec2> result;
@@ -30,14 +42,23 @@ std::vector<Vec2> points_of(const Doubles& points) {
 }  // namespace
 
 void add_shapes(py::module_& module) {
-    py::class_<Shape>(module, "Shape")
-        .def_property_readonly("vertices", vertices_of)
-        .def_property_readonly("radius", &Shape::radius)
-        .def_property_readonly("vertex_count", &Shape::vertex_count)
-        .def_property_readonly("area", [](const Shape& shape) { return mass_properties(shape).area; })
-        .def_property_readonly("centroid",
-                               [](const Shape& shape) { return to_tuple(DVec2(mass_properties(shape).center)); })
-        .def_property_readonly("second_moment", [](const Shape& shape) { return mass_properties(shape).inertia; })
+    py::class_<Shape>(
+        module, "Shape",
+        "A convex outline of one or more points, grown by a radius; it cannot be changed.\n\n"
+        "circle(), capsule(), segment(), box() and polygon() make one. Lengths are in m, in coordinates of "
+        "the body.")
+        .def_property_readonly("vertices", vertices_of,
+                               "[n, 2], m, counter-clockwise: a copy. One for a circle, two for a capsule.")
+        .def_property_readonly("radius", &Shape::radius, "By which the outline of the vertices is grown, m.")
+        .def_property_readonly("vertex_count", &Shape::vertex_count, "1 to 65535.")
+        .def_property_readonly(
+            "area", [](const Shape& shape) { return mass_properties(shape).area; }, "m^2.")
+        .def_property_readonly(
+            "centroid", [](const Shape& shape) { return to_tuple(DVec2(mass_properties(shape).center)); }, "m.")
+        .def_property_readonly(
+            "second_moment", [](const Shape& shape) { return mass_properties(shape).inertia; },
+            "Of the area, about the centroid, m^4: times the density it is the inertia.")
+        .def("__repr__", text_of)
         .def("__eq__",
              [](const Shape& a, const py::object& b) { return py::isinstance<Shape>(b) && a == b.cast<Shape>(); })
         .def("__hash__", [](const Shape& a) { return py::hash(py::bytes(vertices_of(a).attr("tobytes")())); })

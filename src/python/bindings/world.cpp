@@ -36,6 +36,8 @@ py::object hit_to_tuple(const std::optional<CastHit>& hit) {
 void add_whole(Class& world) {
     world.def(py::init([](const py::dict& def) { return std::make_shared<WorldBox>(World(to_world_def(def))); }))
         .def("step", &WorldBox::step)
+        .def("threads", &WorldBox::threads)
+        .def("set_threads", &WorldBox::set_threads)
         .def("array", [](WorldBox& box, int quantity) { return box.array(static_cast<Quantity>(quantity)); })
         .def("ids", &WorldBox::ids)
         .def("definition", [](const WorldBox& box) { return to_dict(box.world().def()); })
@@ -282,6 +284,7 @@ void add_world(py::module_& module) {
     add_bodies(world);
     add_parts(world);
     add_queries(world);
+    module.def("step_all", &WorldBox::step_all);
 }
 
 }  // namespace tumble::python

@@ -2,27 +2,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
+#include <exception>
+#include <list>
+#include <set>
+
+#include "python/bindings/workers.hpp"
 
 namespace tumble::python {
 
 namespace {
 
 constexpr std::chrono::milliseconds kSignalPause{50};  // between two looks for signals
-
-// Takes the flag of a box for the duration of a step.
-class Stepping {
-public:
-    explicit Stepping(std::atomic<bool>& flag) : flag_(flag) {
-        if (flag_.exchange(true)) throw std::runtime_error("another thread is stepping this world");
-    }
-    ~Stepping() { flag_ = false; }
-    Stepping(const Stepping&) = delete;
-    Stepping& operator=(const Stepping&) = delete;
-
-private:
-    std::atomic<bool>& flag_;
-};
 
 template <class T>
 std::span<T> entries_of(const py::array& array, std::size_t count) {
@@ -31,13 +21,27 @@ std::span<T> entries_of(const py::array& array, std::size_t count) {
 
 }  // namespace
 
+class WorldBox::Stepping {
+public:
+    explicit Stepping(WorldBox& box) : box_(box) {
+        if (box.is_stepping_.exchange(true)) throw InUse("another thread is stepping this world");
+        box.is_current_ = {};
+    }
+    ~Stepping() { box_.is_stepping_ = false; }
+    Stepping(const Stepping&) = delete;
+    Stepping& operator=(const Stepping&) = delete;
+
+private:
+    WorldBox& box_;
+};
+
 py::array read_only(py::array array) {
     py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
     return array;
 }
 
 void WorldBox::require_idle() const {
-    if (is_stepping_) throw std::runtime_error("another thread is stepping this world");
+    if (is_stepping_) throw InUse("another thread is stepping this world");
 }
 
 const World& WorldBox::world() const {
@@ -57,28 +61,69 @@ WatchedRun& WorldBox::run() {
     return *run_;
 }
 
+void WorldBox::set_threads(int count) {
+    require_idle();
+    Threads threads = world().def().threads;
+    threads.count = count;
+    run_ ? run_->run.set_threads(threads) : own_->set_threads(threads);
+}
+
+void WorldBox::step_once() {
+    if (!run_) return own_->step();
+    if (run_->run.is_stopped()) return;
+    run_->run.step();
+    run_->watch.observe(run_->run.built());
+}
+
+void WorldBox::advance(std::int64_t count) {
+    const Stepping stepping(*this);
+    const py::gil_scoped_release release;
+    auto looked = std::chrono::steady_clock::now();
+    for (std::int64_t i = 0; i < count; ++i) {
+        step_once();
+        if (count == 1 || std::chrono::steady_clock::now() - looked < kSignalPause) continue;
+        const py::gil_scoped_acquire acquire;
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        looked = std::chrono::steady_clock::now();
+    }
+}
+
 void WorldBox::step(std::int64_t count) {
     if (count < 0) throw std::invalid_argument("steps must be at least 0, got " + std::to_string(count));
-    {
-        const Stepping stepping(is_stepping_);
-        is_current_ = {};
-        const py::gil_scoped_release release;
-        auto looked = std::chrono::steady_clock::now();
-        for (std::int64_t i = 0; i < count; ++i) {
-            if (run_) {
-                if (run_->run.is_stopped()) break;
-                run_->run.step();
-                run_->watch.observe(run_->run.built());
-            } else {
-                own_->step();
-            }
-            if (count == 1 || std::chrono::steady_clock::now() - looked < kSignalPause) continue;
-            const py::gil_scoped_acquire acquire;
-            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            looked = std::chrono::steady_clock::now();
-        }
+    try {
+        advance(count);
+    } catch (const InUse&) {
+        throw;
+    } catch (...) {
+        refresh_held();
+        throw;
     }
     refresh_held();
+}
+
+void WorldBox::step_all(const std::vector<WorldBox*>& boxes, std::int64_t count, int threads) {
+    if (count < 0) throw std::invalid_argument("steps must be at least 0, got " + std::to_string(count));
+    if (threads < 1) throw std::invalid_argument("threads must be at least 1, got " + std::to_string(threads));
+    const std::set<WorldBox*> different(boxes.begin(), boxes.end());
+    if (different.size() != boxes.size()) throw std::invalid_argument("a world is there twice");
+    if (boxes.empty()) return;
+    std::vector<std::exception_ptr> errors(boxes.size());
+    {
+        std::list<Stepping> stepping;
+        for (WorldBox* const box : boxes) stepping.emplace_back(*box);
+        const py::gil_scoped_release release;
+        Workers workers(std::min(threads, static_cast<int>(boxes.size())));
+        workers.run(boxes.size(), 1, [&](std::size_t i, std::size_t) {
+            try {
+                for (std::int64_t k = 0; k < count; ++k) boxes[i]->step_once();
+            } catch (...) {
+                errors[i] = std::current_exception();
+            }
+        });
+    }
+    for (WorldBox* const box : boxes) box->refresh_held();
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
 }
 
 void WorldBox::refresh_held() {

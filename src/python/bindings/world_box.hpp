@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "tumble/render.hpp"
@@ -35,20 +36,33 @@ struct WatchedRun {
     std::map<double, Camera> cameras{};  // of each aspect ratio, fitted at the first frame
 };
 
+// A call to a world or an environment that another thread steps.
+class InUse : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 class WorldBox {
 public:
     explicit WorldBox(World&& world) : own_(std::move(world)) {}
     explicit WorldBox(WatchedRun&& run) : run_(std::move(run)) {}
 
-    // Throw std::runtime_error while another thread steps the world. change() is for what may alter poses or
-    // velocities.
+    // Throw InUse while another thread steps the world. change() is for what may alter poses or velocities.
     const World& world() const;
     World& change();
     WatchedRun& run();  // also if the world has no scene
 
     // Advances by a number of steps, without the GIL. A run that its timeline has stopped stays as it
-    // is. Ends early, with the exception, if Python has a signal.
+    // is. Ends early, with the exception, if Python has a signal. Arrays that Python holds show the state afterwards,
+    // also after an exception.
     void step(std::int64_t count);
+
+    // The threads that make a step: World::set_threads().
+    int threads() const { return world().def().threads.count; }
+    void set_threads(int count);
+
+    // Advances all boxes on the threads, each by a number of steps on one of them. All make their steps; then the
+    // exception of the first that failed is thrown. Throws std::invalid_argument for a box that is there twice.
+    static void step_all(const std::vector<WorldBox*>& boxes, std::int64_t count, int threads);
 
     // The present array of a quantity: read-only, [bodies] or [bodies, 2].
     py::array array(Quantity quantity);
@@ -57,7 +71,12 @@ public:
     py::array_t<std::uint64_t> ids();
 
 private:
+    // Takes the flag of a box for the duration of its steps.
+    class Stepping;
+
     void require_idle() const;
+    void step_once();
+    void advance(std::int64_t count);
     void refresh_held();
     void fill(Quantity quantity);
     py::array& slot(Quantity quantity) { return arrays_[static_cast<std::size_t>(quantity)]; }

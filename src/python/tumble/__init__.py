@@ -10,21 +10,24 @@
 Units are m, kg, s and rad; y is up and counter-clockwise is positive.
 """
 
-from tumble.bodies import Body, BodyShape
+from tumble.bodies import Body, Locks
+from tumble.body_shapes import BodyShape, Filter
 from tumble.distances import STATUS, Certificate, Distance, Trace, distance, distances, trace_distance
-from tumble.errors import Diagnostic, FileError, RenderError, SceneError, SimulationDiverged, SnapshotError
+from tumble.errors import Diagnostic, FileError, InUseError, RenderError, SceneError, SimulationDiverged, SnapshotError
 from tumble.joints import Joint
 from tumble.queries import BodyDistance, Closest, Hit
 from tumble.rendering import fitted_camera, png_bytes, render, write_png
 from tumble.scene import Claim, Run, Scene
 from tumble.shapes import Shape, box, capsule, circle, polygon, segment
-from tumble.world import World
+from tumble.video import Video
+from tumble.world import World, step_all
 
 __version__ = "0.2.0"
 
 __all__ = [
-    "STATUS", "Body", "BodyDistance", "BodyShape", "Certificate", "Claim", "Closest", "Diagnostic", "Distance", "FileError",
-    "Hit", "Joint", "RenderError", "Run", "Scene", "SceneError", "Shape", "SimulationDiverged", "SnapshotError", "Trace",
-    "World", "box", "capsule", "circle", "distance", "distances", "fitted_camera", "png_bytes", "polygon", "render",
-    "segment", "trace_distance", "write_png",
+    "STATUS", "Body", "BodyDistance", "BodyShape", "Certificate", "Claim", "Closest", "Diagnostic", "Distance",
+    "FileError", "Filter", "Hit", "InUseError", "Joint", "Locks", "RenderError", "Run", "Scene", "SceneError",
+    "Shape", "SimulationDiverged", "SnapshotError", "Trace", "Video", "World", "box", "capsule", "circle", "distance",
+    "distances", "fitted_camera", "png_bytes", "polygon", "render", "segment", "step_all", "trace_distance",
+    "write_png",
 ]  # fmt: skip

@@ -1,14 +1,15 @@
-"""Bodies and their shapes.
+"""Bodies.
 
 Units are m, kg, s and rad; y is up and counter-clockwise is positive.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy.typing as npt
 
+from tumble.body_shapes import BodyShape
 from tumble.parts import Part, index_of
 from tumble.shapes import Shape, Vector, points_array, vector
 
@@ -17,6 +18,14 @@ if TYPE_CHECKING:
 
 STATIC, KINEMATIC, DYNAMIC = "static", "kinematic", "dynamic"
 BODY_TYPES = (STATIC, KINEMATIC, DYNAMIC)
+
+
+class Locks(NamedTuple):
+    """The motions that a body does not make, along the world axes and about its centre of mass."""
+
+    x: bool
+    y: bool
+    rotation: bool
 
 
 class Body(Part):
@@ -32,6 +41,7 @@ class Body(Part):
 
     @property
     def is_alive(self) -> bool:
+        """Whether it is not destroyed."""
         return self._box.is_body(self._id)
 
     def destroy(self) -> None:
@@ -139,6 +149,7 @@ class Body(Part):
 
     @property
     def awake(self) -> bool:
+        """False while it sleeps. Setting it wakes all bodies that touch or are joined, or puts them to sleep."""
         return self._box.is_awake(self._id)
 
     @awake.setter
@@ -167,7 +178,26 @@ class Body(Part):
         self._box.set_bullet(self._id, value)
 
     @property
+    def allow_sleep(self) -> bool:
+        """False keeps it and all that it touches awake."""
+        return bool(self._member("allow_sleep"))
+
+    @allow_sleep.setter
+    def allow_sleep(self, value: bool) -> None:
+        self._box.set_allow_sleep(self._id, value)
+
+    @property
+    def allow_fast_rotation(self) -> bool:
+        """Whether it may turn by more than 1/8 turn in a step: for round shapes."""
+        return bool(self._member("allow_fast_rotation"))
+
+    @allow_fast_rotation.setter
+    def allow_fast_rotation(self, value: bool) -> None:
+        self._box.set_allow_fast_rotation(self._id, value)
+
+    @property
     def gravity_scale(self) -> float:
+        """The factor on the world's gravity."""
         return float(self._member("gravity_scale"))
 
     @gravity_scale.setter
@@ -192,6 +222,11 @@ class Body(Part):
     def angular_damping(self, value: float) -> None:
         self._box.set_damping(self._id, self.linear_damping, value)
 
+    @property
+    def locks(self) -> Locks:
+        """The motions that it does not make. `lock` sets them."""
+        return Locks(*self._member("locks"))
+
     def lock(self, *, x: bool = False, y: bool = False, rotation: bool = False) -> None:
         """Locks motions along the world axes and the rotation; those left out are free."""
         self._box.set_locks(self._id, x, y, rotation)
@@ -207,10 +242,12 @@ class Body(Part):
 
     @property
     def shapes(self) -> list[BodyShape]:
+        """In the order in which they were added."""
         return [BodyShape(self._world, id) for id in self._box.shapes_of(self._id)]
 
     @property
     def joints(self) -> list[Joint]:
+        """The joints of this body, in the order of their creation."""
         return self._world._joints_of(self._id)
 
     @property
@@ -259,76 +296,3 @@ class Body(Part):
         material = {"friction": friction, "restitution": restitution}
         ids = self._box.add_chain(self._id, points_array(points, "points"), loop, two_sided, {"material": material})
         return [BodyShape(self._world, id) for id in ids]
-
-
-class BodyShape(Part):
-    """A shape of a body."""
-
-    __slots__ = ()
-
-    def __repr__(self) -> str:
-        if not self.is_alive:
-            return f"<BodyShape {self._id & 0xFFFFFFFF}, removed>"
-        return f"<BodyShape {self._id & 0xFFFFFFFF} of body {self.body.id & 0xFFFFFFFF}, {self.shape!r}>"
-
-    @property
-    def is_alive(self) -> bool:
-        return self._box.is_shape(self._id)
-
-    def remove(self) -> None:
-        self._box.remove_shape(self._id)
-
-    @property
-    def body(self) -> Body:
-        return Body(self._world, self._box.shape_body(self._id))
-
-    @property
-    def shape(self) -> Shape:
-        """The outline, in coordinates of the body."""
-        return self._box.shape(self._id)
-
-    @property
-    def sensor(self) -> bool:
-        return self._box.is_sensor(self._id)
-
-    @property
-    def user_data(self) -> int:
-        """A number of yours, 0 to 2^64 - 1. It is saved with the world."""
-        return self._box.shape_user_data(self._id)
-
-    @user_data.setter
-    def user_data(self, value: int) -> None:
-        self._box.set_shape_user_data(self._id, value)
-
-    @property
-    def friction(self) -> float:
-        return float(self._box.material(self._id)["friction"])
-
-    @friction.setter
-    def friction(self, value: float) -> None:
-        self.set_material(friction=value)
-
-    @property
-    def restitution(self) -> float:
-        return float(self._box.material(self._id)["restitution"])
-
-    @restitution.setter
-    def restitution(self, value: float) -> None:
-        self.set_material(restitution=value)
-
-    @property
-    def density(self) -> float:
-        """kg/m^2."""
-        return float(self._box.material(self._id)["density"])
-
-    @density.setter
-    def density(self, value: float) -> None:
-        self.set_material(density=value)
-
-    def set_material(self, **members: float) -> None:
-        """Changes density, friction, restitution, rolling_resistance or tangent_speed."""
-        self._box.set_material(self._id, {**self._box.material(self._id), **members})
-
-    def set_filter(self, **members: int) -> None:
-        """Changes category, mask or group."""
-        self._box.set_filter(self._id, {**self._box.filter(self._id), **members})

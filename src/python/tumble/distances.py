@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tumble import _tumble
-from tumble.shapes import Shape, Vector, vector
+from tumble.shapes import Shape, Vector, array_of, vector
 
 STATUS = ("separated", "touching", "overlapping", "invalid")
 
@@ -105,7 +105,7 @@ def distances(a: Any, poses_a: Any, b: Any, poses_b: Any) -> npt.NDArray[Any]:
     counts = [len(shapes) for shapes in (a, b) if not isinstance(shapes, Shape)]
     arrays = []
     for poses, name in ((poses_a, "poses_a"), (poses_b, "poses_b")):
-        array: npt.NDArray[np.float64] = np.ascontiguousarray(np.atleast_2d(poses), dtype=np.float64)
+        array = np.atleast_2d(array_of(poses, name))
         if array.ndim != 2 or array.shape[1] not in (3, 4):
             raise ValueError(f"{name} must have the shape (n, 3) or (n, 4), got {array.shape}")
         arrays.append(array)

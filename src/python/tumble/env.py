@@ -18,6 +18,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,7 +27,7 @@ import numpy.typing as npt
 
 from tumble import _tumble
 from tumble.env_plan import Plan, Rows
-from tumble.env_spaces import EnvBase, spaces
+from tumble.env_spaces import EnvBase, VectorEnvBase, action_space, autoreset_mode, gymnasium, observation_space
 from tumble.scene import Scene
 from tumble.world import World
 
@@ -33,12 +35,13 @@ from tumble.world import World
 Observations = Any
 
 
-class VectorEnv:
-    """N copies of an environment, stepped by one call on all cores.
+class VectorEnv(VectorEnvBase):  # type: ignore[misc]
+    """N copies of an environment, stepped by one call on all cores, with the interface of gymnasium's VectorEnv.
 
     `step` returns the observations [n, k] of the states after the step; worlds whose episode ended are reset in the same
-    call, and their row has the first observation of the next episode. `final_observations` has the rows before the
-    reset. The arrays are the environment's own and change with the next call.
+    call, and their row has the first observation of the next episode. `infos["final_obs"]` has the rows before the reset,
+    and `infos["_final_obs"]` [n] tells which worlds ended. The arrays are the environment's own and change with the next
+    call.
 
     With images, observations are a dictionary: "state" has the rows, and each image an array of its name, pixels
     [n, height, width, 3] of uint8 or a mask [n, height, width] of uint16. `images` and `final_images` have them too.
@@ -47,18 +50,17 @@ class VectorEnv:
     def __init__(
         self, scene: Scene | str | os.PathLike[str], count: int, *, seed: int = 0, threads: int | None = None
     ) -> None:
+        """`count` worlds from the scene or its file. `threads` is by default one for each processor."""
         self.scene = scene if isinstance(scene, Scene) else Scene.load(scene)
         self.plan = Plan(self.scene)
-        self.count = count
+        self.count = self.num_envs = count
         if count < 1:
             raise ValueError(f"count must be at least 1, got {count}")
         threads = threads if threads is not None else min(count, len(os.sched_getaffinity(0)))
         if threads < 1:
             raise ValueError(f"threads must be at least 1, got {threads}")
         plan = self.plan
-        self._worlds = _tumble.EnvWorlds(
-            plan.start._box, plan.resolved(), count, threads, seed
-        )
+        self._worlds = _tumble.EnvWorlds(plan.start._box, plan.resolved(), count, threads, seed)
         shape = (count, len(plan.observations))
         self.observations: Rows = np.zeros(shape, np.float32)
         self.final_observations: Rows = np.zeros(shape, np.float32)
@@ -69,6 +71,10 @@ class VectorEnv:
         self.final_images = {name: np.zeros_like(image) for name, image in self.images.items()}
         self._no_rows, self._no_choices = np.zeros(0, np.float32), np.zeros(0, np.int64)
         self.steps = np.zeros(count, np.int64)  #: of the present episodes
+        self.single_observation_space, self.single_action_space = observation_space(plan), action_space(plan)
+        self.observation_space, self.action_space = observation_space(plan, count), action_space(plan, count)
+        self.metadata = {"render_modes": [], "render_fps": plan.fps, "autoreset_mode": autoreset_mode()}
+        self.render_mode = None
 
     def __repr__(self) -> str:
         return f"<VectorEnv of {self.count} x {self.scene!r}>"
@@ -78,31 +84,36 @@ class VectorEnv:
             return rows
         return {"state": rows, **images} if rows.shape[1] else dict(images)
 
-    def reset(self, *, seed: int | None = None) -> Observations:
-        """Starts a new episode in all worlds; a seed starts from episode 0 again. Returns the observations."""
+    def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[Observations, dict[str, Any]]:
+        """Starts a new episode in all worlds; a seed starts from episode 0 again. Returns observations and infos."""
+        super().reset(seed=seed)
         if seed is not None:
             self._worlds.seed(seed)
         self.steps[:] = 0
         self._worlds.reset(self.observations, list(self.images.values()))
-        return self._shown(self.observations, self.images)
+        return self._shown(self.observations, self.images), {}
 
     def step(
         self, actions: Any
-    ) -> tuple[Observations, npt.NDArray[np.float64], npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
+    ) -> tuple[Observations, npt.NDArray[np.float64], npt.NDArray[np.bool_], npt.NDArray[np.bool_], dict[str, Any]]:
         """Acts ([n, k] in [-1, 1], or [n] indices of choices) and steps.
 
-        Returns observations [n, k], rewards [n], terminated [n], truncated [n].
+        Returns observations [n, k], rewards [n], terminated [n], truncated [n], infos.
         """
         chooses = self.plan.choices is not None
         rows = self._no_rows if chooses else self._rows(actions)
         choices = self._choices(actions) if chooses else self._no_choices
         rewards = np.empty(self.count)
-        terminated, truncated = np.empty(self.count, np.uint8), np.empty(self.count, np.uint8)
+        terminated, truncated = np.empty(self.count, np.bool_), np.empty(self.count, np.bool_)
         self._worlds.step(
             rows, choices, self.observations, self.final_observations, list(self.images.values()),
-            list(self.final_images.values()), rewards, terminated, truncated, self.steps
+            list(self.final_images.values()), rewards, terminated.view(np.uint8), truncated.view(np.uint8), self.steps
         )  # fmt: skip
-        return self._shown(self.observations, self.images), rewards, terminated.view(np.bool_), truncated.view(np.bool_)
+        infos: dict[str, Any] = {}
+        ended = terminated | truncated
+        if ended.any():
+            infos = {"final_obs": self._shown(self.final_observations, self.final_images), "_final_obs": ended}
+        return self._shown(self.observations, self.images), rewards, terminated, truncated, infos
 
     def _choices(self, actions: Any) -> npt.NDArray[np.int64]:
         indices = np.asarray(actions)
@@ -118,15 +129,18 @@ class VectorEnv:
             raise ValueError("actions must be finite")
         return rows
 
+    def _known(self, index: int) -> int:
+        if not 0 <= index < self.count:
+            raise IndexError(f"there are {self.count} worlds, got {index}")
+        return index
+
     def state_hash(self, index: int = 0) -> str:
-        """Of one of the worlds."""
-        return f"{self._worlds.state_hash(index):016x}"
+        """Of one of the worlds: 16 hexadecimal digits."""
+        return f"{self._worlds.state_hash(self._known(index)):016x}"
 
     def world(self, index: int = 0) -> World:
         """A copy of one of the worlds."""
-        if not 0 <= index < self.count:
-            raise IndexError(f"there are {self.count} worlds, got {index}")
-        return World.load(self._worlds.save(index))
+        return World.load(self._worlds.save(self._known(index)))
 
 
 class TumbleEnv(EnvBase):  # type: ignore[misc]
@@ -140,29 +154,17 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
     metadata = {"render_modes": ["rgb_array"], "render_fps": 60}
 
     def __init__(self, scene: Scene | str | os.PathLike[str], *, render_mode: str | None = None) -> None:
+        """The environment that the scene, or its file, declares."""
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode must be None or 'rgb_array', got {render_mode!r}")
         self.render_mode = render_mode
         self._envs = VectorEnv(scene, 1, threads=1)
         self.scene, self.plan = self._envs.scene, self._envs.plan
-        self.observation_space = self._space()
-        self.action_space: Any
-        if self.plan.choices is not None:
-            self.action_space = spaces.Discrete(len(self.plan.choices))
-        else:
-            self.action_space = spaces.Box(-1.0, 1.0, (len(self.plan.actions),), np.float32)
+        self.metadata = {"render_modes": ["rgb_array"], "render_fps": self.plan.fps}
+        self.observation_space = self._envs.single_observation_space
+        self.action_space = self._envs.single_action_space
         self._ended = True
         self._camera: tuple[tuple[float, float], float] | None = None
-
-    def _space(self) -> Any:
-        state = spaces.Box(-np.inf, np.inf, (len(self.plan.observations),), np.float32)
-        if not self.plan.images:
-            return state
-        parts = {"state": state} if self.plan.observations else {}
-        for name in self.plan.images:
-            size, kind = self.plan.image_shape(name)
-            parts[name] = spaces.Box(0, np.iinfo(kind).max, size, kind)
-        return spaces.Dict(parts)
 
     @staticmethod
     def _own(observations: Observations) -> Observations:
@@ -172,18 +174,19 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
         return observations[0].copy()
 
     def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[Observations, dict[str, Any]]:
-        """Starts an episode. The same seed gives the same episode, bit for bit."""
+        """Starts an episode. The same seed gives the same episode, bit for bit. Returns observation and info."""
+        super().reset(seed=seed)
+        observations, info = self._envs.reset(seed=seed)
         self._ended = False
-        return self._own(self._envs.reset(seed=seed)), {}
+        return self._own(observations), info
 
     def step(self, action: Any) -> tuple[Observations, float, bool, bool, dict[str, Any]]:
         """Returns observation, reward, terminated, truncated, info."""
         if self._ended:
             raise RuntimeError("the episode has ended: call reset()")
-        observations, rewards, terminated, truncated = self._envs.step(np.asarray([action]))
+        observations, rewards, terminated, truncated, infos = self._envs.step(np.asarray([action]))
         self._ended = bool(terminated[0] or truncated[0])
-        envs = self._envs
-        shown = envs._shown(envs.final_observations, envs.final_images) if self._ended else observations
+        shown = infos["final_obs"] if self._ended else observations
         return self._own(shown), float(rewards[0]), bool(terminated[0]), bool(truncated[0]), {}
 
     def render(self) -> npt.NDArray[np.uint8]:
@@ -195,9 +198,6 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
             self._camera = fitted_camera(self.plan.start)
         pixels: npt.NDArray[np.uint8] = world.render(600, 400, center=self._camera[0], view_height=self._camera[1])[..., :3]
         return pixels
-
-    def close(self) -> None:
-        pass
 
 
 def make(name: str, **options: Any) -> TumbleEnv:
@@ -212,16 +212,25 @@ def make_vector(name: str, count: int, *, seed: int = 0, threads: int | None = N
 
 def names() -> list[str]:
     """The environments that come with tumble."""
-    from pathlib import Path
-
     return sorted(file.stem for file in (Path(__file__).parent / "envs").glob("*.json"))
 
 
 def scene_of(name: str) -> Scene:
     """The scene of one of them, to be changed and given to TumbleEnv."""
-    from pathlib import Path
-
     known: Sequence[str] = names()
     if name not in known:
         raise ValueError(f"there is no environment '{name}'; known are {', '.join(known)}")
     return Scene.load(Path(__file__).parent / "envs" / f"{name}.json")
+
+
+def register() -> None:
+    """Registers them with gymnasium as "tumble/NAME-v0". Called when this module is imported, if gymnasium is there."""
+    for name in names():
+        gymnasium.register(
+            id=f"tumble/{name}-v0", entry_point=partial(make, name),
+            vector_entry_point=lambda num_envs, name=name, **options: make_vector(name, num_envs, **options),
+        )  # fmt: skip
+
+
+if gymnasium is not None:
+    register()

@@ -2,94 +2,80 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from tumble.env_entry import Entry
 from tumble.scene import Run, Scene
 
-_ACTIONS = ("force", "thrust", "torque", "motor_speed", "motor_effort", "velocity", "spin", "target")
+_MEMBERS = ("actions", "choices", "observations", "reward", "done", "steps", "random", "frame_skip")
+
+# The kinds in the order of ActionKind, with the members that each has besides `name` and `range`.
+_ACTIONS = {"force": ("axis",), "thrust": ("axis", "point"), "torque": (), "motor_speed": (), "motor_effort": ("speed",),
+            "velocity": ("axis",), "spin": (), "target": ("axis", "point")}  # fmt: skip
 _OF_A_JOINT = ("motor_speed", "motor_effort", "target")
-_OF_BODY = ("x", "y", "angle", "velocity_x", "velocity_y", "angular_velocity")
+
+# The numbers of ObservedKind.
+_OF_BODY = {"x": 0, "y": 1, "angle": 2, "velocity_x": 3, "velocity_y": 4, "angular_velocity": 5}
 _OF_JOINT = {"position": 6, "speed": 7}
-_TOUCHING, _RAY, _VALUE = 8, 9, 10
+_OF_CONTACTS = {"touches": 8, "contact_force": 11}
+_RAY, _VALUE = 9, 10
+
+# What identifies an observation, with the other members that it has besides `name`, `offset` and `scale`. Of a ray,
+# `mask` has categories.
+_OBSERVATIONS = {"rays": ("angles", "count", "length", "point", "turns", "mask"), "touches": (), "contact_force": (),
+                 "value": (), "joint": ("of",), "body": ("of",)}  # fmt: skip
+_IMAGES = ("pixels", "mask")
+
+# In the order of RandomKind.
 _RANDOM = ("x", "y", "angle", "velocity_x", "velocity_y", "angular_velocity", "gravity_scale", "impulse_x", "impulse_y",
            "mass", "friction", "restitution")  # fmt: skip
+
+_ALL_CATEGORIES = 0xFFFFFFFFFFFFFFFF
+_MOST_RAYS = 10000
 
 Rows = npt.NDArray[np.float32]
 
 
 class Plan:
-    """The environment that a scene declares, with its names resolved to ids."""
-
-    MEMBERS = frozenset({"actions", "choices", "observations", "reward", "done", "steps", "random", "frame_skip"})
+    """The environment that a scene declares, with its names resolved to ids. Raises SceneError with the wrong line."""
 
     def __init__(self, scene: Scene) -> None:
         custom = scene.data.get("custom")
-        declared = custom.get("env") if isinstance(custom, dict) else None
-        if not isinstance(declared, dict):
+        if not isinstance(custom, dict) or "env" not in custom:
             raise ValueError(f"{scene!r} declares no environment: it needs custom.env")
-        unknown = set(declared) - self.MEMBERS
-        if unknown:
-            raise ValueError(f"custom.env has no '{sorted(unknown)[0]}'; it may have {', '.join(sorted(self.MEMBERS))}")
+        self._declared = declared = Entry(scene, custom["env"], "", "env")
+        declared.allow(_MEMBERS)
+        self._places = scene._places()
         run = Run(scene)
         self.start = run.world
         self._bodies = {name: body.id for name, body in run.bodies.items()}
         self._joints = {name: joint.id for name, joint in run.joints.items()}
-        self.actions = [self._action(entry) for entry in declared.get("actions", [])]
-        self.choices: Rows | None = None
-        if "choices" in declared:
-            self.choices = np.asarray(declared["choices"], dtype=np.float32)
-            if self.choices.ndim != 2 or self.choices.shape[1] != len(self.actions):
-                raise ValueError(f"custom.env.choices must have the shape (n, {len(self.actions)})")
-        self.names: list[str] = []
+        actions = list(declared.entries("actions", "an action"))
+        self.actions = [self._action(entry) for entry in actions]
+        self.action_names = [entry.text("name", str(i)) for i, entry in enumerate(actions)]
+        self.choices = self._choices() if "choices" in declared else None
+        self.names: list[str] = []  #: of the observations that are numbers
         self.observations: list[dict[str, Any]] = []
         self.images: dict[str, dict[str, Any]] = {}
-        for entry in declared.get("observations", []):
+        for entry in declared.entries("observations", "an observation"):
             self._observe(entry)
-        self.randoms = [self._random(entry) for entry in declared.get("random", [])]
-        self.steps = int(declared.get("steps", 0))
-        self.frame_skip = int(declared.get("frame_skip", 1))
-        self.action_names = [str(entry.get("name", i)) for i, entry in enumerate(declared.get("actions", []))]
-        self.reward = str(declared.get("reward", "0"))
-        self.done = str(declared.get("done", "false"))
-        if self.steps < 0 or self.frame_skip < 1:
-            raise ValueError("custom.env: steps must be at least 0, and frame_skip at least 1")
+        self.randoms = [self._random(entry) for entry in declared.entries("random", "an entry of random")]
+        self.steps = declared.whole("steps", 0, 0, 2**53)
+        self.frame_skip = declared.whole("frame_skip", 1, 1, 10**6)
+        self.reward = declared.text("reward", "0")
+        self.done = declared.text("done", "false")
 
     def resolved(self) -> dict[str, Any]:
         """For the C++ module, which compiles the expressions."""
         choices = [] if self.choices is None else self.choices.ravel().tolist()
+        text, file = self._places
         return {"actions": self.actions, "choices": choices, "observations": self.observations, "randoms": self.randoms,
-                "images": list(self.images.values()),
-                "observation_names": self.names, "action_names": self.action_names, "reward": self.reward,
-                "done": self.done, "frame_skip": self.frame_skip, "steps": self.steps}  # fmt: skip
-
-    def _find(self, table: Mapping[str, int], name: Any, what: str) -> int:
-        if name not in table:
-            raise ValueError(f"custom.env: there is no {what} '{name}'; known are {', '.join(sorted(table)) or 'none'}")
-        return table[name]
-
-    def _body(self, name: Any) -> int:
-        return self._find(self._bodies, name, "body")
-
-    def _joint(self, name: Any) -> int:
-        return self._find(self._joints, name, "joint")
-
-    def _action(self, entry: Mapping[str, Any]) -> dict[str, Any]:
-        kinds = [kind for kind in _ACTIONS if kind in entry]
-        if len(kinds) != 1:
-            raise ValueError(f"custom.env: an action needs one of {', '.join(_ACTIONS)}, got {dict(entry)}")
-        kind = kinds[0]
-        low, high = entry.get("range", [-1, 1])
-        plan: dict[str, Any] = {"kind": _ACTIONS.index(kind), "low": float(low), "high": float(high)}
-        table = "joint" if kind in _OF_A_JOINT else "body"
-        plan[table] = self._joint(entry[kind]) if table == "joint" else self._body(entry[kind])
-        plan["speed"] = float(entry.get("speed", 0.0))
-        plan["axis"] = tuple(map(float, entry.get("axis", (1, 0))))
-        plan["point"] = tuple(map(float, entry.get("point", (0, 0))))
-        return plan
+                "images": list(self.images.values()), "observation_names": self.names,
+                "action_names": self.action_names, "reward": self.reward, "done": self.done,
+                "frame_skip": self.frame_skip, "steps": self.steps, "text": text, "file": file}  # fmt: skip
 
     def image_shape(self, name: str) -> tuple[tuple[int, ...], Any]:
         """The shape and the type of an image: pixels [height, width, 3], or labels [height, width]."""
@@ -102,72 +88,111 @@ class Plan:
         """The numbers of bodies in masks; 0 is no body."""
         return {name: (body & 0xFFFFFFFF) + 1 for name, body in self._bodies.items()}
 
-    def _see(self, kind: str, entry: Mapping[str, Any]) -> None:
-        name = str(entry.get("name", kind))
-        if name in self.images or name == "state":
-            raise ValueError(f"custom.env: an image cannot be called '{name}'")
+    @property
+    def fps(self) -> float:
+        """The actions in a second of simulated time."""
+        return 1.0 / (self.start.dt * self.frame_skip)
+
+    def _action(self, entry: Entry) -> dict[str, Any]:
+        kinds = [kind for kind in _ACTIONS if kind in entry]
+        if len(kinds) != 1:
+            entry.refuse(f"an action needs one of {', '.join(_ACTIONS)}")
+        kind = kinds[0]
+        entry.allow(("name", "range", kind, *_ACTIONS[kind]))
+        low, high = entry.pair("range", (-1, 1))
+        of_joint = kind in _OF_A_JOINT
+        return {"kind": list(_ACTIONS).index(kind), "low": low, "high": high, "pointer": entry.place,
+                "joint" if of_joint else "body": self._joint(entry, kind) if of_joint else self._body(entry, kind),
+                "speed": entry.number("speed") if kind == "motor_effort" else 0.0,
+                "axis": entry.pair("axis", (1, 0)), "point": entry.pair("point", (0, 0))}  # fmt: skip
+
+    def _choices(self) -> Rows:
         try:
-            columns, rows = map(int, entry[kind])
+            choices = np.asarray(self._declared.get("choices"), dtype=np.float32)
         except (TypeError, ValueError):
-            columns = rows = 0
-        if not (16 <= columns <= 8192 and 16 <= rows <= 8192):
-            raise ValueError(f"custom.env: {kind} must be [width, height], each 16 to 8192, got {entry[kind]}")
-        image: dict[str, Any] = {"is_mask": kind == "mask", "columns": columns, "rows": rows}
+            choices = np.zeros(0, np.float32)
+        if choices.ndim != 2 or choices.shape[0] < 1 or choices.shape[1] != len(self.actions):
+            self._declared.refuse(f"choices must have the shape (n, {len(self.actions)})", "choices")
+        return choices
+
+    def _body(self, entry: Entry, name: str) -> int:
+        return entry.name_in(self._bodies, name, "body")
+
+    def _joint(self, entry: Entry, name: str) -> int:
+        return entry.name_in(self._joints, name, "joint")
+
+    def _observe(self, entry: Entry) -> None:
+        kinds = [kind for kind in _OBSERVATIONS if kind in entry]
+        images = [kind for kind in _IMAGES if kind in entry and "rays" not in entry]
+        if len(kinds) + len(images) != 1:
+            entry.refuse(f"an observation needs one of {', '.join((*_OBSERVATIONS, *_IMAGES))}")
+        if images:
+            return self._see(images[0], entry)
+        kind = kinds[0]
+        entry.allow(("name", "offset", "scale", kind, *_OBSERVATIONS[kind]))
+        name = entry.text("name", f"observation_{len(self.names)}")
+        scaled = {"scale": entry.number("scale", 1.0), "offset": entry.number("offset", 0.0), "pointer": entry.place}
+        if kind == "rays":
+            rays = self._rays(entry)
+            self.names += [f"{name}_{i}" for i in range(len(rays))]
+            self.observations += [{**ray, **scaled} for ray in rays]
+        else:
+            self.names.append(name)
+            self.observations.append({**self._measured(kind, entry), **scaled})
+
+    def _measured(self, kind: str, entry: Entry) -> dict[str, Any]:
+        if kind in _OF_CONTACTS:
+            return self._contacts(kind, entry)
+        if kind == "value":
+            return {"kind": _VALUE, "expression": entry.text("value")}
+        quantities = _OF_JOINT if kind == "joint" else _OF_BODY
+        part = self._joint(entry, "joint") if kind == "joint" else self._body(entry, "body")
+        return {"kind": entry.name_in(quantities, "of", f"quantity of a {kind}"), kind: part}
+
+    def _contacts(self, kind: str, entry: Entry) -> dict[str, Any]:
+        named = entry.get(kind)
+        if not isinstance(named, list):
+            return {"kind": _OF_CONTACTS[kind], "body": self._body(entry, kind)}
+        if len(named) != 2:
+            entry.refuse(f"{kind} must be a body, or a list of two", kind)
+        one, other = (entry.name_in(self._bodies, kind, "body", value=body or "?") for body in named)
+        return {"kind": _OF_CONTACTS[kind], "body": one, "other": other}
+
+    def _rays(self, entry: Entry) -> list[dict[str, Any]]:
+        body = self._body(entry, "rays")
+        first, last = np.radians(entry.pair("angles", (0, 360)))
+        count = entry.whole("count", 1, 1, _MOST_RAYS)
+        length = entry.number("length", 10.0)
+        if length <= 0:
+            entry.refuse(f"length must be above 0, got {length}", "length")
+        shared = {"kind": _RAY, "body": body, "point": entry.pair("point", (0, 0)), "turns": entry.truth("turns", False),
+                  "mask": entry.whole("mask", _ALL_CATEGORIES, 0, _ALL_CATEGORIES)}  # fmt: skip
+        return [{**shared, "axis": (length * float(np.cos(angle)), length * float(np.sin(angle)))}
+                for angle in np.linspace(first, last, count)]  # fmt: skip
+
+    def _see(self, kind: str, entry: Entry) -> None:
+        entry.allow(("name", kind, "center", "height", "follow"))
+        name = entry.text("name", kind)
+        if name in self.images or name == "state":
+            entry.refuse(f"an image cannot be called '{name}'")
+        columns, rows = entry.pair(kind)
+        if not all(16 <= side <= 8192 and side == int(side) for side in (columns, rows)):
+            entry.refuse(f"{kind} must be [width, height], each 16 to 8192, got {entry.get(kind)}", kind)
+        image: dict[str, Any] = {"is_mask": kind == "mask", "columns": int(columns), "rows": int(rows)}
         if "center" in entry:
-            image["center"] = tuple(map(float, entry["center"]))
+            image["center"] = entry.pair("center")
         if "height" in entry:
-            image["height"] = float(entry["height"])
-            if not 0 < image["height"] < np.inf:
-                raise ValueError(f"custom.env: the height of an image must be above 0, got {entry['height']}")
+            image["height"] = entry.number("height")
+            if image["height"] <= 0:
+                entry.refuse(f"the height of an image must be above 0, got {image['height']}", "height")
         if "follow" in entry:
-            self._body(entry["follow"])
-            image["follow"] = str(entry["follow"])
+            self._body(entry, "follow")
+            image["follow"] = entry.text("follow")
         self.images[name] = image
 
-    def _observe(self, entry: Mapping[str, Any]) -> None:
-        for kind in ("pixels", "mask"):
-            if kind in entry and "rays" not in entry:  # rays have a mask of categories
-                return self._see(kind, entry)
-        scaled = {"scale": float(entry.get("scale", 1.0)), "offset": float(entry.get("offset", 0.0))}
-        name = str(entry.get("name", f"observation_{len(self.names)}"))
-        if "rays" in entry:
-            ways = self._ways(entry)
-            body = self._body(entry["rays"])
-            for i, way in enumerate(ways):
-                self.names.append(f"{name}_{i}")
-                self.observations.append({"kind": _RAY, "body": body, "axis": way, **scaled,
-                                          "point": tuple(map(float, entry.get("point", (0, 0)))),
-                                          "turns": bool(entry.get("turns", False)),
-                                          "mask": int(entry.get("mask", 0xFFFFFFFFFFFFFFFF))})  # fmt: skip
-            return
-        self.names.append(name)
-        if "touches" in entry:
-            one, *other = entry["touches"] if isinstance(entry["touches"], list) else [entry["touches"]]
-            plan: dict[str, Any] = {"kind": _TOUCHING, "body": self._body(one), **scaled}
-            if other:
-                plan["other"] = self._body(other[0])
-        elif "value" in entry:
-            plan = {"kind": _VALUE, "expression": str(entry["value"]), **scaled}
-        elif "joint" in entry and entry.get("of") in _OF_JOINT:
-            plan = {"kind": _OF_JOINT[entry["of"]], "joint": self._joint(entry["joint"]), **scaled}
-        elif "body" in entry and entry.get("of") in _OF_BODY:
-            plan = {"kind": _OF_BODY.index(entry["of"]), "body": self._body(entry["body"]), **scaled}
-        else:
-            raise ValueError(f"custom.env: an observation needs body and of ({', '.join(_OF_BODY)}), joint and of "
-                             f"({', '.join(_OF_JOINT)}), touches, rays, value, pixels or mask, got {dict(entry)}")  # fmt: skip
-        self.observations.append(plan)
-
-    @staticmethod
-    def _ways(entry: Mapping[str, Any]) -> list[tuple[float, float]]:
-        first, last = np.radians(entry.get("angles", (0, 360)))
-        count = int(entry.get("count", 1))
-        length = float(entry.get("length", 10.0))
-        angles = np.linspace(first, last, count)
-        return [(length * float(np.cos(a)), length * float(np.sin(a))) for a in angles]
-
-    def _random(self, entry: Mapping[str, Any]) -> dict[str, Any]:
-        if entry.get("of") not in _RANDOM:
-            raise ValueError(f"custom.env: random needs of ({', '.join(_RANDOM)}), got {dict(entry)}")
-        low, high = entry["range"]
-        return {"kind": _RANDOM.index(entry["of"]), "body": self._body(entry["body"]), "low": float(low),
-                "high": float(high)}  # fmt: skip
+    def _random(self, entry: Entry) -> dict[str, Any]:
+        entry.allow(("body", "of", "range"))
+        low, high = entry.pair("range")
+        kinds = {name: i for i, name in enumerate(_RANDOM)}
+        return {"kind": entry.name_in(kinds, "of", "random quantity"), "body": self._body(entry, "body"), "low": low,
+                "high": high}  # fmt: skip

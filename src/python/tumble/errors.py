@@ -33,14 +33,17 @@ class SceneError(ValueError):
 
     @property
     def file(self) -> str:
+        """The file, or the name that the scene was given; "" if it is unknown."""
         return self.diagnostics[0].file if self.diagnostics else ""
 
     @property
     def line(self) -> int:
+        """From 1; 0 if it is unknown."""
         return self.diagnostics[0].line if self.diagnostics else 0
 
     @property
     def column(self) -> int:
+        """From 1, in bytes; 0 if it is unknown."""
         return self.diagnostics[0].column if self.diagnostics else 0
 
     def __reduce__(self) -> tuple[type[SceneError], tuple[str, list[Diagnostic]]]:
@@ -61,6 +64,10 @@ class SimulationDiverged(RuntimeError):
 
     def __reduce__(self) -> tuple[type[SimulationDiverged], tuple[str, int, int]]:
         return SimulationDiverged, (str(self), self.body, self.step)
+
+
+class InUseError(RuntimeError):
+    """Another thread is stepping this world, these environments or this video."""
 
 
 class FileError(OSError):

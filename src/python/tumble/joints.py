@@ -10,13 +10,14 @@ from typing import Any
 
 import numpy as np
 
+from tumble import _tumble
 from tumble.bodies import Body
-from tumble.parts import Part
+from tumble.parts import Part, id_in
 from tumble.shapes import Vector, vector
 
 
 class Joint(Part):
-    """A joint of two bodies. `World.add_joint` lists the kinds and their members."""
+    """A joint of two bodies. `World.add_joint` lists the kinds and their members. A destroyed joint raises ValueError."""
 
     __slots__ = ()
 
@@ -27,13 +28,16 @@ class Joint(Part):
 
     @property
     def is_alive(self) -> bool:
+        """Whether it is not destroyed."""
         return self._box.is_joint(self._id)
 
     def destroy(self) -> None:
+        """Removes the joint, and the gears on it."""
         self._box.destroy_joint(self._id)
 
     @property
     def kind(self) -> str:
+        """Its kind, as `World.add_joint` takes it."""
         return self._box.joint(self._id)[0]
 
     @property
@@ -43,14 +47,16 @@ class Joint(Part):
 
     def change(self, **members: Any) -> None:
         """Changes members: joint.change(limits=(-1, 1), motor=(2, 100))."""
-        self._box.change_joint(self._id, plain_members(members))
+        self._box.change_joint(self._id, plain_members(self._box, members))
 
     @property
     def body_a(self) -> Body:
+        """The first of its bodies."""
         return Body(self._world, self.definition["body_a"])
 
     @property
     def body_b(self) -> Body:
+        """The second of its bodies."""
         return Body(self._world, self.definition["body_b"])
 
     @property
@@ -131,12 +137,15 @@ class Joint(Part):
         self._box.set_joint_user_data(self._id, value)
 
 
-def plain_members(members: Mapping[str, Any]) -> dict[str, Any]:
-    """Bodies and joints by id, vectors as tuples."""
+_PARTS: dict[str, type[Part]] = {"body_a": Body, "body_b": Body, "joint_a": Joint, "joint_b": Joint}
+
+
+def plain_members(box: _tumble.World, members: Mapping[str, Any]) -> dict[str, Any]:
+    """Bodies and joints of the world by id, vectors as tuples."""
     plain: dict[str, Any] = {}
     for name, value in members.items():
-        if isinstance(value, Part):
-            value = value.id
+        if name in _PARTS:
+            value = id_in(box, value, _PARTS[name], name)
         elif isinstance(value, (list, np.ndarray)):
             value = vector(value, name)
         plain[name] = value
@@ -144,10 +153,12 @@ def plain_members(members: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def wrapped(angle: float) -> float:
+    """The same angle in [-pi, pi)."""
     return float((angle + np.pi) % (2.0 * np.pi) - np.pi)
 
 
 def to_local(body: Body, point: tuple[float, float]) -> tuple[float, float]:
+    """A world point in coordinates of the body."""
     x, y = body.position
     c, s = np.cos(body.angle), np.sin(body.angle)
     dx, dy = point[0] - x, point[1] - y
@@ -155,6 +166,7 @@ def to_local(body: Body, point: tuple[float, float]) -> tuple[float, float]:
 
 
 def to_world(body: Body, point: tuple[float, float]) -> tuple[float, float]:
+    """A point in coordinates of the body as a world point."""
     x, y = body.position
     c, s = np.cos(body.angle), np.sin(body.angle)
     return float(x + c * point[0] - s * point[1]), float(y + s * point[0] + c * point[1])

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from tumble import _tumble
+
 if TYPE_CHECKING:
     from tumble.world import World
 
@@ -13,6 +15,15 @@ def index_of(names: Sequence[str], name: str, what: str) -> int:
     if name not in names:
         raise ValueError(f"{what} must be one of {', '.join(names)}, got {name!r}")
     return names.index(name)
+
+
+def id_in(box: _tumble.World, part: object, kind: type[Part], name: str) -> int:
+    """The id of a part of a world, or the right exception."""
+    if not isinstance(part, kind):
+        raise TypeError(f"{name} must be a {kind.__name__}, got {part!r}")
+    if part._box is not box:
+        raise ValueError(f"{name} must be in this world")
+    return part._id
 
 
 class Part:
@@ -27,6 +38,7 @@ class Part:
 
     @property
     def world(self) -> World:
+        """The world that it is in."""
         return self._world
 
     @property

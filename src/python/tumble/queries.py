@@ -11,8 +11,10 @@ import numpy as np
 import numpy.typing as npt
 
 from tumble import _tumble
-from tumble.bodies import Body, BodyShape
-from tumble.shapes import Shape, Vector, points_array, vector
+from tumble.bodies import Body
+from tumble.body_shapes import BodyShape
+from tumble.parts import id_in
+from tumble.shapes import Shape, Vector, array_of, points_array, vector
 
 
 class Hit(NamedTuple):
@@ -51,23 +53,25 @@ class Queries:
     _box: _tumble.World
 
     def body(self, id: int) -> Body:
+        """The body of an id, as contacts have it."""
         raise NotImplementedError
 
     def shape(self, id: int) -> BodyShape:
+        """The shape of an id, as contacts and events have it."""
         raise NotImplementedError
 
     def cast_ray(self, origin: Vector, translation: Vector, *, exclude: Body | None = None, mask: int | None = None,
                  sensors: bool = False) -> Hit | None:  # fmt: skip
         """The first shape that a ray from `origin` to `origin + translation` enters."""
         return self._hit(
-            self._box.cast_ray(vector(origin, "origin"), vector(translation, "translation"), _filter(exclude, mask, sensors))
+            self._box.cast_ray(vector(origin, "origin"), vector(translation, "translation"), self._filter(exclude, mask, sensors))
         )
 
     def cast_ray_all(self, origin: Vector, translation: Vector, *, exclude: Body | None = None, mask: int | None = None,
                      sensors: bool = False) -> list[Hit]:  # fmt: skip
         """All shapes that a ray enters, the nearest first."""
         hits = self._box.cast_ray_all(
-            vector(origin, "origin"), vector(translation, "translation"), _filter(exclude, mask, sensors)
+            vector(origin, "origin"), vector(translation, "translation"), self._filter(exclude, mask, sensors)
         )
         return [hit for hit in map(self._hit, hits) if hit is not None]
 
@@ -78,38 +82,38 @@ class Queries:
         A ray that hits nothing has the fraction 1 and the ids 0. One origin serves all rays.
         """
         ways = points_array(translations, "translations")
-        starts = points_array(np.atleast_2d(origins), "origins")
+        starts = points_array(np.atleast_2d(array_of(origins, "origins")), "origins")
         if len(starts) == 1:
             starts = np.ascontiguousarray(np.broadcast_to(starts, ways.shape))
         if starts.shape != ways.shape:
             raise ValueError(f"origins {starts.shape} and translations {ways.shape} must have one shape")
-        return self._box.cast_rays(starts, ways, _filter(exclude, mask, sensors))
+        return self._box.cast_rays(starts, ways, self._filter(exclude, mask, sensors))
 
     def cast_shape(self, shape: Shape, position: Vector, translation: Vector, *, angle: float = 0.0,
                    exclude: Body | None = None, mask: int | None = None, sensors: bool = False) -> Hit | None:  # fmt: skip
         """The first shape that `shape` touches when it moves by `translation` without rotation."""
         return self._hit(
             self._box.cast_shape(
-                shape, vector(position, "position"), angle, vector(translation, "translation"), _filter(exclude, mask, sensors)
+                shape, vector(position, "position"), angle, vector(translation, "translation"), self._filter(exclude, mask, sensors)
             )
         )
 
     def overlap(self, shape: Shape, position: Vector = (0.0, 0.0), angle: float = 0.0, *, exclude: Body | None = None,
                 mask: int | None = None, sensors: bool = False) -> list[BodyShape]:  # fmt: skip
         """The shapes that `shape` at a pose overlaps."""
-        ids = self._box.overlap_shape(shape, vector(position, "position"), angle, _filter(exclude, mask, sensors))
+        ids = self._box.overlap_shape(shape, vector(position, "position"), angle, self._filter(exclude, mask, sensors))
         return [self.shape(id) for id in ids]
 
     def overlap_box(self, lower: Vector, upper: Vector, *, exclude: Body | None = None, mask: int | None = None,
                     sensors: bool = False) -> list[BodyShape]:  # fmt: skip
         """The shapes whose bounding boxes overlap a box."""
-        ids = self._box.overlap_box(vector(lower, "lower"), vector(upper, "upper"), _filter(exclude, mask, sensors))
+        ids = self._box.overlap_box(vector(lower, "lower"), vector(upper, "upper"), self._filter(exclude, mask, sensors))
         return [self.shape(id) for id in ids]
 
     def closest(self, point: Vector, max_distance: float = float("inf"), *, exclude: Body | None = None,
                 mask: int | None = None, sensors: bool = False) -> Closest | None:  # fmt: skip
         """The shape nearest to a point, if one is at most `max_distance` m away."""
-        found = self._box.closest(vector(point, "point"), max_distance, _filter(exclude, mask, sensors))
+        found = self._box.closest(vector(point, "point"), max_distance, self._filter(exclude, mask, sensors))
         if found is None:
             return None
         body, shape, distance, at, normal = found
@@ -117,7 +121,7 @@ class Queries:
 
     def distance(self, a: Body, b: Body) -> BodyDistance:
         """The signed distance of two bodies."""
-        return BodyDistance(*self._box.distance(a.id, b.id))
+        return BodyDistance(*self._box.distance(id_in(self._box, a, Body, "a"), id_in(self._box, b, Body, "b")))
 
     def _hit(self, found: tuple[Any, ...] | None) -> Hit | None:
         if found is None:
@@ -125,11 +129,10 @@ class Queries:
         body, shape, fraction, point, normal, inside = found
         return Hit(self.body(body), self.shape(shape), fraction, point, normal, inside)
 
-
-def _filter(exclude: Body | None, mask: int | None, sensors: bool) -> dict[str, Any]:
-    members: dict[str, Any] = {"sensors": sensors}
-    if exclude is not None:
-        members["exclude"] = exclude.id
-    if mask is not None:
-        members["filter"] = {"mask": mask}
-    return members
+    def _filter(self, exclude: Body | None, mask: int | None, sensors: bool) -> dict[str, Any]:
+        members: dict[str, Any] = {"sensors": sensors}
+        if exclude is not None:
+            members["exclude"] = id_in(self._box, exclude, Body, "exclude")
+        if mask is not None:
+            members["filter"] = {"mask": mask}
+        return members

@@ -48,13 +48,20 @@ def fitted_camera(what: World | Run, aspect_ratio: float = 16.0 / 9.0) -> tuple[
     return _tumble.fitted_camera(world._box, world._has_scene, aspect_ratio)
 
 
-def write_png(pixels: npt.NDArray[Any], path: str | os.PathLike[str]) -> None:
-    """Writes pixels [height, width, 4] of uint8. The same pixels give the same bytes."""
+def checked_pixels(pixels: npt.NDArray[Any]) -> npt.NDArray[np.uint8]:
+    """Pixels [height, width, 4], opaque if they have no alpha, or the right exception."""
     if not isinstance(pixels, np.ndarray) or pixels.dtype != np.uint8:
         raise TypeError("pixels must be an array of uint8")
-    if pixels.ndim != 3 or pixels.shape[2] != 4:
-        raise ValueError(f"pixels must have the shape (height, width, 4), got {pixels.shape}")
-    _tumble.write_png(np.ascontiguousarray(pixels), os.fspath(path))
+    if pixels.ndim != 3 or pixels.shape[2] not in (3, 4):
+        raise ValueError(f"pixels must have the shape (height, width, 3 or 4), got {pixels.shape}")
+    if pixels.shape[2] == 3:
+        pixels = np.concatenate([pixels, np.full((*pixels.shape[:2], 1), 255, np.uint8)], axis=2)
+    return np.ascontiguousarray(pixels)
+
+
+def write_png(pixels: npt.NDArray[Any], path: str | os.PathLike[str]) -> None:
+    """Writes pixels [height, width, 3 or 4] of uint8. The same pixels give the same bytes. Raises FileError."""
+    _tumble.write_png(checked_pixels(pixels), os.fspath(path))
 
 
 def png_bytes(pixels: npt.NDArray[Any]) -> bytes:

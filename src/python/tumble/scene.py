@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from tumble import _tumble
 from tumble.bodies import Body
+from tumble.errors import Diagnostic
 from tumble.joints import Joint
 from tumble.shapes import Vector
 from tumble.world import World
@@ -22,11 +23,20 @@ from tumble.world import World
 class Claim(NamedTuple):
     """The result of one claim of a scene."""
 
-    passed: bool
+    passed: bool  #: whether it holds; False if it is not decided
     claim: str  #: "'crate' is inside [0, 0] to [2, 3] at 4 s"
     finding: str  #: "it is at [2.5, 0.5]"
     step: int  #: the step that decided it
     time: float  #: s, of that step
+    is_decided: bool  #: False for `picture` and `max_time_ratio`, which only `tumble check` decides
+
+
+class Source(NamedTuple):
+    """What a scene was read from."""
+
+    text: str
+    file: str
+    custom: Any  #: the custom data that it has
 
 
 class Scene:
@@ -39,10 +49,11 @@ class Scene:
     """
 
     def __init__(self, data: Mapping[str, Any] | None = None, *, name: str = "scene") -> None:
-        """Takes a copy of the data. SceneError names what is wrong in it when it runs, or by `check`."""
+        """Takes a copy of the data. SceneError names what is wrong in it when it runs, or by `validate`."""
         self.data: dict[str, Any] = copy.deepcopy(dict(data)) if data is not None else {"format": 1}
         self.data.setdefault("format", 1)
         self._name = name
+        self._source: Source | None = None
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, set: Sequence[str] = (), seed: int | None = None,
@@ -54,20 +65,27 @@ class Scene:
         FileError.
         """
         text = _tumble.load_scene(os.fspath(path), list(set), seed, allow_outside)
-        return cls(json.loads(text), name=Path(path).name)
+        scene = cls(json.loads(text), name=Path(path).name)
+        scene._read_from(Path(path).read_text(encoding="utf-8", errors="replace"), os.fspath(path))
+        return scene
 
     @classmethod
     def parse(cls, text: str, name: str = "scene") -> Scene:
         """Reads the text of a scene file, which may have comments. Raises SceneError with line and column."""
-        return cls(json.loads(_tumble.check_scene(text, name)), name=name)
+        scene = cls(json.loads(_tumble.canonical_text(text, name)), name=name)
+        scene._read_from(text, name)
+        return scene
 
-    def check(self) -> None:
-        """Raises SceneError if the data is not a valid scene."""
-        _tumble.check_scene(self._text(), self._name)
+    def _read_from(self, text: str, file: str) -> None:
+        self._source = Source(text, file, copy.deepcopy(self.data.get("custom")))
+
+    def validate(self) -> list[Diagnostic]:
+        """The warnings about the scene, such as of bodies that overlap. Raises SceneError if it is not valid."""
+        return _tumble.validate_scene(self._text(), self._name)
 
     def to_json(self) -> str:
         """The canonical text of the scene."""
-        return _tumble.check_scene(self._text(), self._name)
+        return _tumble.canonical_text(self._text(), self._name)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the canonical text."""
@@ -84,22 +102,33 @@ class Scene:
         bodies: list[dict[str, Any]] = self.data.setdefault("bodies", [])
         return bodies
 
-    def start(self) -> Run:
-        """A run at its first state, to be stepped."""
-        return Run(self)
+    def start(self, *, threads: int = 1) -> Run:
+        """A run at its first state, to be stepped. Its steps are made by `threads`; 0: one a processor."""
+        run = Run(self)
+        run.world.threads = threads
+        return run
 
-    def run(self, duration: float | None = None) -> Run:
+    def run(self, duration: float | None = None, *, threads: int = 1) -> Run:
         """Runs the scene for `duration` s, by default its own, and evaluates its claims."""
         scene = self
         if duration is not None:
-            scene = Scene(self.data, name=self._name)
+            scene = self.copy()
             scene.data.setdefault("world", {})["duration"] = duration
-        run = Run(scene)
+        run = scene.start(threads=threads)
         run.finish()
         return run
 
     def copy(self) -> Scene:
-        return Scene(self.data, name=self._name)
+        """A scene with a copy of the data."""
+        scene = Scene(self.data, name=self._name)
+        scene._source = self._source
+        return scene
+
+    def _places(self) -> tuple[str, str]:
+        """A text that has the custom data, and the name of its file: for errors in it."""
+        if self._source is not None and self._source.custom == self.data.get("custom"):
+            return self._source.text, self._source.file
+        return self._text(), self._name
 
     def _text(self) -> str:
         try:
@@ -178,12 +207,12 @@ class Run:
 
     @property
     def claims(self) -> list[Claim]:
-        """The results of the claims so far, in the order of the scene."""
+        """The results of the claims so far, in the order of the scene: of a claim on the end, at the present state."""
         return [Claim(*result) for result in _tumble.run_claims(self._box)]
 
     @property
     def passed(self) -> bool:
-        """Whether all claims hold."""
+        """Whether all claims are decided and hold. Those with `is_decided` False need `tumble check`."""
         return all(claim.passed for claim in self.claims)
 
     def save(self) -> tuple[str, bytes, bytes]:
@@ -197,6 +226,7 @@ class Run:
         return Run(Scene(json.loads(text)), _box=_tumble.load_run(text, run, watch))
 
     def copy(self) -> Run:
+        """A run in the same state, with its timeline and claims."""
         return Run.load(self.save())
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -16,6 +16,16 @@ Vector = Sequence[float] | npt.NDArray[Any]
 __all__ = ["Shape", "Vector", "box", "capsule", "circle", "polygon", "segment"]
 
 
+def number(value: float, name: str) -> float:
+    """A number, or the right exception."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a number, got {value!r}") from None
+    except OverflowError:
+        raise ValueError(f"{name} is too large") from None
+
+
 def vector(value: Vector, name: str) -> tuple[float, float]:
     """A pair of numbers, or the right exception."""
     try:
@@ -23,13 +33,24 @@ def vector(value: Vector, name: str) -> tuple[float, float]:
         return float(x), float(y)
     except (TypeError, ValueError):
         raise TypeError(f"{name} must be two numbers, got {value!r}") from None
+    except OverflowError:
+        raise ValueError(f"{name} is too large") from None
 
 
 def points_array(points: Any, name: str) -> npt.NDArray[np.float64]:
-    array: npt.NDArray[np.float64] = np.ascontiguousarray(points, dtype=np.float64)
+    """An array [n, 2], or the right exception."""
+    array = array_of(points, name)
     if array.ndim != 2 or array.shape[1] != 2:
         raise ValueError(f"{name} must have the shape (n, 2), got {array.shape}")
     return array
+
+
+def array_of(values: Any, name: str) -> npt.NDArray[np.float64]:
+    """An array of numbers, or the right exception."""
+    try:
+        return np.ascontiguousarray(values, dtype=np.float64)
+    except OverflowError:
+        raise ValueError(f"{name} has a number that is too large") from None
 
 
 def circle(radius: float, center: Vector = (0.0, 0.0)) -> Shape:
@@ -49,7 +70,7 @@ def segment(start: Vector, end: Vector) -> Shape:
 
 def box(width: float, height: float, *, radius: float = 0.0, center: Vector = (0.0, 0.0), angle: float = 0.0) -> Shape:
     """A box of outer size `width` x `height` m with corners rounded by `radius`, turned by `angle` (rad)."""
-    return _tumble.box((float(width), float(height)), radius, vector(center, "center"), angle)
+    return _tumble.box(vector((width, height), "width and height"), radius, vector(center, "center"), angle)
 
 
 def polygon(points: Any, *, radius: float = 0.0, exact: bool = False) -> Shape:

@@ -5,19 +5,25 @@ Units are m, kg, s and rad; y is up and counter-clockwise is positive.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import operator
+import os
+from collections.abc import Callable, Iterator, Sequence
 from types import SimpleNamespace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from tumble import _tumble
-from tumble.bodies import BODY_TYPES, DYNAMIC, Body, BodyShape
+from tumble.bodies import BODY_TYPES, DYNAMIC, Body
+from tumble.body_shapes import BodyShape
 from tumble.joints import Joint, plain_members, to_local, to_world, wrapped
 from tumble.parts import index_of
 from tumble.queries import Queries
-from tumble.shapes import Shape, Vector, vector
+from tumble.shapes import Shape, Vector, number, vector
+
+if TYPE_CHECKING:
+    from tumble.scene import Run
 
 _SOLVERS = ("iterative", "direct")
 _IMPACTS = ("at_step_end", "in_order")
@@ -35,6 +41,10 @@ class World(Queries):
     0.5
 
     The same calls give the same bits in every run. A world can be pickled and copied; one thread at a time may use it.
+
+    `sleeping`: bodies at rest sleep, which costs nothing. `continuous`: fast bodies do not pass through thin ones. `joints`:
+    "iterative", or "direct", which holds chains and pendulums exactly. `impacts`: "in_order", or "at_step_end", which is
+    faster. `scale`: the size of a typical body, m.
     """
 
     def __init__(
@@ -48,6 +58,7 @@ class World(Queries):
         joints: str = "iterative",
         impacts: str = "in_order",
         scale: float = 1.0,
+        threads: int = 1,
     ) -> None:
         self._has_scene = False
         self._box = _tumble.World(
@@ -62,6 +73,7 @@ class World(Queries):
                 "scale": scale,
             }
         )
+        self.threads = threads
 
     @classmethod
     def _of(cls, box: _tumble.World, has_scene: bool) -> World:
@@ -93,7 +105,17 @@ class World(Queries):
 
     @property
     def step_count(self) -> int:
+        """The number of steps made so far."""
         return self._box.step_count()
+
+    @property
+    def threads(self) -> int:
+        """The threads that make a step; 0: one for each processor. The same steps come of any number."""
+        return self._box.threads()
+
+    @threads.setter
+    def threads(self, value: int) -> None:
+        self._box.set_threads(value)
 
     @property
     def dt(self) -> float:
@@ -171,10 +193,11 @@ class World(Queries):
     ) -> Body:
         """Creates a body, with shapes of one material. `Body.add_shape` adds others."""
         x, y = vector(position, "position")
+        moves = vector(velocity, "velocity") != (0.0, 0.0) or angular_velocity != 0.0
         id = self._box.create_body(
             {
                 "type": index_of(BODY_TYPES, type, "type"),
-                "pose": (x, y, float(angle)),
+                "pose": (x, y, number(angle, "angle")),
                 "linear_damping": linear_damping,
                 "angular_damping": angular_damping,
                 "gravity_scale": gravity_scale,
@@ -189,7 +212,7 @@ class World(Queries):
         try:
             for shape in shapes:
                 body.add_shape(shape, density=density, friction=friction, restitution=restitution)
-            if awake and (tuple(velocity) != (0.0, 0.0) or angular_velocity != 0.0):
+            if awake and moves:
                 self._box.set_velocity(id, vector(velocity, "velocity"), angular_velocity)
         except BaseException:
             body.destroy()
@@ -203,15 +226,18 @@ class World(Queries):
 
     def body(self, id: int) -> Body:
         """The body of an id, as contacts have it."""
-        if not self._box.is_body(int(id)):
-            raise ValueError(f"there is no body with the id {id}")
-        return Body(self, int(id))
+        return Body(self, self._known(id, self._box.is_body, "body"))
 
     def shape(self, id: int) -> BodyShape:
         """The shape of an id, as contacts and events have it."""
-        if not self._box.is_shape(int(id)):
-            raise ValueError(f"there is no shape with the id {id}")
-        return BodyShape(self, int(id))
+        return BodyShape(self, self._known(id, self._box.is_shape, "shape"))
+
+    @staticmethod
+    def _known(id: int, is_alive: Callable[[int], bool], what: str) -> int:
+        number = operator.index(id)
+        if not 0 <= number < 2**64 or not is_alive(number):
+            raise ValueError(f"there is no {what} with the id {id}")
+        return number
 
     def add_joint(self, kind: str, body_a: Body | None = None, body_b: Body | None = None, **members: Any) -> Joint:
         """Creates a joint.
@@ -224,11 +250,9 @@ class World(Queries):
         """
         if (body_a is None or body_b is None) and kind != "gear":
             raise TypeError(f"a {kind} joint needs two bodies")
-        plain = plain_members(members)
+        plain = plain_members(self._box, members)
         if body_a is not None and body_b is not None:
-            if body_a.world._box is not self._box or body_b.world._box is not self._box:
-                raise ValueError("a joint needs two bodies of this world")
-            plain.update(body_a=body_a.id, body_b=body_b.id)
+            plain.update(plain_members(self._box, {"body_a": body_a, "body_b": body_b}))
             if "anchor" in plain:
                 point = vector(plain.pop("anchor"), "anchor")
                 plain.update(anchor_a=to_local(body_a, point), anchor_b=to_local(body_b, point))
@@ -242,6 +266,7 @@ class World(Queries):
 
     @property
     def joints(self) -> list[Joint]:
+        """In the order of their ids."""
         return [Joint(self, id) for id in self._box.joints()]
 
     def _joints_of(self, body: int) -> list[Joint]:
@@ -317,3 +342,17 @@ class World(Queries):
 
     def __bool__(self) -> bool:
         return True
+
+
+def step_all(worlds: Sequence[World | Run], count: int = 1, *, threads: int | None = None) -> None:
+    """Steps many worlds or runs at once, each `count` times, without the GIL. `threads` is by default one a processor.
+
+    Each world is stepped by one thread: this uses processors better than threads within a step. If steps raise, the other
+    worlds still make theirs, and the exception of the first is raised.
+    """
+    boxes = []
+    for world in worlds:
+        if not isinstance(getattr(world, "_box", None), _tumble.World):
+            raise TypeError(f"worlds must be worlds or runs, got {world!r}")
+        boxes.append(world._box)
+    _tumble.step_all(boxes, count, threads if threads is not None else len(os.sched_getaffinity(0)))

@@ -151,12 +151,12 @@ print(observation, reward)
 # %%
 def steps_on_the_tray(gains, count=64):
     envs = tumble.env.VectorEnv(scene, count, seed=1)
-    observations = envs.reset()
+    observations, infos = envs.reset()
     ended = np.zeros(count, bool)
     kept = 0
     for _ in range(599):
         tilt = np.clip(observations @ np.float32(gains), -1, 1)[:, None]
-        observations, rewards, terminated, truncated = envs.step(tilt)
+        observations, rewards, terminated, truncated, infos = envs.step(tilt)
         ended |= terminated
         kept += int((~ended).sum())
     return kept / count

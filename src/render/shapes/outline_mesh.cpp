@@ -13,6 +13,7 @@ namespace tumble::render {
 namespace {
 
 constexpr double kChordError = 0.05;   // pixels
+constexpr double kMostChords = 65536;  // of an arc: enough up to a radius of 4e7 pixels
 constexpr double kLeastSpacing = 0.5;  // pixels
 constexpr double kOuterDepth = 1.0;    // pixels outside the edge, where coverage is 0
 
@@ -21,7 +22,7 @@ void append_arc(std::vector<DVec2>& outline, DVec2 center, double radius, double
     // A chord of angle a lies radius (1 - cos(a/2)) ~ radius a^2 / 8 off its arc.
     const double largest = std::sqrt(8.0 * kChordError / std::max(radius, kChordError));
     TUMBLE_CHECK(radius >= 0.0);
-    const int chords = std::max(1, static_cast<int>(std::ceil(turn / largest)));
+    const int chords = static_cast<int>(std::clamp(std::ceil(turn / largest), 1.0, kMostChords));
     for (int i = 0; i <= chords; ++i) {
         const SinCos direction = sin_cos(from + turn * i / chords);
         outline.push_back(center + radius * DVec2{direction.cos, direction.sin});

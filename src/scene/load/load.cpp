@@ -92,6 +92,18 @@ Scene SceneSource::load(const LoadOptions& options, std::vector<Diagnostic>* war
                       warnings);
 }
 
+void refuse_value(std::string_view text, const std::string& file_name, const std::string& pointer,
+                  const ValueProblem& problem) {
+    using scene::Diagnostics;
+    Diagnostics diagnostics(file_name, scene::without_byte_order_mark(text));
+    if (problem.inside)
+        diagnostics.error_in_text(pointer, *problem.inside, problem.message, problem.hint);
+    else
+        diagnostics.error(pointer, problem.message, problem.hint,
+                          problem.at_key ? Diagnostics::At::key : Diagnostics::At::value);
+    diagnostics.finish(nullptr);
+}
+
 void save_scene(const Scene& scene, const std::filesystem::path& file) {
     OutputFile output(file);
     output.write(to_json(scene));
