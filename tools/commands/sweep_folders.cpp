@@ -15,6 +15,7 @@
 #include "tools/scene/scene_options.hpp"
 #include "tools/sweep/merging.hpp"
 #include "tools/sweep/run_record.hpp"
+#include "tools/sweep/scene_texts.hpp"
 #include "tools/sweep/sweep_plot.hpp"
 #include "tools/sweep/sweep_text.hpp"
 #include "tools/sweep/verification.hpp"

@@ -22,7 +22,7 @@ struct CrashSignal {
 };
 constexpr std::array<CrashSignal, 5> kCrashSignals{
     {{SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"}, {SIGFPE, "SIGFPE"}, {SIGILL, "SIGILL"}, {SIGABRT, "SIGABRT"}}};
-constexpr std::size_t kStackBytes = 1 << 16;
+constexpr std::size_t kHandlerStackBytes = 1 << 16;
 constexpr std::uint64_t kNoRun = ~std::uint64_t{0};
 
 int log_descriptor = -1;
@@ -92,7 +92,7 @@ struct HandlerStack::Saved {
     stack_t earlier;
 };
 
-HandlerStack::HandlerStack() : saved_(new Saved{std::vector<char>(kStackBytes), {}}) {
+HandlerStack::HandlerStack() : saved_(new Saved{std::vector<char>(kHandlerStackBytes), {}}) {
     stack_t stack{};
     stack.ss_sp = saved_->bytes.data();
     stack.ss_size = saved_->bytes.size();

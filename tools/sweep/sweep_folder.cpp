@@ -37,7 +37,7 @@ void write_table(const fs::path& folder, sweep::Manifest& manifest) {
 }
 
 // What killed processes have left in the folder and in the copies of the scenes.
-void remove_partial_files(const fs::path& folder) {
+void remove_leftovers(const fs::path& folder) {
     std::vector<fs::path> folders{folder, copies_in(folder)};
     std::error_code none;  // without copies there is nothing to remove
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copies_in(folder), none))
@@ -88,7 +88,7 @@ void complete_folder(const fs::path& folder) {
     if (!is_complete(folder, manifest)) write_table(folder, manifest);
     sweep::write_manifest(folder, manifest);
     for (const auto& [shard, entry] : manifest.shards) fs::remove(folder / entry.table.name);
-    remove_partial_files(folder);
+    remove_leftovers(folder);
 }
 
 }  // namespace tumble::tools
