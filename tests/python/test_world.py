@@ -1,5 +1,6 @@
 """Worlds, bodies, shapes, joints, queries, events and snapshots."""
 
+import contextlib
 import copy
 import pickle
 import threading
@@ -443,3 +444,11 @@ def test_a_circle_larger_than_all_frames_fills_the_frame():
         return world.render(64, 48, center=(0, 0), view_height=4)
 
     assert np.array_equal(pixels(1e5), pixels(1e16))
+
+
+def test_a_shape_as_large_as_a_float_allows_makes_steps_or_diverges():
+    world = tumble.World()
+    world.add_body(shapes=[tumble.circle(0), tumble.circle(3e38)], position=(1.5, -3.5))
+    world.add_body("kinematic", shapes=[tumble.circle(1.75)], position=(-0.5, -2))
+    with contextlib.suppress(tumble.SimulationDiverged):
+        world.step(3)
