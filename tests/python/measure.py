@@ -91,11 +91,10 @@ def any_row(random, envs):
 
 def main(library):
     pyramid = tumble.World.load(tumble.Scene.load(SCENES / "large_pyramid.json").start().world.save())
-    bodies = many_bodies()
-    walkers = tumble.env.make_vector("bipedal_walker", 256, threads=1)
     ours, theirs, ratio = beside(Cpp(library, pyramid), "step", 3, lambda n: steps(pyramid, n), 101)
     show("a step of large_pyramid", f"{ours * 1e6:.0f} us, C++ {theirs * 1e6:.0f} us, {ratio:.3f} x", "1.01 x")
 
+    bodies = many_bodies()
     held = bodies.positions, bodies.angles
     view = np.median([seconds(lambda: [(bodies.positions, bodies.angles) for _ in range(10)]) for _ in range(101)]) / 10
     show("the poses of 10 000 bodies, as views", f"{view * 1e6:.1f} us", "20 us")
@@ -122,6 +121,7 @@ def main(library):
     rate = env_rate("bipedal_walker", 256, 1, any_row, 10)
     show("walkers with ten rays on one core, steps of environments", f"{rate / 1e3:.0f} k/s", "100 k/s")
 
+    walkers = tumble.env.make_vector("bipedal_walker", 256, threads=1)
     ours, theirs, _ = beside(Cpp(library, walkers.world()), "reset", 256, lambda n: walkers.reset())
     show("the reset of a walker, with its observation", f"{ours * 1e6:.1f} us, C++ {theirs * 1e6:.1f} us", "50 us")
 

@@ -19,7 +19,7 @@ Aabb enlarged(const Aabb& box, float margin) {
 ShapeId ShapeStore::create(std::uint32_t body, const ShapeDef& def) {
     const ShapeId id = ids.acquire();
     if (id.index == records_.size()) records_.emplace_back();
-    const float smaller = extent(def.shape).smaller;
+    const float smaller = std::min(extent(def.shape).smaller, std::numeric_limits<float>::max());
     const float reach = farthest_distance(def.shape, {});
     TUMBLE_CHECK(id.index < records_.size());
     TUMBLE_CHECK(!records_[id.index].is_live);

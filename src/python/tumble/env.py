@@ -29,6 +29,7 @@ from tumble import _tumble
 from tumble.env_plan import Plan, Rows
 from tumble.env_spaces import EnvBase, VectorEnvBase, action_space, autoreset_mode, gymnasium, observation_space
 from tumble.scene import Scene
+from tumble.shapes import array_of
 from tumble.world import World
 
 #: Rows [n, k], or a dictionary if the scene declares images: "state" with the rows, and an array for each image.
@@ -122,7 +123,7 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
         return np.ascontiguousarray(indices, dtype=np.int64)
 
     def _rows(self, actions: Any) -> Rows:
-        rows: Rows = np.ascontiguousarray(actions, dtype=np.float32)
+        rows: Rows = array_of(actions, "actions", np.float32)
         if rows.shape != (self.count, len(self.plan.actions)):
             raise ValueError(f"actions must have the shape {(self.count, len(self.plan.actions))}, got {rows.shape}")
         if not np.isfinite(rows).all():

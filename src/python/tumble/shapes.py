@@ -45,10 +45,10 @@ def points_array(points: Any, name: str) -> npt.NDArray[np.float64]:
     return array
 
 
-def array_of(values: Any, name: str) -> npt.NDArray[np.float64]:
+def array_of(values: Any, name: str, type: Any = np.float64) -> npt.NDArray[Any]:
     """An array of numbers, or the right exception."""
     try:
-        return np.ascontiguousarray(values, dtype=np.float64)
+        return np.ascontiguousarray(values, dtype=type)
     except OverflowError:
         raise ValueError(f"{name} has a number that is too large") from None
 
