@@ -61,7 +61,7 @@ struct ImpactPoint {
     double tangent_impulse = 0.0;  // along -perp(normal)
 };
 
-// A direction in which a point pushes, along its normal or its tangent, with what a sweep needs of its bodies.
+// A direction in which a point pushes, along its normal or its tangent, with what a pass needs of its bodies.
 struct ImpactDirection {
     DVec2 axis;
     double across_a = 0.0, across_b = 0.0;  // arm x axis, m
@@ -88,9 +88,11 @@ struct ImpactGroup {
     std::vector<ImpactPoint> points;
     std::vector<ImpactRow> rows;  // scratch of a round
     int work = 0;                 // how often a point was solved
+    int depth = 1;                // through how many contacts, one behind the other, the impact may go on
 
     void clear() {
         work = 0;
+        depth = 1;
         bodies.clear();
         points.clear();
     }
