@@ -20,10 +20,10 @@ namespace {
 // The core that bounds a shape's motion, as a part of its thickness.
 constexpr float kBoundCore = 0.5f;
 
-// A core that overlaps already gives way to one that is smaller by this part more than the overlap, so that rounding
-// does not let it sink in farther. Tried for at most kMaxShrinks cores, as depths of polygons are not uniform.
-constexpr float kShrinkMargin = 1e-3f;
-constexpr int kMaxShrinks = 4;
+// A core that overlaps already gives way to the largest one that is out, found to this part of the shape's thickness.
+// Larger: a body that is pressed into the ground creeps in.
+constexpr double kCoreTolerance = 1e-4;
+constexpr int kMaxTries = 8;
 
 // A body that moves, or has sunk in, by less than this part of its smallest extent needs no bound in this step.
 constexpr float kBoundPart = 0.25f;
@@ -78,22 +78,34 @@ private:
         if (immovable.link &&
             is_behind(immovable.shape, *immovable.link, pose_at(sweep, 0.0), shape.shape, pose_at(sweep_, 0.0)))
             return;
-        float part = kBoundCore;
-        for (int shrinks = 0; shrinks <= kMaxShrinks; ++shrinks) {
-            const Shape core = core_of(shape, part);
-            const CastResult hit = time_of_impact(immovable.shape, sweep, core, sweep_);
-            if (hit.status != CastStatus::overlapping) return take(hit, other);
-            if (part == 0.0f) return;
-            const double depth = -distance(immovable.shape, pose_at(sweep, 0.0), core, pose_at(sweep_, 0.0)).distance;
-            part = smaller_part(part, static_cast<float>(depth), shape.smaller_extent);
-        }
+        CastResult hit = time_of_impact(immovable.shape, sweep, core_of(shape, kBoundCore), sweep_);
+        if (hit.status == CastStatus::overlapping)
+            hit = time_of_impact(immovable.shape, sweep, core_of(shape, part_outside(shape, immovable, sweep)), sweep_);
+        take(hit, other);
     }
 
-    // The part of a core that is out if one with `part` overlaps by `depth`, m.
-    static float smaller_part(float part, float depth, float extent) {
-        if (!(extent > 0.0f)) return 0.0f;
-        return std::max(part - 2.0f * (1.0f + kShrinkMargin) * std::max(depth, 0.0f) / extent - kShrinkMargin * part,
-                        0.0f);
+    // The part of the largest core of the shape that is out of the other one when the step begins, by regula falsi; 0
+    // if there is none.
+    float part_outside(const ShapeRecord& shape, const ShapeRecord& immovable, const Sweep& sweep) const {
+        const Pose pose = pose_at(sweep_, 0.0), other_pose = pose_at(sweep, 0.0);
+        const auto separation = [&](float part) {
+            return distance(immovable.shape, other_pose, core_of(shape, part), pose).distance;
+        };
+        float out = 0.0f, in = kBoundCore;
+        double gap = separation(out), depth = -separation(in);
+        const double tolerance = kCoreTolerance * static_cast<double>(shape.smaller_extent);
+        for (int tries = 0; tries < kMaxTries && gap > tolerance && depth > 0.0; ++tries) {
+            const float part = out + static_cast<float>((gap - 0.5 * tolerance) / (gap + depth)) * (in - out);
+            const double found = separation(part);
+            if (found > 0.0) {
+                out = part;
+                gap = found;
+            } else {
+                in = part;
+                depth = -found;
+            }
+        }
+        return out;
     }
 
     void take(const CastResult& hit, std::uint32_t other) {
