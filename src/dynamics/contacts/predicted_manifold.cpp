@@ -52,18 +52,6 @@ Manifold manifold_at(Contact& contact, const PosedShape& a, const Sweep& sweep_a
 
 }  // namespace
 
-bool is_passed(const Contact& contact, const PosedShape& a, const PosedShape& b, const BodyStore& bodies,
-               const StepAhead& step) {
-    const ManifoldPoint& point = contact.manifold.points[0];
-    if (contact.manifold.point_count != 1 || !(point.separation > 0.0f)) return false;
-    if (contact.impulses[0].normal > 0.0f || a.record.link || b.record.link) return false;
-    const FreeMotion of_a = free_motion(bodies, contact.body_a, step), of_b = free_motion(bodies, contact.body_b, step);
-    if (!(relative_displacement(a, of_a, b, of_b) > contact.speculative_distance)) return false;
-    return time_of_impact(a.record.shape, sweep_of(bodies, contact.body_a, of_a), b.record.shape,
-                          sweep_of(bodies, contact.body_b, of_b))
-               .status == CastStatus::miss;
-}
-
 Manifold predict_manifold(Contact& contact, const PosedShape& a, const PosedShape& b, float gap,
                           const BodyStore& bodies, const StepAhead& step) {
     const FreeMotion of_a = free_motion(bodies, contact.body_a, step), of_b = free_motion(bodies, contact.body_b, step);

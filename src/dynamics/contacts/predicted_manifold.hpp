@@ -2,7 +2,7 @@
 // stops their bodies.
 //
 // The solver keeps such shapes from overlapping as it does those that nearly touch: a speculative contact, here of
-// swept shapes. Its normal and its points are those at the time of impact. Shapes that miss each other have no such
+// swept shapes. Its normal and its points are those at the time of impact. Shapes that pass each other have no such
 // time, so they get no contact.
 #pragma once
 
@@ -31,11 +31,5 @@ struct StepAhead {
 // `gap` (m) farther apart than the speculative distance.
 Manifold predict_manifold(Contact& contact, const PosedShape& a, const PosedShape& b, float gap,
                           const BodyStore& bodies, const StepAhead& step);
-
-// True if the two shapes nearly touch at one point, but their free motions take them past each other: the plane of a
-// contact at that point would deflect them. False if they move by less than the speculative distance, if the solver
-// pushed them in the last step, and for chains.
-bool is_passed(const Contact& contact, const PosedShape& a, const PosedShape& b, const BodyStore& bodies,
-               const StepAhead& step);
 
 }  // namespace tumble

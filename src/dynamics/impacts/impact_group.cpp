@@ -128,10 +128,10 @@ public:
     void run() {
         do {
             begin_round();
-            while (pass() > tolerance_ * fastest_ && group_.work < 4 * kMaxImpactWork) {
+            while (pass() > tolerance_ * fastest_ && group_.work < kMaxImpactWork) {
             }
             bounce();
-        } while (group_.work < 4 * kMaxImpactWork && has_impact());
+        } while (group_.work < kMaxImpactWork && has_impact());
         hold();
         for (ImpactBody& body : group_.bodies) drop_rounding(body);
     }
@@ -161,7 +161,7 @@ private:
     // One pass of projected Gauss-Seidel over the rows. Returns the largest change of a relative speed, m/s.
     double pass() {
         group_.work += static_cast<int>(group_.rows.size());
-        if (group_.work > 2 * kMaxImpactWork) relaxation_ = 1.0;
+        if (group_.work > kMaxImpactWork / 2) relaxation_ = 1.0;
         double largest = 0.0;
         for (std::size_t i = 0; i < group_.rows.size(); ++i) {
             ImpactRow& row = group_.rows[i];
