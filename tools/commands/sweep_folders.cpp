@@ -13,6 +13,7 @@
 #include "tools/output/json_writer.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/sweep/merging.hpp"
+#include "tools/sweep/plan_input.hpp"
 #include "tools/sweep/run_record.hpp"
 #include "tools/sweep/sweep_plot.hpp"
 #include "tools/sweep/sweep_text.hpp"
@@ -39,7 +40,7 @@ ExitCode verify(const Command& command, const VerifyArguments& options) try {
     } else {
         const std::optional<sweep::SweepHeader> header = sweep::read_manifest(options.folder).header;
         catch_interrupts();
-        verify_runs(sweep::read_plan(options.plan, header->runs, options.allow_outside), options.folder, options.part,
+        verify_runs(read_plan_input(options.plan, header->runs, options.allow_outside), options.folder, options.part,
                     options.seed, verification);
     }
     write_output(command.json ? to_json(verification) : to_text(verification));

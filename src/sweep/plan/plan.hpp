@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tumble::sweep {
@@ -111,6 +112,10 @@ std::vector<std::string> overrides_of(const Plan& plan, const RunChoice& choice)
 // and what they include are in the folder of the plan, or `allow_outside` accepts others. Throws FileError, or
 // SceneError with line and column for a plan that is not valid or does not fit its scenes.
 Plan read_plan(const std::filesystem::path& file, std::uint64_t runs = 0, bool allow_outside = false);
+
+// The same from a text. `file` is its name in errors; its scenes are relative to the folder of `file`.
+Plan parse_plan(std::string_view text, const std::filesystem::path& file, std::uint64_t runs = 0,
+                bool allow_outside = false);
 
 // The JSON schema (Draft-07) of plans.
 std::string plan_schema();

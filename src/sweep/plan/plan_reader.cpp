@@ -252,7 +252,10 @@ void check_scene_files(const Plan& plan, Diagnostics& diagnostics) {
 }  // namespace
 
 Plan read_plan(const std::filesystem::path& file, std::uint64_t runs, bool allow_outside) {
-    const std::string text = read_file(file, scene::kMaxFileBytes);
+    return parse_plan(read_file(file, scene::kMaxFileBytes), file, runs, allow_outside);
+}
+
+Plan parse_plan(std::string_view text, const std::filesystem::path& file, std::uint64_t runs, bool allow_outside) {
     const std::string_view body = scene::without_byte_order_mark(text);
     Diagnostics diagnostics(file.string(), body);
     Plan plan;
