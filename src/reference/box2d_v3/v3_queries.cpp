@@ -9,6 +9,12 @@ namespace {
 
 namespace v3 = box2d_v3;
 
+// Whether Box2D v3 accepts a rotation: the inverse of its pose is that of a rotation of unit length.
+bool is_unit(Rotation q) {
+    constexpr double kLargestError = 6.0 * 0x1p-23;
+    return std::abs(double{q.c} * q.c + double{q.s} * q.s - 1.0) < kLargestError;
+}
+
 bool is_finite_place(const v3::Place& place) { return std::isfinite(place.x) && std::isfinite(place.y); }
 
 B2Cast cast_of(const v3::Hit& hit) {
@@ -73,6 +79,7 @@ std::optional<B2Distance> b2_v3_distance(const PairQuery& query, bool use_radii)
     const V3Points a(query.a), b(query.b);
     const v3::Place place = relative_place(query.pose_a, query.pose_b);
     if (!a.fits() || !b.fits() || !is_finite(query) || !is_finite_place(place)) return std::nullopt;
+    if (!is_unit(query.pose_a.rotation) || !is_unit(query.pose_b.rotation)) return std::nullopt;
     const v3::Nearest found = v3::distance(a.get(), b.get(), place, use_radii, nullptr);
     return B2Distance{double{found.distance}, transform_point(query.pose_a, DVec2{found.ax, found.ay}),
                       transform_point(query.pose_a, DVec2{found.bx, found.by}), found.iterations};

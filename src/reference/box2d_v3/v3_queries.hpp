@@ -31,7 +31,8 @@ private:
 // The pose of B in the frame of A, computed in double: Box2D v3 takes that instead of two world poses.
 box2d_v3::Place relative_place(const Pose& a, const Pose& b);
 
-// Nothing for cores of more than eight vertices, and numbers that are not finite as a float.
+// Nothing for cores of more than eight vertices, numbers that are not finite as a float, and rotations that are not of
+// unit length, which Box2D v3 does not accept.
 std::optional<B2Distance> b2_v3_distance(const PairQuery& query, bool use_radii);
 
 // Nothing where query_box2d() has no answer, for cores of more than eight vertices, and for a time of impact of a shape

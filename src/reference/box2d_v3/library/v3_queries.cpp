@@ -1,5 +1,6 @@
 // Queries of Box2D v3.
 #include <box2d/box2d.h>
+#include <box2d/constants.h>
 
 #include <algorithm>
 #include <string>
