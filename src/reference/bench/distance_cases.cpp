@@ -27,44 +27,22 @@ struct DistancePairs {
     }
 };
 
-// The same pairs for Box2D v3: empty if this build lacks it, or a core has too many vertices.
-struct V3Pairs {
-    struct Query {
-        V3Points a, b;
-        box2d_v3::Place place;
-        box2d_v3::Cache cache{};
-    };
-    std::vector<Query> queries;
-
-    explicit V3Pairs(const std::vector<BenchPair>& pairs) {
-        if (!has_box2d_v3()) return;
-        for (const BenchPair& pair : pairs) {
-            queries.push_back({V3Points(pair.a), V3Points(pair.b), relative_place(pair.pose_a, pair.pose_b)});
-            if (queries.back().a.fits() && queries.back().b.fits()) continue;
-            queries.clear();
-            return;
-        }
-    }
-};
-
-// From two poses, as the others: the relative pose is part of the query.
-double run_v3(const std::vector<BenchPair>& pairs, std::vector<V3Pairs::Query>& queries, bool is_warm) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-        V3Pairs::Query& query = queries[i];
-        query.place = relative_place(pairs[i].pose_a, pairs[i].pose_b);
-        sum +=
-            double{box2d_v3::distance(query.a.get(), query.b.get(), query.place, true, is_warm ? &query.cache : nullptr)
-                       .distance};
-    }
-    return sum;
+box2d_v3::Place to_v3(const Pose& pose) {
+    const Vec2 position = to_float(pose.position);
+    return {position.x, position.y, pose.rotation.c, pose.rotation.s};
 }
 
-// Empty if there are no queries.
-QueryRun v3_run(const std::shared_ptr<DistancePairs>& pairs, bool is_warm) {
-    const auto theirs = std::make_shared<V3Pairs>(pairs->ours);
-    if (theirs->queries.empty()) return {};
-    return [=] { return run_v3(pairs->ours, theirs->queries, is_warm); };
+// The run of the same pairs by Box2D v3: empty if this build lacks it, or a core has too many vertices.
+QueryRun v3_run(const std::vector<BenchPair>& pairs, bool is_warm) {
+    if (!has_box2d_v3()) return {};
+    const std::shared_ptr<box2d_v3::Pairs> theirs(box2d_v3::make_pairs(),
+                                                  [](box2d_v3::Pairs* list) { box2d_v3::destroy(list); });
+    for (const BenchPair& pair : pairs) {
+        const V3Points a(pair.a), b(pair.b);
+        if (!a.fits() || !b.fits()) return {};
+        box2d_v3::add(theirs.get(), a.get(), to_v3(pair.pose_a), b.get(), to_v3(pair.pose_b));
+    }
+    return [=] { return box2d_v3::run(theirs.get(), is_warm); };
 }
 
 double run_tumble(std::vector<BenchPair>& pairs, bool is_warm) {
@@ -91,7 +69,7 @@ QueryCase distance_case(const std::string& name, BenchKind kind_a, BenchKind kin
     return {name + (is_warm ? " warm" : " cold"), [=](int count, std::uint64_t seed) -> QueryRuns {
                 const auto pairs = std::make_shared<DistancePairs>(random_pairs(kind_a, kind_b, gap, count, seed));
                 return {[=] { return run_tumble(pairs->ours, is_warm); },
-                        [=] { return run_box2d(pairs->theirs, is_warm); }, v3_run(pairs, is_warm)};
+                        [=] { return run_box2d(pairs->theirs, is_warm); }, v3_run(pairs->ours, is_warm)};
             }};
 }
 
@@ -107,7 +85,7 @@ QueryCase batch_case(const std::string& name, BenchKind kind, double gap) {
                             for (const DistanceResult& result : *results) sum += result.distance;
                             return sum;
                         },
-                        [=] { return run_box2d(pairs->theirs, false); }, v3_run(pairs, false)};
+                        [=] { return run_box2d(pairs->theirs, false); }, v3_run(pairs->ours, false)};
             }};
 }
 

@@ -80,7 +80,7 @@ std::optional<B2Distance> b2_v3_distance(const PairQuery& query, bool use_radii)
     const v3::Place place = relative_place(query.pose_a, query.pose_b);
     if (!a.fits() || !b.fits() || !is_finite(query) || !is_finite_place(place)) return std::nullopt;
     if (!is_unit(query.pose_a.rotation) || !is_unit(query.pose_b.rotation)) return std::nullopt;
-    const v3::Nearest found = v3::distance(a.get(), b.get(), place, use_radii, nullptr);
+    const v3::Nearest found = v3::distance(a.get(), b.get(), place, use_radii);
     return B2Distance{double{found.distance}, transform_point(query.pose_a, DVec2{found.ax, found.ay}),
                       transform_point(query.pose_a, DVec2{found.bx, found.by}), found.iterations};
 }

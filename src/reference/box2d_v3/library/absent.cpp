@@ -4,7 +4,11 @@
 namespace tumble::box2d_v3 {
 
 const char* version() { return nullptr; }
-Nearest distance(const Points&, const Points&, const Place&, bool, Cache*) { return {}; }
+Nearest distance(const Points&, const Points&, const Place&, bool) { return {}; }
+Pairs* make_pairs() { return nullptr; }
+void destroy(Pairs*) {}
+void add(Pairs*, const Points&, const Place&, const Points&, const Place&) {}
+double run(Pairs*, bool) { return 0.0; }
 Hit cast_shape(const Points&, const Points&, const Place&, float, float) { return {}; }
 Hit cast_ray(const Points&, float, float, float, float) { return {}; }
 Hit time_of_impact(const Points&, const Points&, const Motion&, const Motion&) { return {}; }

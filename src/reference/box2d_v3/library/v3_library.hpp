@@ -31,14 +31,16 @@ struct Nearest {
     int iterations = 0;
 };
 
-// The memory of earlier answers to a pair; all zero at first.
-struct Cache {
-    std::uint16_t count = 0;
-    std::uint8_t a[3] = {}, b[3] = {};
-};
+// `b_in_a` is the pose of B in the frame of A. A cold start.
+TUMBLE_V3_API Nearest distance(const Points& a, const Points& b, const Place& b_in_a, bool use_radii);
 
-// `b_in_a` is the pose of B in the frame of A. Without `cache` the start is cold.
-TUMBLE_V3_API Nearest distance(const Points& a, const Points& b, const Place& b_in_a, bool use_radii, Cache* cache);
+// Pairs for measurements: their points are converted once, and a run answers all, each from two world poses.
+struct Pairs;
+TUMBLE_V3_API Pairs* make_pairs();
+TUMBLE_V3_API void destroy(Pairs* pairs);
+TUMBLE_V3_API void add(Pairs* pairs, const Points& a, const Place& pose_a, const Points& b, const Place& pose_b);
+// The sum of the distances. Warm: with the cache of the last run.
+TUMBLE_V3_API double run(Pairs* pairs, bool is_warm);
 
 struct Hit {
     bool hits = false;

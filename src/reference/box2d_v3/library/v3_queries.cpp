@@ -2,8 +2,8 @@
 #include <box2d/box2d.h>
 #include <box2d/constants.h>
 
-#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "reference/box2d_v3/library/v3_library.hpp"
 
@@ -40,21 +40,37 @@ const char* version() {
     return text.c_str();
 }
 
-Nearest distance(const Points& a, const Points& b, const Place& b_in_a, bool use_radii, Cache* cache) {
+Nearest distance(const Points& a, const Points& b, const Place& b_in_a, bool use_radii) {
     const b2DistanceInput input{proxy_of(a), proxy_of(b), transform_of(b_in_a), use_radii};
-    b2SimplexCache simplex{};
-    if (cache != nullptr) {
-        simplex.count = cache->count;
-        std::copy_n(cache->a, 3, simplex.indexA);
-        std::copy_n(cache->b, 3, simplex.indexB);
-    }
-    const b2DistanceOutput found = b2ShapeDistance(&input, &simplex, nullptr, 0);
-    if (cache != nullptr) {
-        cache->count = simplex.count;
-        std::copy_n(simplex.indexA, 3, cache->a);
-        std::copy_n(simplex.indexB, 3, cache->b);
-    }
+    b2SimplexCache cold{};
+    const b2DistanceOutput found = b2ShapeDistance(&input, &cold, nullptr, 0);
     return {found.distance, found.pointA.x, found.pointA.y, found.pointB.x, found.pointB.y, found.iterations};
+}
+
+struct Pairs {
+    struct Pair {
+        b2DistanceInput input;
+        b2Transform pose_a, pose_b;
+        b2SimplexCache cache{};
+    };
+    std::vector<Pair> all{};
+};
+
+Pairs* make_pairs() { return new Pairs; }
+void destroy(Pairs* pairs) { delete pairs; }
+
+void add(Pairs* pairs, const Points& a, const Place& pose_a, const Points& b, const Place& pose_b) {
+    pairs->all.push_back({{proxy_of(a), proxy_of(b), {}, true}, transform_of(pose_a), transform_of(pose_b)});
+}
+
+double run(Pairs* pairs, bool is_warm) {
+    double sum = 0.0;
+    for (Pairs::Pair& pair : pairs->all) {
+        pair.input.transform = b2InvMulTransforms(pair.pose_a, pair.pose_b);
+        if (!is_warm) pair.cache = {};
+        sum += double{b2ShapeDistance(&pair.input, &pair.cache, nullptr, 0).distance};
+    }
+    return sum;
 }
 
 Hit cast_shape(const Points& a, const Points& b, const Place& b_in_a, float x, float y) {
