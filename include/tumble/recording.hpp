@@ -38,8 +38,9 @@ struct VideoSettings {
 // FileError if the file cannot be written, such as on a full disk.
 class VideoWriter {
 public:
-    // Starts ffmpeg, which writes to the temporary file of an OutputFile. For a GIF, ffmpeg keeps all frames until
-    // finish(), because one palette serves all: four bytes a pixel, which the caller has to limit.
+    // Starts ffmpeg, which writes to the temporary file of an OutputFile, or to standard output for /dev/stdout: an MP4
+    // is then a series of fragments, which players read as they come; an APNG throws FileError. For a GIF, ffmpeg keeps
+    // all frames until finish(), because one palette serves all: four bytes a pixel, which the caller has to limit.
     VideoWriter(std::filesystem::path file, const VideoSettings& settings);
     ~VideoWriter();  // without finish(): ends ffmpeg and removes the temporary file
     VideoWriter(VideoWriter&&) noexcept;

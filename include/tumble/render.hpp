@@ -22,6 +22,12 @@ class RenderError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// A picture file that is damaged or too large. The message is its path and the reason.
+class PictureError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 struct Image {
     int width = 0;
     int height = 0;
@@ -159,7 +165,9 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
 
     // Draws the present state of the world, with the scene's name and `time` (s) as text, into `image`, which is
-    // resized. Bodies and joints that a program added to the run's world are drawn after the scene's own. Throws
+    // resized. Images of bodies are read when they are first drawn; where a file is missing, the outline is drawn.
+    // Throws PictureError if they are damaged or have more than 64 million pixels, FileError if they cannot be read.
+    // Bodies and joints that a program added to the run's world are drawn after the scene's own. Throws
     // std::invalid_argument for a camera that is not finite or without height.
     void draw(const Scene& scene, const SceneWorld& world, const Camera& camera, double time, Image& image,
               const Overlay& overlay = {}, const Marking& marking = {});
@@ -175,6 +183,10 @@ private:
 
 // The drawing as an image, clipped to its size. Throws RenderError.
 Image draw_image(const Drawing& drawing);
+
+// Reads a PNG file. Throws FileError, or PictureError for a file that is damaged, no PNG, or has a side of more than
+// kLargestFrame pixels.
+Image read_png(const std::filesystem::path& file);
 
 // Writes to a temporary name beside `file`, then renames. Throws FileError. The same image gives the same bytes.
 void write_png(const Image& image, const std::filesystem::path& file);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -132,6 +133,21 @@ struct SceneMass {
     double inertia = 0.0;  // about the centre, kg m^2; 0: the body does not rotate
 };
 
+// A picture that frames show on a body, in body coordinates. It has no effect on the simulation.
+struct SceneImage {
+    std::string file;               // of a PNG file, relative to the folder of the scene's file
+    DVec2 center;                   // m
+    double angle = 0.0;             // degrees
+    double height = 0.0;            // m
+    std::optional<double> width{};  // m; default: as the file's proportions
+    bool flip = false;              // swaps left and right
+    double opacity = 1.0;           // 0 to 1
+    int order = 0;                  // higher ones cover lower ones; below 0 behind all bodies
+
+    // Where the file is; load_scene() sets it. Without it frames show the outline of the picture.
+    std::filesystem::path path{};
+};
+
 struct SceneBody {
     std::string name;
     BodyType type = BodyType::dynamic_body;
@@ -155,6 +171,7 @@ struct SceneBody {
     bool trail = false;  // frames show the path of the body
     bool skin = false;   // frames fill the loop through the copies of the body
     std::vector<SceneShape> shapes;
+    std::vector<SceneImage> images{};
     std::string custom;
 };
 

@@ -42,8 +42,8 @@ TEST_CASE("bodies, fixtures and materials are imported in scene units") {
     CHECK(scene.world.gravity.y == static_cast<double>(-9.81f));
     CHECK(scene.world.steps_per_second == 50.0);
     CHECK(scene.world.sleeping);
-    CHECK(!scene.world.continuous);  // missing is false
-    REQUIRE(scene.bodies.size() == 6);
+    CHECK(!scene.world.continuous);     // missing is false
+    REQUIRE(scene.bodies.size() == 7);  // the last one for the image of the world
 
     const SceneBody& crate = body_of(imported, "crate");
     CHECK(crate.type == BodyType::dynamic_body);
@@ -167,12 +167,37 @@ TEST_CASE("features that are not carried over are noted once, with a count") {
         {"gear joints that do not couple two revolute or prismatic joints, left out", 2},
         {"gear joints of ratio 0, left out", 1},
         {"joints of the unknown type \"spaghetti\", left out", 1},
-        {"images", 2},
+        {"tints of images", 1},
+        {"images without a file or a size, left out", 1},
+        {"images that are not PNG files, left out", 1},
     };
     for (const auto& note : expected) CHECK_MESSAGE(count_of(imported, note.first) == note.second, note.first);
     for (const ImportNote& note : imported.notes) CHECK_MESSAGE(expected.contains(note.feature), note.feature);
-    const auto images = std::ranges::find(imported.notes, "images", &ImportNote::feature);
-    CHECK(images->owners == std::vector<std::string>{"'a.png'", "'b.png'"});
+    const auto tints = std::ranges::find(imported.notes, "tints of images", &ImportNote::feature);
+    CHECK(tints->owners == std::vector<std::string>{"'pictures/a.png'"});
+}
+
+TEST_CASE("images belong to their bodies, in their order, and those of the world are behind all bodies") {
+    const Scene scene = import_rube(kData / "rube_small.json").scene;
+    REQUIRE(scene.bodies.at(1).images.size() == 1);
+    const SceneImage& a = scene.bodies[1].images[0];
+    CHECK(a.file == "pictures/a.png");
+    CHECK(a.center == DVec2{0.5, 0.0});
+    CHECK(near(a.angle, 90.0 / kPi, kDouble));
+    CHECK(a.height == 2.0);  // of the corners: 4 m by 2 m
+    CHECK(a.width == 4.0);
+    CHECK(a.flip);
+    CHECK(a.opacity == 0.5);
+    CHECK(a.order == 1);  // the second of the orders -2.5 and 7
+    REQUIRE(scene.bodies.at(0).images.size() == 1);
+    CHECK(scene.bodies[0].images[0].order == 0);
+    CHECK_FALSE(scene.bodies[0].images[0].width.has_value());
+    const SceneBody& world = scene.bodies.back();
+    CHECK(world.type == BodyType::static_body);
+    CHECK(world.shapes.empty());
+    REQUIRE(world.images.size() == 1);
+    CHECK(world.images[0].file == "b.png");
+    CHECK(world.images[0].order == -2);
 }
 
 TEST_CASE("a byte-order mark and a JavaScript wrapper are tolerated") {

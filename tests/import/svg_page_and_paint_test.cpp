@@ -97,7 +97,6 @@ TEST_CASE("a page has the same size in any unit, and its viewBox states what a u
     const ImportedScene a4 = parse_svg(
         "<svg width='210mm' height='297mm' viewBox='0 0 210 297'><rect y='287' width='210' height='10'/></svg>",
         "a4.svg");
-    CHECK(near(a4.scene.camera.center.value(), {0.5 * 2.1 * 96 / 25.4, 0.5 * 2.97 * 96 / 25.4}, 1e-9));
     CHECK(near(a4.scene.bodies.at(0).position, {0.5 * 2.1 * 96 / 25.4, 0.05 * 96 / 25.4}, 1e-9));
 }
 

@@ -1,12 +1,16 @@
 // The camera of a scene that does not state one: fitted to the moving bodies, with the ground below them.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/hand_made_scene.hpp"
 #include "support/near.hpp"
 #include "tumble/render.hpp"
 #include "tumble/scene_file.hpp"
+#include "tumble/scene_import.hpp"
+#include "tumble/scene_run.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -244,4 +248,35 @@ TEST_CASE("the frame is 1.14 times as large as what it shows, with three tenths 
     CHECK(near(camera.height, height, kFloat));
     CHECK(near(camera.center.x, 5.0, kFloat));
     CHECK(near(camera.center.y, 2.0 + 0.2 * spare, kFloat));
+}
+
+TEST_CASE("in an import the camera follows what drives away") {
+    // A ball that rolls down a ramp of 60 m, in a drawing; a box that slides off a table of a R.U.B.E. export.
+    const ImportedScene drawing = parse_svg(
+        "<svg width='7000' height='1000'><circle id='ball' cx='120' cy='80' r='30'/>"
+        "<path id='static-ramp' fill='none' stroke='black' d='M0 100 L6000 900 L7000 900'/></svg>",
+        "ramp.svg");
+    const ImportedScene level = parse_rube(
+        R"({"gravity": {"x": 0, "y": -10}, "body": [
+            {"name": "ground", "type": 0, "position": 0, "fixture": [{"polygon": {"vertices":
+                {"x": [-5, 95, 95, -5], "y": [-1, -1, 0, 0]}}}]},
+            {"name": "box", "type": 2, "awake": true, "position": {"x": 0, "y": 0.5}, "linearVelocity": {"x": 12, "y": 0},
+             "fixture": [{"density": 1, "polygon": {"vertices": {"x": [-0.5, 0.5, 0.5, -0.5], "y": [-0.5, -0.5, 0.5, 0.5]}}}]}]})",
+        "level.json");
+    for (const auto& [imported, name] : {std::pair{drawing, "ball"}, {level, "box"}}) {
+        CAPTURE(name);
+        SceneRun run(imported.scene);
+        const auto body = std::ranges::find(run.built().bodies, name, &SceneInstance::name);
+        REQUIRE(body != run.built().bodies.end());
+        const DVec2 start = run.world().state(body->id).pose.position;
+        Camera camera = make_camera(imported.scene, run.built(), kAspect);
+        for (int step = 0; step < 240; ++step) {
+            run.step();
+            camera = move_camera(camera, imported.scene, run.built());
+            const DVec2 position = run.world().state(body->id).pose.position;
+            REQUIRE(Framing(camera, kAspect).contains(position, position));
+        }
+        // It has left the first frame.
+        CHECK(run.world().state(body->id).pose.position.x - start.x > kAspect * camera.height);
+    }
 }

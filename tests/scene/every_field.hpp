@@ -27,6 +27,7 @@ inline std::vector<std::string> scenes_with_every_field() {
                        "angular_damping": 0.2, "gravity_scale": 1, "bullet": true, "awake": true, "fixed_rotation": false, "lock_x": false, "lock_y": false,
                        "enabled": true, "allow_sleep": true, "allow_fast_rotation": true, "mass": {"mass": 1, "center": [0, 0], "inertia": 1}, "trail": true, "skin": true,
                        "shapes": [{"circle": {"radius": 1, "center": [0, 0]}, "material": "ice", "filter": {"category": 1, "mask": 3, "group": 0}, "sensor": false, "custom": 1}],
+                       "images": [{"file": "a.png", "center": [0, 1], "angle": 30, "height": 2, "width": 3, "flip": true, "opacity": 0.5, "order": -1}],
                        "custom": [1]}],
            "custom": {"any": "thing"})",
         R"("include": [{"file": "part.json", "position": [1, 2], "angle": 30, "prefix": "p/"}])",

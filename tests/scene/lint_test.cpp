@@ -258,3 +258,21 @@ TEST_CASE("lints are made on request alone") {
     parse_scene(R"({"format": 1, "bodies": [{"shapes": [{"circle": {"radius": 0.002}}]}]})", "scene.json", &warnings);
     CHECK(warnings.empty());
 }
+
+TEST_CASE("elastic bodies that touch two others cause a warning if impacts happen at the step's end") {
+    const auto row = [](const std::string& restitution, const std::string& spacing) {
+        return R"({"name": "ball", "repeat": {"grid": {"columns": 3, "spacing": [)" + spacing +
+               R"(, 0]}}, "shapes": [{"circle": {"radius": 0.5}, "material": ")" + restitution + R"("}]})";
+    };
+    const std::string materials = R"(, "materials": {"steel": {"restitution": 1}, "clay": {"restitution": 0}})",
+                      at_end = materials + R"(, "world": {"impacts": "at_step_end", "gravity": [0, 0]})";
+    const Diagnostic warning = warning_of(row("steel", "1"), at_end);
+    CHECK(warning.code == "spread-impact");
+    CHECK(says(warning, "'ball[1]' touches two elastic bodies"));
+    CHECK(warning.hint.find("in_order") != std::string::npos);
+    CHECK(warnings_of(row("steel", "1"), materials + R"(, "world": {"gravity": [0, 0]})").empty());
+    CHECK(warnings_of(row("clay", "1"), at_end).empty());
+    CHECK(warnings_of(row("steel", "1.03"), at_end).empty());
+    const std::string two = row("steel", "1");
+    CHECK(warnings_of(std::string(two).replace(two.find("3, \"spacing"), 1, "2"), at_end).empty());
+}

@@ -84,6 +84,35 @@ TEST_CASE("contacts, joints and spawned bodies can be conditions") {
     CHECK(stop < 300);
 }
 
+TEST_CASE("a condition can push, turn gravity on, drive a motor, and ask whether a body is in a region") {
+    // An impulse of 2 N s on a disc of pi / 4 kg, when it has moved 0.5 m.
+    SceneRun pushed = moving_disc(R"("when": "disc.x >= 0.49", "body": "disc", "impulse": [0, 2])");
+    for (int i = 0; i < 40; ++i) pushed.step();
+    CHECK(near(double{pushed.world().state(pushed.built().bodies[0].id).velocity.y}, 8.0 / 3.14159265, relative(1e-6)));
+
+    // It is in the region from x = 0.51 on: gravity acts from the step after the state of step 31.
+    SceneRun falling = moving_disc(R"~("when": "inside(disc, 0.505, -1, 2, 1)", "gravity": [0, -6])~");
+    for (int i = 0; i < 31; ++i) falling.step();
+    CHECK(falling.world().state(falling.built().bodies[0].id).velocity.y == 0.0f);
+    for (int i = 0; i < 30; ++i) falling.step();
+    CHECK(near(double{falling.world().state(falling.built().bodies[0].id).velocity.y}, -3.0, relative(1e-5)));
+
+    // A motor that turns a wheel about its centre at 90 degrees/s from the moment at which the disc is at 0.51 m.
+    SceneRun driven(parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
+        {"name": "disc", "velocity": [1, 0], "shapes": [{"circle": {"radius": 0.5}}]},
+        {"name": "post", "type": "static", "position": [9, 9]},
+        {"name": "wheel", "position": [9, 9], "shapes": [{"circle": {"radius": 0.5}}]}],
+      "joints": [{"type": "revolute", "name": "axle", "bodies": ["post", "wheel"], "anchor": [9, 9],
+                  "motor": {"speed": 0, "max_torque": 1000}}],
+      "timeline": [{"when": "disc.x > 0.51", "joint": "axle", "motor_speed": 90}]})",
+                                "scene.json"));
+    const auto spin = [&] { return double{driven.world().state(driven.built().bodies[2].id).angular_velocity}; };
+    for (int i = 0; i < 31; ++i) driven.step();
+    CHECK(spin() == 0.0);
+    for (int i = 0; i < 30; ++i) driven.step();
+    CHECK(near(spin(), 1.5707963, relative(1e-3)));
+}
+
 TEST_CASE("a stop ends a run in the first state in which it is due") {
     SceneRun run = moving_disc(R"("at": 0.5, "stop": true)");
     for (int i = 0; i < 29; ++i) run.step();

@@ -10,7 +10,6 @@
 
 #include "diff_answer.hpp"
 #include "process.hpp"
-#include "tools/diff/png_reader.hpp"
 #include "tumble/file.hpp"
 #include "tumble/render.hpp"
 
@@ -151,7 +150,7 @@ TEST_CASE("diff compares frames pixel by pixel and draws where they differ") {
     CHECK(run_tumble({"diff", a, b, "--tolerance", "20"}).code == 0);
     CHECK(run_tumble({"diff", a, b, "--tolerance", "19"}).code == 7);
 
-    const tumble::Image heat = tumble::tools::read_png(map);
+    const tumble::Image heat = tumble::read_png(map);
     REQUIRE(heat.width == 4);
     const std::vector<std::uint8_t> pixel(heat.rgba.begin() + 20, heat.rgba.begin() + 24);
     CHECK(pixel == std::vector<std::uint8_t>{255, 235, 0, 255});  // 255 - 20

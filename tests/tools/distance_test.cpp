@@ -196,5 +196,17 @@ TEST_CASE("the extension of a trace selects picture or JSON, and an existing fil
                            "PNG"));
     CHECK(trace("t.png").code == 4);
     CHECK(trace("t.gif").code == 2);
+    const auto pipe = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"distance", box, turned, "--trace", "-"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run_tumble(arguments);
+    };
+    const Answer piped = pipe({"--trace-format", "svg"});
+    CHECK(piped.out == tumble::test::read_text(folder / "t.svg"));
+    CHECK(piped.err.find("iterations") != std::string::npos);  // the answer
+    CHECK(json::parse(pipe({"--trace-format", "json"}).out) == document);
+    CHECK(pipe({"--trace-format", "png"}).out == tumble::test::read_text(folder / "t.png"));
+    CHECK(pipe({}).code == 2);
+    CHECK(pipe({"--trace-format", "gif"}).code == 2);
     CHECK(trace("t").code == 2);
 }

@@ -76,6 +76,34 @@ TEST_CASE("a table on standard output has the bytes of its file, and the report 
     CHECK(feed(read_text(file), {"diff", scene, "-", "--tolerance", "0"}).code == 7);  // it ends earlier
 }
 
+TEST_CASE("a plan from standard input makes the sweep of its file") {
+    const Folder folder;
+    folder.write("scene.json", tumble::test::small_scene());
+    const std::string plan = R"({"format": 1, "scene": "scene.json", "seeds": {"count": 3}})";
+    folder.write("plan.json", plan);
+    const Answer from_file = feed("", {"sweep", "plan.json", "-o", "a"}, folder.path());
+    REQUIRE_MESSAGE(from_file.code == 0, from_file.err);
+    const Answer piped = feed(plan, {"sweep", "-", "-o", "b"}, folder.path());
+    REQUIRE_MESSAGE(piped.code == 0, piped.err);
+    CHECK(read_text(folder / "a/manifest.jsonl") == read_text(folder / "b/manifest.jsonl"));
+    CHECK(read_text(folder / "a/runs.csv") == read_text(folder / "b/runs.csv"));
+    CHECK(feed(plan, {"sweep", "verify", "b", "-", "--part", "1"}, folder.path()).code == 0);
+    const Answer wrong = feed("{\n}", {"sweep", "-", "-o", "c"}, folder.path());
+    CHECK(wrong.code == 3);
+    CHECK(wrong.err.starts_with("<stdin>:1:1: "));
+    CHECK(feed(plan, {"sweep", "submit", "-", "-o", "d", "--slurm", "--print"}, folder.path()).code == 2);
+}
+
+TEST_CASE("outputs that must be files refuse standard output and say why") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", tumble::test::small_scene());
+    const Answer shrink = run_tumble({"shrink", scene, "-o", "-"}), watch = run_tumble({"watch", scene, "-o", "-"});
+    CHECK(shrink.code == 2);
+    CHECK(shrink.err.find("from which the search continues") != std::string::npos);
+    CHECK(watch.code == 2);
+    CHECK(watch.err.find("replaced on each save") != std::string::npos);
+}
+
 TEST_CASE("a reader that closes the pipe ends the run and leaves no partial file") {
     const Folder folder;
     const std::string scene = folder.write("small.json", tumble::test::small_scene());

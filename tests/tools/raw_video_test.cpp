@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "process.hpp"
-#include "tools/diff/png_reader.hpp"
+#include "tumble/render.hpp"
 
 using nlohmann::json;
 using tumble::Image;
@@ -31,7 +31,7 @@ std::vector<std::string> arguments(const std::string& out, std::vector<std::stri
 
 // The pixels of a frame as the PNG file has them, without alpha.
 std::string pixels_of(const std::filesystem::path& png) {
-    const Image image = tumble::tools::read_png(png);
+    const Image image = tumble::read_png(png);
     std::string bytes;
     for (std::size_t i = 0; i < image.rgba.size(); ++i)
         if (i % 4 != 3) bytes += static_cast<char>(image.rgba[i]);

@@ -293,6 +293,7 @@ TEST_CASE("what cannot be shrunk is refused, and nothing is written") {
     refuse({good, "-o", output, "--fails", "no_such_program_x {}"}, 2, "exit code 127");
     refuse({good, "-o", output, "--same-output"}, 2, "--same-output");
     refuse({good, "-o", output, "--fails", "false {}", "--claim", "0"}, 2, "--claim");
+    refuse({good, "-o", output, "--claim", "99"}, 2, "there is no claim /expect/99");
     refuse({good, "-o", output, "--keep", "nobody"}, 2, "nobody");
     refuse({good, "-o", output, "--timeout", "0"}, 2, "--timeout");
     const Answer taken = run_tumble({"shrink", good, "-o", good, "--fails", "false {}"});

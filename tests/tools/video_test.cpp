@@ -244,3 +244,35 @@ TEST_CASE("videos that cannot be made are refused before the first step") {
     CHECK(code_of("mine.mp4", {}) == 4);
     CHECK(read_text(folder / "mine.mp4") == "mine");
 }
+
+TEST_CASE("a video on standard output is an MP4 that plays from the start, with all frames") {
+    const Folder folder;
+    std::vector<std::string> arguments =
+        arguments_of(folder, "", {"--no-frames", "--duration", "1", "--fps", "30", "--size", "64x48"});
+    arguments[5] = "-";
+    const Answer answer = run_tumble(arguments);
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const fs::path file = folder / "piped.mp4";
+    folder.write("piped.mp4", answer.out);
+    const json found = probe(file);
+    CHECK(found["streams"][0]["codec_name"] == "h264");
+    CHECK(found["streams"][0]["nb_read_frames"] == "31");
+    // An MP4 with an index has it in one piece; one of fragments has an empty one before the first fragment.
+    CHECK(answer.out.find("moov") < answer.out.find("moof"));
+    CHECK(answer.out.find("moof") < answer.out.find("mdat"));
+    const json summary = json::parse(read_text(folder / "out/summary.json"));
+    CHECK(summary["files"][0]["bytes"] == answer.out.size());
+    arguments.insert(arguments.end(), {"--force", "--hashes", "-"});
+    CHECK(run_tumble(arguments).code == 2);
+}
+
+TEST_CASE("a reader that closes the pipe of a video ends the run with exit code 4") {
+    const Folder folder;
+    const std::string scene = folder.write("small.json", tumble::test::small_scene());
+    const Answer answer = tumble::test::run({"/bin/bash", "-c",
+                                             "set -o pipefail; " TUMBLE_BINARY " run " + scene +
+                                                 " --no-frames --duration 1000 --size 64x48 -o " +
+                                                 (folder / "out").string() + " --video - | head -c 100 > /dev/null"});
+    CHECK(answer.code == 4);
+    CHECK(answer.err.find("Broken pipe") != std::string::npos);
+}

@@ -25,6 +25,8 @@ Problem explain(const std::exception_ptr& exception) {
         return {code_of(error), error.what(), error.diagnostics};
     } catch (const InputError& error) {
         return {ExitCode::invalid_input, error.what(), {}};
+    } catch (const PictureError& error) {
+        return {ExitCode::invalid_input, error.what(), {}};
     } catch (const FileError& error) {
         return {ExitCode::file_system, error.what(), {}};
     } catch (const std::filesystem::filesystem_error& error) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/box2d_v3/v3_queries.hpp"
 #include "tools/cli/console.hpp"
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
@@ -28,11 +29,24 @@ struct BenchArguments {
     WorldsBenchOptions worlds;
 };
 
+// The columns of Box2D v3: its time and its ratio to that of tumble. Empty in a build without it.
+std::string v3_columns(double of_v3, double of_tumble) {
+    if (!reference::has_box2d_v3()) return "\n";
+    if (of_v3 == 0.0) return "            -       -\n";
+    char text[64];
+    std::snprintf(text, sizeof text, " %12.4g %7.2f\n", of_v3, of_v3 / of_tumble);
+    return text;
+}
+
+std::string v3_header(const char* unit) {
+    return reference::has_box2d_v3() ? std::string("        v3 ") + unit + "   ratio" : "";
+}
+
 void write_row(const QueryBenchResult& row) {
     char line[160];
-    std::snprintf(line, sizeof line, "%-26s %12.1f %12.1f %7.2f\n", row.name.c_str(), row.tumble_ns, row.box2d_ns,
+    std::snprintf(line, sizeof line, "%-26s %12.1f %12.1f %7.2f", row.name.c_str(), row.tumble_ns, row.box2d_ns,
                   row.ratio());
-    write_output(line);
+    write_output(line + v3_columns(row.box2d_v3_ns, row.tumble_ns));
 }
 
 void write_row(JsonWriter& json, const QueryBenchResult& row) {
@@ -40,15 +54,17 @@ void write_row(JsonWriter& json, const QueryBenchResult& row) {
         .member("case", row.name)
         .member("tumble_ns", row.tumble_ns)
         .member("box2d_ns", row.box2d_ns)
-        .member("ratio", row.ratio())
-        .close_object();
+        .member("ratio", row.ratio());
+    if (row.box2d_v3_ns > 0.0)
+        json.member("box2d_v3_ns", row.box2d_v3_ns).member("ratio_v3", row.box2d_v3_ns / row.tumble_ns);
+    json.close_object();
 }
 
 void write_row(const StepBenchResult& row) {
     char line[160];
-    std::snprintf(line, sizeof line, "%-20s %7zu %9d %12.4f %12.4f %7.2f\n", row.scene.c_str(), row.bodies,
-                  row.contacts, row.tumble_ms, row.box2d_ms, row.ratio());
-    write_output(line);
+    std::snprintf(line, sizeof line, "%-20s %7zu %9d %12.4f %12.4f %7.2f", row.scene.c_str(), row.bodies, row.contacts,
+                  row.tumble_ms, row.box2d_ms, row.ratio());
+    write_output(line + v3_columns(row.box2d_v3_ms, row.tumble_ms));
 }
 
 void write_row(JsonWriter& json, const StepBenchResult& row) {
@@ -58,14 +74,17 @@ void write_row(JsonWriter& json, const StepBenchResult& row) {
         .member("contacts", row.contacts)
         .member("tumble_ms", row.tumble_ms)
         .member("box2d_ms", row.box2d_ms)
-        .member("ratio", row.ratio())
-        .close_object();
+        .member("ratio", row.ratio());
+    if (row.box2d_v3_ms > 0.0)
+        json.member("box2d_v3_ms", row.box2d_v3_ms).member("ratio_v3", row.box2d_v3_ms / row.tumble_ms);
+    json.close_object();
 }
 
 void bench_all_queries(const Command& command, const QueryBenchOptions& options, JsonWriter& json) {
     if (options.pairs == 0) return;
     if (!command.json)
-        write_output("query                         tumble ns     box2d ns   ratio   (CPU time per query)\n");
+        write_output("query                         tumble ns     box2d ns   ratio" + v3_header("ns") +
+                     "   (CPU time per query)\n");
     for (const reference::QueryCase& query_case : reference::query_cases()) {
         const QueryBenchResult row = bench_queries(query_case, options);
         write_row(json, row);
@@ -102,8 +121,9 @@ ExitCode bench(const Command& command, const BenchArguments& options) {
     bench_all_queries(command, options.queries, json);
     json.close_array().key("step").open_array();
     if (!command.json)
-        write_output("scene                 bodies  contacts  tumble ms   box2d ms   ratio   (" +
-                     std::string(options.steps.uses_wall_clock() ? "wall clock" : "CPU time") + " per step)\n");
+        write_output("scene                 bodies  contacts    tumble ms     box2d ms   ratio" + v3_header("ms") +
+                     "   (" + std::string(options.steps.uses_wall_clock() ? "wall clock" : "CPU time") +
+                     " per step)\n");
     for (const Scene& scene : scenes) {
         narrate("measuring " + scene.name + "\n");
         const StepBenchResult row = bench_steps(scene, options.steps);
@@ -114,9 +134,9 @@ ExitCode bench(const Command& command, const BenchArguments& options) {
     bench_all_worlds(command, options, json);
     json.close_array().key("render").open_array().close_array().key("machine");
     write_machine(json);
-    write_engines(json);
+    write_engines(json, reference::has_box2d_v3());
     json.close_object();
-    write_output(command.json ? json.text() + "\n" : engines_text());
+    write_output(command.json ? json.text() + "\n" : engines_text(reference::has_box2d_v3()));
     return ExitCode::ok;
 }
 

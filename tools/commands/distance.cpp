@@ -5,11 +5,13 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tools/cli/console.hpp"
+#include "tools/cli/output_path.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/input_error.hpp"
 #include "tools/query/distance_query.hpp"
@@ -26,12 +28,16 @@ struct DistanceArguments {
     bool from_input = false;
     std::string sub_algorithm;    // empty: distance() with its fast paths
     std::filesystem::path trace;  // empty: not written
+    std::string trace_format;     // empty: by the extension
     bool force = false;
 };
 
 const std::map<std::string, SubAlgorithm> kSubAlgorithms = {{"voronoi", SubAlgorithm::voronoi},
                                                             {"johnson", SubAlgorithm::johnson},
                                                             {"signed-volumes", SubAlgorithm::signed_volumes}};
+
+const std::map<std::string, TraceFormat> kTraceFormats = {
+    {"png", TraceFormat::png}, {"svg", TraceFormat::svg}, {"json", TraceFormat::json}};
 
 SubAlgorithm loop_of(const DistanceArguments& options) {
     return options.sub_algorithm.empty() ? SubAlgorithm::voronoi : kSubAlgorithms.at(options.sub_algorithm);
@@ -44,11 +50,21 @@ DistanceResult answer(const DistanceQuery& query, const DistanceArguments& optio
     return gjk_distance(query.a, query.a_pose, query.b, query.b_pose, loop_of(options));
 }
 
+TraceFormat format_of(const DistanceArguments& options) {
+    if (!options.trace_format.empty()) return kTraceFormats.at(options.trace_format);
+    if (const std::optional<TraceFormat> format = trace_format_of(options.trace)) return *format;
+    if (is_standard_output(options.trace))
+        throw CLI::ValidationError("--trace", "needs --trace-format on standard output");
+    throw CLI::ValidationError(
+        "--trace",
+        "needs a file name that ends in .png, .svg or .json, or --trace-format, got " + options.trace.string());
+}
+
 ExitCode answer_arguments(const Command& command, const DistanceArguments& options) {
     const DistanceQuery query = parse_query_arguments(options.a, options.b);
     const DistanceResult result = answer(query, options);
     if (result.status == DistanceStatus::invalid) throw InputError("the distance of A and B is not a finite double");
-    if (!options.trace.empty()) write_trace(options.trace, query, loop_of(options), options.force);
+    if (!options.trace.empty()) write_trace(options.trace, format_of(options), query, loop_of(options), options.force);
     if (!command.json) {
         write_output(answer_text(result));
         return ExitCode::ok;
@@ -130,10 +146,9 @@ ExitCode answer_lines(const DistanceArguments& options) {
 }
 
 ExitCode run(const Command& command, const DistanceArguments& options) {
-    if (!options.trace.empty() && (options.from_input || !is_trace_file(options.trace)))
-        throw CLI::ValidationError(
-            "--trace",
-            "needs a single query and a file name that ends in .png, .svg or .json, got " + options.trace.string());
+    if (!options.trace.empty() && options.from_input)
+        throw CLI::ValidationError("--trace", "is for a single query, not for --stdin");
+    if (!options.trace.empty()) format_of(options);
     if (options.from_input && !options.a.empty())
         throw CLI::ValidationError("--stdin", "reads the queries from standard input; leave out A and B");
     if (options.from_input) return answer_lines(options);
@@ -156,10 +171,17 @@ void add_distance(CLI::App& app, Command& command) {
     distance.add_option("--sub-algorithm", options->sub_algorithm, "Use the GJK loop only, with this subalgorithm")
         ->check(CLI::IsMember(&kSubAlgorithms))
         ->type_name("NAME");
+    CLI::Option* const trace = &allow_standard_output(
+        *distance
+             .add_option("--trace", options->trace,
+                         "Answer by the GJK loop, and write its iterations as a picture or as JSON; - is standard "
+                         "output")
+             ->type_name("F.png|.svg|.json"));
     distance
-        .add_option("--trace", options->trace,
-                    "Answer by the GJK loop, and write its iterations as a picture or as JSON")
-        ->type_name("F.png|.svg|.json");
+        .add_option("--trace-format", options->trace_format, "Format of the trace; default: the extension of its file")
+        ->check(CLI::IsMember(&kTraceFormats))
+        ->type_name("NAME")
+        ->needs(trace);
     distance.add_flag("--force", options->force, "Replace an existing trace");
     distance.callback([&command, options] { command.action = [&command, options] { return run(command, *options); }; });
 }

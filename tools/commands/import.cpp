@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "reference/box2d/b2_rube.hpp"
 #include "tools/cli/console.hpp"
@@ -13,8 +14,11 @@
 #include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/machine/engines.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/output/standard_input.hpp"
+#include "tools/scene/image_paths.hpp"
+#include "tools/scene/scene_options.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_import.hpp"
@@ -29,6 +33,7 @@ struct ImportArguments {
     SvgOptions svg;
     bool force = false;
     bool check = false;
+    bool allow_outside = false;
 };
 
 constexpr double kAllowedDifference = 1e-5;  // relative, and in m for anchors: exports and Box2D are float
@@ -53,6 +58,22 @@ ImportedScene read_source(const ImportArguments& options) {
     if (!is_standard_input(options.source))
         return is_drawing ? import_svg(options.source, options.svg) : import_rube(options.source);
     return is_drawing ? parse_svg(standard_input(), "<stdin>", options.svg) : parse_rube(standard_input(), "<stdin>");
+}
+
+// Images are named relative to the export; the scene names them relative to its own folder.
+void place_images(const ImportArguments& options, ImportedScene& imported) {
+    const auto folder_of = [](const std::filesystem::path& file) {
+        const bool is_stream = is_standard_input(file) || is_standard_output(file);
+        return is_stream || !file.has_parent_path() ? std::filesystem::path(".") : file.parent_path();
+    };
+    const std::vector<std::string> removed =
+        move_images(imported.scene, folder_of(options.source), folder_of(options.scene), options.allow_outside);
+    if (removed.empty()) return;
+    constexpr std::size_t kNamed = 3;
+    ImportNote note{
+        "images outside of the folder of the scene (--allow-outside keeps them)", static_cast<int>(removed.size()), {}};
+    for (std::size_t i = 0; i < std::min(kNamed, removed.size()); ++i) note.owners.push_back("'" + removed[i] + "'");
+    imported.notes.push_back(note);
 }
 
 std::ptrdiff_t count_of(const ImportedScene& imported, BodyType type) {
@@ -87,6 +108,7 @@ std::array<NamedDifference, 4> differences_of(const reference::ImportDifferences
 }
 
 void write_check(JsonWriter& json, const reference::ImportDifferences& check) {
+    write_engines(json);
     json.key("check").open_object().member("agrees", agrees(check)).member("same_count", check.same_count);
     json.member("bodies", check.bodies).member("joints", check.joints);
     json.member("refused_inertias", check.refused_inertias);
@@ -109,7 +131,7 @@ std::string check_text(const reference::ImportDifferences& check) {
     append_number(text += ", inertias within ", check.inertia.value);
     append_number(text += " (relative); " + std::to_string(check.joints) + " joints, anchors within ",
                   check.anchor.value);
-    text += " m\n";
+    text += " m\n" + engines_text();
     if (check.refused_inertias > 0)
         text += "  not compared: " + std::to_string(check.refused_inertias) +
                 " moments of inertia that Box2D does not accept\n";
@@ -156,7 +178,8 @@ ExitCode import_scene(const Command& command, const ImportArguments& options) {
     if (options.check && is_standard_input(options.source))
         throw CLI::ValidationError("--check", "reads the export a second time: it needs a file, not standard input");
     refuse_to_overwrite(options.scene, options.force);
-    const ImportedScene imported = read_source(options);
+    ImportedScene imported = read_source(options);
+    place_images(options, imported);
     create_folder_of(options.scene);
     save_scene(imported.scene, options.scene);
     std::optional<reference::ImportDifferences> check;
@@ -198,6 +221,7 @@ void add_import(CLI::App& app, Command& command) {
     app_import.add_flag(
         "--check", options->check,
         "Compare masses, inertias and anchors with Box2D, built from the same export; exit code 7 if they differ");
+    add_outside_option(app_import, options->allow_outside);
     app_import.add_flag("--force", options->force, "Replace the scene file if it exists");
     app_import.callback(
         [&command, options] { command.action = [&command, options] { return import_scene(command, *options); }; });

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/box2d_v3/v3_queries.hpp"
 #include "reference/families/cast_families.hpp"
 #include "reference/families/pair_families.hpp"
 #include "reference/parity/parity.hpp"
@@ -22,8 +23,11 @@ namespace {
 
 constexpr std::uint64_t kMostPairs = 1000000000;  // one or two hours, and 200 MB for the list of blocks
 
+constexpr const char* kAgainstV3 = "box2d-v3";
+
 struct ParityArguments {
     reference::ParityOptions parity;
+    std::string against = "box2d";
     std::vector<std::string> scenes;
     std::string report;
     bool force = false;
@@ -72,25 +76,44 @@ reference::ParityResult compare_random_pairs(const ParityArguments& options) {
     return reference::run_parity(parity);
 }
 
+reference::ParityResult compare_pairs(const ParityArguments& options) {
+    return options.scenes.empty() ? compare_random_pairs(options) : compare_scenes(options);
+}
+
+// With both engines, or with Box2D alone.
+ParityResults compare_engines(const ParityArguments& options) {
+    ParityResults results{compare_pairs(options)};
+    if (options.against != kAgainstV3) return results;
+    narrate("the same pairs, compared with Box2D v3\n");
+    ParityArguments with_v3 = options;
+    with_v3.parity.opponent = reference::Opponent::box2d_v3;
+    results.box2d_v3 = compare_pairs(with_v3);
+    return results;
+}
+
 ExitCode compare(const Command& command, const ParityArguments& options) {
+    if (options.against == kAgainstV3 && !reference::has_box2d_v3())
+        throw CLI::ValidationError("--against",
+                                   "this build has no Box2D v3; configure one with the CMake option "
+                                   "TUMBLE_BOX2D_V3, the folder in which it is installed");
     if (options.list) return list_families(command);
     if (!options.report.empty()) refuse_to_overwrite(options.report, options.force);
     const bool in_scenes = !options.scenes.empty();
-    const reference::ParityResult result = in_scenes ? compare_scenes(options) : compare_random_pairs(options);
+    const ParityResults results = compare_engines(options);
     if (command.json) {
         JsonWriter json;
-        write_parity_json(json, result);
+        write_parity_json(json, results);
         write_output(json.text() + "\n");
     } else {
-        write_output(parity_table(result));
+        write_output(parity_table(results));
     }
     if (!options.report.empty()) {
         write_file(options.report,
-                   parity_page(result, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"),
+                   parity_page(results, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"),
                    options.force);
         narrate("report written to " + options.report + "\n");
     }
-    return result.passed() ? ExitCode::ok : ExitCode::failed;
+    return results.box2d.passed() ? ExitCode::ok : ExitCode::failed;
 }
 
 }  // namespace
@@ -106,6 +129,10 @@ void add_parity(CLI::App& app, Command& command) {
     parity.add_option("--seed", options->parity.seed, "Seed of the pairs")->capture_default_str()->check(any_seed());
     parity.add_option("--family", options->parity.families, "Only this family of pairs; repeatable");
     parity.add_option("--scene", options->scenes, "Compare every pair of every step of this scene instead; repeatable");
+    parity.add_option("--against", options->against, "The engine to compare with: box2d, or box2d-v3 beside it")
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"box2d", kAgainstV3}));
     parity.add_option("--threads", options->parity.threads, "Threads; 0: one per processor")
         ->capture_default_str()
         ->check(whole_number_from_to(0, 256));

@@ -82,12 +82,17 @@ OutputFiles output_files(const ShrinkArguments& options, const Scene& scene) {
 void check_arguments(const ShrinkArguments& options, const Scene& scene) {
     const TrialSettings& trial = options.trial;
     if (options.output == "-" || is_standard_output(options.output))
-        throw CLI::ValidationError("--output", "must be a file or a folder: the picture and the log are beside it");
+        throw CLI::ValidationError(
+            "--output",
+            "must be a file or a folder: the picture and the log, from which the search continues, are beside it");
     if (!trial.is_check() && trial.command.find("{}") == std::string::npos)
         throw CLI::ValidationError("--fails", "must be check, or a command with {} in place of the scene's file");
     if (trial.is_check() && trial.same_output)
         throw CLI::ValidationError("--same-output", "is for commands of --fails");
     if (!trial.is_check() && options.claim) throw CLI::ValidationError("--claim", "is for --fails check");
+    if (options.claim && static_cast<std::size_t>(*options.claim) >= scene.expect.size())
+        throw CLI::ValidationError("--claim", "there is no claim /expect/" + std::to_string(*options.claim) +
+                                                  "; the scene has " + std::to_string(scene.expect.size()));
     for (const std::string& name : options.keep)
         if (std::ranges::find(scene.bodies, name, &SceneBody::name) == scene.bodies.end())
             throw CLI::ValidationError("--keep", "there is no body '" + name + "'");

@@ -14,6 +14,7 @@
 #include "tools/output/json_writer.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/sweep/estimate.hpp"
+#include "tools/sweep/plan_input.hpp"
 #include "tools/sweep/run_record.hpp"
 #include "tools/sweep/sweep_text.hpp"
 #include "tools/sweep/sweep_work.hpp"
@@ -56,7 +57,7 @@ ExitCode sweep(const Command& command, SweepArguments options) {
     if (!options.dry_run && options.work.folder.empty()) throw CLI::RequiredError("--output");
     catch_interrupts();
     std::vector<Diagnostic> warnings;
-    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside, &warnings);
+    const sweep::Plan plan = read_plan_input(options.plan, options.runs, options.allow_outside, &warnings);
     for (Diagnostic& warning : warnings) {
         warning.code.clear();  // codes are about scenes
         narrate(to_string(warning) + "\n");
@@ -74,7 +75,7 @@ void add_sweep(CLI::App& app, Command& command) {
     const auto options = std::make_shared<SweepArguments>();
     CLI::App& app_sweep =
         add_subcommand(app, command, "sweep", "Simulate the runs of a plan: many seeds and parameters");
-    app_sweep.add_option("PLAN", options->plan, "Plan file")->type_name("FILE");
+    app_sweep.add_option("PLAN", options->plan, "Plan file; - is standard input")->type_name("FILE");
     app_sweep.add_option("-o,--output", options->work.folder, "Folder of the results; a sweep in it is continued")
         ->type_name("DIR");
     app_sweep.add_option("--runs", options->runs, "Number of runs, in place of the plan's")

@@ -14,6 +14,7 @@
 #include "tools/output/json_writer.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/sweep/merging.hpp"
+#include "tools/sweep/plan_input.hpp"
 #include "tools/sweep/run_record.hpp"
 #include "tools/sweep/scene_texts.hpp"
 #include "tools/sweep/sweep_plot.hpp"
@@ -51,7 +52,7 @@ ExitCode verify(const Command& command, const VerifyArguments& options) try {
     } else {
         catch_interrupts();
         verification.seed = options.seed ? *options.seed : std::random_device()();
-        verify_runs(sweep::read_plan(plan, header.runs, options.allow_outside), options.folder, options.part,
+        verify_runs(read_plan_input(plan, header.runs, options.allow_outside), options.folder, options.part,
                     verification);
     }
     write_output(command.json ? to_json(verification) : to_text(verification));

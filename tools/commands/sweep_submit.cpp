@@ -11,6 +11,7 @@
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/standard_input.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/sweep/estimate.hpp"
 #include "tools/sweep/slurm_script.hpp"
@@ -51,6 +52,8 @@ std::string submit(const fs::path& script, const std::string& options) {
 
 ExitCode submit_sweep(const Command& command, SubmitArguments options) {
     if (!options.is_slurm) throw CLI::RequiredError("--slurm");
+    if (is_standard_input(options.plan))
+        throw CLI::ValidationError("PLAN", "must be a file, which each task of the cluster reads");
     const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside);
     SlurmOptions& slurm = options.slurm;
     slurm.folder = fs::absolute(slurm.folder).lexically_normal();

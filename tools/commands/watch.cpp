@@ -9,6 +9,7 @@
 #include "tools/cli/console.hpp"
 #include "tools/cli/error_report.hpp"
 #include "tools/cli/interrupt.hpp"
+#include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
@@ -99,6 +100,8 @@ void look(const Command& command, const WatchArguments& options) {
 ExitCode watch(const Command& command, const WatchArguments& options) {
     if (is_standard_input(options.file)) throw CLI::ValidationError("SCENE", "standard input cannot be watched");
     if (!fs::exists(options.file)) throw FileError(options.file, "does not exist");
+    if (options.picture == "-" || is_standard_output(options.picture))
+        throw CLI::ValidationError("--output", "must be a file: the picture is replaced on each save");
     if (picture_of(options).extension() != ".png")
         throw CLI::ValidationError("--output",
                                    "expected a file name that ends in .png, got " + options.picture.string());

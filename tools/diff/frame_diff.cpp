@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "tools/diff/input_kind.hpp"
-#include "tools/diff/png_reader.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tumble/render.hpp"
 
 namespace tumble::tools {
 

@@ -17,10 +17,13 @@ struct EngineBuild {
 // tumble, with the instruction set that it has chosen for this processor, and Box2D.
 std::array<EngineBuild, 2> compared_engines();
 
-// A line for each.
-std::string engines_text();
+// Box2D v3, in a build that has it.
+EngineBuild box2d_v3_engine();
 
-// The member "engines": {"tumble": {"version", "build"}, "box2d": {"version", "build"}}
-void write_engines(JsonWriter& json);
+// A line for each; `with_v3` adds Box2D v3.
+std::string engines_text(bool with_v3 = false);
+
+// The member "engines": {"tumble": {"version", "build"}, "box2d": {"version", "build"}}, and "box2d_v3" `with_v3`.
+void write_engines(JsonWriter& json, bool with_v3 = false);
 
 }  // namespace tumble::tools

@@ -18,6 +18,7 @@ struct QueryBenchResult {
     std::string name;
     double tumble_ns = 0.0;  // CPU time per query, median of the runs
     double box2d_ns = 0.0;
+    double box2d_v3_ns = 0.0;  // 0: not timed
     double ratio() const { return box2d_ns / tumble_ns; }
 };
 

@@ -133,6 +133,36 @@ void add_family_table(HtmlPage& page, const ParityResult& result) {
     page.table(header, rows);
 }
 
+// The same judge on the answers of Box2D v3.
+void add_v3_table(HtmlPage& page, const ParityResults& results) {
+    const EngineBuild v3 = box2d_v3_engine();
+    page.heading("Three engines");
+    page.paragraph(
+        v3.name + " " + v3.version + ": " + v3.build +
+        ". It answers the same queries, and the same judge decides. It takes the pose of one shape relative to "
+        "the other, which is computed here in double. Refused: shapes of more than eight vertices, and queries "
+        "that it lacks.");
+    const std::vector<std::string> header = {
+        "family",    "wrong: tumble",      "Box2D", "Box2D v3", "refused: v3", "max tumble, m", "max Box2D, m",
+        "max v3, m", "iterations: tumble", "Box2D", "v3"};
+    std::vector<std::vector<HtmlCell>> rows;
+    for (std::size_t i = 0; i < results.box2d.families.size(); ++i) {
+        const ParityRow &row = results.box2d.families[i], &of_v3 = results.box2d_v3->families[i];
+        rows.push_back({{.text = row.name},
+                        count_cell(row.ours_wrong + row.ours_witness_wrong, true),
+                        count_cell(row.box2d_wrong, true),
+                        count_cell(of_v3.box2d_wrong, true),
+                        count_cell(of_v3.box2d_refused),
+                        number_cell(row.max_error_ours_m),
+                        number_cell(row.max_error_box2d_m),
+                        number_cell(of_v3.max_error_box2d_m),
+                        number_cell(mean_iterations(row.iterations_ours, row)),
+                        number_cell(mean_iterations(row.iterations_box2d, row)),
+                        number_cell(mean_iterations(of_v3.iterations_box2d, of_v3))});
+    }
+    page.table(header, rows);
+}
+
 void add_family_descriptions(HtmlPage& page, const ParityResult& result) {
     std::vector<std::vector<HtmlCell>> rows;
     for (const ParityRow& row : result.families) {
@@ -196,7 +226,8 @@ void add_worst_cases(HtmlPage& page, const ParityResult& result) {
 
 }  // namespace
 
-std::string parity_page(const ParityResult& result, const std::string& what) {
+std::string parity_page(const ParityResults& results, const std::string& what) {
+    const ParityResult& result = results.box2d;
     HtmlPage page("Parity with Box2D");
     add_summary(page, result, what);
     page.figure(plot_error_histograms(result.families),
@@ -205,6 +236,7 @@ std::string parity_page(const ParityResult& result, const std::string& what) {
     add_failures(page, result);
     add_definitions(page);
     add_family_table(page, result);
+    if (results.box2d_v3) add_v3_table(page, results);
     add_family_descriptions(page, result);
     add_worst_cases(page, result);
     return page.str();

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "reference/parity/parity.hpp"
+#include "tools/parity/parity_report.hpp"
 
 namespace tumble::tools {
 
 // A self-contained HTML document. `what` names what was compared: "Random and hard pairs".
-std::string parity_page(const reference::ParityResult& result, const std::string& what);
+std::string parity_page(const ParityResults& results, const std::string& what);
 
 }  // namespace tumble::tools

@@ -33,17 +33,20 @@ std::string trace_json(const DistanceQuery& query, const DistanceTrace& trace) {
 
 }  // namespace
 
-bool is_trace_file(const std::filesystem::path& file) {
+std::optional<TraceFormat> trace_format_of(const std::filesystem::path& file) {
     const std::filesystem::path extension = file.extension();
-    return extension == ".png" || extension == ".svg" || extension == ".json";
+    if (extension == ".png") return TraceFormat::png;
+    if (extension == ".svg") return TraceFormat::svg;
+    if (extension == ".json") return TraceFormat::json;
+    return std::nullopt;
 }
 
-void write_trace(const std::filesystem::path& file, const DistanceQuery& query, SubAlgorithm sub_algorithm,
-                 bool force) {
+void write_trace(const std::filesystem::path& file, TraceFormat format, const DistanceQuery& query,
+                 SubAlgorithm sub_algorithm, bool force) {
     const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose, sub_algorithm);
-    if (file.extension() == ".json") return write_file(file, trace_json(query, trace), force);
+    if (format == TraceFormat::json) return write_file(file, trace_json(query, trace), force);
     const Drawing drawing = draw_trace(query.a, query.a_pose, query.b, query.b_pose, trace);
-    if (file.extension() == ".svg") return write_file(file, to_svg(drawing), force);
+    if (format == TraceFormat::svg) return write_file(file, to_svg(drawing), force);
     refuse_to_overwrite(file, force);
     create_folder_of(file);
     write_png(draw_image(drawing), file);

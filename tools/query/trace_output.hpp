@@ -1,16 +1,20 @@
-// Writes the iterations of a distance query as a picture or as JSON, depending on the extension of the file.
+// Writes the iterations of a distance query as a picture or as JSON.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "tools/query/distance_query.hpp"
 
 namespace tumble::tools {
 
-// Whether the extension is .png, .svg or .json.
-bool is_trace_file(const std::filesystem::path& file);
+enum class TraceFormat { png, svg, json };
+
+// By the extension of the file: .png, .svg or .json. Nothing for others.
+std::optional<TraceFormat> trace_format_of(const std::filesystem::path& file);
 
 // Throws FileError, or RenderError for a PNG.
-void write_trace(const std::filesystem::path& file, const DistanceQuery& query, SubAlgorithm sub_algorithm, bool force);
+void write_trace(const std::filesystem::path& file, TraceFormat format, const DistanceQuery& query,
+                 SubAlgorithm sub_algorithm, bool force);
 
 }  // namespace tumble::tools

@@ -133,9 +133,11 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         .add_flag("--no-replay-contacts", options.no_replay_contacts,
                   "Leave the contact points out of the replay: a page of half the size")
         ->needs(replay);
-    CLI::Option* const video =
-        subcommand.add_option("--video", options.video, "Write a video: .mp4, .webm, .gif or .apng; needs ffmpeg")
-            ->type_name("F");
+    CLI::Option* const video = &allow_standard_output(
+        *subcommand
+             .add_option("--video", options.video,
+                         "Write a video: .mp4, .webm, .gif or .apng; - is an MP4 on standard output; needs ffmpeg")
+             ->type_name("F"));
     CLI::Option* const raw_video = &allow_standard_output(
         *subcommand
              .add_option(

@@ -10,6 +10,7 @@ namespace tumble::tools {
 namespace {
 
 VideoFormat format_of(const RunOptions& options) {
+    if (is_standard_output(options.video)) return VideoFormat::mp4;
     if (const std::optional<VideoFormat> format = video_format_of(options.video)) return *format;
     throw CLI::ValidationError("--video",
                                "the name of a video ends in .mp4, .webm, .gif or .apng, got " + options.video.string());

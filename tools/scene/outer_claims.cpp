@@ -8,7 +8,6 @@
 
 #include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
-#include "tools/diff/png_reader.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tumble/file.hpp"

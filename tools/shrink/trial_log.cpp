@@ -22,11 +22,16 @@ namespace {
 
 constexpr const char* kTitle = "tumble shrink 1 ";  // with the version of the format of this file
 
+constexpr std::size_t kMostBytes = 1 << 30;  // of a log: thirty million results
+
 std::string header_of(std::uint64_t task) { return kTitle + to_hex(task) + "\n"; }
 
 std::string text_of(const std::filesystem::path& file) {
     std::error_code error;
-    return std::filesystem::is_regular_file(file, error) ? read_file(file) : "";
+    if (!std::filesystem::is_regular_file(file, error)) return "";
+    std::string text = read_file(file, kMostBytes);
+    if (text.size() > kMostBytes) throw FileError(file, "is longer than 1 GiB");
+    return text;
 }
 
 }  // namespace

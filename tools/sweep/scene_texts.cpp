@@ -27,7 +27,7 @@ SceneTexts::SceneTexts(const sweep::Plan& plan, const fs::path& sweep_folder) {
     if (plan.allow_outside) return;
     folder_ = fs::absolute(plan.file).parent_path();
     copies_ = copies_in(sweep_folder);
-    copy(plan.file, read_file(plan.file));
+    copy(plan.file, plan.text);
 }
 
 const std::string& SceneTexts::read(const fs::path& file) {

@@ -1,6 +1,7 @@
 #include "tools/sweep/verification.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -63,8 +64,8 @@ std::map<std::uint64_t, std::string> read_rows(const fs::path& file, const std::
     std::map<std::uint64_t, std::string> rows;
     std::ifstream stream(file);
     for (std::string line; std::getline(stream, line);) {
-        if (line.empty() || line[0] < '0' || line[0] > '9') continue;
-        const std::uint64_t run = std::stoull(line);
+        std::uint64_t run = 0;
+        if (std::from_chars(line.data(), line.data() + line.size(), run).ec != std::errc()) continue;
         if (wanted.contains(run)) rows.emplace(run, line + "\n");
     }
     return rows;

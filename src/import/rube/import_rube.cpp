@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "import/rube/rube_images.hpp"
 #include "import/rube/rube_joints.hpp"
 #include "import/rube/rube_mass.hpp"
 #include "import/rube/rube_shapes.hpp"
@@ -36,6 +37,7 @@ public:
         std::vector<RubeObject> bodies = world.list("body");
         for (RubeObject& body : bodies) read_body(body);
         read_joints(world.list("joint"), bodies.size());
+        add_images(read_rube_images(world.list("image"), bodies.size(), notes_));
         world.note_unread("world", notes_);
         return {std::move(scene_), notes_.take()};
     }
@@ -50,10 +52,9 @@ private:
         if (world.flag("subStepping")) notes_.add("sub-stepping of continuous physics");
         if (!world.flag("warmStarting", true)) notes_.add("warm starting switched off");
         if (!world.flag("autoClearForces", true)) notes_.add("forces that are not cleared");
-        for (RubeObject& image : world.list("image")) notes_.add_of("'" + image.text("file") + "'", "images");
         scene_.custom = world.custom({"customProperties"});
         // Numbers of iterations are of Box2D's solver, and collisionbitplanes are the editor's names of categories.
-        world.skip({"velocityIterations", "positionIterations", "collisionbitplanes", "image"});
+        world.skip({"velocityIterations", "positionIterations", "collisionbitplanes"});
     }
 
     void read_body(RubeObject& body) {
@@ -65,7 +66,7 @@ private:
                       : type == 1.0 ? BodyType::kinematic_body
                                     : BodyType::static_body;
         result.position = body.vector("position");
-        result.angle = std::remainder(body.number("angle") * kDegrees, 360.0);
+        result.angle = std::remainder(body.number("angle"), 2.0 * kPi) * kDegrees;
         result.velocity = body.vector("linearVelocity");
         result.angular_velocity = body.number("angularVelocity") * kDegrees;
         result.linear_damping = body.number("linearDamping");
@@ -144,6 +145,17 @@ private:
         }
         const auto joint_at = [&](std::size_t index) { return indices[index] ? name_joint(*indices[index]) : nullptr; };
         for (const std::size_t i : gears) add_joint(read_rube_gear(joints[i], joints.size(), joint_at, notes_));
+    }
+
+    // Those of the world are shown by a static body without shapes.
+    void add_images(const std::vector<RubeImage>& images) {
+        SceneBody world;
+        world.type = BodyType::static_body;
+        for (const RubeImage& read : images)
+            (read.body ? scene_.bodies[*read.body] : world).images.push_back(read.image);
+        if (world.images.empty()) return;
+        name(world.name, "images_", scene_.bodies.size(), names_);
+        scene_.bodies.push_back(std::move(world));
     }
 
     // Of joints with the same name, the first keeps it and the others get a number.

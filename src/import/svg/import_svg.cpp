@@ -1,6 +1,7 @@
 // Imports SVG drawings: one body for each figure that is drawn, in the order of the file.
 //
-// The drawing is mirrored so that y points upwards and its lower left corner is the origin. The camera shows the page.
+// The drawing is mirrored so that y points upwards and its lower left corner is the origin. The scene states
+// no camera: frames show where its bodies move.
 // Parsed by pugixml, without entities or external files.
 #include <algorithm>
 #include <cmath>
@@ -100,8 +101,6 @@ private:
         const DVec2 size = metres * DVec2{page.pixels_per_unit.x * page.size.x, page.pixels_per_unit.y * page.size.y};
         if (!(size.x > 0.0 && size.y > 0.0 && std::max(size.x, size.y) <= kLargest)) return;
         page_.origin = {-page_.x_axis.x * page.corner.x, -page_.y_axis.y * (page.corner.y + page.size.y)};
-        result_.scene.camera.center = 0.5 * size;
-        result_.scene.camera.height = size.y;
     }
 
     void visit_children(const pugi::xml_node& element, const Affine& map, const SvgStyle& style, int depth) {

@@ -15,6 +15,7 @@ using QueryRun = std::function<double()>;
 struct QueryRuns {
     QueryRun tumble;
     QueryRun box2d;
+    QueryRun box2d_v3{};  // empty: not timed for this case, or not in this build
 };
 
 struct QueryCase {

@@ -48,6 +48,14 @@ Json parse_export(const std::filesystem::path& file) {
     return Json::parse(rube_json(read_file(file)), nullptr, true, true);
 }
 
+// The angle of a body within half a turn, in double as the importer computes it: Box2D's float has no turn left of an
+// angle of millions of radians.
+float turn_of(const Json& body) {
+    const bool is_number = body.contains("angle") && body["angle"].is_number();
+    const double angle = is_number ? body["angle"].get<double>() : double{number(body, "angle")};
+    return static_cast<float>(std::remainder(angle, 2.0 * kPi));
+}
+
 // Whether Box2D accepts the mass data of a body that may rotate: the inertia about the centre of mass must be positive,
 // in its own arithmetic.
 bool is_accepted(const b2MassData& data) {
@@ -65,7 +73,7 @@ BodyPair add_body(b2World& world, const Json& json) {
     b2BodyDef def;
     def.type = static_cast<b2BodyType>(static_cast<int>(number(json, "type")));
     def.position = vector(json, "position");
-    def.angle = number(json, "angle");
+    def.angle = turn_of(json);
     def.fixedRotation = json.value("fixedRotation", false);
     b2Body* body = world.CreateBody(&def);
     b2MassData mass;
@@ -103,6 +111,13 @@ b2Joint* add_gear(b2Joint* first, b2Joint* second, b2World& world) {
     def.joint1 = first;
     def.joint2 = second;
     return world.CreateJoint(&def);
+}
+
+// Whether the importer has added a static body, the last one, for the images of the world.
+bool has_backdrop(const Json& document, const Scene& imported) {
+    const auto is_of_world = [](const Json& image) { return number(image, "body") < 0.0f; };
+    return std::ranges::any_of(document.value("image", Json::array()), is_of_world) && !imported.bodies.empty() &&
+           imported.bodies.back().shapes.empty() && imported.bodies.back().type == BodyType::static_body;
 }
 
 constexpr double kNear = 100.0;  // m: up to here the rounding of Box2D's float coordinates counts as a difference
@@ -178,7 +193,8 @@ ImportDifferences compare_with_box2d(const std::filesystem::path& rube_file, con
     ImportDifferences worst;
     std::vector<BodyPair> bodies;
     for (const Json& body : document.value("body", Json::array())) bodies.push_back(add_body(world, body));
-    worst.same_count = bodies.size() == built.bodies.size();
+    const std::size_t backdrops = has_backdrop(document, imported) ? 1 : 0;
+    worst.same_count = bodies.size() + backdrops == built.bodies.size();
     for (std::size_t i = 0; i < std::min(bodies.size(), built.bodies.size()); ++i) {
         const BodyId id = built.bodies[i].id;
         if (built.world.type(id) == BodyType::dynamic_body && built.world.is_enabled(id))

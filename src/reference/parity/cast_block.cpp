@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/box2d/b2_types.hpp"
+#include "reference/box2d_v3/v3_queries.hpp"
 #include "reference/parity/cast_judge.hpp"
 
 namespace tumble::reference {
@@ -24,9 +25,13 @@ double largest_coordinate_of(const CastQuery& query) {
     return std::max(largest_coordinate(start), largest_coordinate(end));
 }
 
-std::vector<std::optional<B2Cast>> query_box2d_all(const std::vector<CastQuery>& queries) {
-    const std::scoped_lock lock(b2_query_lock);
+std::vector<std::optional<B2Cast>> query_opponent(const std::vector<CastQuery>& queries, Opponent opponent) {
     std::vector<std::optional<B2Cast>> answers;
+    if (opponent == Opponent::box2d_v3) {
+        for (const CastQuery& query : queries) answers.push_back(query_box2d_v3(query));
+        return answers;
+    }
+    const std::scoped_lock lock(b2_query_lock);
     for (const CastQuery& query : queries) answers.push_back(query_box2d(query));
     return answers;
 }
@@ -69,7 +74,7 @@ ParityRow compare_cast_block(const CastFamily& family, std::uint64_t begin, std:
     row.name = family.name;
     std::vector<CastQuery> queries;
     for (std::uint64_t index = begin; index < end; ++index) queries.push_back(family.generate(options.seed, index));
-    const std::vector<std::optional<B2Cast>> box2d = query_box2d_all(queries);
+    const std::vector<std::optional<B2Cast>> box2d = query_opponent(queries, options.opponent);
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const CastQuery& query = queries[i];
         const MotionOracle oracle(query);

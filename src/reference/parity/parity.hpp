@@ -94,7 +94,11 @@ struct ParityRow {
     void merge(const ParityRow& later);  // a row of later pairs of the same family, or of another for a total
 };
 
+// The engine that tumble is compared with. The members of rows and cases that say `box2d` are about it.
+enum class Opponent : std::uint8_t { box2d, box2d_v3 };
+
 struct ParityOptions {
+    Opponent opponent = Opponent::box2d;  // box2d_v3: only in a build with has_box2d_v3()
     std::uint64_t pairs = 1'000'000;
     std::uint64_t seed = 1;
     std::vector<std::string> families;            // names; empty: all

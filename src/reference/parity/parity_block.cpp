@@ -5,6 +5,7 @@
 
 #include "debug/check.hpp"
 #include "reference/box2d/b2_types.hpp"
+#include "reference/box2d_v3/v3_queries.hpp"
 #include "reference/query/random.hpp"
 
 namespace tumble::reference {
@@ -45,10 +46,14 @@ std::vector<DistanceResult> query_tumble(const std::vector<PairQuery>& queries) 
 }
 
 // Bare cores are queried without `useRadii`, with which Box2D reports everything within 1.2e-7 m as an overlap.
-std::vector<std::optional<B2Distance>> query_box2d(const std::vector<PairQuery>& queries) {
-    const std::scoped_lock lock(b2_query_lock);
+std::vector<std::optional<B2Distance>> query_opponent(const std::vector<PairQuery>& queries, Opponent opponent) {
     std::vector<std::optional<B2Distance>> answers;
     answers.reserve(queries.size());
+    if (opponent == Opponent::box2d_v3) {
+        for (const PairQuery& query : queries) answers.push_back(b2_v3_distance(query, has_radii(query)));
+        return answers;
+    }
+    const std::scoped_lock lock(b2_query_lock);
     for (const PairQuery& query : queries) answers.push_back(b2_distance(query, has_radii(query)));
     return answers;
 }
@@ -78,7 +83,7 @@ bool is_sampled(std::uint64_t index, const ParityOptions& options) {
 
 void judge(ParityRow& row, const QueryList& list, const ParityOptions& options) {
     const std::vector<DistanceResult> ours = query_tumble(list.queries);
-    const std::vector<std::optional<B2Distance>> box2d = query_box2d(list.queries);
+    const std::vector<std::optional<B2Distance>> box2d = query_opponent(list.queries, options.opponent);
     TUMBLE_CHECK(list.indices.size() == list.queries.size());
     TUMBLE_CHECK(ours.size() == list.queries.size());
     TUMBLE_CHECK(box2d.size() == list.queries.size());

@@ -1,6 +1,8 @@
 #include "render/canvas/canvas.hpp"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "debug/check.hpp"
 namespace tumble::render {
@@ -50,6 +52,9 @@ Canvas::Canvas(std::unique_ptr<OffscreenContext> context, int width, int height)
     const Attribute vertex[] = {color(offsetof(MeshVertex, paint.fill)), color(offsetof(MeshVertex, paint.outline)),
                                 floats(3, 0)};
     mesh_ = make_pipeline(mesh_shader(), vertex, sizeof(MeshVertex), false);
+
+    const Attribute image[] = {floats(4, 0), floats(4, offsetof(ImageInstance, half_x))};
+    images_ = make_pipeline(image_shader(), image, sizeof(ImageInstance), true);
 
     const Attribute glyph[] = {color(offsetof(GlyphInstance, color)), floats(4, 0),
                                floats(2, offsetof(GlyphInstance, atlas_x))};
@@ -145,6 +150,7 @@ void Canvas::draw_layer(const Layer& layer) {
     draw_instances(rounded_polygons_, layer.rounded_polygons, layer.outline_width);
     draw_instances(boxes_, layer.boxes, layer.outline_width);
     draw_instances(circles_, layer.circles, layer.outline_width);
+    draw_images(layer.images);
     draw_instances(glyphs_, layer.glyphs, layer.outline_width);
 }
 
@@ -172,6 +178,33 @@ void Canvas::draw_mesh(const std::vector<MeshVertex>& vertices, double outline_w
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(MeshVertex)), vertices.data(),
                    GL_STREAM_DRAW);
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+}
+
+// One after the other: each may have a texture of its own, and covers those before it.
+void Canvas::draw_images(const std::vector<ImageInstance>& images) {
+    for (const ImageInstance& image : images) {
+        gl_.BindTexture(GL_TEXTURE_2D, texture_of(*image.pixels));
+        draw_instances(images_, std::vector{image}, 0.0);
+    }
+    if (!images.empty()) gl_.BindTexture(GL_TEXTURE_2D, atlas_texture_);
+}
+
+GLuint Canvas::texture_of(const Image& image) {
+    const auto [entry, is_new] = textures_.try_emplace(&image, 0);
+    if (!is_new) return entry->second;
+    std::vector<std::uint8_t> texels = image.rgba;
+    for (std::size_t i = 0; i + 3 < texels.size(); i += 4)
+        for (std::size_t channel = i; channel < i + 3; ++channel)
+            texels[channel] = static_cast<std::uint8_t>((texels[channel] * texels[i + 3] + 127) / 255);
+    gl_.GenTextures(1, &entry->second);
+    gl_.BindTexture(GL_TEXTURE_2D, entry->second);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+    gl_.GenerateMipmap(GL_TEXTURE_2D);
+    return entry->second;
 }
 
 void Canvas::update_atlas(const GlyphAtlas& atlas) {

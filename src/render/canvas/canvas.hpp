@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -55,6 +56,8 @@ private:
     template <class Instance>
     void draw_instances(const Pipeline& pipeline, const std::vector<Instance>& instances, double outline_width);
     void draw_mesh(const std::vector<MeshVertex>& vertices, double outline_width);
+    void draw_images(const std::vector<ImageInstance>& images);
+    GLuint texture_of(const Image& image);
     void update_atlas(const GlyphAtlas& atlas);
 
     std::unique_ptr<OffscreenContext> context_;
@@ -62,7 +65,8 @@ private:
     int height_ = 0;
     Image first_;  // the target of the context until the first call of draw()
     GlApi gl_;
-    Pipeline circles_, boxes_, polygons_, rounded_polygons_, mesh_, glyphs_;
+    Pipeline circles_, boxes_, polygons_, rounded_polygons_, mesh_, images_, glyphs_;
+    std::map<const Image*, GLuint> textures_;
     GLuint atlas_texture_ = 0;
     std::uint64_t atlas_revision_ = 0;
 };

@@ -31,6 +31,7 @@ namespace tumble::render {
     X(GenBuffers, PFNGLGENBUFFERSPROC)                           \
     X(GenTextures, PFNGLGENTEXTURESPROC)                         \
     X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                 \
+    X(GenerateMipmap, PFNGLGENERATEMIPMAPPROC)                   \
     X(GetError, PFNGLGETERRORPROC)                               \
     X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)             \
     X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                       \

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/style/color.hpp"
+#include "tumble/render.hpp"
 
 namespace tumble::render {
 
@@ -52,6 +53,16 @@ struct GlyphInstance {
     Color color;
 };
 
+// A picture in a rectangle, its first row at the top.
+struct ImageInstance {
+    float x = 0.0f, y = 0.0f;            // center
+    float axis_x = 1.0f, axis_y = 0.0f;  // unit vector along the rows
+    float half_x = 0.0f, half_y = 0.0f;
+    float opacity = 1.0f;
+    float mirror = 1.0f;            // -1: left and right are swapped
+    const Image* pixels = nullptr;  // not empty; lives as long as the canvas
+};
+
 // Drawn in the order of the members: later kinds cover earlier ones.
 struct Layer {
     std::vector<MeshVertex> mesh;  // three to a triangle
@@ -59,6 +70,7 @@ struct Layer {
     std::vector<PolygonInstance> rounded_polygons;
     std::vector<BoxInstance> boxes;
     std::vector<CircleInstance> circles;
+    std::vector<ImageInstance> images;
     std::vector<GlyphInstance> glyphs;
     // Of all outlines in the layer (pixels). An outline lies inside its shape; those of joined parts straddle the edge.
     double outline_width = 0.0;
@@ -69,6 +81,7 @@ struct Layer {
         rounded_polygons.clear();
         boxes.clear();
         circles.clear();
+        images.clear();
         glyphs.clear();
     }
 };
@@ -77,19 +90,21 @@ struct Layer {
 struct DrawList {
     Color background;
     Layer grid;
-    Layer ground;   // static bodies
-    Layer sensors;  // of any body
-    Layer bodies;   // kinematic and dynamic bodies
-    Layer islands;  // bodies again, in the colours of their islands
-    Layer details;  // orientation marks and joints
-    Layer overlay;  // contacts, normals, boxes, velocities; markings
+    Layer backdrop;  // images behind all bodies
+    Layer ground;    // static bodies
+    Layer sensors;   // of any body
+    Layer bodies;    // kinematic and dynamic bodies
+    Layer images;    // images in front of them
+    Layer islands;   // bodies again, in the colours of their islands
+    Layer details;   // orientation marks and joints
+    Layer overlay;   // contacts, normals, boxes, velocities; markings
     Layer captions;
 
-    std::array<Layer*, 8> layers() {
-        return {&grid, &ground, &sensors, &bodies, &islands, &details, &overlay, &captions};
+    std::array<Layer*, 10> layers() {
+        return {&grid, &backdrop, &ground, &sensors, &bodies, &images, &islands, &details, &overlay, &captions};
     }
-    std::array<const Layer*, 8> layers() const {
-        return {&grid, &ground, &sensors, &bodies, &islands, &details, &overlay, &captions};
+    std::array<const Layer*, 10> layers() const {
+        return {&grid, &backdrop, &ground, &sensors, &bodies, &images, &islands, &details, &overlay, &captions};
     }
 };
 

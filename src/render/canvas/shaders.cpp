@@ -198,6 +198,35 @@ void main() { color = painted(depth); }
 )"};
 }
 
+// The texels are premultiplied, so that transparent ones add no colour where they are mixed with their neighbours.
+ShaderSource image_shader() {
+    return {"image", kVertexHead + R"(
+layout(location = 0) in vec4 frame;  // center, axis
+layout(location = 1) in vec4 image;  // half size, opacity, mirror
+noperspective out vec2 point;
+flat out vec4 rectangle;
+
+void main() {
+    rectangle = image;
+    point = corner() * (image.xy + 0.5);
+    vec2 across = vec2(-frame.w, frame.z);
+    gl_Position = clip_position(frame.xy + point.x * frame.zw + point.y * across);
+}
+)",
+            R"(#version 330 core
+uniform sampler2D texels;
+noperspective in vec2 point;
+flat in vec4 rectangle;
+out vec4 color;
+
+void main() {
+    vec2 beyond = abs(point) - rectangle.xy;
+    vec2 part = 0.5 + 0.5 * point / rectangle.xy * vec2(rectangle.w, -1.0);
+    color = texture(texels, part) * rectangle.z * clamp(0.5 - max(beyond.x, beyond.y), 0.0, 1.0);
+}
+)"};
+}
+
 ShaderSource glyph_shader() {
     return {"glyph", kVertexHead + R"(
 layout(location = 0) in vec4 ink;

@@ -20,6 +20,7 @@ ShaderSource box_shader();
 ShaderSource polygon_shader();
 ShaderSource rounded_polygon_shader();
 ShaderSource mesh_shader();
+ShaderSource image_shader();
 ShaderSource glyph_shader();
 
 }  // namespace tumble::render

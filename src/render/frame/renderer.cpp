@@ -4,6 +4,7 @@
 #include "render/canvas/canvas.hpp"
 #include "render/canvas/glyph_atlas.hpp"
 #include "render/canvas/make_context.hpp"
+#include "render/frame/body_images.hpp"
 #include "render/frame/captions.hpp"
 #include "render/frame/draw_list.hpp"
 #include "render/frame/marking.hpp"
@@ -17,6 +18,7 @@ struct Renderer::Impl {
     int width;
     int height;
     render::GlyphAtlas atlas;
+    render::ImageFiles images{};  // outlive the canvas, whose textures they are known by
     render::Canvas canvas;
     render::DrawList list;
 
@@ -39,6 +41,7 @@ Renderer::Renderer(int width, int height, RenderBackend backend)
     : impl_(new Impl{render::checked_side("width", width),
                      render::checked_side("height", height),
                      {},
+                     {},
                      render::Canvas(render::make_context(backend), width, height),
                      {}}) {}
 
@@ -50,6 +53,7 @@ void Renderer::draw(const Scene& scene, const SceneWorld& world, const Camera& c
                     const Overlay& overlay, const Marking& marking) {
     const render::View view = render::checked_view(camera, impl_->width, impl_->height);
     render::build_draw_list(impl_->list, scene, world, view, marking.trails);
+    render::add_body_images(impl_->list, view, scene, world, impl_->images);
     impl_->finish(view, world.world, {scene.name, time, marking.caption, {}}, image, overlay, marking);
 }
 

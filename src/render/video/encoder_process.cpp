@@ -30,10 +30,13 @@ void close_if_open(int& descriptor) {
 // reach.
 class SpawnSettings {
 public:
-    SpawnSettings(int input, int messages) {
+    SpawnSettings(int input, int output, int messages) {
         posix_spawn_file_actions_init(&actions_);
         posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
-        posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+        if (output >= 0)
+            posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+        else
+            posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         posix_spawn_file_actions_adddup2(&actions_, messages, STDERR_FILENO);
         posix_spawnattr_init(&attributes_);
         posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
@@ -61,13 +64,13 @@ private:
 
 }  // namespace
 
-EncoderProcess::EncoderProcess(const std::vector<std::string>& command) {
+EncoderProcess::EncoderProcess(const std::vector<std::string>& command, int output) {
     // A socket and not a pipe: a write to a reader that has ended is then an error of the call, not a signal.
     int ends[2] = {-1, -1};
     messages_ = ::memfd_create("messages", MFD_CLOEXEC);
     int error = messages_ < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0 ? errno : 0;
     input_ = ends[1];
-    if (error == 0) error = SpawnSettings(ends[0], messages_).spawn(id_, command);
+    if (error == 0) error = SpawnSettings(ends[0], output, messages_).spawn(id_, command);
     close_if_open(ends[0]);
     if (error == 0) return;
     id_ = -1;

@@ -12,8 +12,9 @@ namespace tumble::render {
 
 class EncoderProcess {
 public:
-    // Starts a program of the search path. Throws RenderError if there is none, or no process can be started.
-    explicit EncoderProcess(const std::vector<std::string>& command);
+    // Starts a program of the search path, with the descriptor `output` as its standard output; -1: what it writes
+    // there is dropped. Throws RenderError if there is none, or no process can be started.
+    explicit EncoderProcess(const std::vector<std::string>& command, int output = -1);
     ~EncoderProcess();  // kills it
     EncoderProcess(const EncoderProcess&) = delete;
     EncoderProcess& operator=(const EncoderProcess&) = delete;

@@ -6,6 +6,7 @@
 
 #include "render/video/encoder_arguments.hpp"
 #include "render/video/encoder_process.hpp"
+#include "render/video/pipe_copy.hpp"
 #include "tumble/file.hpp"
 #include "tumble/recording.hpp"
 
@@ -37,7 +38,17 @@ struct VideoWriter::Impl {
     Impl(fs::path path, const VideoSettings& settings_)
         : settings(settings_),
           file(std::move(path)),
-          encoder(render::encoder_arguments(settings, require_temporary(file).string())) {}
+          copy(make_copy(file, settings)),
+          encoder(render::encoder_arguments(settings, file.temporary().string()), copy ? copy->entry() : -1) {
+        if (copy) copy->close_entry();
+    }
+
+    // Waits for the end. Throws for a file that could not be written, and as throw_if_failed().
+    void finish(bool must_fail) {
+        const render::EncoderProcess::End& end = encoder.wait();
+        if (copy) copy->finish();
+        throw_if_failed(end, must_fail);
+    }
 
     // Throws for an encoder that has ended, or has not encoded everything.
     void throw_if_failed(const render::EncoderProcess::End& end, bool must_fail) const {
@@ -50,13 +61,16 @@ struct VideoWriter::Impl {
     }
 
     const VideoSettings settings;
-    OutputFile file;  // outlives the encoder, which writes to its temporary file
+    OutputFile file;                         // outlives the encoder, which writes to its temporary file
+    std::unique_ptr<render::PipeCopy> copy;  // to standard output
     render::EncoderProcess encoder;
 
 private:
-    static const fs::path& require_temporary(const OutputFile& file) {
-        if (file.temporary().empty()) throw FileError(file.path(), "a video needs a file, which ffmpeg can seek in");
-        return file.temporary();
+    // ffmpeg cannot go back in standard output, as it does at the end of an APNG.
+    static std::unique_ptr<render::PipeCopy> make_copy(OutputFile& file, const VideoSettings& settings) {
+        if (!file.temporary().empty()) return nullptr;
+        if (settings.format == VideoFormat::apng) throw FileError(file.path(), "an APNG needs a file");
+        return std::make_unique<render::PipeCopy>(file);
     }
 
     static std::string how(const render::EncoderProcess::End& end) {
@@ -78,12 +92,12 @@ void VideoWriter::write(const Image& image) {
         throw std::invalid_argument("a frame of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
                                     " for a video of " + std::to_string(settings.width) + "x" +
                                     std::to_string(settings.height));
-    if (!impl_->encoder.send(image.rgba)) impl_->throw_if_failed(impl_->encoder.wait(), true);
+    if (!impl_->encoder.send(image.rgba)) impl_->finish(true);
 }
 
 std::uint64_t VideoWriter::finish() {
-    impl_->throw_if_failed(impl_->encoder.wait(), false);
-    impl_->file.take_from_others();
+    impl_->finish(false);
+    if (!impl_->copy) impl_->file.take_from_others();
     return impl_->file.commit();
 }
 

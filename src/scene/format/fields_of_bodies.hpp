@@ -75,6 +75,27 @@ void visit_fields(V& v, Type<SceneMass>) {
 }
 
 template <class V>
+void visit_fields(V& v, Type<SceneImage>) {
+    v.field({.name = "file",
+             .description = "Path of a PNG file, from the folder of the scene's file. Frames show the outline of the "
+                            "image if there is no such file.",
+             .required = true},
+            &SceneImage::file);
+    v.field({"center", "Middle of the image, in body coordinates.", "m", kCoordinate}, &SceneImage::center);
+    v.field({"angle", "Rotation of the image in the body, counter-clockwise.", "degrees"}, &SceneImage::angle);
+    v.field({"height", "Height of the image.", "m", kLength, true}, &SceneImage::height);
+    v.field({"width", "Width of the image. Default: as the proportions of the file.", "m", kLength},
+            &SceneImage::width);
+    v.field({"flip", "Whether left and right are swapped."}, &SceneImage::flip);
+    v.field({"opacity", "0 is invisible, 1 opaque.", "", {0.0, 1.0}}, &SceneImage::opacity);
+    v.field({"order",
+             "Images with higher numbers cover those with lower ones. Below 0 an image is behind all bodies.",
+             "",
+             {-1e6, 1e6}},
+            &SceneImage::order);
+}
+
+template <class V>
 void visit_fields(V& v, Type<SceneBody>) {
     v.field({.name = "name",
              .description = "Unique name. Copies are named name[0], name[1] and so on.",
@@ -122,6 +143,7 @@ void visit_fields(V& v, Type<SceneBody>) {
          "on the simulation."},
         &SceneBody::skin);
     v.field({"shapes", "Shapes that make up the body."}, &SceneBody::shapes);
+    v.field({"images", "Pictures that frames show on the body. No effect on the simulation."}, &SceneBody::images);
     v.json({"custom", "Any JSON value: kept with the body, without effect on the simulation."}, &SceneBody::custom);
 }
 

@@ -18,6 +18,7 @@ namespace {
 void leave_out_unsimulated(SceneBody& body) {
     body.custom.clear();
     body.trail = body.skin = false;
+    body.images.clear();
     for (SceneShape& shape : body.shapes) shape.custom.clear();
 }
 

@@ -18,6 +18,7 @@ inline constexpr std::string_view overlap = "overlap";
 inline constexpr std::string_view contact_mass_ratio = "contact-mass-ratio";
 inline constexpr std::string_view asleep_in_the_air = "asleep-in-the-air";
 inline constexpr std::string_view sinking_stack = "sinking-stack";
+inline constexpr std::string_view spread_impact = "spread-impact";
 inline constexpr std::string_view joint_mass_ratio = "joint-mass-ratio";
 inline constexpr std::string_view open_joint = "open-joint";
 inline constexpr std::string_view far_anchor = "far-anchor";

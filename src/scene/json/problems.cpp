@@ -81,6 +81,13 @@ constexpr ProblemPage kPages[] = {
      R"(1]}}]}, {"position": [0, 0.5], "repeat": {"grid": {"columns": 1, "rows": 60, "spacing": [1, 1]}}, )"
      R"("shapes": [{"box": {"size": [1, 1]}}]}], "world": {"gravity": [0, -100]}})",
      R"(Stack fewer or lighter bodies, lower the gravity, or use more "substeps".)"},
+    {kWarning, codes::spread_impact, "an impact that spreads over bodies that touch",
+     "With \"impacts\": \"at_step_end\" all contacts of a row of bodies that touch are solved at once: a hit on the "
+     "first moves several, where one after the other would leave all but the last at rest.",
+     R"({"format": 1, "world": {"impacts": "at_step_end"}, "bodies": [{"repeat": {"grid": {"columns": 3, )"
+     R"("spacing": [1, 0]}}, "shapes": [{"circle": {"radius": 0.5}, "material": "steel"}]}], "materials": )"
+     R"({"steel": {"restitution": 1}}})",
+     R"(Set "impacts": "in_order" for the world, or leave a gap between the bodies that one step does not close.)"},
     {kWarning, codes::joint_mass_ratio, "a joint between bodies of very different mass",
      "A joint stretches if one of its bodies is over 100 times heavier than the other.",
      R"({"format": 1, "bodies": [{"name": "a", "shapes": [{"circle": {"radius": 0.1}}]}, {"name": "b", )"

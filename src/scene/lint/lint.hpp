@@ -29,7 +29,7 @@ void add_chain_lints(const Scene& scene, const SceneWorld& built, Diagnostics& d
 void add_run_lints(const Scene& scene, Diagnostics& diagnostics);
 
 // The first contacts, in a world of this scene whose bodies started awake and at rest, after one step: overlaps, large
-// mass ratios, bodies that sleep without support, stacks that sink.
+// mass ratios, bodies that sleep without support, stacks that sink, rows over which an impact spreads.
 void add_contact_lints(const Scene& scene, const SceneWorld& started, Diagnostics& diagnostics);
 
 }  // namespace tumble::scene

@@ -19,6 +19,8 @@ namespace {
 constexpr double kOverlap = 0.02;       // of the smaller extent: twice the overlap of resting contacts
 constexpr double kOverlapLimit = 0.01;  // m, in a world of scale 1: the upper bound of the above
 constexpr double kLeastRise = 0.5;      // cosine of normal and up: contacts with a smaller one carry no weight
+constexpr double kElastic = 0.5;        // a restitution from which a hit is expected to pass on
+constexpr double kTouching = 0.005;     // m, in a world of scale 1: bodies this close are hit in the same step
 constexpr double kVisibleSag = 0.05;    // of the smallest extent of the body that sinks
 
 // The contact points of two bodies, combined.
@@ -114,6 +116,22 @@ public:
         }
     }
 
+    // Dynamic bodies that touch two others: the first that is hit shares the hit with them.
+    void lint_rows() {
+        if (scene_.world.impacts == ImpactModel::in_order) return;
+        std::vector<int> neighbours(built_.bodies.size());
+        for (const Touch& touch : touches_) {
+            if (!is_dynamic(touch.a) || !is_dynamic(touch.b) || !is_elastic(touch)) continue;
+            for (const std::size_t i : {touch.a, touch.b})
+                if (++neighbours[i] == 2)
+                    return warn(codes::spread_impact, i,
+                                name(i) +
+                                    " touches two elastic bodies: a hit on one of them spreads over all three, "
+                                    "because impacts happen at the step's end",
+                                R"(set "impacts": "in_order" for the world, or leave gaps between the bodies)");
+        }
+    }
+
     // Warns of the pile that sinks most, and lists the other piles whose worst body is of another kind.
     void lint_stacks() {
         if (!(length(up_) > 0.0)) return;
@@ -194,6 +212,16 @@ private:
         diagnostics_.warning(code, "/bodies/" + std::to_string(source(body)), message, hint);
     }
 
+    // Whether the bodies touch and the larger restitution of their shapes, which a contact has, is that of an elastic
+    // impact.
+    bool is_elastic(const Touch& touch) const {
+        double largest = 0.0;
+        for (const std::size_t i : {touch.a, touch.b})
+            for (const ShapeId shape : built_.world.shapes(id(i)))
+                largest = std::max(largest, double{built_.world.material(shape).restitution});
+        return largest >= kElastic && touch.separation <= scene_.world.scale * kTouching;
+    }
+
     BodyId id(std::size_t body) const { return built_.bodies[body].id; }
     std::size_t source(std::size_t body) const { return built_.bodies[body].source; }
     std::string name(std::size_t body) const { return display_name(built_, body); }
@@ -230,6 +258,7 @@ void add_contact_lints(const Scene& scene, const SceneWorld& started, Diagnostic
     linter.lint_masses();
     linter.lint_sleepers();
     linter.lint_stacks();
+    linter.lint_rows();
 }
 
 }  // namespace tumble::scene

@@ -27,6 +27,8 @@ public:
         turn(body.velocity);
         if (body.repeat) std::visit([this](auto& repeat) { add_angle(repeat.angle); }, *body.repeat);
         for (SceneShape& shape : body.shapes) rename(shape.material);
+        const std::filesystem::path folder = std::filesystem::path(include_.file).parent_path();
+        for (SceneImage& image : body.images) image.file = (folder / image.file).lexically_normal().generic_string();
     }
 
     void place(SceneJoint& joint) const {

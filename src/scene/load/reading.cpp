@@ -43,6 +43,18 @@ void append_materials(Scene& scene, const std::vector<SceneMaterial>& more) {
     }
 }
 
+// Calls action(image, pointer) for the images of all bodies, also of those that events spawn.
+template <class SomeScene, class Action>
+void for_each_image(SomeScene& scene, Action action) {
+    const auto visit = [&](auto& body, const std::string& pointer) {
+        for (std::size_t i = 0; i < body.images.size(); ++i)
+            action(body.images[i], pointer + "/images/" + std::to_string(i));
+    };
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) visit(scene.bodies[i], "/bodies/" + std::to_string(i));
+    for (std::size_t i = 0; i < scene.timeline.size(); ++i)
+        if (scene.timeline[i].spawn) visit(*scene.timeline[i].spawn, "/timeline/" + std::to_string(i) + "/spawn");
+}
+
 // The paths of the scene's own entries.
 void check_named_files(const Scene& scene, const std::filesystem::path& file, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < scene.include.size(); ++i)
@@ -52,6 +64,9 @@ void check_named_files(const Scene& scene, const std::filesystem::path& file, Di
         check_named_file(scene.expect[i].picture, file, claim + "/picture", diagnostics);
         check_named_file(scene.expect[i].reference, file, claim + "/reference", diagnostics);
     }
+    for_each_image(scene, [&](const SceneImage& image, const std::string& pointer) {
+        check_named_file(image.file, file, pointer + "/file", diagnostics);
+    });
 }
 
 }  // namespace
@@ -67,6 +82,10 @@ ReadScene Reading::read(std::string_view text, const std::filesystem::path& file
     value.reset();
     result.own = sizes_of(result.scene);
     if (read_ && !allow_outside_) check_named_files(result.scene, file, diagnostics);
+    if (read_)
+        for_each_image(result.scene, [&](SceneImage& image, const std::string&) {
+            image.path = (file.parent_path() / image.file).lexically_normal();
+        });
     open_.push_back(file.lexically_normal());
     include_all(result.scene, file, diagnostics);
     open_.pop_back();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tumble/scene_file.hpp"
@@ -80,7 +81,8 @@ inline constexpr std::uint64_t kMostShardRuns = 1000000;
 
 struct Plan {
     std::string name, description;
-    std::filesystem::path file;                 // of the plan
+    std::filesystem::path file;                 // of the plan, or a name for its text in errors
+    std::string text;                           // of the file
     std::vector<std::filesystem::path> scenes;  // as the plan names them, relative to its folder
     std::vector<std::string> settings;          // "/pointer=value", the same for all runs
     std::uint64_t runs = 0;
@@ -129,6 +131,10 @@ std::vector<std::string> overrides_of(const Plan& plan, const RunChoice& choice)
 // `warnings` if it is not null.
 Plan read_plan(const std::filesystem::path& file, std::uint64_t runs = 0, bool allow_outside = false,
                std::vector<Diagnostic>* warnings = nullptr);
+
+// The same from a text. `file` is its name in errors; its scenes are relative to the folder of `file`.
+Plan parse_plan(std::string text, const std::filesystem::path& file, std::uint64_t runs = 0, bool allow_outside = false,
+                std::vector<Diagnostic>* warnings = nullptr);
 
 // The JSON schema (Draft-07) of plans.
 std::string plan_schema();

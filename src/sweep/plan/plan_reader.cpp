@@ -233,7 +233,11 @@ void check_scene_files(const Plan& plan, Diagnostics& diagnostics) {
 
 Plan read_plan(const std::filesystem::path& file, std::uint64_t runs, bool allow_outside,
                std::vector<Diagnostic>* warnings) {
-    const std::string text = read_file(file, scene::kMaxFileBytes);
+    return parse_plan(read_file(file, scene::kMaxFileBytes), file, runs, allow_outside, warnings);
+}
+
+Plan parse_plan(std::string text, const std::filesystem::path& file, std::uint64_t runs, bool allow_outside,
+                std::vector<Diagnostic>* warnings) {
     const std::string_view body = scene::without_byte_order_mark(text);
     Diagnostics diagnostics(file.string(), body);
     Plan plan;
@@ -251,6 +255,7 @@ Plan read_plan(const std::filesystem::path& file, std::uint64_t runs, bool allow
         }
     }
     diagnostics.finish(warnings);
+    plan.text = std::move(text);
     return plan;
 }
 

@@ -26,6 +26,8 @@ namespace {
 
 using LineJson = nlohmann::ordered_json;
 
+constexpr std::size_t kMostBytes = 1 << 30;  // of a manifest: three million shards
+
 std::string hex(std::uint64_t hash) {
     char text[17];
     std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
@@ -129,7 +131,9 @@ Manifest read_manifest(const fs::path& folder) {
     Manifest manifest;
     const fs::path file = manifest_file(folder);
     if (!fs::exists(file)) return manifest;
-    std::istringstream text(read_file(file));
+    const std::string bytes = read_file(file, kMostBytes);
+    if (bytes.size() > kMostBytes) throw FileError(file, "is longer than 1 GiB");
+    std::istringstream text(bytes);
     for (std::string line; std::getline(text, line);) {
         if (line.empty()) continue;
         try {

@@ -1,12 +1,10 @@
-#include "tools/diff/png_reader.hpp"
-
-#include <algorithm>
+// PNG files from outside: their chunks are checked before stb reads them.
 #include <memory>
 #include <string>
 #include <string_view>
 
-#include "tools/output/input_error.hpp"
 #include "tumble/file.hpp"
+#include "tumble/render.hpp"
 
 // Not more than a frame of the largest size: stb refuses larger sides before it takes memory.
 #ifndef __clang_analyzer__  // it would report what it finds in stb
@@ -29,7 +27,7 @@
 #endif
 #pragma GCC diagnostic pop
 
-namespace tumble::tools {
+namespace tumble {
 
 static_assert(kLargestFrame == STBI_MAX_DIMENSIONS);
 
@@ -55,17 +53,17 @@ bool holds_its_chunks(std::string_view bytes) {
 Image read_png(const std::filesystem::path& file) {
     constexpr std::size_t kMaxBytes = std::size_t{1} << 29;  // more than the pixels of the largest frame
     const std::string bytes = read_file(file, kMaxBytes);
-    if (bytes.size() > kMaxBytes) throw InputError(file.string() + ": the picture is too large");
-    if (!holds_its_chunks(bytes)) throw InputError(file.string() + ": is not a PNG file, or not complete");
+    if (bytes.size() > kMaxBytes) throw PictureError(file.string() + ": the picture is too large");
+    if (!holds_its_chunks(bytes)) throw PictureError(file.string() + ": is not a PNG file, or not complete");
     Image image;
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()),
                               &image.width, &image.height, nullptr, 4),
         &stbi_image_free);
-    if (!pixels) throw InputError(file.string() + ": is not a valid PNG file: " + stbi_failure_reason());
+    if (!pixels) throw PictureError(file.string() + ": is not a valid PNG file: " + stbi_failure_reason());
     const std::size_t size = 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     image.rgba.assign(pixels.get(), pixels.get() + size);
     return image;
 }
 
-}  // namespace tumble::tools
+}  // namespace tumble

@@ -1,0 +1,13 @@
+#include "tools/sweep/plan_input.hpp"
+
+#include "tools/output/standard_input.hpp"
+
+namespace tumble::tools {
+
+sweep::Plan read_plan_input(const std::filesystem::path& file, std::uint64_t runs, bool allow_outside,
+                            std::vector<Diagnostic>* warnings) {
+    if (!is_standard_input(file)) return sweep::read_plan(file, runs, allow_outside, warnings);
+    return sweep::parse_plan(standard_input(), "<stdin>", runs, allow_outside, warnings);
+}
+
+}  // namespace tumble::tools
