@@ -20,10 +20,10 @@
 // The shape came through if it moves away from the segment and its middle was on the solid side one step earlier.
 //
 // Second transition, for the contacts that left `apart` in this step, the newcomers: by the shape's contacts with the
-// segments that continue this one, except undecided newcomers. A newcomer is decided when a neighbour decides; when
-// none does, those that cross are. Thus a fast shape crosses several new segments in one step, in whatever order they
-// are. A segment continues another if they share a point and turn by less than a right angle: beyond that they have no
-// solid side in common.
+// segments that continue this one, except undecided newcomers. A newcomer is decided when a neighbour decides. Once no
+// neighbour decides any other newcomer, those that are crossing count as decided. Thus a fast shape crosses several new
+// segments in one step, whatever their order. A segment continues another if they share a point and turn by less than a
+// right angle: beyond that they have no solid side in common.
 //
 //   state      no neighbour decides   one crosses, none pushes            one is open and pushes
 //   open       open                   crossing; the manifold is removed   open
@@ -78,7 +78,7 @@ struct PosedShape {
 Manifold collide_with_chain(const PosedShape& segment, const PosedShape& other, float reach, Vec2 displacement,
                             Contact& contact);
 
-// The second transition. `newcomers` are indices of contacts in ascending order; on return, those that nothing decided.
+// The second transition. `newcomers` are indices of contacts in ascending order; on return, the undecided ones.
 void follow_neighbors(const ChainContacts& chains, std::span<Contact> contacts, std::vector<std::uint32_t>& newcomers);
 
 // True if one of the pair is a one-sided segment and the other crosses it, or a segment that it continues. Costs

@@ -16,7 +16,7 @@ struct ManifoldReference {
     Manifold manifold;
     Rotation rotation_a, rotation_b;
     DVec2 offset;      // of B's origin from A's, world axes, m
-    float gap = 0.0f;  // if the manifold has no points: by how much the shapes are farther apart than its points are, m
+    float gap = 0.0f;  // without points: by how much the distance exceeds the speculative distance, m
     bool is_valid = false;
 };
 

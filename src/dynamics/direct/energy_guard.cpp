@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 namespace {
 
-// The most that a sub-step may add to the energy of a component, as a part of it. The scheme loses less where it is
-// accurate; where it is not, the loss need not be made up.
+// The most energy that the guard adds to a component in a sub-step, as a part of the component's energy. Where the
+// scheme is accurate it loses less. A greater loss means that the scheme is not accurate, and is not made up for.
 constexpr double kLargestGain = 0.01;
 
 }  // namespace
@@ -19,6 +21,11 @@ void EnergyGuard::measure(std::span<const GuardedBody> guarded, std::span<const 
     for (Component& component : components_)
         component.energy = component.momentum_x = component.momentum_y = component.mass_x = component.mass_y = 0.0;
     for (const GuardedBody& one : guarded) {
+        TUMBLE_CHECK(one.body < bodies.size());
+        TUMBLE_CHECK(one.component < components_.size());
+        TUMBLE_CHECK(one.mass_x >= 0.0);
+        TUMBLE_CHECK(one.mass_y >= 0.0);
+        TUMBLE_CHECK(one.inertia >= 0.0);
         Component& component = components_[one.component];
         if (component.hold != Hold::free) continue;
         component.momentum_x += one.mass_x * double{bodies[one.body].velocity.x};

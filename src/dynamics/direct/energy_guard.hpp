@@ -1,13 +1,11 @@
 // Keeps the kinetic energy of joined bodies while they move along their constraints.
 //
-// Equality constraints do no work, so the kinetic energy of a component after the projection of its velocities must be
-// that before the chord (joint_system.hpp). The scheme keeps it but for terms of third order in rotation per sub-step;
-// these are large where a light body whips, and then the energy would grow without bound. The guard scales the
-// velocities of a component to the energy that it must have. If something else has changed them in between (contacts,
-// drives, speed limits), it only takes energy away that the joints have added.
+// Equality constraints do no work: after the projection a component must have the kinetic energy that it had before the
+// chord (joint_system.hpp). The guard scales its velocities to that energy (JOINT_SYSTEM.md, steps 14 to 19). If
+// contacts, drives or speed limits change the velocities in between, it only removes energy that the joints added.
 //
-// The velocities of a component that hangs on nothing are scaled relative to its centre of mass: its momentum stays.
-// Those of a component that a kinematic body drives are left alone, as that body does work.
+// A component without a fixed body is scaled relative to its centre of mass, so that its momentum stays. A component
+// that a kinematic body drives is not scaled: that body does work.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/solver_body.hpp"
 
 namespace tumble {
@@ -26,12 +25,14 @@ struct GuardedBody {
     double mass_x = 0.0, mass_y = 0.0, inertia = 0.0;
 };
 
-enum class Hold : std::uint8_t { free, fixed, driven };  // what the rows of a component hold on to
+// What holds a component: nothing, a static body or a locked axis, or a kinematic body.
+enum class Hold : std::uint8_t { free, fixed, driven };
 
 class EnergyGuard {
 public:
     void reset(std::size_t component_count);
     void hold(std::uint32_t component, Hold hold) {
+        TUMBLE_CHECK(component < components_.size());
         components_[component].hold = std::max(components_[component].hold, hold);
     }
 
@@ -45,16 +46,16 @@ public:
 
 private:
     struct Component {
-        // Measured last. The energy is that of the motion relative to the common velocity.
+        // As measure() found them last. The energy is that of the motion relative to the common velocity.
         double momentum_x = 0.0, momentum_y = 0.0, mass_x = 0.0, mass_y = 0.0;
         double energy = 0.0;  // kinetic, J
         double before = 0.0;  // the energy after the chord, J
-        double work = 0.0;    // of the constraints in this sub-step, J
+        double work = 0.0;    // of the constraints in this sub-step, J; exactly solved it would be 0
         double scale = 1.0;   // of the velocities
         Hold hold = Hold::free;
         bool is_undisturbed = true;  // nothing but the joints has changed the velocities since the chord
 
-        // The velocity that scaling keeps: of the centre of mass of what is free, m/s.
+        // The velocity of the centre of mass, which scaling does not change, m/s; 0 if the component is not free.
         double common_x() const { return mass_x > 0.0 ? momentum_x / mass_x : 0.0; }
         double common_y() const { return mass_y > 0.0 ? momentum_y / mass_y : 0.0; }
     };

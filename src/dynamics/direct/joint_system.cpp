@@ -8,15 +8,16 @@ namespace tumble {
 
 namespace {
 
-// The largest (w h)^2 of a body that tension keeps in line, w its natural frequency. Explicit steps are unstable from 4
-// on, and resonate with the nonlinearity of large rotations from 2 on. Higher: taut chains of light links with a heavy
-// end lose their energy in shaking links. Lower: such links turn more slowly than their inertia lets them.
+// The largest (w h)^2 of a body that tension keeps in line, w its natural frequency. Explicit steps are unstable above
+// 4, and resonate with the nonlinearity of large rotations above 2. Higher: taut chains of light links with a heavy end
+// lose their energy in shaking links. Lower: such links turn more slowly than their inertia lets them.
 constexpr double kStiffRotation = 2.0;
 
 bool is_moved(const RowEnd& end) { return end.inv_mass != Vec2{} || end.inv_inertia != 0.0f; }
 
 RowCoupling coupling(const EqualityRow& row) {
     RowCoupling coupling{};
+    TUMBLE_CHECK(row.end_count <= coupling.size());
     for (std::uint32_t i = 0; i < row.end_count; ++i)
         coupling[i] = is_moved(row.ends[i]) ? row.ends[i].body : kStaticSolverBody;
     return coupling;
@@ -53,6 +54,8 @@ bool JointSystem::has_same_couplings(JointStore& joints, std::span<const SolverB
 }
 
 void JointSystem::prepare(JointStore& joints, std::span<const SolverBody> bodies, float h, float correction_speed) {
+    TUMBLE_CHECK(h > 0.0f);
+    TUMBLE_CHECK(correction_speed >= 0.0f);
     h_ = h;
     largest_correction_ = double{h} * double{correction_speed};
     if (!has_same_couplings(joints, bodies)) {
@@ -73,15 +76,14 @@ void JointSystem::prepare(JointStore& joints, std::span<const SolverBody> bodies
     factorize();
 }
 
-// Tension T in a link of length l turns it back into line: a spring of stiffness T l, on its inertia I alone, which no
-// mass of its neighbours slows down. If that spring is too stiff for the sub-step, (w h)^2 = h^2 T l / I >
-// kStiffRotation, the joints see a greater inertia [Andrews, Teichmann, Kry 2017, "Geometric stiffness for real-time
-// constrained multibody dynamics"]. It does not change what a chain weighs or where it hangs.
-//
-// The impulses are those of the last sub-step. The arms count from their mean: a body on a single joint has no such
-// mode.
+// Tension turns a link back into line, like a spring on the rotation. Where that spring is too stiff for the sub-step,
+// the joints see a greater inertia (JOINT_SYSTEM.md, steps 9 to 13). It does not change what a chain weighs or where it
+// hangs.
 void JointSystem::measure_loads(JointStore& joints, std::span<const SolverBody> bodies) {
-    for (const std::uint32_t body : pattern_.bodies) loads_[body] = {};
+    for (const std::uint32_t body : pattern_.bodies) {
+        TUMBLE_CHECK(body < loads_.size());
+        loads_[body] = {};
+    }
     const auto for_each_linear_end = [&](auto&& visit) {
         joints.visit_equalities(bodies, [&](const EqualityRow& row) {
             for (std::uint32_t i = 0; i < row.end_count; ++i)
@@ -94,6 +96,7 @@ void JointSystem::measure_loads(JointStore& joints, std::span<const SolverBody> 
         load.anchor_count += 1.0f;
     });
     for_each_linear_end([](Load& load, const RowEnd& end, float impulse) {
+        TUMBLE_CHECK(load.anchor_count >= 1.0f);
         const Vec2 arm = end.arm - (1.0f / load.anchor_count) * load.anchors;
         load.stiffness += double{impulse} * double{dot(end.axis, arm)};
     });
@@ -102,6 +105,7 @@ void JointSystem::measure_loads(JointStore& joints, std::span<const SolverBody> 
 }
 
 void JointSystem::hold_components(JointStore& joints, std::span<const SolverBody> bodies) {
+    TUMBLE_CHECK(guarded_.size() == pattern_.bodies.size());
     guard_.reset(pattern_.component_count);
     for (std::size_t i = 0; i < guarded_.size(); ++i) {
         guarded_[i].body = pattern_.bodies[i];
@@ -109,13 +113,17 @@ void JointSystem::hold_components(JointStore& joints, std::span<const SolverBody
     }
     std::size_t index = 0;
     joints.visit_equalities(bodies, [&](const EqualityRow& row) {
+        TUMBLE_CHECK(index < pattern_.positions.size());
         const std::uint32_t component = pattern_.row_component[pattern_.positions[index++]];
+        TUMBLE_CHECK(component <= pattern_.component_count);
         for (std::uint32_t i = 0; i < row.end_count && component < pattern_.component_count; ++i) {
             const RowEnd& end = row.ends[i];
             guard_.hold(component, hold_of(end));
             if (!is_moved(end)) continue;
             const auto at = std::lower_bound(pattern_.bodies.begin(), pattern_.bodies.end(), end.body);
             GuardedBody& guarded = guarded_[static_cast<std::size_t>(at - pattern_.bodies.begin())];
+            TUMBLE_CHECK(guarded.body == end.body);
+            TUMBLE_CHECK(guarded.component == component);
             guarded.mass_x = inverse(end.inv_mass.x);
             guarded.mass_y = inverse(end.inv_mass.y);
             guarded.inertia =
@@ -135,12 +143,15 @@ JointSystem::End JointSystem::make_end(const RowEnd& end) const {
 void JointSystem::list_rows(JointStore& joints, std::span<const SolverBody> bodies) {
     std::size_t index = 0;
     joints.visit_equalities(bodies, [&](const EqualityRow& listed) {
+        TUMBLE_CHECK(index < pattern_.positions.size());
         Row& row = rows_[pattern_.positions[index++]];
+        TUMBLE_CHECK(listed.impulse != nullptr);
         row.end_count = listed.end_count;
         row.error = listed.error;
         row.impulse = listed.impulse;
         for (std::uint32_t i = 0; i < listed.end_count; ++i) row.ends[i] = make_end(listed.ends[i]);
     });
+    TUMBLE_CHECK(index == rows_.size());
 }
 
 void JointSystem::factorize() {
@@ -151,6 +162,8 @@ void JointSystem::factorize() {
     }
     std::fill(entries_.begin(), entries_.end(), 0.0);
     for (const EntryTerm& term : pattern_.terms) {
+        TUMBLE_CHECK(term.end < rows_[term.row].end_count);
+        TUMBLE_CHECK(term.other_end < rows_[term.other].end_count);
         const double value =
             product(rows_[term.row].ends[term.end].response, rows_[term.other].ends[term.other_end].jacobian);
         if (term.entry == EntryTerm::kDiagonal)
@@ -166,6 +179,7 @@ void JointSystem::start_substep() {
 }
 
 void JointSystem::predict(std::span<const SolverBody> bodies) {
+    TUMBLE_CHECK(bodies.size() == predicted_.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         predicted_[i] = bodies[i];
         predicted_[i].delta_position += h_ * bodies[i].velocity;
@@ -186,6 +200,7 @@ void JointSystem::solve_chord(JointStore& joints, std::span<SolverBody> bodies) 
         const double left = now - std::clamp(now, -largest_correction_, largest_correction_);
         solution_[position] = (left - double{row.error}) / double{h_};
     });
+    TUMBLE_CHECK(index == rows_.size());
     apply(bodies);
     guard_.after_chord(guarded_, bodies);
 }

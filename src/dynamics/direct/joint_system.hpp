@@ -6,9 +6,9 @@
 //                               that along the chord of each path, not its tangent
 //   after they have moved    3. A P = -J v with J at the new x: the velocities satisfy the rows again
 //   (the projection)
-// This is RATTLE [Andersen 1983] with gravity as a kick before each sub-step: energy does not drift, and nothing damps.
+// This is RATTLE [Andersen 1983] with gravity as a kick before each sub-step. JOINT_SYSTEM.md derives it.
 //
-// Limits, motors and springs are not part of the system; they are solved row by row before each of its solutions.
+// Limits, motors and springs are not part of the system; they are solved row by row before steps 1 and 3.
 #pragma once
 
 #include <array>

@@ -22,6 +22,7 @@ void SparseLdlt::analyze(const LowerPattern& pattern) {
     std::vector<std::uint32_t> parent(count, kNoParent), mark(count, kNoParent), sizes(count, 0);
     row_starts_.assign(1, 0);
     columns_.clear();
+    TUMBLE_CHECK(pattern.row_starts.back() == pattern.columns.size());
     for (std::uint32_t k = 0; k < count; ++k) {
         mark[k] = k;
         for (std::uint32_t p = pattern.row_starts[k]; p < pattern.row_starts[k + 1]; ++p)
@@ -51,6 +52,7 @@ void SparseLdlt::analyze(const LowerPattern& pattern) {
 void SparseLdlt::factorize(const LowerPattern& pattern, std::span<const double> entries,
                            std::span<const double> diagonal) {
     TUMBLE_CHECK(diagonal.size() == inverse_pivots_.size());
+    TUMBLE_CHECK(entries.size() == pattern.columns.size());
     for (std::uint32_t k = 0; k < diagonal.size(); ++k) {
         filled_[k] = column_starts_[k];
         for (std::uint32_t p = pattern.row_starts[k]; p < pattern.row_starts[k + 1]; ++p)

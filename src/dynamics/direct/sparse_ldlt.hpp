@@ -3,7 +3,7 @@
 //
 // analyze() finds where L has entries; it is called once for each pattern. factorize() and solve() do not allocate, and
 // their order of operations is fixed: the same numbers give the same bits in every build. The caller orders the rows
-// so that L has few entries.
+// so that L has few entries. JOINT_SYSTEM.md says why this is not Eigen's.
 #pragma once
 
 #include <cstddef>

@@ -54,6 +54,7 @@ std::vector<std::uint32_t> elimination_order(const std::vector<RowCoupling>& cou
     matrix.setFromTriplets(entries.begin(), entries.end());
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
     Eigen::AMDOrdering<int>()(matrix, order);
+    TUMBLE_CHECK(order.size() == count);
     for (int position = 0; position < count; ++position)
         positions[static_cast<std::size_t>(order.indices()[position])] = static_cast<std::uint32_t>(position);
     return positions;
@@ -77,6 +78,7 @@ void list_entries(SystemPattern& pattern) {
     lower.columns.clear();
     const EntryTerm* before = nullptr;
     for (EntryTerm& term : pattern.terms) {
+        TUMBLE_CHECK(term.other <= term.row);
         if (term.other == term.row) continue;
         const bool is_new = before == nullptr || before->row != term.row || before->other != term.other;
         if (is_new) {
@@ -97,6 +99,7 @@ std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t node) {
 std::uint32_t body_index(const SystemPattern& pattern, std::uint32_t body) {
     const auto found = std::lower_bound(pattern.bodies.begin(), pattern.bodies.end(), body);
     TUMBLE_CHECK(found != pattern.bodies.end());
+    TUMBLE_CHECK(*found == body);
     return static_cast<std::uint32_t>(found - pattern.bodies.begin());
 }
 
@@ -120,6 +123,7 @@ void find_components(SystemPattern& pattern) {
         if (parent[i] == i) number[i] = static_cast<std::uint32_t>(pattern.component_count++);
     pattern.components.resize(parent.size());
     for (std::uint32_t i = 0; i < parent.size(); ++i) pattern.components[i] = number[root(parent, i)];
+    TUMBLE_CHECK(pattern.component_count <= pattern.bodies.size());
     pattern.row_component.assign(pattern.couplings.size(), static_cast<std::uint32_t>(pattern.component_count));
     for (std::size_t row = 0; row < first_body.size(); ++row)
         if (first_body[row] != kNone)

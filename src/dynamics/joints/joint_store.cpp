@@ -51,6 +51,7 @@ void JointStore::visit_list_of(Self& self, JointId id, Visitor&& visit) {
 }
 
 JoinedBodies JointStore::bodies(JointId id) const {
+    TUMBLE_CHECK(ids.is_live(id));
     JoinedBodies joined;
     const auto add = [&](const JointDef& joint) {
         joined.add(joint_body_a(joint));
@@ -80,6 +81,7 @@ JointId JointStore::create(const JointDef& def) {
             list.joints.emplace_back();
         }
         const std::uint32_t slot = list.free.back();
+        TUMBLE_CHECK(slot < list.joints.size());
         list.free.pop_back();
         list.joints[slot] = make(kind);
         records_[id.index].slot = slot;
@@ -101,6 +103,7 @@ void JointStore::destroy(JointId id) {
 }
 
 float JointStore::position(JointId id) const {
+    TUMBLE_CHECK(ids.is_live(id));
     float result = 0.0f;
     visit_list_of(*this, id,
                   [&](const auto& list, const auto&) { result = list.joints[records_[id.index].slot].position(); });
@@ -113,6 +116,7 @@ void JointStore::redefine(JointId id, const JointDef& def) {
     records_[id.index].def = def;
     loads_[id.index].strength = joint_strength(def);
     visit_list_of(*this, id, [&](auto& list, const auto& kind) {
+        TUMBLE_CHECK(records_[id.index].slot < list.joints.size());
         auto& joint = list.joints[records_[id.index].slot];
         auto changed = make(kind);
         changed.take_over(joint);
@@ -125,6 +129,7 @@ void JointStore::set_user_data(JointId id, std::uint64_t data) {
 }
 
 void JointStore::forget_impulses(JointId id) {
+    TUMBLE_CHECK(ids.is_live(id));
     visit_list_of(*this, id, [&](auto& list, const auto&) { list.joints[records_[id.index].slot].forget_impulses(); });
 }
 
@@ -138,7 +143,10 @@ void JointStore::wake(JointId id) {
 }
 
 void JointStore::put_to_sleep(std::span<const JointId> sleepers) {
-    for (const JointId id : sleepers) records_[id.index].is_awake = false;
+    for (const JointId id : sleepers) {
+        TUMBLE_CHECK(ids.is_live(id));
+        records_[id.index].is_awake = false;
+    }
     for_each_list(*this, [&](auto& list) {
         std::erase_if(list.awake, [&](AwakeJoint awake) { return !records_[awake.joint].is_awake; });
     });
@@ -159,6 +167,7 @@ void JointStore::prepare(const BodyStore& bodies, Crew& crew) {
 }
 
 void JointStore::warm_start(std::span<SolverBody> bodies) const {
+    TUMBLE_CHECK(bodies.size() > kStaticSolverBody);
     for_each_awake(*this, [&](const auto& joint) { joint.warm_start(bodies); });
 }
 
@@ -169,6 +178,7 @@ void JointStore::solve(const JointContext& context, bool use_bias, std::span<Sol
 }
 
 void JointStore::store(const JointContext& context) {
+    TUMBLE_CHECK(context.inv_h > 0.0f);
     broken_.clear();
     for_each_list(*this, [&](auto& list) {
         for (const AwakeJoint& awake : list.awake) {

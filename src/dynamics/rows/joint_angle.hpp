@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "debug/check.hpp"
 #include "dynamics/bodies/body_store.hpp"
 #include "dynamics/rows/joint_bodies.hpp"
 
@@ -28,6 +29,8 @@ public:
 
     // The angle within the step, rad: that at the start plus the relative rotation since then (up to half a turn).
     float now(const JointBodies& joint, std::span<const SolverBody> all) const {
+        TUMBLE_CHECK(joint.a < all.size());
+        TUMBLE_CHECK(joint.b < all.size());
         return angle_ + static_cast<float>(relative_angle(all[joint.a].delta_rotation, all[joint.b].delta_rotation));
     }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "debug/check.hpp"
+
 namespace tumble {
 
 namespace {
@@ -28,6 +30,7 @@ void list_contacts(Simulation& simulation) {
     for_each_end(simulation, [&](std::uint32_t body, std::uint32_t contact) {
         lists.contacts[lists.first[body + 1]++] = {simulation.contacts.all()[contact].shapes, contact};
     });
+    TUMBLE_CHECK(lists.first[lists.first.size() - 2] == lists.contacts.size());
 }
 
 }  // namespace
@@ -38,6 +41,8 @@ std::span<const BodyContact> contacts_of(Simulation& simulation, std::uint32_t b
     const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
     if (solver_body + 1 >= lists.first.size()) return {};
     const std::uint32_t first = lists.first[solver_body], last = lists.first[solver_body + 1];
+    TUMBLE_CHECK(first <= last);
+    TUMBLE_CHECK(last <= lists.contacts.size());
     return {lists.contacts.data() + first, last - first};
 }
 
@@ -45,7 +50,11 @@ Contact* find_contact(Simulation& simulation, std::uint32_t body, ProxyPair shap
     const std::span<const BodyContact> contacts = contacts_of(simulation, body);
     const auto found = std::find_if(contacts.begin(), contacts.end(),
                                     [&](const BodyContact& contact) { return contact.shapes == shapes; });
-    return found == contacts.end() ? nullptr : &simulation.contacts.all()[found->index];
+    if (found == contacts.end()) return nullptr;
+    Contact& contact = simulation.contacts.all()[found->index];
+    TUMBLE_CHECK(contact.shapes.a == shapes.a);
+    TUMBLE_CHECK(contact.shapes.b == shapes.b);
+    return &contact;
 }
 
 void clear_contact_lists(Simulation& simulation) { simulation.scratch.ordered_impacts.contact_lists.first.clear(); }

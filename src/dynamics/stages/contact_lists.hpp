@@ -7,8 +7,8 @@
 
 namespace tumble {
 
-// The solid contacts with points of a body, in the order of contacts; none of a body that woke in this step. The first
-// call after clear_contact_lists() makes the lists.
+// The solid contacts of a body that have points, in the order of the store. Empty for a body that woke in this step.
+// The first call after clear_contact_lists() makes the lists.
 std::span<const BodyContact> contacts_of(Simulation& simulation, std::uint32_t body);
 
 // The contact of two shapes, if it is in the list of the body; otherwise null.

@@ -97,8 +97,8 @@ void begin_impacts(Simulation& simulation) {
     }
 }
 
-// Two shapes that had an impact but have no contact: they were apart before the step, and are apart after it.
-void report_passing(Simulation& simulation, const Impact& impact) {
+// Reports the impact of two shapes that have no contact: they are apart when the step starts and when it ends.
+void report_short_touch(Simulation& simulation, const Impact& impact) {
     const ShapeId a = id_of(simulation.shapes, impact.shapes.a), b = id_of(simulation.shapes, impact.shapes.b);
     const Approach& approach = impact.approach;
     StepEvents& events = simulation.events;
@@ -137,6 +137,8 @@ void add_impulses(Contact& contact, const Impact& impact) {
 // and all for its impulses.
 void show_impact(Contact& contact, Impact& impact) {
     TUMBLE_CHECK(contact.kind == ContactKind::solid);
+    TUMBLE_CHECK(contact.shapes.a == impact.shapes.a);
+    TUMBLE_CHECK(contact.shapes.b == impact.shapes.b);
     impact.is_reported = true;
     if (impact.manifold.point_count == 0) return;
     if (contact.manifold.point_count == 0 || !has_acted(contact)) {
@@ -162,12 +164,12 @@ void report_sensor_crossings(Simulation& simulation) {
     }
 }
 
-// A contact that the impact has brought about begins with it.
+// For an impact of shapes whose contact was made after show_impacts(), or that have no contact.
 void report_late(Simulation& simulation, Impact& impact) {
     if (Contact* const contact = simulation.contacts.find(impact.shapes))
         show_impact(*contact, impact);
     else
-        report_passing(simulation, impact);
+        report_short_touch(simulation, impact);
 }
 
 void report_late_impacts(Simulation& simulation) {
@@ -204,6 +206,7 @@ void find_changed_contacts(Simulation& simulation) {
                                                           if (has_changed(simulation, contacts[i]))
                                                               changed.push_back(static_cast<std::uint32_t>(i));
                                                       }
+                                                      TUMBLE_CHECK(chunk.index < counts.size());
                                                       counts[chunk.index] = own;
                                                   });
     simulation.contact_counts = {simulation.sleeping.contact_count(), simulation.sleeping.point_count()};

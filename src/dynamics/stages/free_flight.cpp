@@ -8,15 +8,18 @@ namespace tumble {
 
 namespace {
 
-// Of v' = a - c v over a time t with z = c t:
+// The solution of v' = a - c v, where v is the velocity at the start, c the damping and a the acceleration. After the
+// time t, with z = c t:
 //   v(t) = decay v + gain a t,  x(t) = gain v t + sag a t^2
-// with decay = e^-z, gain = (1 - e^-z) / z and sag = (1 - gain) / z.
+// where decay = e^-z, gain = (1 - e^-z) / z and sag = (1 - gain) / z.
 struct Flight {
     double decay = 1.0, gain = 1.0, sag = 0.5;
 };
 
-// The series for z <= 1/2 have an error below 1e-17 after 14 terms. Two times t follow from one by composing them.
+// For z <= 1/2 the sum of 14 terms of the series of sag has an error below 1e-17. For greater z the flight is that of
+// half the time, twice.
 Flight make_flight(double z) {
+    TUMBLE_CHECK(z >= 0.0);
     if (z == 0.0) return {};
     if (z > 0.5) {
         const Flight half = make_flight(0.5 * z);
@@ -29,12 +32,14 @@ Flight make_flight(double z) {
     return {1.0 - z * gain, gain, sag};
 }
 
-// What rounding to float took from a velocity. A velocity that was set since then has no use for it.
+// `rest` is what rounding to float took from a velocity at the end of the last step. It is dropped if the velocity has
+// been set since then, which is so if `rest` exceeds half a unit in the last place.
 double rest_of(float velocity, float rest) {
     return std::abs(rest) <= 0x1p-24f * std::abs(velocity) ? static_cast<double>(rest) : 0.0;
 }
 
 void fly(Simulation& simulation, std::size_t index) {
+    TUMBLE_CHECK(index < simulation.scratch.start_velocities.size());
     SolverBody& body = simulation.bodies.solver_bodies[index];
     MovingBody& moving = simulation.bodies.moving[index];
     const double t = static_cast<double>(simulation.settings.duration);
@@ -81,6 +86,8 @@ void begin_flight(Simulation& simulation) {
 
 void end_flight(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
+    TUMBLE_CHECK(simulation.scratch.start_velocities.size() == bodies.solver_bodies.size());
+    TUMBLE_CHECK(bodies.moving.size() == bodies.solver_bodies.size());
     const float limit = simulation.settings.speed_limits().spin;
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {
         const std::uint32_t flags = bodies.solver_bodies[i].flags;

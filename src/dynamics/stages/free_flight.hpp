@@ -6,7 +6,7 @@
 
 namespace tumble {
 
-// A stage of the step, before the sub-steps: keeps the velocities, and marks no body as pushed.
+// A stage of the step, before the sub-steps: stores the velocities, and marks the joined bodies alone as pushed.
 void begin_flight(Simulation& simulation);
 
 // A stage of the step, after the sub-steps: replaces the motion of the bodies that no contact or joint has pushed.

@@ -12,14 +12,15 @@ namespace tumble {
 
 namespace {
 
-// The bodies of an impact have a new motion. A body that moves little from now on needs no search after an inelastic
-// impact: the solver parts it in the next step from what it touches.
+// Finds the next impacts of the bodies that an impact gave a new motion. A body that moves little from now on needs no
+// search after an inelastic impact: in the next step the solver separates it from what it touches.
 void search_again(Simulation& simulation) {
     ImpactScratch& scratch = simulation.scratch.ordered_impacts;
     for (const std::uint32_t swept : scratch.members)
         if (swept != kNotSwept) update_box(simulation, swept);
     for (const std::uint32_t swept : scratch.members) {
         if (swept == kNotSwept) continue;
+        TUMBLE_CHECK(swept < scratch.swept.size());
         note_course(simulation, swept);
         const bool is_lost = scratch.swept[swept].is_off_course && moves_far(simulation, swept);
         if (is_lost || has_bounce(simulation, swept))
@@ -35,6 +36,7 @@ bool has_changed_partner(const Simulation& simulation, std::uint32_t swept) {
     const NextImpact& next = scratch.next[swept];
     const std::uint32_t a = simulation.shapes[next.shapes.a].body, b = simulation.shapes[next.shapes.b].body;
     const std::uint32_t partner = find_swept(simulation, scratch.swept[swept].body == a ? b : a);
+    TUMBLE_CHECK(partner != swept);
     return partner != kNotSwept && scratch.swept[partner].impact_count != next.partner_impacts;
 }
 
@@ -51,6 +53,8 @@ void simulate_impacts(Simulation& simulation) {
         std::pop_heap(scratch.queue.begin(), scratch.queue.end(), std::greater<>{});
         const QueuedImpact first = scratch.queue.back();
         scratch.queue.pop_back();
+        TUMBLE_CHECK(first.swept < scratch.next.size());
+        TUMBLE_CHECK(first.version <= scratch.next[first.swept].version);
         if (first.version != scratch.next[first.swept].version) continue;
         if (has_changed_partner(simulation, first.swept)) {
             find_next_impact(simulation, first.swept);
@@ -59,6 +63,7 @@ void simulate_impacts(Simulation& simulation) {
         respond(simulation, NextImpact(scratch.next[first.swept]));
         search_again(simulation);
     }
+    TUMBLE_CHECK(scratch.next.size() == scratch.swept.size());
     store_swept_bodies(simulation);
 }
 

@@ -2,12 +2,12 @@
 // there.
 //
 // A body is swept if it moves by more than a part of its smallest extent (kContinuousPart), if one of its contacts
-// bounces, or once another body hits it. At the first impact of all, the impact is solved together with the contacts
-// through which it goes on (impacts/impact_group.hpp); the bodies that it changed have a new motion for the rest of the
-// step, and new impacts ahead.
+// bounces, or once another body hits it. The earliest impact is solved first, together with the contacts that pass it
+// on (impacts/impact_group.hpp). The bodies that it changed have a new motion for the rest of the step, and new impacts
+// ahead.
 //
-// The work is bounded: a body that has had kMaxImpactsPerBody impacts in a step rests where it is until the step ends,
-// with the velocity that it has.
+// The work is bounded: a body that has had kMaxImpactsPerBody impacts in a step stays where it is until the step ends,
+// and keeps its velocity.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"

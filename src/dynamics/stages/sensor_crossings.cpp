@@ -19,6 +19,7 @@ bool touched_before(const Simulation& simulation, ProxyPair pair) {
 bool touch_during_step(const Simulation& simulation, ProxyPair pair) {
     const ShapeRecord& a = simulation.shapes[pair.a];
     const ShapeRecord& b = simulation.shapes[pair.b];
+    TUMBLE_CHECK(a.is_sensor != b.is_sensor);
     const CastResult touch =
         time_of_impact(a.shape, sweep_of(simulation.bodies, a.body), b.shape, sweep_of(simulation.bodies, b.body));
     return touch.status == CastStatus::hit;

@@ -1,13 +1,13 @@
-// Smaller shapes inside a shape, with which continuous collision decides.
+// The core of a shape: a smaller shape inside it. Continuous collision stops a body only if its core would touch.
 #pragma once
 
 #include "dynamics/bodies/shape_store.hpp"
 
 namespace tumble {
 
-// The shape shrunk about its middle to a part of its thickness, and by the same length along its long axis: the tip of
-// a bar sinks in as far as its side. The part 0 is the middle point. The part 1 is the shape: a shape so large that
-// floats round what is to be cut off to nothing.
+// The shape shrunk about its middle to `part` of its thickness, from 0 to 1. Its length shrinks by the same number of
+// metres as its thickness, so that the tip of a bar may sink in as far as its side. With part = 0 the core is the
+// middle point. With part = 1 it is the shape itself, as for a shape so large that floats cannot hold the difference.
 Shape core_of(const ShapeRecord& record, float part);
 
 }  // namespace tumble

@@ -11,9 +11,10 @@ namespace tumble {
 
 namespace {
 
-// The part of its free acceleration that a body that contacts or joints push has had in the step. What they did to it
-// may have been at any time, and counts from the start.
+// How fast a body that contacts or joints push accelerates during the step: the part of its free acceleration that its
+// change of velocity shows. The rest of the change has no known time, and counts as made when the step starts.
 DVec2 acceleration_of_pushed(DVec2 change, DVec2 free_acceleration, double duration) {
+    TUMBLE_CHECK(duration > 0.0);
     const double square = length_sq(free_acceleration);
     if (!(square > 0.0)) return {};
     return std::clamp(dot(change, free_acceleration) / (square * duration), 0.0, 1.0) * free_acceleration;
@@ -23,6 +24,8 @@ SweptBody make_swept(const Simulation& simulation, std::uint32_t index) {
     const BodyStore& bodies = simulation.bodies;
     const std::uint32_t solver_body = bodies.frames[index].solver_body;
     const SolverBody& body = bodies.solver_bodies[solver_body];
+    TUMBLE_CHECK(solver_body != kStaticSolverBody);
+    TUMBLE_CHECK(solver_body < bodies.solver_bodies.size());
     SweptBody swept;
     swept.body = index;
     swept.sweep = sweep_of(bodies, index);
@@ -79,7 +82,9 @@ void clear_swept_bodies(Simulation& simulation) {
 }
 
 std::uint32_t find_swept(const Simulation& simulation, std::uint32_t body) {
+    TUMBLE_CHECK(body < simulation.bodies.frames.size());
     const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
+    TUMBLE_CHECK(solver_body < simulation.scratch.ordered_impacts.swept_of.size());
     return solver_body == kStaticSolverBody ? kNotSwept : simulation.scratch.ordered_impacts.swept_of[solver_body];
 }
 
@@ -88,6 +93,7 @@ std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body) {
     ImpactScratch& scratch = simulation.scratch.ordered_impacts;
     const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
     TUMBLE_CHECK(solver_body != kStaticSolverBody);
+    TUMBLE_CHECK(solver_body < scratch.swept_of.size());
     std::uint32_t& index = scratch.swept_of[solver_body];
     if (index != kNotSwept) return index;
     index = static_cast<std::uint32_t>(scratch.swept.size());
@@ -99,10 +105,13 @@ std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body) {
 
 void update_box(Simulation& simulation, std::uint32_t swept) {
     ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    TUMBLE_CHECK(swept < scratch.swept.size());
+    TUMBLE_CHECK(scratch.leaves.size() == scratch.swept.size());
     scratch.tree.move(scratch.leaves[swept], box_of(simulation, scratch.swept[swept]));
 }
 
 bool has_bounce(Simulation& simulation, std::uint32_t swept) {
+    TUMBLE_CHECK(swept < simulation.scratch.ordered_impacts.swept.size());
     const std::uint32_t body = simulation.scratch.ordered_impacts.swept[swept].body;
     const std::span<const BodyContact> contacts = contacts_of(simulation, body);
     return std::any_of(contacts.begin(), contacts.end(), [&](const BodyContact& contact) {
@@ -114,6 +123,7 @@ void store_swept_bodies(Simulation& simulation) {
     for (const SweptBody& swept : simulation.scratch.ordered_impacts.swept) {
         if (swept.impact_count == 0) continue;
         const BodyFrame& frame = simulation.bodies.frames[swept.body];
+        TUMBLE_CHECK(frame.solver_body != kStaticSolverBody);
         SolverBody& body = simulation.bodies.solver_bodies[frame.solver_body];
         if (!(body.flags & kDynamicBody)) continue;
         const Twist velocity = swept.final_velocity(simulation.settings.duration);

@@ -11,7 +11,8 @@ void clear_swept_bodies(Simulation& simulation);
 // The index of a body among the swept ones; kNotSwept if it is not one of them.
 std::uint32_t find_swept(const Simulation& simulation, std::uint32_t body);
 
-// The same for a body that may move; makes it a swept one if it is none. Wakes it if it sleeps.
+// The index among the swept bodies of a body that may move. Adds it to them if it is not one of them yet, and wakes it
+// if it sleeps.
 std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body);
 
 // Gives a swept body the box of its motion ahead.

@@ -9,6 +9,7 @@ namespace {
 
 // True if a joint between the two bodies excludes contacts between them.
 bool joined_without_contact(const Simulation& simulation, std::uint32_t body_a, std::uint32_t body_b) {
+    TUMBLE_CHECK(body_a != body_b);
     for (const JointId id : simulation.bodies.fewer_joints(body_a, body_b)) {
         const JointDef& def = simulation.joints.def(id);
         const std::uint32_t a = joint_body_a(def).index, b = joint_body_b(def).index;
@@ -28,6 +29,7 @@ bool may_touch(const Simulation& simulation, ProxyPair shapes) {
 }
 
 bool is_over(const Simulation& simulation, const Contact& contact) {
+    TUMBLE_CHECK(contact.shapes.a < contact.shapes.b);
     return !simulation.broad.overlap(contact.shapes) ||
            (simulation.filters_changed && !may_touch(simulation, contact.shapes));
 }

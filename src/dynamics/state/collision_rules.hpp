@@ -1,4 +1,4 @@
-// The rules of collision: which pairs of shapes may touch, by their filters, joints, types and rest.
+// The rules of collision: which pairs of shapes may touch, by filters, joints, body types and sleep.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"
@@ -14,8 +14,8 @@ bool may_touch(const Simulation& simulation, ProxyPair shapes);
 bool may_collide(const Simulation& simulation, ProxyPair shapes);
 
 // True if the next step will end a contact of two solid shapes, because their boxes are apart or a change since the
-// last step does not allow them to touch. Type and rest do not count: a body that falls asleep still touches its
-// support.
+// last step does not allow them to touch. Body types and sleep do not count: a body that falls asleep still touches
+// its support.
 bool is_over(const Simulation& simulation, const Contact& contact);
 
 }  // namespace tumble
