@@ -9,7 +9,6 @@
 #include "planted_failures.hpp"
 #include "process.hpp"
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 using tumble::test::Answer;
 using tumble::test::Folder;
@@ -36,7 +35,7 @@ extern "C" void* malloc(size_t bytes) {
     return __libc_malloc(bytes);
 }
 )");
-    const std::string library = (folder / "crash.so").string();
+    std::string library = (folder / "crash.so").string();
     const Answer answer =
         tumble::test::run({"/usr/bin/env", TUMBLE_COMPILER, "-shared", "-fPIC", "-o", library, source});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
