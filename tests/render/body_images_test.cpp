@@ -37,7 +37,7 @@ struct Pictures {
 
     // The scene of a static body with these images, and more bodies, in the folder `in`.
     fs::path scene(const std::string& images, const std::string& bodies = "", const std::string& place = "") const {
-        const fs::path file = folder / "in/scene.json";
+        fs::path file = folder / "in/scene.json";
         std::ofstream(file) << R"({"format": 1, "camera": {"center": [0, 0], "height": 8},
             "materials": {"white": {"color": "#fff"}}, "bodies": [)" +
                                    bodies + R"({"type": "static", )" + place + R"("images": [)" + images + "]}]}";

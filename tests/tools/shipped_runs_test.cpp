@@ -47,7 +47,7 @@ public:
     }
 
     Found run() {
-        const auto steps = static_cast<std::uint64_t>(scene_.world.duration * scene_.world.steps_per_second + 0.5);
+        const auto steps = count_steps(scene_);
         observe();
         while (run_.world().step_count() < steps && !run_.is_stopped()) {
             run_.step();
@@ -111,7 +111,9 @@ TEST_CASE("the claims of all shipped scenes hold, their bodies move, and what cl
     std::vector<fs::path> chosen;
     for (std::size_t i = 0; i < files.size(); i += stride) chosen.push_back(files[i]);
     std::set<std::string> still;
-    for (const auto& [name, found] : run_all(chosen)) {
+    for (const auto& entry : run_all(chosen)) {
+        const std::string& name = entry.first;
+        const Found& found = entry.second;
         CAPTURE(name);
         for (const std::string& claim : found.failed) FAIL_CHECK(claim);
         if (found.moved < kStill) still.insert(name);

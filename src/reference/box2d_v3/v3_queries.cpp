@@ -63,9 +63,10 @@ std::string box2d_v3_build() { return TUMBLE_BOX2D_V3_BUILD; }
 V3Points::V3Points(const Shape& shape, std::optional<float> radius) : radius_(radius.value_or(shape.radius())) {
     if (shape.vertex_count() > v3::kMostPoints) return;
     count_ = shape.vertex_count();
+    float* next = xy_;
     for (int i = 0; i < count_; ++i) {
-        xy_[2 * i] = shape.vertex(i).x;
-        xy_[2 * i + 1] = shape.vertex(i).y;
+        *next++ = shape.vertex(i).x;
+        *next++ = shape.vertex(i).y;
     }
 }
 

@@ -2,6 +2,7 @@
 #include <box2d/box2d.h>
 #include <box2d/constants.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace {
 
 b2ShapeProxy proxy_of(const Points& points) {
     b2Vec2 at[kMostPoints];
-    for (int i = 0; i < points.count; ++i) at[i] = {points.xy[2 * i], points.xy[2 * i + 1]};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); ++i)
+        at[i] = {points.xy[2 * i], points.xy[2 * i + 1]};
     return b2MakeProxy(at, points.count, points.radius);
 }
 
@@ -85,7 +87,8 @@ Hit cast_ray(const Points& shape, float origin_x, float origin_y, float x, float
         return hit_of(b2RayCastCircle(&circle, &input));
     }
     b2Vec2 at[kMostPoints];
-    for (int i = 0; i < shape.count; ++i) at[i] = {shape.xy[2 * i], shape.xy[2 * i + 1]};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(shape.count); ++i)
+        at[i] = {shape.xy[2 * i], shape.xy[2 * i + 1]};
     const b2Hull hull = b2ComputeHull(at, shape.count);
     const b2Polygon polygon = b2MakePolygon(&hull, shape.radius);
     return hit_of(b2RayCastPolygon(&polygon, &input));

@@ -1,6 +1,7 @@
 // Worlds of Box2D v3.
 #include <box2d/box2d.h>
 
+#include <cstddef>
 #include <vector>
 
 #include "reference/box2d_v3/library/v3_library.hpp"
@@ -64,7 +65,8 @@ bool add_shape(World* world, int body, const Points& points, const Surface& surf
     const b2BodyId id = world->bodies[static_cast<std::size_t>(body)];
     const b2ShapeDef def = shape_def(surface);
     b2Vec2 at[kMostPoints];
-    for (int i = 0; i < points.count; ++i) at[i] = {points.xy[2 * i], points.xy[2 * i + 1]};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); ++i)
+        at[i] = {points.xy[2 * i], points.xy[2 * i + 1]};
     if (points.count == 1) {
         const b2Circle circle{at[0], points.radius};
         b2CreateCircleShape(id, &def, &circle);
