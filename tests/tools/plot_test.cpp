@@ -53,6 +53,9 @@ TEST_CASE("ticks are multiples of 1, 2 or 5 times a power of ten") {
     CHECK(labels(round_ticks({0.0, 1.0}, 5)) == std::vector<std::string>{"0", "0.2", "0.4", "0.6", "0.8", "1"});
     CHECK(labels(round_ticks({-0.3, 0.7}, 4)) == std::vector<std::string>{"0", "0.5"});
     CHECK(labels(round_ticks({3.19, 4.72}, 4)) == std::vector<std::string>{"3.5", "4", "4.5"});
+    CHECK(labels(round_ticks({60.0, 60.0}, 4)) == std::vector<std::string>{"60"});
+    CHECK(labels(round_ticks({1e16, 1e16 + 2.0}, 4)) == std::vector<std::string>{"1e16"});
+    CHECK(labels(round_ticks({-1e308, 1e308}, 4)).size() == 1);
     CHECK(labels(round_ticks({0.0, 2.4e7}, 3)) == std::vector<std::string>{"0", "1e7", "2e7"});
     for (const double size : {1e-9, 0.3, 1.0, 7.0, 99.0, 12345.0})
         for (const int most : {2, 5, 9}) {

@@ -64,7 +64,8 @@ struct Plot {
     int height = 330;
 };
 
-// Ticks of a linear axis at multiples of 1, 2 or 5 times a power of ten, at most `most` + 1 of them.
+// Ticks of a linear axis at multiples of 1, 2 or 5 times a power of ten, at most `most` + 1 of them. A range that is
+// too short for the digits of labels, or longer than a double, has one tick, at its lower end.
 std::vector<PlotTick> round_ticks(PlotRange range, int most);
 
 // Ticks of a logarithmic axis: at powers of ten, also at 2 and 5 times them if the range has less than two of them.

@@ -36,8 +36,12 @@ void add_if_inside(std::vector<PlotTick>& ticks, PlotRange range, double value) 
 }  // namespace
 
 std::vector<PlotTick> round_ticks(PlotRange range, int most) {
+    const double size = range.upper - range.lower, largest = std::max(std::abs(range.lower), std::abs(range.upper));
+    const double step = round_step(size / most);
+    // In a shorter range the labels are equal, and steps are lost in the rounding.
+    if (!(size > 1e-9 * largest) || !(step > 0.0) || !std::isfinite(step))
+        return {{range.lower, tick_label(range.lower)}};
     std::vector<PlotTick> ticks;
-    const double step = round_step((range.upper - range.lower) / most);
     const double last = std::floor(range.upper / step + 1e-6);
     for (double k = std::ceil(range.lower / step - 1e-6); k <= last; ++k)
         ticks.push_back({k * step, tick_label(k == 0.0 ? 0.0 : k * step)});

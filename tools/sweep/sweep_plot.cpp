@@ -26,7 +26,11 @@ struct Sample {
 struct Range {
     double lower = 0.0, upper = 0.0;
 
-    double part(double number) const { return upper > lower ? (number - lower) / (upper - lower) : 0.5; }
+    // From 0 to 1; the middle if the range is a single number, or beyond double.
+    double part(double number) const {
+        const double part = (number - lower) / (upper - lower);
+        return part >= 0.0 && part <= 1.0 ? part : 0.5;
+    }
 };
 
 double number_or_nan(const char* text) {
