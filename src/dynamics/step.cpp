@@ -14,6 +14,7 @@
 #include "dynamics/stages/continuous.hpp"
 #include "dynamics/stages/events.hpp"
 #include "dynamics/stages/free_flight.hpp"
+#include "dynamics/stages/immovable_bounds.hpp"
 #include "dynamics/stages/ordered_impacts.hpp"
 #include "dynamics/stages/seams.hpp"
 #include "dynamics/stages/sensor_crossings.hpp"
@@ -319,6 +320,7 @@ void collide_continuously(Simulation& simulation) {
     if (!simulation.settings.orders_impacts()) return stop_at_impacts(simulation);
     end_flight(simulation);
     simulate_impacts(simulation);
+    keep_out_of_immovable(simulation);
     show_impacts(simulation);
 }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ const json* find_row(const json& rows, const std::string& name) {
         if (row["name"] == name) return &row;
     return nullptr;
 }
+
+// The rows that miss their bars in the short form. A row that begins to hold leaves this list.
+const std::set<std::string> kMissing{"G1", "G2", "H", "I", "L1", "L2"};
 
 }  // namespace
 
@@ -53,6 +57,7 @@ TEST_CASE("the short form of physics measures its rows in both engines, and its 
                         (finding["upper"].is_null() || value.get<double>() <= finding["upper"].get<double>());
         }
         CHECK(row["holds"] == holds);
+        CHECK(holds == !kMissing.contains(row["name"].get<std::string>()));
         holding += holds;
     }
     CHECK(result["holding"] == holding);

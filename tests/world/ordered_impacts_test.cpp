@@ -212,6 +212,52 @@ TEST_CASE("in order: ten boxes that land as one stack do not rebound") {
     CHECK(fastest < 1.0f);
 }
 
+TEST_CASE("in order: twenty stacks that land at different times do not rebound, nor does a stack of twenty boxes") {
+    World world = ordered({0.0f, -10.0f});
+    add_static(world, {40.0, -0.5}, make_box({200.0f, 1.0f}));
+    std::vector<BodyId> boxes;
+    const auto add_stack = [&](double x, double height, int count) {
+        for (int i = 0; i < count; ++i) boxes.push_back(add_dynamic(world, {x, height + i}, make_box({1.0f, 1.0f})));
+    };
+    for (int stack = 0; stack < 20; ++stack) add_stack(4.0 * stack, 5.5 + 0.0085 * stack, 10);
+    add_stack(-4.0, 5.5, 20);
+    float fastest = 0.0f;
+    for (int step = 0; step < 120; ++step) {
+        world.step();
+        for (const BodyId box : boxes) fastest = std::max(fastest, world.state(box).velocity.y);
+    }
+    CHECK(fastest < 1.0f);
+}
+
+// Gravity moves a ball by up to 5 m in a step, 25 times its radius.
+TEST_CASE("in order: no body leaves a closed box, at any rate, gravity and number of sub-steps") {
+    for (const int rate : {10, 30, 60})
+        for (const float gravity : {100.0f, 1000.0f})
+            for (const int substeps : {1, 4}) {
+                CAPTURE(rate);
+                CAPTURE(gravity);
+                CAPTURE(substeps);
+                WorldDef def;
+                def.gravity = {0.0f, -gravity};
+                def.steps_per_second = static_cast<float>(rate);
+                def.substeps = substeps;
+                World world(def);
+                add_walls(world, 10.0f, {});
+                std::vector<BodyId> bodies;
+                for (int i = 0; i < 49; ++i) {
+                    const float size = 0.2f + 0.02f * static_cast<float>(i % 5);
+                    const DVec2 at{1.2 * (i % 7) - 3.6 + 0.01 * (i % 3), 1.2 * (i / 7) - 3.6};
+                    const Shape shape = i % 2 == 0 ? make_circle(size) : make_box({2.0f * size, 1.4f * size});
+                    bodies.push_back(add_dynamic(world, at, shape, {}, 0.3 * i));
+                }
+                run(world, rate);
+                for (const BodyId body : bodies) {
+                    const DVec2 at = world.state(body).pose.position;
+                    CHECK(std::max(std::abs(at.x), std::abs(at.y)) <= 5.0);
+                }
+            }
+}
+
 TEST_CASE("in order: shapes that pass each other within a step do not touch") {
     // The boxes pass a ledge at gaps from 1 mm to 5 cm, and fall by a third of a metre in a step.
     for (const double gap : {0.001, 0.01, 0.05}) {
@@ -270,7 +316,7 @@ TEST_CASE("in order: a projectile follows its parabola, and with damping its clo
             CAPTURE(rate);
             CAPTURE(damping);
             WorldDef def;
-            def.steps_per_second = rate;
+            def.steps_per_second = static_cast<float>(rate);
             def.impacts = ImpactModel::in_order;
             World world(def);
             const BodyId ball = throw_disc(world, {}, {10.0f, 20.0f}, {});

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "support/near.hpp"
 #include "support/sleepers.hpp"
 
 using namespace tumble;
@@ -41,10 +42,14 @@ TEST_CASE("every step counts the pairs of awake bodies, also the one in which al
     CHECK(world.counters().pairs == 0);
 }
 
+// Damping that slows a body by a part of 5e-5 in half a second.
+constexpr float kFaintDamping = 1e-4f;
+
 TEST_CASE("a body without forces sleeps after half a second of rest, to the step") {
     World world = weightless();
     const BodyId body = add_dynamic(world, {}, kBox);
     CHECK(steps_until_asleep(world, body) == 30);
+    world.set_damping(body, kFaintDamping, kFaintDamping);
     world.set_velocity(body, {0.049f, 0.0f}, 0.0f);
     CHECK(world.is_awake(body));
     CHECK(steps_until_asleep(world, body) == 30);
@@ -58,8 +63,29 @@ TEST_CASE("a body falls asleep only if its farthest point is slow") {
     for (const bool slow : {true, false}) {
         World world = weightless();
         const BodyId body = add_dynamic(world, {}, kBox);
+        world.set_damping(body, kFaintDamping, kFaintDamping);
         world.set_velocity(body, {}, slow ? 0.070f : 0.0715f);
         CHECK((steps_until_asleep(world, body) == 30) == slow);
+    }
+}
+
+TEST_CASE("what drifts through free space stays awake and keeps its speed; what touches a body at rest falls asleep") {
+    for (const float speed : {0.04f, 1e-3f}) {
+        CAPTURE(speed);
+        World world = weightless();
+        const BodyId alone = add_dynamic(world, {}, kBox), spinning = add_dynamic(world, {9.0, 0.0}, kBox);
+        const std::vector<BodyId> pair{add_dynamic(world, {20.0, 0.0}, kBox), add_dynamic(world, {21.0, 0.0}, kBox)};
+        world.set_velocity(alone, {speed, 0.0f}, 0.0f);
+        world.set_velocity(spinning, {}, speed);
+        for (const BodyId body : pair) world.set_velocity(body, {0.0f, speed}, 0.0f);
+        run(world, 300);
+        CHECK(near(world.state(alone).pose.position.x, 5.0 * static_cast<double>(speed), relative(1e-6)));
+        CHECK(world.state(spinning).angular_velocity == speed);
+        CHECK(all_awake(world, pair));
+        const BodyId on_floor = add_dynamic(world, {0.0, 9.5}, kBox, {.friction = 0.0f});
+        add_static(world, {0.0, 8.5}, make_box({99.0f, 1.0f}), {.friction = 0.0f});
+        world.set_velocity(on_floor, {speed, 0.0f}, 0.0f);
+        CHECK(steps_until_asleep(world, on_floor) >= 0);
     }
 }
 

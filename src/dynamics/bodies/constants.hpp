@@ -76,6 +76,10 @@ inline constexpr float kAabbMarginPart = 0.125f;
 inline constexpr float kSleepSpeed = 0.05f;
 inline constexpr float kTimeToSleep = 0.5f;
 
+// A body that nothing holds drifts if it moves faster than this part of the sleep speed: 1 m in 5 hours. It stays
+// awake. Smaller: bodies that rounding has left with a speed never sleep. Larger: slow ones stop in mid-air.
+inline constexpr float kDriftPart = 1e-3f;
+
 // Speed limit, m/s: 6.7 m in a step at 60 Hz. Beyond it float deltas lose their precision.
 inline constexpr float kMaxSpeed = 400.0f;
 

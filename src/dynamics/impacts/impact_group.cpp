@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "debug/check.hpp"
 
@@ -13,7 +12,7 @@ namespace {
 // Relative to the fastest approach: below it a contact counts as not approached.
 constexpr double kTolerance = 1e-6;
 
-// A round ends when no sweep changes a speed by more than this part of the fastest approach. What inelastic impacts
+// A round ends when no pass changes a speed by more than this part of the fastest approach. What inelastic impacts
 // leave, the contact solver of the next step stops: with a restitution of 0.5 a tolerance of 6e-4 will do.
 constexpr double kElasticTolerance = 1e-7, kInelasticTolerance = 1e-2;
 
@@ -22,10 +21,15 @@ double tolerance(double restitution) {
     return kElasticTolerance + (kInelasticTolerance - kElasticTolerance) * square * square;
 }
 
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-
 // A hold that is not complete leaves an overlap to the next step.
-constexpr int kMaxHoldSweeps = 50;
+constexpr int kMaxHoldPasses = 50;
+
+// The factor of successive over-relaxation [Young 1954] with which the impulses of a row of n contacts converge
+// soonest. A row of equal boxes on the ground has the eigenvalues of one of 2 n + 1 contacts between free ends. Without
+// it a pile of n layers needs n times as many passes.
+double best_relaxation(int contacts) {
+    return contacts > 1 ? 2.0 / (1.0 + sin_cos(kPi / (2.0 * contacts + 1.0)).sin) : 1.0;
+}
 
 double speed_along(DVec2 axis, double across_a, double across_b, const Twist& a, const Twist& b) {
     return dot(b.linear - a.linear, axis) + b.angular * across_b - a.angular * across_a;
@@ -114,7 +118,7 @@ void pair_up(std::vector<ImpactRow>& rows, const std::vector<ImpactPoint>& point
 
 class ImpactRounds {
 public:
-    explicit ImpactRounds(ImpactGroup& group) : group_(group) {
+    explicit ImpactRounds(ImpactGroup& group) : group_(group), relaxation_(best_relaxation(group.depth)) {
         for (const ImpactPoint& point : group.points) {
             fastest_ = std::max({fastest_, -approach_at_impact(group, point), -approach_ahead(group, point)});
             tolerance_ = std::min(tolerance_, tolerance(point.restitution));
@@ -124,7 +128,7 @@ public:
     void run() {
         do {
             begin_round();
-            while (sweep() > tolerance_ * fastest_ && group_.work < kMaxImpactWork) {
+            while (pass() > tolerance_ * fastest_ && group_.work < kMaxImpactWork) {
             }
             bounce();
         } while (group_.work < kMaxImpactWork && has_impact());
@@ -155,8 +159,9 @@ private:
     }
 
     // One pass of projected Gauss-Seidel over the rows. Returns the largest change of a relative speed, m/s.
-    double sweep() {
+    double pass() {
         group_.work += static_cast<int>(group_.rows.size());
+        if (group_.work > kMaxImpactWork / 2) relaxation_ = 1.0;
         double largest = 0.0;
         for (std::size_t i = 0; i < group_.rows.size(); ++i) {
             ImpactRow& row = group_.rows[i];
@@ -190,6 +195,9 @@ private:
         return change(row, d, std::clamp(d.impulse - d.mass * speed(row, d, target), lower, upper), target);
     }
 
+    // An over-relaxed impulse along a normal.
+    double relaxed(double old, double solved) const { return std::max(old + relaxation_ * (solved - old), 0.0); }
+
     double speed(const ImpactRow& row, const ImpactDirection& d, Twist ImpactBody::*target) {
         return d.speed + speed_along(d, group_.bodies[point(row).a].*target, group_.bodies[point(row).b].*target);
     }
@@ -208,8 +216,10 @@ private:
         if (!first.is_paired) return solve_normal(first, target);
         ImpactRow& second = group_.rows[index + 1];
         const PairImpulses impulses = find_normals(first, second, target);
-        const double change_of_first = change(first, first.normal, impulses.first, target);
-        return std::max(change_of_first, change(second, second.normal, impulses.second, target));
+        const double change_of_first =
+            change(first, first.normal, relaxed(first.normal.impulse, impulses.first), target);
+        return std::max(change_of_first,
+                        change(second, second.normal, relaxed(second.normal.impulse, impulses.second), target));
     }
 
     struct PairImpulses {
@@ -232,7 +242,8 @@ private:
     }
 
     double solve_normal(ImpactRow& row, Twist ImpactBody::*target) {
-        return solve(row, row.normal, 0.0, kUnbounded, target);
+        ImpactDirection& d = row.normal;
+        return change(row, d, relaxed(d.impulse, d.impulse - d.mass * speed(row, d, target)), target);
     }
 
     // Coulomb friction against the impulse together with the bounce that follows.
@@ -275,20 +286,20 @@ private:
     }
 
     // The largest part t <= 1 of the bounce whose work, linear t + square t^2, is at most `taken`, J. `linear` is what
-    // the sweeps have left: exactly solved, the points that push are at rest along their normals.
+    // the passes have left: exactly solved, the points that push are at rest along their normals.
     static double affordable_part(double taken, double linear, double square) {
         if (!(linear + square - taken > 1e-12 * (square + taken))) return 1.0;
         const double discriminant = linear * linear + 4.0 * square * std::max(taken, 0.0);
         return std::clamp((std::sqrt(discriminant) - linear) / (2.0 * square), 0.0, 1.0);
     }
 
-    // Keeps the points apart during the motion ahead, by the same sweeps and without friction.
+    // Keeps the points apart during the motion ahead, by the same passes and without friction.
     void hold() {
         group_.rows.clear();
         for (ImpactBody& body : group_.bodies) body.hold = {};
         for (std::size_t i = 0; i < group_.points.size(); ++i) group_.rows.push_back(make_hold_row(group_, i));
         pair_up(group_.rows, group_.points);
-        for (int i = 0; i < kMaxHoldSweeps; ++i) {
+        for (int i = 0; i < kMaxHoldPasses; ++i) {
             double largest = 0.0;
             for (std::size_t row = 0; row < group_.rows.size(); row += group_.rows[row].is_paired ? 2 : 1)
                 largest = std::max(largest, solve_normals(row, &ImpactBody::hold));
@@ -297,6 +308,7 @@ private:
     }
 
     ImpactGroup& group_;
+    double relaxation_;     // of normal impulses
     double fastest_ = 0.0;  // approach, m/s
     double tolerance_ = kInelasticTolerance;
 };

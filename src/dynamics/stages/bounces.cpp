@@ -10,11 +10,10 @@ namespace tumble {
 
 namespace {
 
-// Landings of bodies that carry others are impacts for at most so many contacts in a step, and one more for each
-// further number of bodies. More: they cost more than the rest of the step (in a tumbler of 2000 boxes 12 ms without a
-// limit, instead of 3).
-constexpr std::size_t kMaxLandings = 8;
-constexpr std::size_t kBodiesPerLanding = 1024;
+// Landings of bodies that carry others are impacts for at most so many contacts of a group of touching bodies in a
+// step, and one more for each further number of its bodies. More: they cost more than the rest of the step.
+constexpr std::uint32_t kMaxLandings = 8;
+constexpr std::uint32_t kBodiesPerLanding = 16;
 
 bool has_joints(const Simulation& simulation, const Contact& contact) {
     const std::vector<BodyRecord>& records = simulation.bodies.records;
@@ -75,15 +74,40 @@ void mark_inelastic(Simulation& simulation, std::uint32_t index, double threshol
         contact.is_bouncing = contact.is_struck = false;
 }
 
-// Of the landings on others, the solver keeps all but the fastest.
+// Finds the groups of awake dynamic bodies that touch each other, and their sizes.
+void find_groups(Simulation& simulation) {
+    const BodyStore& bodies = simulation.bodies;
+    IslandFinder& groups = simulation.scratch.islands;
+    groups.reset(bodies.solver_bodies.size());
+    for (const Contact& contact : simulation.contacts.all()) {
+        if (contact.manifold.point_count == 0) continue;
+        const std::uint32_t a = bodies.frames[contact.body_a].solver_body;
+        const std::uint32_t b = bodies.frames[contact.body_b].solver_body;
+        if (bodies.solver_bodies[a].flags & bodies.solver_bodies[b].flags & kDynamicBody) groups.join(a, b);
+    }
+    BounceScratch& scratch = simulation.scratch.ordered_impacts.bounces;
+    scratch.group_sizes.assign(bodies.solver_bodies.size(), 0);
+    scratch.group_landings.assign(bodies.solver_bodies.size(), 0);
+    for (std::uint32_t i = 1; i < bodies.solver_bodies.size(); ++i) ++scratch.group_sizes[groups.root(i)];
+}
+
+// The root of the group of the contact's first dynamic body.
+std::uint32_t group_of(Simulation& simulation, const Contact& contact) {
+    const std::uint32_t body = simulation.bodies.is_dynamic(contact.body_a) ? contact.body_a : contact.body_b;
+    return simulation.scratch.islands.root(simulation.bodies.frames[body].solver_body);
+}
+
+// Of the landings in a group, the solver keeps all but the fastest.
 void keep_slow_landings(Simulation& simulation) {
-    std::vector<Landing>& landings = simulation.scratch.ordered_impacts.bounces.landings;
-    const std::size_t count = kMaxLandings + simulation.bodies.moving.size() / kBodiesPerLanding;
-    if (landings.size() <= count) return;
-    std::sort(landings.begin(), landings.end(), std::greater<>{});
-    for (std::size_t i = count; i < landings.size(); ++i) {
-        Contact& contact = simulation.contacts.all()[landings[i].contact];
-        contact.is_bouncing = contact.is_struck = false;
+    BounceScratch& scratch = simulation.scratch.ordered_impacts.bounces;
+    if (scratch.landings.size() <= kMaxLandings) return;
+    find_groups(simulation);
+    std::sort(scratch.landings.begin(), scratch.landings.end(), std::greater<>{});
+    for (const Landing& landing : scratch.landings) {
+        Contact& contact = simulation.contacts.all()[landing.contact];
+        const std::uint32_t group = group_of(simulation, contact);
+        const std::uint32_t most = kMaxLandings + scratch.group_sizes[group] / kBodiesPerLanding;
+        if (++scratch.group_landings[group] > most) contact.is_bouncing = contact.is_struck = false;
     }
 }
 

@@ -7,8 +7,8 @@
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/sweeps.hpp"
-#include "dynamics/stages/impact.hpp"
 #include "dynamics/stages/swept_bodies.hpp"
+#include "dynamics/stages/swept_pair.hpp"
 #include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {
@@ -17,53 +17,52 @@ namespace {
 
 class ImpactFinder {
 public:
-    explicit ImpactFinder(Simulation& simulation) : simulation_(simulation), movers_(simulation.scratch.movers) {}
+    explicit ImpactFinder(Simulation& simulation) : simulation_(simulation), fast_(simulation.scratch.fast_bodies) {}
 
     void run() {
-        find_movers();
-        if (movers_.empty()) return;
-        for (Mover& mover : movers_) stop_at_immovable(mover);
-        for (std::size_t i = 0; i < movers_.size(); ++i)
-            if (movers_[i].is_bullet) find_next(i);
+        find_bodies();
+        if (fast_.empty()) return;
+        for (FastBody& fast : fast_) stop_at_immovable(fast);
+        for (std::size_t i = 0; i < fast_.size(); ++i)
+            if (fast_[i].is_bullet) find_next(i);
         while (stop_first_bullet()) {
         }
-        for (const Mover& mover : movers_)
-            if (mover.fraction < 1.0) stop(mover);
+        for (const FastBody& fast : fast_)
+            if (fast.fraction < 1.0) stop(fast);
         std::vector<ProxyPair>& impacts = simulation_.scratch.impacts;
         std::sort(impacts.begin(), impacts.end());
         impacts.erase(std::unique(impacts.begin(), impacts.end()), impacts.end());
     }
 
 private:
-    void find_movers() {
-        movers_.clear();
+    void find_bodies() {
+        fast_.clear();
         const BodyStore& bodies = simulation_.bodies;
         for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
             const SolverBody& body = bodies.solver_bodies[i];
             if (!(body.flags & kDynamicBody)) continue;
             const BodyMotion& motion = bodies.moving[i].motion;
-            const float displacement = length(body.delta_position) + std::abs(body.delta_rotation.s) * motion.reach;
-            if (displacement <= kContinuousPart * motion.smallest_extent) continue;
+            if (displacement_in_step(body, motion) <= kContinuousPart * motion.smallest_extent) continue;
             const std::uint32_t index = bodies.moving[i].body;
-            Mover mover;
-            mover.body = index;
-            mover.sweep = sweep_of(bodies, index);
-            mover.is_bullet = (body.flags & kBulletBody) != 0;
+            FastBody fast;
+            fast.body = index;
+            fast.sweep = sweep_of(bodies, index);
+            fast.is_bullet = (body.flags & kBulletBody) != 0;
             for (const ShapeId shape : bodies.records[index].shapes)
-                mover.box = merge(mover.box, box_of_sweep(simulation_.shapes[shape.index].shape, mover.sweep));
-            movers_.push_back(mover);
+                fast.box = merge(fast.box, box_of_sweep(simulation_.shapes[shape.index].shape, fast.sweep));
+            fast_.push_back(fast);
         }
-        std::sort(movers_.begin(), movers_.end(), [](const Mover& a, const Mover& b) { return a.body < b.body; });
+        std::sort(fast_.begin(), fast_.end(), [](const FastBody& a, const FastBody& b) { return a.body < b.body; });
     }
 
-    // Calls visit(own shape, other shape) for each pair that may touch, of a mover's shape and a shape of these layers
-    // near its path. Pairs with a sensor become candidates for a crossing; a mover's own sensor is paired with shapes
-    // of all layers.
+    // Calls visit(own shape, other shape) for each pair that may touch, of a fast body's shape and a shape of these
+    // layers near its path. Pairs with a sensor become candidates for a crossing; a fast body's own sensor is paired
+    // with shapes of all layers.
     template <class Visitor>
-    void for_each_near(const Mover& mover, ProxyLayer first, ProxyLayer last, Visitor&& visit) {
-        for (const ShapeId own : simulation_.bodies.records[mover.body].shapes) {
+    void for_each_near(const FastBody& fast, ProxyLayer first, ProxyLayer last, Visitor&& visit) {
+        for (const ShapeId own : simulation_.bodies.records[fast.body].shapes) {
             const ShapeRecord& shape = simulation_.shapes[own.index];
-            const Aabb box = box_of_sweep(shape.shape, mover.sweep);
+            const Aabb box = box_of_sweep(shape.shape, fast.sweep);
             const ProxyLayer top = shape.is_sensor ? ProxyLayer::dynamic : last;
             near_.clear();
             simulation_.broad.query(
@@ -78,88 +77,87 @@ private:
         }
     }
 
-    void stop_at_immovable(Mover& mover) {
-        for_each_near(mover, ProxyLayer::fixed, ProxyLayer::kinematic, [&](std::uint32_t own, std::uint32_t other) {
+    void stop_at_immovable(FastBody& fast) {
+        for_each_near(fast, ProxyLayer::fixed, ProxyLayer::kinematic, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
-            const double fraction = impact(simulation_.shapes[own], mover.sweep, simulation_.shapes[other],
-                                           sweep_of(simulation_.bodies, body), was_pushed(own, other));
+            const double fraction = find_stop(simulation_.shapes[own], fast.sweep, simulation_.shapes[other],
+                                              sweep_of(simulation_.bodies, body), was_pushed(own, other));
             const ProxyPair pair = make_pair_of(own, other);
-            if (fraction >= mover.fraction || crosses_chain(simulation_.chain_contacts(), pair)) return;
+            if (fraction >= fast.fraction || crosses_chain(simulation_.chain_contacts(), pair)) return;
             TUMBLE_CHECK(!(fraction < 0.0));
-            mover.fraction = fraction;
-            mover.impact = pair;
+            fast.fraction = fraction;
+            fast.impact = pair;
         });
     }
 
     // The first impact of a bullet on a dynamic body before it stops.
     void find_next(std::size_t bullet) {
-        TUMBLE_CHECK(bullet < movers_.size());
-        Mover& mover = movers_[bullet];
-        mover.next = mover.fraction;
-        mover.partner = kNone;
-        for_each_near(mover, ProxyLayer::dynamic, ProxyLayer::dynamic, [&](std::uint32_t own, std::uint32_t other) {
+        TUMBLE_CHECK(bullet < fast_.size());
+        FastBody& fast = fast_[bullet];
+        fast.next = fast.fraction;
+        fast.partner = kNone;
+        for_each_near(fast, ProxyLayer::dynamic, ProxyLayer::dynamic, [&](std::uint32_t own, std::uint32_t other) {
             const std::uint32_t body = simulation_.shapes[other].body;
-            if (find_mover(body) != kNone) return;
-            add_impact(mover, own, other, sweep_of(simulation_.bodies, body), 1.0, kNone);
+            if (find_index(body) != kNone) return;
+            add_impact(fast, own, other, sweep_of(simulation_.bodies, body), 1.0, kNone);
         });
-        // Other movers may come from outside the box of the bullet's sweep.
-        for (std::size_t i = 0; i < movers_.size(); ++i) {
-            if (i == bullet || !overlaps(mover.box, movers_[i].box)) continue;
-            for (const ShapeId own : simulation_.bodies.records[mover.body].shapes)
-                for (const ShapeId other : simulation_.bodies.records[movers_[i].body].shapes)
+        // Other fast bodies may come from outside the box of the bullet's sweep.
+        for (std::size_t i = 0; i < fast_.size(); ++i) {
+            if (i == bullet || !overlaps(fast.box, fast_[i].box)) continue;
+            for (const ShapeId own : simulation_.bodies.records[fast.body].shapes)
+                for (const ShapeId other : simulation_.bodies.records[fast_[i].body].shapes)
                     if (may_touch(simulation_, make_pair_of(own.index, other.index)))
-                        add_impact(mover, own.index, other.index, movers_[i].sweep, movers_[i].fraction, i);
+                        add_impact(fast, own.index, other.index, fast_[i].sweep, fast_[i].fraction, i);
         }
     }
 
     // Takes the impact of two shapes as the bullet's next one if it is earlier. The other body follows its sweep up to
     // `other_fraction` and rests from then on.
-    void add_impact(Mover& mover, std::uint32_t own, std::uint32_t other, const Sweep& other_sweep,
+    void add_impact(FastBody& fast, std::uint32_t own, std::uint32_t other, const Sweep& other_sweep,
                     double other_fraction, std::size_t partner) {
         const ShapeRecord& shape = simulation_.shapes[own];
         const ShapeRecord& other_shape = simulation_.shapes[other];
-        const double both = std::min(mover.next, other_fraction);
+        const double both = std::min(fast.next, other_fraction);
         const bool pushed = was_pushed(own, other);
         const double together =
-            impact(shape, part_of(mover.sweep, 0.0, both), other_shape, part_of(other_sweep, 0.0, both), pushed);
+            find_stop(shape, part_of(fast.sweep, 0.0, both), other_shape, part_of(other_sweep, 0.0, both), pushed);
         double fraction = together * both;
-        if (together >= 1.0 && both < mover.next) {
-            const double alone = impact(shape, part_of(mover.sweep, both, mover.next), other_shape,
-                                        part_of(other_sweep, both, both), pushed);
-            fraction = both + alone * (mover.next - both);
+        if (together >= 1.0 && both < fast.next) {
+            const double alone = find_stop(shape, part_of(fast.sweep, both, fast.next), other_shape,
+                                           part_of(other_sweep, both, both), pushed);
+            fraction = both + alone * (fast.next - both);
         }
-        if (fraction >= mover.next) return;
+        if (fraction >= fast.next) return;
         TUMBLE_CHECK(!(fraction < 0.0));
-        mover.next = fraction;
-        mover.partner = partner;
-        mover.next_impact = make_pair_of(own, other);
+        fast.next = fraction;
+        fast.partner = partner;
+        fast.next_impact = make_pair_of(own, other);
     }
 
     // Stops the bullet with the first impact of all, and its partner; finds the next impacts of other bullets nearby
     // again. False if no bullet has an impact ahead.
     bool stop_first_bullet() {
         std::size_t first = kNone;
-        for (std::size_t i = 0; i < movers_.size(); ++i)
-            if (movers_[i].next < movers_[i].fraction && (first == kNone || movers_[i].next < movers_[first].next))
-                first = i;
+        for (std::size_t i = 0; i < fast_.size(); ++i)
+            if (fast_[i].next < fast_[i].fraction && (first == kNone || fast_[i].next < fast_[first].next)) first = i;
         if (first == kNone) return false;
-        const std::size_t partner = movers_[first].partner;
-        TUMBLE_CHECK(movers_[first].is_bullet);
-        TUMBLE_CHECK((partner == kNone || partner < movers_.size()));
+        const std::size_t partner = fast_[first].partner;
+        TUMBLE_CHECK(fast_[first].is_bullet);
+        TUMBLE_CHECK((partner == kNone || partner < fast_.size()));
         TUMBLE_CHECK(partner != first);
 
-        const double fraction = movers_[first].next;
-        movers_[first].fraction = fraction;
-        movers_[first].impact = movers_[first].next_impact;
+        const double fraction = fast_[first].next;
+        fast_[first].fraction = fraction;
+        fast_[first].impact = fast_[first].next_impact;
         // The partner may have stopped before.
-        if (partner != kNone && movers_[partner].fraction > fraction) {
-            movers_[partner].fraction = movers_[partner].next = fraction;
-            movers_[partner].impact = movers_[first].impact;
+        if (partner != kNone && fast_[partner].fraction > fraction) {
+            fast_[partner].fraction = fast_[partner].next = fraction;
+            fast_[partner].impact = fast_[first].impact;
         }
-        for (std::size_t i = 0; i < movers_.size(); ++i) {
-            const bool is_near = overlaps(movers_[i].box, movers_[first].box) ||
-                                 (partner != kNone && overlaps(movers_[i].box, movers_[partner].box));
-            if (movers_[i].is_bullet && i != first && i != partner && is_near) find_next(i);
+        for (std::size_t i = 0; i < fast_.size(); ++i) {
+            const bool is_near = overlaps(fast_[i].box, fast_[first].box) ||
+                                 (partner != kNone && overlaps(fast_[i].box, fast_[partner].box));
+            if (fast_[i].is_bullet && i != first && i != partner && is_near) find_next(i);
         }
         return true;
     }
@@ -170,25 +168,24 @@ private:
         return contact && (contact->applied[0].normal > 0.0f || contact->applied[1].normal > 0.0f);
     }
 
-    std::size_t find_mover(std::uint32_t body) const {
-        const auto found = std::lower_bound(movers_.begin(), movers_.end(), body,
-                                            [](const Mover& mover, std::uint32_t key) { return mover.body < key; });
-        return found != movers_.end() && found->body == body ? static_cast<std::size_t>(found - movers_.begin())
-                                                             : kNone;
+    std::size_t find_index(std::uint32_t body) const {
+        const auto found = std::lower_bound(fast_.begin(), fast_.end(), body,
+                                            [](const FastBody& fast, std::uint32_t key) { return fast.body < key; });
+        return found != fast_.end() && found->body == body ? static_cast<std::size_t>(found - fast_.begin()) : kNone;
     }
 
-    void stop(const Mover& mover) {
-        TUMBLE_CHECK(mover.fraction < 1.0);
-        TUMBLE_CHECK(mover.impact.a < mover.impact.b);
-        simulation_.scratch.impacts.push_back(mover.impact);
-        shorten_motion(simulation_.bodies, mover.body, mover.fraction, simulation_.settings.gravity,
+    void stop(const FastBody& fast) {
+        TUMBLE_CHECK(fast.fraction < 1.0);
+        TUMBLE_CHECK(fast.impact.a < fast.impact.b);
+        simulation_.scratch.impacts.push_back(fast.impact);
+        shorten_motion(simulation_.bodies, fast.body, fast.fraction, simulation_.settings.gravity,
                        {simulation_.settings.duration, simulation_.settings.substep_duration()});
     }
 
-    static constexpr std::size_t kNone = Mover::kNone;
+    static constexpr std::size_t kNone = FastBody::kNone;
 
     Simulation& simulation_;
-    std::vector<Mover>& movers_;  // by body index
+    std::vector<FastBody>& fast_;  // by body index
     std::vector<std::uint32_t>& near_ = simulation_.scratch.near_shapes;
 };
 

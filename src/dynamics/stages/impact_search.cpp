@@ -18,11 +18,6 @@ namespace {
 // An angle below an eighth of a turn, over its sine, is at most this.
 constexpr double kAnglePerSine = 1.12;
 
-// How far the farthest point of a body moves in the step, m.
-float displacement(const SolverBody& body, const BodyMotion& motion) {
-    return length(body.delta_position) + std::abs(body.delta_rotation.s) * motion.reach;
-}
-
 // How far the farthest point of a body is from where its free motion would have taken it, m.
 float deviation(const SolverBody& body, const FreeMotion& free, const BodyMotion& motion) {
     const double turn = angle(body.delta_rotation) - static_cast<double>(free.turn);
@@ -31,7 +26,8 @@ float deviation(const SolverBody& body, const FreeMotion& free, const BodyMotion
 
 bool moves_far_in_step(const Simulation& simulation, std::size_t index) {
     const BodyMotion& motion = simulation.bodies.moving[index].motion;
-    return displacement(simulation.bodies.solver_bodies[index], motion) > kContinuousPart * motion.smallest_extent;
+    return displacement_in_step(simulation.bodies.solver_bodies[index], motion) >
+           kContinuousPart * motion.smallest_extent;
 }
 
 // Only the impacts of free motions have become contacts.
@@ -42,20 +38,13 @@ bool leaves_foreseen_motion(const Simulation& simulation, std::size_t index) {
                                            kContinuousPart * motion.smallest_extent;
 }
 
-// How far a point of a body has moved in the step.
-Vec2 shift_of(const BodyStore& bodies, std::uint32_t body, Vec2 anchor) {
-    const SolverBody& moved = bodies.solver_bodies[bodies.frames[body].solver_body];
-    const Vec2 arm = anchor - bodies.frames[body].center_offset;
-    return moved.delta_position + rotate(moved.delta_rotation, arm) - arm;
-}
-
 // True if the solver has left two bodies with an overlap, although their points moved by more than `least` (m) against
 // each other.
 bool is_left_overlapping(const Contact& contact, float least, const BodyStore& bodies) {
     for (int i = 0; i < contact.manifold.point_count; ++i) {
         const ManifoldPoint& point = contact.manifold.points[i];
-        const Vec2 moved =
-            shift_of(bodies, contact.body_b, point.anchor_b) - shift_of(bodies, contact.body_a, point.anchor_a);
+        const Vec2 moved = shift_in_step(bodies, contact.body_b, point.anchor_b) -
+                           shift_in_step(bodies, contact.body_a, point.anchor_a);
         const float separation = point.separation + dot(moved, contact.manifold.normal);
         if (separation < -contact.speculative_distance && length_sq(moved) > least * least) return true;
     }
@@ -102,9 +91,9 @@ public:
     void run() {
         forget_next_impact(simulation_, index_);
         NextImpact& next = scratch_.next[index_];
-        if (mover().has_stopped || !(mover().time < 1.0)) return;
-        if (mover().is_off_course)
-            for (const ShapeId own : simulation_.bodies.records[mover().body].shapes) search(own.index);
+        if (self().has_stopped || !(self().time < 1.0)) return;
+        if (self().is_off_course)
+            for (const ShapeId own : simulation_.bodies.records[self().body].shapes) search(own.index);
         else
             search_bounces();
         if (next.time >= 1.0) return;
@@ -113,11 +102,11 @@ public:
     }
 
 private:
-    const SweptBody& mover() const { return scratch_.swept[index_]; }
+    const SweptBody& self() const { return scratch_.swept[index_]; }
 
     void search(std::uint32_t own) {
         const ShapeRecord& shape = simulation_.shapes[own];
-        const Aabb box = box_of_sweep(shape.shape, mover().sweep);
+        const Aabb box = box_of_sweep(shape.shape, self().sweep);
         std::vector<std::uint32_t>& near = scratch_.near_shapes;
         near.clear();
         simulation_.broad.query(box, [&](std::uint32_t other) { near.push_back(other); });
@@ -133,9 +122,9 @@ private:
 
     // The solver keeps a body that is on its course apart from all others.
     void search_bounces() {
-        for (const BodyContact& contact : contacts_of(simulation_, mover().body)) {
+        for (const BodyContact& contact : contacts_of(simulation_, self().body)) {
             if (!simulation_.contacts.all()[contact.index].is_bouncing) continue;
-            const bool is_first = simulation_.shapes[contact.shapes.a].body == mover().body;
+            const bool is_first = simulation_.shapes[contact.shapes.a].body == self().body;
             const std::uint32_t own = is_first ? contact.shapes.a : contact.shapes.b;
             const std::uint32_t other = is_first ? contact.shapes.b : contact.shapes.a;
             const std::uint32_t partner = find_swept(simulation_, simulation_.shapes[other].body);
@@ -145,9 +134,9 @@ private:
 
     // The discs around the two bodies meet.
     bool comes_near(const SweptBody& other) const {
-        const double from = std::max(mover().time, other.time);
-        const Sweep a = mover().sweep_from(from), b = other.sweep_from(from);
-        const double distance = static_cast<double>(reach(mover().body)) + static_cast<double>(reach(other.body));
+        const double from = std::max(self().time, other.time);
+        const Sweep a = self().sweep_from(from), b = other.sweep_from(from);
+        const double distance = static_cast<double>(reach(self().body)) + static_cast<double>(reach(other.body));
         return come_near(b.start - a.start, (b.end - b.start) - (a.end - a.start), distance);
     }
     float reach(std::uint32_t body) const { return simulation_.bodies.records[body].motion.reach; }
@@ -156,15 +145,15 @@ private:
     void consider(std::uint32_t own, std::uint32_t other, const SweptBody* partner) {
         const ProxyPair pair = make_pair_of(own, other);
         if (is_sensor(own) != is_sensor(other)) {
-            if (mover().impact_count == 0) simulation_.scratch.sensor_crossings.push_back(pair);
+            if (self().impact_count == 0) simulation_.scratch.sensor_crossings.push_back(pair);
             return;
         }
-        const double from = partner ? std::max(mover().time, partner->time) : mover().time;
-        const MotionAhead own_motion = motion_ahead(mover(), from);
+        const double from = partner ? std::max(self().time, partner->time) : self().time;
+        const MotionAhead own_motion = motion_ahead(self(), from);
         const MotionAhead motion = partner ? motion_ahead(*partner, from) : motion_ahead(shape(other).body, from);
         const DVec2 path = motion.path - own_motion.path;
         if (!come_near(motion.center - own_motion.center, path, reach_of(own) + reach_of(other))) return;
-        const Contact* const contact = find_contact(simulation_, mover().body, pair);
+        const Contact* const contact = find_contact(simulation_, self().body, pair);
         const bool bounces = contact && contact->is_bouncing;
         if (!bounces && !move_far(own, other, length(path) + own_motion.arc + motion.arc)) return;
         if (!may_have_impact(pair)) return;
@@ -177,7 +166,7 @@ private:
         double time = from + impact.fraction * (1.0 - from);
         time = std::max(from, time + delay(time, (1.0 / (1.0 - from)) * path, impact.normal, partner));
         if (own == pair.a) impact.normal = -impact.normal;
-        if (impact.touched && mover().impact_count > 0) time = std::max(time, from + rest_after_impact(a, b, path));
+        if (impact.touched && self().impact_count > 0) time = std::max(time, from + rest_after_impact(a, b, path));
         if (time < 1.0) take(time, pair, partner, impact);
     }
 
@@ -187,7 +176,7 @@ private:
     // of the other body along its chord, `normal` points from it to the moving one. In parts of the step.
     double delay(double time, DVec2 speed, DVec2 normal, const SweptBody* partner) const {
         const double duration = static_cast<double>(simulation_.settings.duration), approach = dot(speed, normal);
-        const DVec2 bulge = mover().bulge(time, duration) - (partner ? partner->bulge(time, duration) : DVec2{});
+        const DVec2 bulge = self().bulge(time, duration) - (partner ? partner->bulge(time, duration) : DVec2{});
         const double gap = dot(bulge, normal);
         return std::abs(gap) < approach * kLongestDelay ? gap / approach : 0.0;
     }
@@ -197,8 +186,8 @@ private:
     // has few of them. Two segments have no thickness to sink in by: they are left alone for the longest time.
     double rest_after_impact(const Side& a, const Side& b, DVec2 path) const {
         const double moved = length(path) + std::abs(a.sweep.turn) * a.reach + std::abs(b.sweep.turn) * b.reach;
-        const double ahead = 1.0 - mover().time;
-        const double sink = static_cast<double>(inset(a, b)) * (1 << std::min(mover().impact_count / 4, 16));
+        const double ahead = 1.0 - self().time;
+        const double sink = static_cast<double>(inset(a, b)) * (1 << std::min(self().impact_count / 4, 16));
         return moved > 0.0 && sink > 0.0 ? std::min(kLongestRest, ahead * sink / moved) : kLongestRest;
     }
 
@@ -271,7 +260,7 @@ private:
     std::uint32_t index_;
 };
 
-bool has_far_mover(const Simulation& simulation, const Contact& contact) {
+bool has_far_body(const Simulation& simulation, const Contact& contact) {
     const BodyStore& bodies = simulation.bodies;
     return moves_far_in_step(simulation, bodies.frames[contact.body_a].solver_body) ||
            moves_far_in_step(simulation, bodies.frames[contact.body_b].solver_body);
@@ -279,11 +268,11 @@ bool has_far_mover(const Simulation& simulation, const Contact& contact) {
 
 // A body in free flight is not swept. Its boxes cover its path, so that it has a contact with each sensor near that.
 bool may_cross_sensor(const Simulation& simulation, const Contact& contact) {
-    return simulation.settings.continuous && contact.kind != ContactKind::solid && has_far_mover(simulation, contact);
+    return simulation.settings.continuous && contact.kind != ContactKind::solid && has_far_body(simulation, contact);
 }
 
 bool overlaps_at_speed(const Simulation& simulation, const Contact& contact) {
-    if (!simulation.settings.continuous || contact.manifold.point_count == 0 || !has_far_mover(simulation, contact))
+    if (!simulation.settings.continuous || contact.manifold.point_count == 0 || !has_far_body(simulation, contact))
         return false;
     const float least = least_displacement(simulation, contact.shapes.a, contact.shapes.b);
     return is_left_overlapping(contact, least, simulation.bodies);

@@ -27,16 +27,42 @@ bool update_still_times(BodyStore& bodies, const StepSettings& settings) {
     return any_is_ready;
 }
 
-// For two bodies that touch or are joined: dynamic ones share an island, and a moving kinematic one keeps the other's
-// island awake.
+// For two bodies that touch or are joined: dynamic ones share an island, a body at rest holds the other's island, and a
+// moving kinematic one keeps it awake.
 void connect(IslandFinder& islands, const BodyStore& bodies, std::uint32_t body_a, std::uint32_t body_b) {
-    if (!bodies.is_active(body_a) || !bodies.is_active(body_b)) return;
     const std::uint32_t a = bodies.frames[body_a].solver_body, b = bodies.frames[body_b].solver_body;
-    if (bodies.is_dynamic(body_a) && bodies.is_dynamic(body_b)) {
+    if (!bodies.is_active(body_a) || !bodies.is_active(body_b)) {
+        islands.hold(a);
+        islands.hold(b);
+    } else if (bodies.is_dynamic(body_a) && bodies.is_dynamic(body_b)) {
         islands.join(a, b);
     } else {
         islands.keep_awake(a);
         islands.keep_awake(b);
+    }
+}
+
+// True if the body moves and nothing slows it down but what touches it.
+bool drifts(const SolverBody& body, const MovingBody& moving, float sleep_speed) {
+    const BodyMotion& motion = moving.motion;
+    const float path = motion.linear_damping > 0.0f ? 0.0f : length(body.velocity);
+    const float turn = motion.angular_damping > 0.0f ? 0.0f : std::abs(body.angular_velocity);
+    return path + turn * motion.reach > kDriftPart * sleep_speed;
+}
+
+// Keeps the islands awake that move through free space. They count their still time again, so that islands are not
+// searched for in each step.
+void keep_drifting_awake(Simulation& simulation) {
+    BodyStore& bodies = simulation.bodies;
+    IslandFinder& islands = simulation.scratch.islands;
+    for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
+        if (islands.is_held(i)) islands.hold(islands.root(i));
+    for (std::uint32_t i = 1; i < bodies.moving.size(); ++i) {
+        const SolverBody& body = bodies.solver_bodies[i];
+        if (!(body.flags & kDynamicBody) || islands.is_held(islands.root(i))) continue;
+        if (!drifts(body, bodies.moving[i], simulation.settings.tuning.sleep_speed)) continue;
+        islands.keep_awake(islands.root(i));
+        bodies.moving[i].still_time = 0.0f;
     }
 }
 
@@ -118,6 +144,7 @@ void fall_asleep(Simulation& simulation) {
     BodyStore& bodies = simulation.bodies;
     if (!simulation.settings.sleeping || !update_still_times(bodies, simulation.settings)) return;
     find_islands(simulation);
+    keep_drifting_awake(simulation);
     IslandFinder& islands = simulation.scratch.islands;
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
         if (bodies.moving[i].still_time < simulation.settings.tuning.time_to_sleep || islands.is_kept_awake(i))

@@ -27,4 +27,11 @@ PairImpact find_impact(const ShapeRecord& moving, const Sweep& sweep, const Shap
 PairImpact find_bounce(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other,
                        const Sweep& other_sweep, float inset);
 
+// The fraction of the sweep that the moving shape may make, 0 to 1. A shape that is apart stops when the surfaces
+// touch. A shape that touches already, or `was_pushed` apart by the solver in this step, may sink in as far as its
+// core. A shape whose core overlaps already stops at once (0) if a smaller core would sink in; a shape that overlaps
+// with its middle is left to the solver (1), as is one that starts behind a one-sided segment.
+double find_stop(const ShapeRecord& moving, const Sweep& sweep, const ShapeRecord& other, const Sweep& other_sweep,
+                 bool was_pushed);
+
 }  // namespace tumble

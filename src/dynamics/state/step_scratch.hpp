@@ -11,8 +11,7 @@
 #include "dynamics/contacts/contact.hpp"
 #include "dynamics/contacts/contact_solver.hpp"
 #include "dynamics/direct/joint_system.hpp"
-#include "dynamics/impacts/impact_group.hpp"
-#include "dynamics/impacts/swept_body.hpp"
+#include "dynamics/state/impact_scratch.hpp"
 #include "dynamics/state/island_finder.hpp"
 #include "tasks/chunk_lists.hpp"
 #include "tumble/cast.hpp"
@@ -36,8 +35,8 @@ struct GroundContact {
     friend constexpr auto operator<=>(GroundContact, GroundContact) = default;
 };
 
-// A body that moves fast enough in this step to be swept.
-struct Mover {
+// A body that moves far in this step, with ImpactModel::at_step_end.
+struct FastBody {
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
     std::uint32_t body = 0;  // index
@@ -45,7 +44,7 @@ struct Mover {
     Aabb box;                     // covers its shapes during the whole sweep, world
     double fraction = 1.0;        // of the sweep that the body makes
     double next = 1.0;            // of a bullet: the fraction of the first impact ahead, or `fraction`
-    std::size_t partner = kNone;  // the other body of that impact, if it is a mover: its index among them
+    std::size_t partner = kNone;  // the other body of that impact, if it is a fast one: its index among them
     ProxyPair impact{};           // the shapes whose impact stops it, if `fraction` is below 1
     ProxyPair next_impact{};      // the shapes of the impact at `next`
     bool is_bullet = false;
@@ -87,89 +86,6 @@ struct StartVelocity {
     float angular = 0.0f;  // rad/s
 };
 
-// In place of the index of a swept body.
-inline constexpr std::uint32_t kNotSwept = 0xffffffffu;
-
-// The first impact ahead of a swept body.
-struct NextImpact {
-    double time = 1.0;          // fraction of the step; 1 if there is none
-    ProxyPair shapes{};         // whose impact it is
-    DVec2 point;                // where they touch, world, m
-    DVec2 normal;               // unit, from the first shape of the pair to the second; zero if not known
-    int partner_impacts = 0;    // how many the other body had had
-    std::uint32_t version = 0;  // counts the searches: an entry of the queue with another version is out of date
-};
-
-struct QueuedImpact {
-    double time = 0.0;
-    ProxyPair shapes{};
-    std::uint32_t swept = 0;  // index among the swept bodies
-    std::uint32_t version = 0;
-
-    friend constexpr auto operator<=>(const QueuedImpact&, const QueuedImpact&) = default;
-};
-
-// An impact that has happened in this step, for events and for what contacts report.
-struct Impact {
-    ProxyPair shapes{};
-    Approach approach;
-    Manifold manifold;  // of the points that took part
-    PointImpulse applied[2];
-    int previous_of_a = -1, previous_of_b = -1;  // the impact before this one of the body of each shape; -1 for none
-    bool is_reported = false;
-};
-
-// Where a point of an impact group comes from.
-struct GroupPoint {
-    ProxyPair shapes{};
-    int manifold_point = 0;  // index in the manifold of the impact, or of the contact
-    int impact = -1;         // index; -1 if the contact has taken part
-};
-
-// A contact through which a body lands that carries others.
-struct Landing {
-    double speed = 0.0;         // m/s
-    std::uint32_t contact = 0;  // index
-
-    friend constexpr auto operator<=>(const Landing&, const Landing&) = default;
-};
-
-// What decides which contacts bounce.
-struct BounceScratch {
-    bool has_candidates = false;              // some contact is marked as one that may bounce
-    std::vector<std::uint32_t> touch_counts;  // by solver body: its contacts that have points
-    std::vector<Landing> landings;
-};
-
-// A contact in the list of one of its bodies.
-struct BodyContact {
-    ProxyPair shapes{};
-    std::uint32_t index = 0;
-};
-
-struct ContactLists {
-    std::vector<std::uint32_t> first;  // by solver body: its range in `contacts`; empty if there are no lists yet
-    std::vector<BodyContact> contacts;
-};
-
-// What continuous collision works on.
-struct ImpactScratch {
-    std::vector<SweptBody> swept;
-    std::vector<NextImpact> next;            // by swept body
-    std::vector<AabbTree::Node> leaves;      // by swept body, in the tree
-    std::vector<std::uint32_t> swept_of;     // by solver body: index of a swept body, or kNotSwept
-    AabbTree tree;                           // boxes of the motions ahead
-    std::vector<QueuedImpact> queue;         // a heap, the earliest on top
-    std::vector<std::uint32_t> near_shapes;  // indices
-    ImpactGroup group;
-    std::vector<std::uint32_t> members;  // by body of the group: index of a swept body, or kNotSwept
-    std::vector<SinCos> member_turns;    // by body of the group: how far it has turned since the step began
-    std::vector<GroupPoint> group_points;
-    ContactLists contact_lists;
-    BounceScratch bounces;
-    std::vector<Impact> impacts;
-};
-
 // What the chunks of a stage find. The stages use it one after the other.
 struct ChunkScratch {
     ChunkLists<std::uint32_t> found;       // indices of contacts
@@ -203,7 +119,7 @@ struct StepScratch {
 
     // Continuous collision.
     std::vector<FreeMotion> free_motions;         // by solver body, of those awake when the step began
-    std::vector<Mover> movers;                    // by body index
+    std::vector<FastBody> fast_bodies;            // by body index
     std::vector<std::uint32_t> near_shapes;       // indices
     std::vector<ProxyPair> impacts;               // pairs whose impact stopped a body in this step, sorted
     std::vector<StartVelocity> start_velocities;  // by solver body, if impacts are in order

@@ -1,0 +1,179 @@
+#include "dynamics/stages/immovable_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "debug/check.hpp"
+#include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/stages/shape_core.hpp"
+#include "dynamics/stages/swept_bodies.hpp"
+#include "dynamics/state/collision_rules.hpp"
+#include "tumble/chain_manifold.hpp"
+#include "tumble/distance.hpp"
+
+namespace tumble {
+
+namespace {
+
+// The core that bounds a shape's motion, as a part of its thickness.
+constexpr float kBoundCore = 0.5f;
+
+// A core that overlaps already gives way to the largest one that is out, found to this part of the shape's thickness.
+// Larger: a body that is pressed into the ground creeps in.
+constexpr double kCoreTolerance = 1e-4;
+constexpr int kMaxTries = 8;
+
+// A body that moves, or has sunk in, by less than this part of its smallest extent needs no bound in this step.
+constexpr float kBoundPart = 0.25f;
+
+// A body that stops at one shape may be taken by another one: at most so often, and then it stays where it is.
+constexpr int kMaxStops = 4;
+
+class MotionBound {
+public:
+    MotionBound(Simulation& simulation, std::uint32_t body)
+        : simulation_(simulation),
+          body_(body),
+          moved_(simulation.bodies.solver_bodies[simulation.bodies.frames[body].solver_body]) {
+        TUMBLE_CHECK(simulation.bodies.is_dynamic(body));
+        TUMBLE_CHECK(simulation.bodies.frames[body].solver_body != kStaticSolverBody);
+    }
+
+    void run() {
+        for (int stops = 0; stops < kMaxStops; ++stops) {
+            sweep_ = sweep_of(simulation_.bodies, body_);
+            first_ = {};
+            for (const ShapeId own : simulation_.bodies.records[body_].shapes) search(own.index);
+            if (!(first_.fraction < 1.0)) return;
+            stop(stops + 1 == kMaxStops);
+        }
+    }
+
+private:
+    struct Stop {
+        double fraction = 1.0;
+        DVec2 point, normal;      // world; the normal is unit, from the immovable shape
+        std::uint32_t other = 0;  // that shape
+    };
+
+    void search(std::uint32_t own) {
+        const ShapeRecord& shape = simulation_.shapes[own];
+        std::vector<std::uint32_t>& near = simulation_.scratch.near_shapes;
+        near.clear();
+        simulation_.broad.query(
+            box_of_sweep(shape.shape, sweep_), [&](std::uint32_t other) { near.push_back(other); }, ProxyLayer::fixed,
+            ProxyLayer::kinematic);
+        for (const std::uint32_t other : near) {
+            const ProxyPair pair = make_pair_of(own, other);
+            if (may_touch(simulation_, pair) && !crosses_chain(simulation_.chain_contacts(), pair)) meet(shape, other);
+        }
+    }
+
+    // Takes the first contact of a core with another shape if it is earlier; of two at one time, that of the lower one.
+    void meet(const ShapeRecord& shape, std::uint32_t other) {
+        const ShapeRecord& immovable = simulation_.shapes[other];
+        const Sweep sweep = sweep_of(simulation_.bodies, immovable.body);
+        if (immovable.link &&
+            is_behind(immovable.shape, *immovable.link, pose_at(sweep, 0.0), shape.shape, pose_at(sweep_, 0.0)))
+            return;
+        CastResult hit = time_of_impact(immovable.shape, sweep, core_of(shape, kBoundCore), sweep_);
+        if (hit.status == CastStatus::overlapping)
+            hit = time_of_impact(immovable.shape, sweep, core_of(shape, part_outside(shape, immovable, sweep)), sweep_);
+        take(hit, other);
+    }
+
+    // The part of the largest core of the shape that is out of the other one when the step begins, by regula falsi; 0
+    // if there is none.
+    float part_outside(const ShapeRecord& shape, const ShapeRecord& immovable, const Sweep& sweep) const {
+        const Pose pose = pose_at(sweep_, 0.0), other_pose = pose_at(sweep, 0.0);
+        const auto separation = [&](float part) {
+            return distance(immovable.shape, other_pose, core_of(shape, part), pose).distance;
+        };
+        float out = 0.0f, in = kBoundCore;
+        double gap = separation(out), depth = -separation(in);
+        const double tolerance = kCoreTolerance * static_cast<double>(shape.smaller_extent);
+        for (int tries = 0; tries < kMaxTries && gap > tolerance && depth > 0.0; ++tries) {
+            const float part = out + static_cast<float>((gap - 0.5 * tolerance) / (gap + depth)) * (in - out);
+            const double found = separation(part);
+            if (found > 0.0) {
+                out = part;
+                gap = found;
+            } else {
+                in = part;
+                depth = -found;
+            }
+        }
+        return out;
+    }
+
+    void take(const CastResult& hit, std::uint32_t other) {
+        if (hit.status == CastStatus::hit && std::tie(hit.fraction, other) < std::tie(first_.fraction, first_.other))
+            first_ = {hit.fraction, hit.point, hit.normal, other};
+    }
+
+    // The body stays where it stops, but is taken along the normal by a kinematic body.
+    void stop(bool is_last) {
+        TUMBLE_CHECK(first_.fraction >= 0.0);
+        TUMBLE_CHECK(first_.fraction < 1.0);
+        const double ahead = 1.0 - first_.fraction;
+        const DVec2 taken =
+            is_last ? DVec2{} : std::max(ahead * dot(surface_path(), first_.normal), 0.0) * first_.normal;
+        const DVec2 path = first_.fraction * (sweep_.end - sweep_.start) + taken;
+        moved_.delta_position = allowed(moved_.flags, to_float(path));
+        moved_.delta_rotation = make_rotation(first_.fraction * sweep_.turn);
+        const double duration = static_cast<double>(simulation_.settings.duration);
+        const double speed = dot(DVec2(moved_.velocity) - (1.0 / duration) * surface_path(), first_.normal);
+        if (speed < 0.0) moved_.velocity -= allowed(moved_.flags, to_float(speed * first_.normal));
+    }
+
+    // Of the immovable shape's point in the whole step, m.
+    DVec2 surface_path() const {
+        const Sweep sweep = sweep_of(simulation_.bodies, simulation_.shapes[first_.other].body);
+        return (sweep.end - sweep.start) + sweep.turn * perp(first_.point - sweep.start);
+    }
+
+    Simulation& simulation_;
+    std::uint32_t body_;
+    SolverBody& moved_;
+    Sweep sweep_;
+    Stop first_;
+};
+
+// The dynamic body of a contact with an immovable one into which it has sunk; none if there is no such.
+std::optional<std::uint32_t> find_sunk(const Simulation& simulation, const Contact& contact) {
+    const BodyStore& bodies = simulation.bodies;
+    if (contact.kind != ContactKind::solid || contact.manifold.point_count == 0) return {};
+    if (bodies.is_dynamic(contact.body_a) == bodies.is_dynamic(contact.body_b)) return {};
+    const bool a_is_dynamic = bodies.is_dynamic(contact.body_a);
+    const ShapeRecord& shape = simulation.shapes[a_is_dynamic ? contact.shapes.a : contact.shapes.b];
+    for (int i = 0; i < contact.manifold.point_count; ++i) {
+        const ManifoldPoint& point = contact.manifold.points[i];
+        const Vec2 moved = shift_in_step(bodies, contact.body_b, point.anchor_b) -
+                           shift_in_step(bodies, contact.body_a, point.anchor_a);
+        if (point.separation + dot(moved, contact.manifold.normal) < -kBoundPart * shape.smaller_extent)
+            return shape.body;
+    }
+    return {};
+}
+
+}  // namespace
+
+void keep_out_of_immovable(Simulation& simulation) {
+    if (!simulation.settings.continuous) return;
+    const BodyStore& bodies = simulation.bodies;
+    for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
+        const BodyMotion& motion = bodies.moving[i].motion;
+        const SolverBody& body = bodies.solver_bodies[i];
+        if (!(body.flags & kDynamicBody)) continue;
+        if (displacement_in_step(body, motion) > kBoundPart * motion.smallest_extent)
+            MotionBound(simulation, bodies.moving[i].body).run();
+    }
+    for (const Contact& contact : simulation.contacts.all()) {
+        const std::optional<std::uint32_t> sunk = find_sunk(simulation, contact);
+        if (sunk && !bodies.is_asleep(*sunk)) MotionBound(simulation, *sunk).run();
+    }
+}
+
+}  // namespace tumble
