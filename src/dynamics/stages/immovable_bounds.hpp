@@ -1,4 +1,4 @@
-// The last bound of motion: no body gets through a static or kinematic one.
+// The last bound of motion: static and kinematic shapes.
 #pragma once
 
 #include "dynamics/state/simulation.hpp"
