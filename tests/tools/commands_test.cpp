@@ -29,9 +29,9 @@ TEST_CASE("without arguments seven lines show the usage and a command to copy") 
 TEST_CASE("TUMBLE_SIMD chooses the instruction set, and a set that is not there ends with exit code 2") {
     const json version = json::parse(run_tumble({"--version", "--json"}).out);
     const auto run_with = [](const std::string& set) {
-        std::vector<std::string> command = tumble_command({"--version", "--json"});
+        std::vector<std::string> command = tumble::test::tumble_command({"--version", "--json"});
         command.insert(command.begin(), {"env", "TUMBLE_SIMD=" + set});
-        return run(command);
+        return tumble::test::run(command);
     };
     REQUIRE(version["instruction_sets"].size() >= 1);
     for (const std::string set : version["instruction_sets"]) {
