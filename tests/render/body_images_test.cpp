@@ -46,15 +46,19 @@ struct Pictures {
 };
 
 // 80 by 80 pixels, 10 for a metre, with the origin in the middle.
-Image frame_of(const fs::path& file) {
+Image frame_of(const fs::path& file, Renderer& renderer) {
     const Scene scene = load_scene(file);
     SceneRun run(scene);
     Overlay plain;
     plain.title = plain.time = plain.scale_bar = plain.grid = false;
-    Renderer renderer(80, 80);
     Image image;
     renderer.draw(scene, run.built(), make_camera(scene, run.built(), 1.0), 0.0, image, plain);
     return image;
+}
+
+Image frame_of(const fs::path& file) {
+    Renderer renderer(80, 80);
+    return frame_of(file, renderer);
 }
 
 constexpr Color kRed{255, 0, 0}, kGreen{0, 255, 0}, kBlue{0, 0, 255};
@@ -119,6 +123,33 @@ TEST_CASE("a missing file leaves the outline of its image; one that is damaged, 
     LoadOptions allowed;
     allowed.allow_outside = true;
     CHECK(load_scene(outside, allowed).bodies.at(0).images.at(0).path == pictures.folder / "outside.png");
+}
+
+TEST_CASE("a renderer refuses a damaged image each time, and draws it once it is mended") {
+    const Pictures pictures;
+    std::ofstream(pictures.folder / "in/damaged.png") << "no picture";
+    const fs::path file = pictures.scene(R"({"file": "damaged.png", "height": 2})");
+    Renderer renderer(80, 80);
+    CHECK_THROWS_AS(frame_of(file, renderer), PictureError);
+    CHECK_THROWS_AS(frame_of(file, renderer), PictureError);
+    write_png({1, 1, {0, 0, 255, 255}}, pictures.folder / "in/damaged.png");
+    CHECK(near(pixel(frame_of(file, renderer), 40, 40), kBlue));
+}
+
+TEST_CASE("a renderer draws any number of scenes whose images have at most 64 million pixels each") {
+    const Pictures pictures;
+    // 8192 by 4096 pixels are 33.6 million: two such images are too many for a scene.
+    Image large{kLargestFrame, kLargestFrame / 2,
+                std::vector<std::uint8_t>(std::size_t{2} * kLargestFrame * kLargestFrame)};
+    for (std::size_t i = 0; i < large.rgba.size(); i += 4) large.rgba[i] = large.rgba[i + 3] = 255;
+    for (const char* const name : {"in/first.png", "in/second.png"}) write_png(large, pictures.folder / name);
+    const std::string first = R"({"file": "first.png", "height": 4})",
+                      second = R"({"file": "second.png", "height": 4})";
+    Renderer renderer(80, 80);
+    for (const std::string& images : {first, second + ", " + second})
+        CHECK(near(pixel(frame_of(pictures.scene(images), renderer), 40, 40), kRed));
+    CHECK_THROWS_WITH_AS(frame_of(pictures.scene(first + ", " + second), renderer),
+                         doctest::Contains("more than 64 million pixels"), PictureError);
 }
 
 TEST_CASE("images have no effect on the simulation, and a part keeps those of its own folder") {

@@ -72,6 +72,12 @@ TEST_CASE("a PNG file decodes to the image") {
     CHECK(file_count(folder.path) == 1);  // the last replaced those before, and no temporary file is left
 }
 
+TEST_CASE("data that decompress to far more than the pixels of a picture are an error") {
+    // One pixel, with 8 MiB of zeros for its four bytes.
+    CHECK_THROWS_AS(read_png(std::filesystem::path(TUMBLE_SOURCE_DIR) / "tests/fuzz/seeds/picture_bomb.png"),
+                    PictureError);
+}
+
 TEST_CASE("the same image gives the same bytes") {
     const TemporaryFolder folder;
     const Image image = test_image(200, 100);

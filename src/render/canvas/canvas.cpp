@@ -190,21 +190,26 @@ void Canvas::draw_images(const std::vector<ImageInstance>& images) {
 }
 
 GLuint Canvas::texture_of(const Image& image) {
-    const auto [entry, is_new] = textures_.try_emplace(&image, 0);
-    if (!is_new) return entry->second;
+    if (const auto known = textures_.find(&image); known != textures_.end()) return known->second;
     std::vector<std::uint8_t> texels = image.rgba;
     for (std::size_t i = 0; i + 3 < texels.size(); i += 4)
         for (std::size_t channel = i; channel < i + 3; ++channel)
             texels[channel] = static_cast<std::uint8_t>((texels[channel] * texels[i + 3] + 127) / 255);
-    gl_.GenTextures(1, &entry->second);
-    gl_.BindTexture(GL_TEXTURE_2D, entry->second);
+    GLuint texture = 0;
+    gl_.GenTextures(1, &texture);
+    gl_.BindTexture(GL_TEXTURE_2D, texture);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
     gl_.GenerateMipmap(GL_TEXTURE_2D);
-    return entry->second;
+    return textures_.emplace(&image, texture).first->second;
+}
+
+void Canvas::forget_images() {
+    for (const auto& [image, texture] : textures_) gl_.DeleteTextures(1, &texture);
+    textures_.clear();
 }
 
 void Canvas::update_atlas(const GlyphAtlas& atlas) {

@@ -27,6 +27,9 @@ public:
     // Draws the layers in order, each over those before, into `image`, which is resized to the canvas.
     void draw(Color background, std::span<const Layer* const> layers, const GlyphAtlas& atlas, Image& image);
 
+    // Deletes the textures of images. To be called before an image that was drawn is destroyed or changed.
+    void forget_images();
+
     // What OpenGL says of itself.
     std::string version() const { return text_of(GL_VERSION); }
     std::string renderer() const { return text_of(GL_RENDERER); }

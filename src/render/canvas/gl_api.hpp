@@ -22,6 +22,7 @@ namespace tumble::render {
     X(CreateProgram, PFNGLCREATEPROGRAMPROC)                     \
     X(CreateShader, PFNGLCREATESHADERPROC)                       \
     X(DeleteShader, PFNGLDELETESHADERPROC)                       \
+    X(DeleteTextures, PFNGLDELETETEXTURESPROC)                   \
     X(Disable, PFNGLDISABLEPROC)                                 \
     X(DrawArrays, PFNGLDRAWARRAYSPROC)                           \
     X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)         \

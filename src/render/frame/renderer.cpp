@@ -53,6 +53,10 @@ void Renderer::draw(const Scene& scene, const SceneWorld& world, const Camera& c
                     const Overlay& overlay, const Marking& marking) {
     const render::View view = render::checked_view(camera, impl_->width, impl_->height);
     render::build_draw_list(impl_->list, scene, world, view, marking.trails);
+    if (impl_->images.pixels() > render::ImageFiles::kMostPixels) {  // of scenes that were drawn before, too
+        impl_->canvas.forget_images();
+        impl_->images.clear();
+    }
     render::add_body_images(impl_->list, view, scene, world, impl_->images);
     impl_->finish(view, world.world, {scene.name, time, marking.caption, {}}, image, overlay, marking);
 }

@@ -39,12 +39,13 @@ void PipeCopy::copy(int exit) {
     try {
         for (ssize_t size = 1; size != 0;) {
             size = ::read(exit, block.data(), block.size());
-            if (size < 0 && errno != EINTR) break;
+            if (size < 0 && errno != EINTR)
+                throw FileError(file_.path(), "cannot read a pipe: " + std::generic_category().message(errno));
             if (size <= 0) continue;
             file_.write(std::string_view(block.data(), static_cast<std::size_t>(size)));
             file_.save_so_far();
         }
-    } catch (const FileError&) {
+    } catch (...) {
         error_ = std::current_exception();
     }
     ::close(exit);
