@@ -168,6 +168,7 @@ TEST_CASE("features that are not carried over are noted once, with a count") {
         {"gear joints of ratio 0, left out", 1},
         {"joints of the unknown type \"spaghetti\", left out", 1},
         {"tints of images", 1},
+        {"stretched images without corners, shown in the proportions of their files", 1},
         {"images without a file or a size, left out", 1},
         {"images that are not PNG files, left out", 1},
     };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <set>
 #include <string>
 
 #include "scene/model/degrees.hpp"
@@ -14,12 +13,16 @@ namespace {
 
 // The corners are lower left, lower right, upper right and upper left, without the flip. An export without them has the
 // proportions of the file.
-void read_size(RubeObject& json, SceneImage& image) {
+void read_size(RubeObject& json, SceneImage& image, const std::string& owner, RubeNotes& notes) {
     image.height = json.number("scale", 1.0);
-    json.skip({"aspectScale"});
-    if (!json.has("corners")) return;
-    const std::vector<DVec2> corners = json.points("corners");
-    if (corners.size() != 4) return;
+    const double stretch = json.number("aspectScale", 1.0);
+    std::vector<DVec2> corners;
+    if (json.has("corners")) corners = json.points("corners");
+    if (corners.size() != 4) {
+        if (stretch != 1.0)
+            notes.add_of(owner, "stretched images without corners, shown in the proportions of their files");
+        return;
+    }
     image.width = length(corners[1] - corners[0]);
     image.height = length(corners[3] - corners[0]);
 }
@@ -42,7 +45,7 @@ std::vector<RubeImage> read_rube_images(std::vector<RubeObject> list, std::size_
         read.image.file = json.text("file");
         std::ranges::replace(read.image.file, '\\', '/');  // of an editor on Windows
         const std::string owner = "'" + read.image.file + "'";
-        if (json.number("body") >= 0.0) {
+        if (json.number("body", -1.0) >= 0.0) {
             const int index = json.index("body", body_count, "bodies");
             if (index < 0) continue;
             read.body = static_cast<std::size_t>(index);
@@ -51,7 +54,7 @@ std::vector<RubeImage> read_rube_images(std::vector<RubeObject> list, std::size_
         read.image.angle = json.number("angle") * kDegrees;
         read.image.opacity = std::clamp(json.number("opacity", 1.0), 0.0, 1.0);
         read.image.flip = json.flag("flip");
-        read_size(json, read.image);
+        read_size(json, read.image, owner, notes);
         const double order = json.number("renderOrder");
         if (json.has("colorTint")) notes.add_of(owner, "tints of images");
         if (json.has("customProperties")) notes.add_of(owner, "custom properties of images");
@@ -69,9 +72,11 @@ std::vector<RubeImage> read_rube_images(std::vector<RubeObject> list, std::size_
         all.push_back(std::move(read));
         orders.push_back(order);
     }
-    const std::set<double> ranks(orders.begin(), orders.end());
+    std::vector<double> ranks = orders;
+    std::ranges::sort(ranks);
+    ranks.erase(std::ranges::unique(ranks).begin(), ranks.end());
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto rank = static_cast<int>(std::distance(ranks.begin(), ranks.find(orders[i])));
+        const auto rank = static_cast<int>(std::ranges::lower_bound(ranks, orders[i]) - ranks.begin());
         all[i].image.order = all[i].body ? rank : rank - static_cast<int>(ranks.size());
     }
     return all;

@@ -115,7 +115,7 @@ b2Joint* add_gear(b2Joint* first, b2Joint* second, b2World& world) {
 
 // Whether the importer has added a static body, the last one, for the images of the world.
 bool has_backdrop(const Json& document, const Scene& imported) {
-    const auto is_of_world = [](const Json& image) { return number(image, "body") < 0.0f; };
+    const auto is_of_world = [](const Json& image) { return number(image, "body", -1.0f) < 0.0f; };
     return std::ranges::any_of(document.value("image", Json::array()), is_of_world) && !imported.bodies.empty() &&
            imported.bodies.back().shapes.empty() && imported.bodies.back().type == BodyType::static_body;
 }
