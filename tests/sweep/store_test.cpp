@@ -164,6 +164,8 @@ TEST_CASE("a manifest from elsewhere names files of its own folder only, and pos
     for (const char* const wrong :
          {R"({"plan":"1","runs":25,"shard_runs":0,"version":"1","columns":"run\n"})",
           R"({"plan":"1","runs":0,"shard_runs":1,"version":"1","columns":"run\n"})",
+          R"({"plan":"1","runs":9007199254740993,"shard_runs":1,"version":"1","columns":"run\n"})",  // 2^53 + 1
+          R"({"plan":"1","runs":1,"shard_runs":9007199254740993,"version":"1","columns":"run\n"})",
           R"({"plan":"1","runs":1,"shard_runs":1,"version":"1","columns":"","plan_file":"../a"})"}) {
         write(manifest_file(folder.path), wrong);
         CHECK_THROWS_AS(read_manifest(folder.path), tumble::FileError);

@@ -58,10 +58,7 @@ ExitCode sweep(const Command& command, SweepArguments options) {
     catch_interrupts();
     std::vector<Diagnostic> warnings;
     const sweep::Plan plan = read_plan_input(options.plan, options.runs, options.allow_outside, &warnings);
-    for (Diagnostic& warning : warnings) {
-        warning.code.clear();  // codes are about scenes
-        narrate(to_string(warning) + "\n");
-    }
+    narrate_warnings(std::move(warnings));
     if (options.dry_run) return print_estimate(command, plan, options.work.jobs);
     const SweepReport report = run_sweep(plan, options.work);
     write_output(command.json ? to_json(report) : to_text(plan, report));

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tools/cli/console.hpp"
 #include "tools/cli/output_path.hpp"
@@ -14,6 +16,7 @@
 #include "tools/output/standard_input.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/sweep/estimate.hpp"
+#include "tools/sweep/plan_input.hpp"
 #include "tools/sweep/slurm_script.hpp"
 #include "tumble/file.hpp"
 
@@ -54,9 +57,12 @@ ExitCode submit_sweep(const Command& command, SubmitArguments options) {
     if (!options.is_slurm) throw CLI::RequiredError("--slurm");
     if (is_standard_input(options.plan))
         throw CLI::ValidationError("PLAN", "must be a file, which each task of the cluster reads");
-    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside);
+    std::vector<Diagnostic> warnings;
+    const sweep::Plan plan = sweep::read_plan(options.plan, options.runs, options.allow_outside, &warnings);
+    narrate_warnings(std::move(warnings));
     SlurmOptions& slurm = options.slurm;
     slurm.folder = fs::absolute(slurm.folder).lexically_normal();
+    if (!slurm.folder.has_filename()) slurm.folder = slurm.folder.parent_path();  // of "out/"
     if (!is_plain(slurm.folder.string(), " '\"%"))
         throw CLI::ValidationError("--output",
                                    "must have no spaces, quotes, % or line feeds, for the scripts of Slurm");

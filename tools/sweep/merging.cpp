@@ -2,6 +2,7 @@
 
 #include <system_error>
 
+#include "sweep/store/durable.hpp"
 #include "sweep/store/stored_file.hpp"
 #include "tools/output/input_error.hpp"
 #include "tools/sweep/scene_texts.hpp"
@@ -21,6 +22,7 @@ void copy_bytes(const fs::path& from, std::uint64_t start, const fs::path& to, c
     copy.save_so_far();
     if (sweep::read_stored_file(to, copy.temporary().filename().string()).hash != file.hash)
         throw InputError(from.string() + ": the checksum of its bytes is not that of its manifest");
+    sweep::make_durable(copy.temporary());
     copy.commit();
 }
 
@@ -50,6 +52,7 @@ void add_part(const fs::path& folder, const fs::path& from, sweep::Manifest& man
         if (is_stored(folder, manifest, shard) || !is_stored(from, part, shard)) continue;
         for (const sweep::StoredFile& file : entry.files) copy_file(from, folder, file);
         copy_lines(from, part, folder, entry);
+        sweep::make_durable(folder);  // the names of the shard's files
         append_shard(folder, entry);
         manifest.shards.insert_or_assign(shard, entry);
     }

@@ -1,5 +1,6 @@
 #include "tools/sweep/plan_input.hpp"
 
+#include "tools/cli/console.hpp"
 #include "tools/output/standard_input.hpp"
 
 namespace tumble::tools {
@@ -8,6 +9,13 @@ sweep::Plan read_plan_input(const std::filesystem::path& file, std::uint64_t run
                             std::vector<Diagnostic>* warnings) {
     if (!is_standard_input(file)) return sweep::read_plan(file, runs, allow_outside, warnings);
     return sweep::parse_plan(standard_input(), "<stdin>", runs, allow_outside, warnings);
+}
+
+void narrate_warnings(std::vector<Diagnostic> warnings) {
+    for (Diagnostic& warning : warnings) {
+        warning.code.clear();  // codes are about scenes
+        narrate(to_string(warning) + "\n");
+    }
 }
 
 }  // namespace tumble::tools

@@ -12,4 +12,7 @@ namespace tumble::tools {
 sweep::Plan read_plan_input(const std::filesystem::path& file, std::uint64_t runs, bool allow_outside,
                             std::vector<Diagnostic>* warnings = nullptr);
 
+// The warnings about a plan, on standard error.
+void narrate_warnings(std::vector<Diagnostic> warnings);
+
 }  // namespace tumble::tools

@@ -14,9 +14,13 @@
 #include "tools/sweep/run_table.hpp"
 #include "tools/sweep/trajectory_recorder.hpp"
 #include "tools/tables/step_files.hpp"
+#include "tumble/file.hpp"
+#include "tumble/render.hpp"
 #include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -39,10 +43,11 @@ std::vector<double> numbers_of(const RunChoice& choice) {
 // The message of an error as a cell of the table: on one line, and without the folder of the plan, which may be another
 // on another machine.
 std::string message_of(const Plan& plan, std::string message) {
-    const std::string folder = plan.file.parent_path().string() + "/";
-    for (std::size_t at = message.find(folder); folder.size() > 1 && at != std::string::npos; at = message.find(folder))
-        message.erase(at, folder.size());
     std::ranges::replace(message, '\n', ' ');
+    const std::string folder = (plan.file.parent_path() / "").lexically_normal().string();
+    if (folder.empty() || folder == "./" || folder == "/") return message;
+    for (std::size_t at = message.find(folder); at != std::string::npos; at = message.find(folder))
+        message.erase(at, folder.size());
     return message;
 }
 
@@ -174,8 +179,12 @@ RunRecord SweepRun::make() {
         end("invalid", error.diagnostics.front().message);
     } catch (const ExpressionError& error) {
         end("invalid", error.what());
+    } catch (const PictureError& error) {
+        end("invalid", error.what());
     } catch (const RenderError&) {
         throw;  // no run would have frames
+    } catch (const FileError&) {
+        throw;  // of a file that other runs may need, too
     } catch (const std::bad_alloc&) {
         end("failed", "no memory");
     } catch (const std::exception& error) {
@@ -198,11 +207,24 @@ Scene RunMaker::load(const RunChoice& choice) {
     changes.overrides = overrides_of(plan_, choice);
     changes.seed = choice.seed;
     changes.allow_outside = plan_.allow_outside;
-    changes.read_included = [this](const std::filesystem::path& file) { return texts_.read(file); };
-    const auto found = sources_.find(choice.scene);
-    if (found != sources_.end()) return found->second.load(changes);
-    SceneSource source(scene_file(plan_, choice.scene), changes.read_included);
-    return sources_.emplace(choice.scene, std::move(source)).first->second.load(changes);
+    changes.read_included = [this](const fs::path& file) { return texts_.read(file); };
+    auto source = sources_.find(choice.scene);
+    if (source == sources_.end())
+        source =
+            sources_.emplace(choice.scene, SceneSource(scene_file(plan_, choice.scene), changes.read_included)).first;
+    Scene scene = source->second.load(changes);
+    if (plan_.write.has_frames()) read_images(scene);
+    return scene;
+}
+
+void RunMaker::read_images(const Scene& scene) {
+    const auto read = [this](const SceneBody& body) {
+        for (const SceneImage& image : body.images)
+            if (std::error_code none; fs::exists(image.path, none)) texts_.read(image.path);
+    };
+    for (const SceneBody& body : scene.bodies) read(body);
+    for (const SceneEvent& event : scene.timeline)
+        if (event.spawn) read(*event.spawn);
 }
 
 RunRecord RunMaker::make(std::uint64_t run) {

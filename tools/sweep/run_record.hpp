@@ -38,8 +38,8 @@ public:
     RunMaker(const sweep::Plan& plan, SceneTexts& texts);
 
     // The bytes of the record depend on the plan and the run alone, except for `timed_out` and `failed`. A run that
-    // diverges, takes too long, has a scene that is not valid, or finds no memory is recorded as such. Throws
-    // FileError, RenderError and Interrupted.
+    // diverges, takes too long, has a scene or an image that is not valid, or finds no memory is recorded as such.
+    // Throws FileError, RenderError and Interrupted.
     RunRecord make(std::uint64_t run);
 
     // The record of a run that ends its process by a signal, without simulating it.
@@ -47,6 +47,7 @@ public:
 
 private:
     Scene load(const sweep::RunChoice& choice);
+    void read_images(const Scene& scene);  // which copies them into the folder of the sweep, as the scene files
 
     const sweep::Plan& plan_;
     SceneTexts& texts_;

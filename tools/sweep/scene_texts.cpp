@@ -2,6 +2,7 @@
 
 #include <system_error>
 
+#include "sweep/store/durable.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -10,22 +11,38 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t kMostBytes = std::size_t{1} << 29;  // of a file, as of a PNG file that is drawn
+
 void write_copy(const fs::path& to, const std::string& text) {
     std::error_code error;
     fs::create_directories(to.parent_path(), error);
     if (error) throw FileError(to.parent_path(), "cannot create the folder: " + error.message());
     OutputFile output(to);
     output.write(text);
+    output.save_so_far();
+    sweep::make_durable(output.temporary());
     output.commit();
+    sweep::make_durable(to.parent_path());
 }
+
+std::string read_within_limit(const fs::path& file) {
+    std::string text = read_file(file, kMostBytes);
+    if (text.size() > kMostBytes) throw FileError(file, "is longer than 512 MiB");
+    return text;
+}
+
+// Absolute, without "." and "..".
+fs::path plain_path(const fs::path& file) { return fs::absolute(file).lexically_normal(); }
 
 }  // namespace
 
 fs::path copies_in(const fs::path& sweep_folder) { return sweep_folder / "plan"; }
 
+bool has_copies(const fs::path& sweep_folder) { return fs::is_directory(fs::symlink_status(copies_in(sweep_folder))); }
+
 SceneTexts::SceneTexts(const sweep::Plan& plan, const fs::path& sweep_folder) {
     if (plan.allow_outside) return;
-    folder_ = fs::absolute(plan.file).parent_path();
+    folder_ = plain_path(plan.file).parent_path();
     copies_ = copies_in(sweep_folder);
     copy(plan.file, plan.text);
 }
@@ -34,8 +51,9 @@ const std::string& SceneTexts::read(const fs::path& file) {
     const std::lock_guard lock(mutex_);
     const auto found = texts_.find(file);
     if (found != texts_.end()) return found->second;
+    const std::string& text = texts_.emplace(file, read_within_limit(file)).first->second;
     new_.push_back(file);
-    return texts_.emplace(file, read_file(file)).first->second;
+    return text;
 }
 
 void SceneTexts::copy_new() {
@@ -47,7 +65,7 @@ void SceneTexts::copy_new() {
 // Two processes that copy a file at once write the same.
 void SceneTexts::copy(const fs::path& file, const std::string& text) const {
     if (copies_.empty()) return;
-    const fs::path to = copies_ / fs::absolute(file).lexically_relative(folder_);
+    const fs::path to = copies_ / plain_path(file).lexically_relative(folder_);
     if (fs::exists(to)) {
         if (read_file(to) != text)
             throw FileError(file, "has changed since the sweep began: " + to.string() + " is its copy");
@@ -57,10 +75,11 @@ void SceneTexts::copy(const fs::path& file, const std::string& text) const {
 }
 
 void merge_copies(const fs::path& from_sweep, const fs::path& to_sweep) {
-    std::error_code none;  // without copies there is nothing to merge
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copies_in(from_sweep), none)) {
+    if (!has_copies(from_sweep)) return;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copies_in(from_sweep))) {
         const fs::path to = copies_in(to_sweep) / entry.path().lexically_relative(copies_in(from_sweep));
-        if (entry.is_regular_file() && !entry.is_symlink() && !fs::exists(to)) write_copy(to, read_file(entry.path()));
+        if (entry.is_regular_file() && !entry.is_symlink() && !fs::exists(to))
+            write_copy(to, read_within_limit(entry.path()));
     }
 }
 

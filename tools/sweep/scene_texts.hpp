@@ -1,4 +1,5 @@
-// The scene files of a sweep: read once, and copied into its folder, so that it can be verified without the originals.
+// The scene files of a sweep and their images: read once, and copied into its folder, so that it can be verified
+// without the originals.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +12,14 @@
 
 namespace tumble::tools {
 
-// DIR/plan: the plan and the scene files of the sweep in DIR, with their paths relative to the folder of the plan.
+// DIR/plan: the plan, the scene files and the images of the sweep in DIR, with their paths relative to the folder of
+// the plan.
 std::filesystem::path copies_in(const std::filesystem::path& sweep_folder);
 
-// The texts of scene files and of their includes, read once for all runs and threads.
+// Whether DIR/plan is a folder, and no link to one elsewhere.
+bool has_copies(const std::filesystem::path& sweep_folder);
+
+// The bytes of scene files, of their includes and of images, read once for all runs and threads.
 class SceneTexts {
 public:
     SceneTexts() = default;
@@ -22,7 +27,7 @@ public:
     // Copies the plan to DIR/plan. Of a plan that may read files of other folders nothing is copied. Throws FileError.
     SceneTexts(const sweep::Plan& plan, const std::filesystem::path& sweep_folder);
 
-    // Throws FileError.
+    // Throws FileError, also for a file of more than 512 MiB.
     const std::string& read(const std::filesystem::path& file);
 
     // Copies the files that were read since the last call. Throws FileError, also if there is a copy with another text.

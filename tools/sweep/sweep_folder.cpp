@@ -38,10 +38,12 @@ void write_table(const fs::path& folder, sweep::Manifest& manifest) {
 
 // What killed processes have left in the folder and in the copies of the scenes.
 void remove_leftovers(const fs::path& folder) {
-    std::vector<fs::path> folders{folder, copies_in(folder)};
-    std::error_code none;  // without copies there is nothing to remove
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copies_in(folder), none))
-        if (entry.is_directory() && !entry.is_symlink()) folders.push_back(entry.path());
+    std::vector<fs::path> folders{folder};
+    if (has_copies(folder)) {
+        folders.push_back(copies_in(folder));
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copies_in(folder)))
+            if (entry.is_directory() && !entry.is_symlink()) folders.push_back(entry.path());
+    }
     for (const fs::path& searched : folders)
         for (const PartialFile& file : find_partial_files(searched))
             if (!file.is_open) fs::remove(file.path);

@@ -29,8 +29,8 @@ sweep::Manifest manifest_of(const fs::path& folder) {
 
 void verify_file(const fs::path& folder, const sweep::StoredFile& expected, Verification& verification) {
     const fs::path path = folder / expected.name;
-    if (!fs::exists(path)) {
-        verification.findings.push_back(path.string() + ": is missing");
+    if (!fs::is_regular_file(path)) {
+        verification.findings.push_back(path.string() + ": is missing, or no regular file");
         return;
     }
     const sweep::StoredFile found = sweep::read_stored_file(folder, expected.name);
@@ -88,8 +88,8 @@ std::string cell_of(const std::string& line, std::size_t column) {
 }
 
 // Different runs of the complete shards, of which only the last of the plan may be shorter than the others.
-std::set<std::uint64_t> draw_runs(const sweep::Plan& plan, const fs::path& folder, double part, std::uint64_t seed) {
-    const sweep::Manifest manifest = sweep::read_manifest(folder);
+std::set<std::uint64_t> draw_runs(const sweep::Plan& plan, const fs::path& folder, const sweep::Manifest& manifest,
+                                  double part, std::uint64_t seed) {
     const std::uint64_t shard_runs = runs_in_shard(plan);
     std::vector<std::uint64_t> stored;
     for (const auto& [shard, entry] : manifest.shards)
@@ -123,18 +123,21 @@ void remove_damaged_files(const fs::path& folder) {
     for (const sweep::StoredFile& file : stored_files(sweep::read_manifest(folder))) {
         if (is_interrupted()) return;
         std::error_code error;
-        if (!fs::exists(folder / file.name) || sweep::read_stored_file(folder, file.name).hash == file.hash) continue;
+        if (!fs::is_regular_file(folder / file.name) || sweep::read_stored_file(folder, file.name).hash == file.hash)
+            continue;
         if (!fs::remove(folder / file.name, error)) throw FileError(folder / file.name, "cannot remove the file");
     }
 }
 
 void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, Verification& verification) {
     const sweep::Manifest manifest = manifest_of(folder);
-    if (manifest.header->plan != plan.hash) throw FileError(folder, "is of another plan than " + plan.file.string());
-    if (plan.write.has_frames() && manifest.header->renderer != renderer_name())
-        throw FileError(folder, "has frames of " + manifest.header->renderer + ", and this machine draws by " +
-                                    renderer_name() + ": their bytes may differ");
-    const std::set<std::uint64_t> runs = draw_runs(plan, folder, part, verification.seed);
+    const sweep::SweepHeader& header = *manifest.header;
+    if (header.plan != plan.hash || header.runs != plan.runs || header.shard_runs != runs_in_shard(plan))
+        throw FileError(folder, "is of another plan than " + plan.file.string());
+    if (plan.write.has_frames() && header.renderer != renderer_name())
+        throw FileError(folder, "has frames of " + header.renderer + ", and this machine draws by " + renderer_name() +
+                                    ": their bytes may differ");
+    const std::set<std::uint64_t> runs = draw_runs(plan, folder, manifest, part, verification.seed);
     std::map<std::uint64_t, std::string> rows;
     if (manifest.table)
         rows = read_rows(sweep::table_file(folder), runs);
@@ -142,7 +145,7 @@ void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, V
         for (const std::uint64_t run : runs)
             rows.merge(read_rows(folder / manifest.shards.at(run / runs_in_shard(plan)).table.name, {run}));
     // The columns before `outcome` have plain names.
-    const std::string& columns = manifest.header->columns;
+    const std::string& columns = header.columns;
     const auto outcome =
         static_cast<std::size_t>(std::ranges::count(columns.substr(0, columns.find(",outcome,") + 1), ','));
     SceneTexts texts;

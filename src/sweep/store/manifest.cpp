@@ -26,7 +26,8 @@ namespace {
 
 using LineJson = nlohmann::ordered_json;
 
-constexpr std::size_t kMostBytes = 1 << 30;  // of a manifest: three million shards
+constexpr std::size_t kMostBytes = 1 << 30;                      // of a manifest: three million shards
+constexpr std::uint64_t kLargestCount = std::uint64_t{1} << 53;  // of runs, in the folder and in a shard
 
 std::string hex(std::uint64_t hash) {
     char text[17];
@@ -81,7 +82,8 @@ void read_line(const std::string& line, Manifest& manifest, const fs::path& file
                                  json.value("renderer", "")};
         if (fs::path(header.plan_file).filename() != header.plan_file)
             throw FileError(file, "names a plan outside of its folder");
-        if (header.runs == 0 || header.shard_runs == 0) throw FileError(file, "states a sweep without runs");
+        for (const std::uint64_t runs : {header.runs, header.shard_runs})
+            if (runs == 0 || runs > kLargestCount) throw FileError(file, "states an impossible number of runs");
         if (manifest.header && !(*manifest.header == header)) throw FileError(file, "is of two sweeps");
         manifest.header = header;
     } else if (json.contains("shard")) {

@@ -58,6 +58,7 @@ StoredFile StoredFileWriter::commit() {
 }
 
 StoredFile read_stored_file(const std::filesystem::path& folder, const std::string& name) {
+    if (!std::filesystem::is_regular_file(folder / name)) throw FileError(folder / name, "is no regular file");
     std::ifstream stream(folder / name, std::ios::binary);
     if (!stream) throw FileError(folder / name, std::generic_category().message(errno));
     Hash hash;

@@ -29,7 +29,8 @@ private:
     std::uint64_t size_ = 0;
 };
 
-// The size and the checksum of a file, read in blocks. Throws FileError.
+// The size and the checksum of a file, read in blocks. Throws FileError, also for one that is not regular: a pipe or a
+// device may have no end.
 StoredFile read_stored_file(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace tumble::sweep

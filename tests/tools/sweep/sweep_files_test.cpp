@@ -58,7 +58,7 @@ TEST_CASE("run --set and --seed make the same run") {
     CHECK(json::parse(answer.out)["state_hash"] == cells[11]);
 }
 
-TEST_CASE("runs that diverge, take too long, are not valid or are filtered are recorded with their seeds") {
+TEST_CASE("runs that take too long, are not valid or are filtered are recorded with their seeds") {
     const Sweeps sweeps(R"({"format": 1, "scene": "scene.json", "shard_runs": 2, "timeout": 0.5, "seeds": [7],
       "parameters": [{"name": "duration", "set": "/world/duration", "list": [1, 900000]},
                      {"name": "radius", "set": "/bodies/ball/shapes/0/circle/radius", "list": [0.5, -1]},

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tools/sweep/sweeps.hpp"
+#include "tumble/render.hpp"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -53,12 +55,46 @@ TEST_CASE("the frames of a run are those of tumble run, and its masks have the l
                     "--no-frames", "--set", "/camera={\"center\": [0, 2], \"height\": 6}", "--set",
                     "/bodies/ball/position/1=" + height});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const std::vector<std::string> command{"run",    sweeps.at("scene.json"),
+                                           "-o",     sweeps.at("frames"),
+                                           "--size", "96x64",
+                                           "--fps",  "4",
+                                           "--hide", "title,time,scale,grid",
+                                           "--set",  "/camera={\"center\": [0, 2], \"height\": 6}",
+                                           "--set",  "/bodies/ball/position/1=" + height};
+    REQUIRE(run_tumble(command).code == 0);
+    CHECK(read_text(sweeps.folder / "frames/frames/frame_000001.png") ==
+          read_text(sweeps.folder / "000000000001.frame.000015.png"));
     int masks = 0;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(sweeps.folder / "run"))
         if (entry.path().string().find("mask") != std::string::npos && entry.path().extension() == ".png" &&
             read_text(entry.path()) == read_text(sweeps.folder / "000000000001.mask.000015.png"))
             ++masks;
     CHECK(masks == 1);
+}
+
+TEST_CASE("the folder of a sweep has the images of its frames, and a damaged image makes a run invalid") {
+    const Sweeps sweeps(R"({"format": 1, "scene": "scene.json", "runs": 6, "shard_runs": 2,
+      "parameters": [{"name": "image", "set": "/bodies/ball/images/0/file", "list": ["red.png", "damaged.png"]}],
+      "set": {"/camera": {"center": [0, 2], "height": 6}}, "write": {"frames": {"size": [96, 64]}}})");
+    sweeps.folder.write("scene.json", R"({"format": 1, "world": {"duration": 0.1}, "bodies": [
+      {"name": "ball", "position": [0, 2], "images": [{"file": "red.png", "height": 2}],
+       "shapes": [{"circle": {"radius": 0.5}}]}]})");
+    const tumble::Image red{1, 1, {255, 0, 0, 255}};
+    tumble::write_png(red, sweeps.folder / "red.png");
+    sweeps.folder.write("damaged.png", "no picture");
+    const Answer answer = sweeps.sweep("out", {"-j", "1", "--json"});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    CHECK(json::parse(answer.out)["outcomes"] == json{{"ok", 3}, {"invalid", 3}});
+    REQUIRE(sweeps.sweep("three", {"-j", "3"}).code == 0);
+    CHECK(are_equal(sweeps.folder / "out", sweeps.folder / "three"));
+    CHECK(read_text(sweeps.folder / "out/plan/red.png") == read_text(sweeps.folder / "red.png"));
+    fs::remove(sweeps.folder / "red.png");
+    const Answer verified = run_tumble({"sweep", "verify", sweeps.at("out"), "--part", "1", "--json"});
+    CHECK_MESSAGE(verified.code == 0, verified.out);
+    CHECK(json::parse(verified.out)["repeated_runs"] == 6);
+    tumble::write_png({1, 1, {0, 0, 255, 255}}, sweeps.folder / "out/plan/red.png");
+    CHECK(run_tumble({"sweep", "verify", sweeps.at("out"), "--part", "1"}).code == 7);
 }
 
 TEST_CASE("a sweep with frames of another renderer is not continued and not compared") {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tools/sweep/sweeps.hpp"
 
@@ -27,6 +28,9 @@ TEST_CASE("submit writes a script for Slurm with as many tasks as take a minute"
         {"sweep", "submit", sweeps.plan, "-o", sweeps.at("out"), "--slurm", "--print", "--tasks", "100", "--json"});
     CHECK(json::parse(printed.out)["array"] == "0-19");  // a task for each shard
     CHECK(json::parse(printed.out)["script"].get<std::string>().starts_with("#!/bin/sh\n"));
+    const std::vector<std::string> slash{"sweep",   "submit", sweeps.plan, "-o", sweeps.at("out") + "/",
+                                         "--slurm", "--print"};
+    CHECK(run_tumble(slash).out.find("#SBATCH --output=" + sweeps.at("out") + ".slurm/") != std::string::npos);
     for (const char* const name : {"a b", "a\nb", "a'b", "a%b"})
         CHECK(run_tumble({"sweep", "submit", sweeps.plan, "-o", sweeps.at(name), "--slurm", "--print"}).code == 2);
     const Answer unknown = run_tumble({"sweep", "verify", sweeps.at("out"), "--prt", "1"});

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -44,6 +45,61 @@ TEST_CASE("verify finds a flipped byte in any file, and a sweep replaces a file 
         CHECK(sweeps.sweep("out").code == 0);
         CHECK(are_equal(sweeps.folder / "whole", sweeps.folder / "out"));
     }
+}
+
+TEST_CASE("a shard that is a device is damage, which --check mends") {
+    const Sweeps sweeps;
+    REQUIRE(sweeps.sweep("out", {"--runs", "20"}).code == 0);
+    REQUIRE(sweeps.sweep("whole", {"--runs", "20"}).code == 0);
+    const fs::path shard = sweeps.folder / "out/shard-000001.tar";
+    fs::remove(shard);
+    fs::create_symlink("/dev/null", shard);
+    const Answer damaged = run_tumble({"sweep", "verify", sweeps.at("out")});
+    CHECK(damaged.code == 7);
+    CHECK_MESSAGE(damaged.out.find("shard-000001.tar: is missing, or no regular file") != std::string::npos,
+                  damaged.out);
+    CHECK(sweeps.sweep("out", {"--runs", "20", "--check"}).code == 0);
+    CHECK(are_equal(sweeps.folder / "whole", sweeps.folder / "out"));
+}
+
+TEST_CASE("verify refuses a manifest whose shards have another size than those of the plan") {
+    const Sweeps sweeps;
+    REQUIRE(sweeps.sweep("out", {"--runs", "20"}).code == 0);
+    std::string manifest = read_text(sweeps.folder / "out/manifest.jsonl");
+    const std::size_t at = manifest.find("\"shard_runs\":10,");
+    REQUIRE(at != std::string::npos);
+    sweeps.folder.write("out/manifest.jsonl", manifest.replace(at, 16, "\"shard_runs\":15,"));
+    const Answer answer = run_tumble({"sweep", "verify", sweeps.at("out"), "--part", "1"});
+    CHECK(answer.code == 4);
+    CHECK_MESSAGE(answer.err.find("is of another plan") != std::string::npos, answer.err);
+}
+
+TEST_CASE("the path of the plan may have any form: the folder is the same, and nothing is written beside it") {
+    const Sweeps sweeps(R"({"format": 1, "scene": "scene.json", "runs": 4,
+      "parameters": [{"name": "part", "set": "/include/0/file", "list": ["a.json", "missing.json"]}]})");
+    sweeps.folder.write("scene.json", R"({"format": 1, "include": [{"file": "a.json"}]})");
+    sweeps.folder.write("a.json", R"({"format": 1})");
+    fs::create_directories(sweeps.folder / "other");
+    REQUIRE(sweeps.sweep("plain").code == 0);
+    CHECK(read_text(sweeps.folder / "plain/runs.csv").find(sweeps.folder.path().string()) == std::string::npos);
+    const Answer answer = run_tumble({"sweep", sweeps.at("other/../plan.json"), "-o", sweeps.at("other/out")});
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    CHECK(are_equal(sweeps.folder / "plain", sweeps.folder / "other/out"));
+    CHECK(std::distance(fs::directory_iterator(sweeps.folder / "other"), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("what a link in the place of the copies names is neither searched nor changed") {
+    const Sweeps sweeps;
+    REQUIRE(sweeps.sweep("out", {"--runs", "20"}).code == 0);
+    fs::create_directories(sweeps.folder / "private");
+    sweeps.folder.write("private/secret", "secret");
+    const std::string left = sweeps.folder.write("private/x.2000000000-1.partial", "left");  // of no process
+    fs::remove_all(sweeps.folder / "out/plan");
+    fs::create_directory_symlink(sweeps.folder / "private", sweeps.folder / "out/plan");
+    CHECK(run_tumble({"sweep", "merge", sweeps.at("merged"), sweeps.at("out")}).code == 0);
+    CHECK_FALSE(fs::exists(sweeps.folder / "merged/plan"));
+    CHECK(run_tumble({"sweep", "merge", sweeps.at("out")}).code == 0);  // completes the folder again
+    CHECK(fs::exists(left));
 }
 
 TEST_CASE("verify finds a run that is not the one of the table") {
