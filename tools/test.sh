@@ -74,11 +74,11 @@ compare_parity() {
     say "parity: equal results over $1 pairs"
 }
 
-# check_golden_hashes: one program gives the same hashes with each instruction set.
+# check_golden_hashes: one program gives the same hashes with each instruction set. Every processor has the baseline.
 check_golden_hashes() {
     local set
     for set in baseline avx2 avx512; do
-        if TUMBLE_SIMD=$set build/ci/tools/tumble --version > /dev/null 2>&1; then
+        if [[ $set == baseline ]] || TUMBLE_SIMD=$set build/ci/tools/tumble --version > /dev/null 2>&1; then
             TUMBLE_SIMD=$set build/ci/tests/test_golden
         else
             say "$set: not run, as this processor does not have it"
