@@ -12,8 +12,8 @@ namespace tumble::sweep {
 
 namespace {
 
-// The place in the plan of a change of the scene: the parameter or the setting whose pointer it begins with.
-std::string place_of(const Plan& plan, const std::string& argument) {
+// The pointer in the plan of the parameter or setting that makes a change of the scene.
+std::string pointer_of_change(const Plan& plan, const std::string& argument) {
     for (std::size_t i = 0; i < plan.parameters.size(); ++i)
         for (const std::string& pointer : plan.parameters[i].pointers)
             if (argument == "--set " + pointer || argument.starts_with("--set " + pointer + "="))
@@ -33,7 +33,7 @@ std::optional<Scene> try_run(const Plan& plan, const RunChoice& choice, scene::D
     } catch (const SceneError& error) {
         for (const Diagnostic& diagnostic : error.diagnostics) {
             if (!diagnostic.is_of_argument) throw;
-            diagnostics.error(place_of(plan, diagnostic.file), diagnostic.file + ": " + diagnostic.message,
+            diagnostics.error(pointer_of_change(plan, diagnostic.file), diagnostic.file + ": " + diagnostic.message,
                               diagnostic.hint);
         }
     } catch (const FileError& error) {
