@@ -6,7 +6,7 @@
 
 #include "scratch_file.hpp"
 #include "tools/output/input_error.hpp"
-#include "tools/sweep/sweep_plot.hpp"
+#include "tools/plot/sweep_plot.hpp"
 
 using namespace tumble;
 

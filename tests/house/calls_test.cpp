@@ -172,6 +172,7 @@ TEST_CASE("every source has an object file that the tests of calls have read") {
             if (entry.path().extension() != ".cpp") continue;
             const fs::path source = fs::relative(entry.path(), top == std::string("src") ? kProject / top : kProject);
             if (first_folder(source.generic_string()) == "python") continue;  // built by its own setup.py
+            if (folder_of(source.generic_string()) == "reference/box2d_v3/library") continue;  // needs Box2D v3
             ++sources;
             CHECK_MESSAGE(objects().sources.contains(source.generic_string()), source.generic_string());
         }

@@ -58,7 +58,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"render/view", {}},
     {"render/canvas", {"render/style"}},
     {"render/shapes", {"render/style", "render/view", "render/canvas"}},
-    {"render/frame", {"render/style", "render/view", "render/canvas", "render/shapes"}},
+    {"render/frame", {"render/style", "render/view", "render/canvas", "render/shapes", "render/output"}},
     {"render/labels", {"render/style", "render/view", "render/canvas", "render/shapes"}},
     {"render/drawing", {"render/view", "render/canvas", "render/shapes"}},
     {"render/output", {}},

@@ -17,7 +17,7 @@
 #include "tools/sweep/plan_input.hpp"
 #include "tools/sweep/run_record.hpp"
 #include "tools/sweep/scene_texts.hpp"
-#include "tools/sweep/sweep_plot.hpp"
+#include "tools/plot/sweep_plot.hpp"
 #include "tools/sweep/sweep_text.hpp"
 #include "tools/sweep/verification.hpp"
 #include "tumble/file.hpp"

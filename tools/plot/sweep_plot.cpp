@@ -1,4 +1,4 @@
-#include "tools/sweep/sweep_plot.hpp"
+#include "tools/plot/sweep_plot.hpp"
 
 #include <algorithm>
 #include <array>
