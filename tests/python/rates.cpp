@@ -21,8 +21,8 @@ struct Batch {
 
     Batch() : results(kPairs) {
         for (std::size_t i = 0; i < kPairs; ++i) {
-            const DVec2 way(rotate(make_rotation(1e-3 * double(i)), Vec2{1.0f, 0.0f}));
-            at.push_back({2.4 * way, make_rotation(7e-4 * double(i))});
+            const DVec2 direction(rotate(make_rotation(1e-3 * double(i)), Vec2{1.0f, 0.0f}));
+            at.push_back({2.4 * direction, make_rotation(7e-4 * double(i))});
         }
     }
 

@@ -1,5 +1,6 @@
 """Environments: the declaration in the scene, one and many worlds, and cart-pole solved."""
 
+import os
 import time
 
 import numpy as np
@@ -162,6 +163,18 @@ def test_an_error_of_a_declaration_has_its_place_in_the_file(entry, place, tmp_p
     assert caught.value.line == 1 and caught.value.file == "cart.json"
 
 
+def test_an_error_of_an_override_has_its_place_in_the_new_data(tmp_path):
+    file = tmp_path / "made.json"
+    file.write_text('{"format": 1,\n "custom": {"env": {"reward": "1"}}}')
+    with pytest.raises(tumble.SceneError, match="wrong") as caught:
+        tumble.env.TumbleEnv(tumble.Scene.load(file, set=['/custom/env/reward="1 + wrong"']))
+    assert caught.value.line == 1 and caught.value.file == "made.json"
+    file.write_text('{"format": 1,\n "custom": {"env": {"reward": "1 + wrong"}}}')
+    with pytest.raises(tumble.SceneError, match="wrong") as caught:
+        tumble.env.TumbleEnv(tumble.Scene.load(file, set=["/world/gravity=[0, 0]"]))
+    assert (caught.value.line, caught.value.column, caught.value.file) == (2, 36, str(file))
+
+
 def test_an_error_in_an_expression_points_into_its_text():
     scene = tumble.Scene.parse('{"format": 1,\n "custom": {"env": {"reward": "1 + wrong"}}}', "made.json")
     with pytest.raises(tumble.SceneError) as caught:
@@ -260,8 +273,29 @@ def test_random_starts_move_bodies_and_scale_their_properties():
     assert envs.world(2).bodies[0].shapes[0].friction == 0.25
 
 
+def test_an_environment_has_at_most_a_thread_for_each_world():
+    before = len(os.listdir("/proc/self/task"))
+    envs = tumble.env.make_vector("cart_pole", 3, threads=50)
+    assert len(os.listdir("/proc/self/task")) - before == 2  # the third is the caller's
+    del envs
+
+
+def test_a_reset_that_is_refused_changes_nothing():
+    class Busy:
+        def reset(self, *arguments):
+            raise tumble.InUseError("another thread is stepping these worlds")
+
+    envs = tumble.env.make_vector("cart_pole", 2, threads=1)
+    envs.reset(seed=1)
+    envs.step(np.zeros(2, int))
+    envs._worlds = Busy()
+    with pytest.raises(tumble.InUseError):
+        envs.reset()
+    assert envs.steps.tolist() == [1, 1]
+
+
 def test_a_step_costs_little_more_than_that_of_its_worlds():
-    """4096 cart-poles: the ratio to as many bare steps is 1.3 on an idle machine."""
+    """512 cart-poles: the ratio to as many bare steps is 1.3 on an idle machine."""
     envs = tumble.env.make_vector("cart_pole", 512, threads=1)
     envs.reset(seed=1)
     worlds = [envs.world(i) for i in range(512)]

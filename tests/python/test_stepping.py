@@ -1,6 +1,8 @@
 """Steps on several threads and of many worlds, and worlds that diverge."""
 
 import contextlib
+import subprocess
+import sys
 import threading
 
 import numpy as np
@@ -64,8 +66,26 @@ def test_threads_make_the_same_steps():
     one.step(20)
     two.step(20)
     assert one.state_hash == two.state_hash
+    assert two.copy().threads == 1
     two.threads = 1
     assert two.threads == 1 and two.copy().threads == 1
+
+
+def test_threads_that_cannot_start_raise():
+    """The stacks of a thousand threads need more memory than the process may have."""
+    code = """
+import resource, tumble
+worlds = [tumble.World() for _ in range(1000)]
+size = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (size + 2**29, size + 2**29))
+try:
+    tumble.step_all(worlds, threads=1000)
+except RuntimeError:
+    tumble.step_all(worlds, threads=1)
+    print(worlds[-1].step_count)
+"""
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert (run.returncode, run.stdout) == (0, "1\n"), run.stderr
 
 
 def test_many_worlds_are_stepped_at_once():

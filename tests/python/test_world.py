@@ -66,6 +66,8 @@ def test_shapes_have_materials_filters_and_mass():
     assert (shape.friction, shape.restitution) == pytest.approx((0.1, 0.9))
     assert (shape.body, shape.sensor, shape.user_data) == (body, False, 3)
     assert shape.shape == tumble.circle(1)
+    zeros = tumble.circle(1, (-0.0, 0.0))
+    assert zeros == tumble.circle(1) and hash(zeros) == hash(tumble.circle(1)) != hash(tumble.circle(1, (1, 0)))
     assert tumble.polygon([(0, 0), (2, 0), (0, 2), (0.5, 0.5)]).vertices.shape == (3, 2)
     assert pickle.loads(pickle.dumps(tumble.box(2, 1, radius=0.1))) == tumble.box(2, 1, radius=0.1)
     shape.remove()

@@ -36,6 +36,7 @@ float fastest(const World& world) {
 
 TEST_CASE("random worlds that are edited between steps keep every invariant, and stay bounded") {
     const int worlds = from_environment("TUMBLE_WORLDS", 12);
+    REQUIRE(worlds > 0);
     const int from = from_environment("TUMBLE_WORLDS_FROM", 1);
     int torn = 0;
     for (int seed = from; seed < from + worlds; ++seed) {

@@ -135,6 +135,7 @@ TEST_CASE("one-sided chains are the same on any number of threads") { check_thre
 
 TEST_CASE("random worlds that are edited make the same steps on any number of threads") {
     const int worlds = from_environment("TUMBLE_THREADED_WORLDS", 12);
+    REQUIRE(worlds > 0);
     for (int i = 1; i <= worlds; ++i) {
         const auto seed = static_cast<std::uint32_t>(i);
         CAPTURE(seed);

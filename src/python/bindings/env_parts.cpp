@@ -17,8 +17,8 @@ std::uint64_t scramble(std::uint64_t x) {
 
 // The point with the component along a unit axis replaced.
 DVec2 with_component(DVec2 point, Vec2 axis, double value) {
-    const DVec2 way(axis);
-    return point + (value - dot(point, way)) * way;
+    const DVec2 direction(axis);
+    return point + (value - dot(point, direction)) * direction;
 }
 
 void set_velocity(World& world, const ActionPlan& plan, float value) {
@@ -40,11 +40,11 @@ void push(World& world, const ActionPlan& plan, float value) {
 
 double free_part(const World& world, const ObservedPlan& plan) {
     const Pose pose = world.state(plan.body).pose;
-    const Vec2 way = plan.turns ? rotate(pose.rotation, plan.axis) : plan.axis;
+    const Vec2 direction = plan.turns ? rotate(pose.rotation, plan.axis) : plan.axis;
     QueryFilter filter;
     filter.except = plan.body;
     filter.shape.mask = plan.mask;
-    const auto hit = world.cast_ray(transform_point(pose, plan.point), DVec2(way), filter);
+    const auto hit = world.cast_ray(transform_point(pose, plan.point), DVec2(direction), filter);
     return hit ? hit->fraction : 1.0;
 }
 

@@ -14,6 +14,9 @@ namespace {
 // Worlds that a thread takes at once: some 0.1 ms of work. An image of a world takes about that alone.
 constexpr std::size_t kChunk = 64, kChunkOfImages = 2;
 
+// An environment has at most so many threads, and at most one for each world.
+constexpr std::size_t kMostThreads = 1024;
+
 // The memory of a world of a few bodies: it lies behind its definition, as long as the allocator has put it there.
 constexpr std::size_t kPrefetched = 7168, kCacheLine = 64;
 
@@ -44,7 +47,7 @@ EnvWorlds::EnvWorlds(const Scene& scene, EnvPlan plan, std::size_t count, int th
       images_(scene, start_, plan_.images),
       seed_(seed),
       episodes_(count, 0),
-      workers_(threads) {
+      workers_(std::clamp(threads, 1, std::max(1, static_cast<int>(std::min(count, kMostThreads))))) {
     for (const std::string& name : plan_.observation_names) names_.push_back("previous_" + name);
     for (const std::string& name : plan_.action_names) names_.push_back("action_" + name);
     names_.insert(names_.end(), plan_.observation_names.begin(), plan_.observation_names.end());

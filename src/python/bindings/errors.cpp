@@ -12,12 +12,10 @@ namespace tumble::python {
 
 namespace {
 
-py::object& class_of(const char* name) {
+py::object class_of(const char* name) {
     static py::dict& classes = *new py::dict();  // never destroyed: Python may be gone by then
     if (!classes.contains(name)) classes[name] = py::module_::import("tumble.errors").attr(name);
-    static thread_local py::object found;
-    found = classes[name];
-    return found;
+    return classes[name];
 }
 
 template <class... Arguments>

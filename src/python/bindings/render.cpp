@@ -1,6 +1,7 @@
 // Frames as arrays of pixels, PNG files and videos.
 #include "tumble/render.hpp"
 
+#include <cmath>
 #include <cstring>
 #include <mutex>
 
@@ -121,6 +122,8 @@ private:
 void add_render(py::module_& module) {
     module.def("render", render);
     module.def("fitted_camera", [](WorldBox& box, bool has_scene, double aspect_ratio) {
+        if (!std::isfinite(aspect_ratio) || aspect_ratio <= 0.0)
+            throw std::invalid_argument("aspect_ratio must be finite and above 0, got " + std::to_string(aspect_ratio));
         const Camera camera = fitted_camera(box, has_scene, aspect_ratio);
         return py::make_tuple(to_tuple(camera.center), camera.height);
     });

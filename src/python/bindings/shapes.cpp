@@ -61,7 +61,11 @@ void add_shapes(py::module_& module) {
         .def("__repr__", text_of)
         .def("__eq__",
              [](const Shape& a, const py::object& b) { return py::isinstance<Shape>(b) && a == b.cast<Shape>(); })
-        .def("__hash__", [](const Shape& a) { return py::hash(py::bytes(vertices_of(a).attr("tobytes")())); })
+        .def("__hash__",
+             [](const Shape& a) {
+                 const py::object vertices = vertices_of(a) + py::float_(0.0);  // -0.0 becomes 0.0, which equals it
+                 return py::hash(py::bytes(vertices.attr("tobytes")()));
+             })
         .def(py::pickle([](const Shape& shape) { return py::make_tuple(Doubles(vertices_of(shape)), shape.radius()); },
                         [](const py::tuple& state) {
                             return Shape::from_raw(points_of(state[0].cast<Doubles>()), state[1].cast<float>());

@@ -6,10 +6,17 @@ namespace tumble::python {
 
 Workers::Workers(int threads) {
     errors_.resize(static_cast<std::size_t>(threads));
-    for (std::size_t i = 1; i < errors_.size(); ++i) threads_.emplace_back([this, i] { work(i); });
+    try {
+        for (std::size_t i = 1; i < errors_.size(); ++i) threads_.emplace_back([this, i] { work(i); });
+    } catch (...) {
+        end();
+        throw;
+    }
 }
 
-Workers::~Workers() {
+Workers::~Workers() { end(); }
+
+void Workers::end() {
     {
         const std::lock_guard lock(mutex_);
         ends_ = true;

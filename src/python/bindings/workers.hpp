@@ -14,7 +14,7 @@ namespace tumble::python {
 
 class Workers {
 public:
-    // The calling thread is one of them.
+    // The calling thread is one of them. Throws std::system_error if a thread cannot start.
     explicit Workers(int threads);
     ~Workers();
     Workers(const Workers&) = delete;
@@ -25,6 +25,7 @@ public:
     void run(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& part);
 
 private:
+    void end();  // of all threads
     void work(std::size_t thread);
     void run_parts(std::size_t thread);
 

@@ -6,6 +6,7 @@
 #include <list>
 #include <set>
 
+#include "python/bindings/ids.hpp"
 #include "python/bindings/workers.hpp"
 
 namespace tumble::python {
@@ -175,8 +176,7 @@ py::array WorldBox::array(Quantity quantity) {
 py::array_t<std::uint64_t> WorldBox::ids() {
     const std::span<const BodyId> bodies = world().bodies();
     py::array_t<std::uint64_t> numbers(static_cast<py::ssize_t>(bodies.size()));
-    std::transform(bodies.begin(), bodies.end(), numbers.mutable_data(),
-                   [](BodyId id) { return std::uint64_t{id.generation} << 32 | id.index; });
+    std::transform(bodies.begin(), bodies.end(), numbers.mutable_data(), [](BodyId id) { return to_number(id); });
     return numbers;
 }
 

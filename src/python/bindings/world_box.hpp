@@ -49,7 +49,7 @@ public:
     // Throw InUse while another thread steps the world. change() is for what may alter poses or velocities.
     const World& world() const;
     World& change();
-    WatchedRun& run();  // also if the world has no scene
+    WatchedRun& run();  // throws std::runtime_error if the world has no scene
 
     // Advances by a number of steps, without the GIL. A run that its timeline has stopped stays as it
     // is. Ends early, with the exception, if Python has a signal. Arrays that Python holds show the state afterwards,

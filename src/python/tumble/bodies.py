@@ -170,7 +170,7 @@ class Body(Part):
 
     @property
     def bullet(self) -> bool:
-        """Whether it does not pass through dynamic bodies either, however fast it is."""
+        """With impacts "at_step_end": whether it is swept against dynamic bodies too. With "in_order" all bodies are."""
         return bool(self._member("bullet"))
 
     @bullet.setter

@@ -90,8 +90,8 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
         super().reset(seed=seed)
         if seed is not None:
             self._worlds.seed(seed)
-        self.steps[:] = 0
         self._worlds.reset(self.observations, list(self.images.values()))
+        self.steps[:] = 0
         return self._shown(self.observations, self.images), {}
 
     def step(
@@ -191,7 +191,10 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
         return self._own(shown), float(rewards[0]), bool(terminated[0]), bool(truncated[0]), {}
 
     def render(self) -> npt.NDArray[np.uint8]:
-        """A frame [height, width, 3]."""
+        """A frame [height, width, 3].
+
+        After the end of an episode it shows the start of the next one, which reset() replaces.
+        """
         world = self._envs.world()
         if self._camera is None:
             from tumble.rendering import fitted_camera

@@ -22,7 +22,7 @@ class Hit(NamedTuple):
 
     body: Body
     shape: BodyShape
-    fraction: float  #: of the way, 0 to 1
+    fraction: float  #: of the translation, 0 to 1
     point: tuple[float, float]  #: on the surface, world, m
     normal: tuple[float, float]  #: unit, out of the shape that is hit
     starts_inside: bool
@@ -81,13 +81,13 @@ class Queries:
 
         A ray that hits nothing has the fraction 1 and the ids 0. One origin serves all rays.
         """
-        ways = points_array(translations, "translations")
+        translations = points_array(translations, "translations")
         starts = points_array(np.atleast_2d(array_of(origins, "origins")), "origins")
         if len(starts) == 1:
-            starts = np.ascontiguousarray(np.broadcast_to(starts, ways.shape))
-        if starts.shape != ways.shape:
-            raise ValueError(f"origins {starts.shape} and translations {ways.shape} must have one shape")
-        return self._box.cast_rays(starts, ways, self._filter(exclude, mask, sensors))
+            starts = np.ascontiguousarray(np.broadcast_to(starts, translations.shape))
+        if starts.shape != translations.shape:
+            raise ValueError(f"origins {starts.shape} and translations {translations.shape} must have one shape")
+        return self._box.cast_rays(starts, translations, self._filter(exclude, mask, sensors))
 
     def cast_shape(self, shape: Shape, position: Vector, translation: Vector, *, angle: float = 0.0,
                    exclude: Body | None = None, mask: int | None = None, sensors: bool = False) -> Hit | None:  # fmt: skip

@@ -43,7 +43,10 @@ def render(
 
 
 def fitted_camera(what: World | Run, aspect_ratio: float = 16.0 / 9.0) -> tuple[tuple[float, float], float]:
-    """The center and the view_height that `render` would choose now. Of a run: before its first step."""
+    """The center and the view_height that `render` would choose now.
+
+    Of a run: the camera of its first frame, moved with the body that the scene follows. `aspect_ratio` is width / height.
+    """
     world = what if not hasattr(what, "world") else what.world
     return _tumble.fitted_camera(world._box, world._has_scene, aspect_ratio)
 

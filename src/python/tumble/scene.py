@@ -66,7 +66,8 @@ class Scene:
         """
         text = _tumble.load_scene(os.fspath(path), list(set), seed, allow_outside)
         scene = cls(json.loads(text), name=Path(path).name)
-        scene._read_from(Path(path).read_text(encoding="utf-8", errors="replace"), os.fspath(path))
+        if not any(override.startswith("/custom") for override in set):
+            scene._read_from(Path(path).read_text(encoding="utf-8", errors="replace"), os.fspath(path))
         return scene
 
     @classmethod

@@ -43,8 +43,8 @@ class World(Queries):
     The same calls give the same bits in every run. A world can be pickled and copied; one thread at a time may use it.
 
     `sleeping`: bodies at rest sleep, which costs nothing. `continuous`: fast bodies do not pass through thin ones. `joints`:
-    "iterative", or "direct", which holds chains and pendulums exactly. `impacts`: "in_order", or "at_step_end", which is
-    faster. `scale`: the size of a typical body, m.
+    "iterative", or "direct", which solves all joints at once, so that chains do not open under load. `impacts`: "in_order",
+    or "at_step_end", which is faster. `scale`: the size of a typical body, m.
     """
 
     def __init__(
