@@ -61,8 +61,8 @@ struct LoadOptions {
     // Keep Scene::include and do not add the included entries, so that to_json() gives a file with the same includes.
     bool keep_includes = false;
 
-    // Accept paths in scenes (included files, pictures and reference scenes of claims) that lead out of the folder of
-    // the file that names them. A text that cannot read files may name any.
+    // Accept paths in scenes (included files, images, pictures and reference scenes of claims) that lead out of the
+    // folder of the file that names them. A text that cannot read files may name any.
     bool allow_outside = false;
 
     ReadIncluded read_included{};  // default: from the file system for load_scene(), none for parse_scene()

@@ -41,8 +41,8 @@ struct SvgOptions {
 // figure or on a group around it, overrides that. A closed line that is not static is treated as an area; an open one
 // becomes capsules as thick as its stroke.
 //
-// The y axis points upwards. The origin is the lower left corner of the viewBox, or of width and height, and the camera
-// shows that page. Concave areas become outlines, and areas with holes several polygons or outlines; an outline that
+// The y axis points upwards. The origin is the lower left corner of the viewBox, or of width and height. The scene
+// states no camera. Concave areas become outlines, and areas with holes several polygons or outlines; an outline that
 // crosses itself becomes its hull. The notes count these, and texts, images, gradients, clip paths and other elements
 // that a scene cannot express.
 //

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 29;  // of a file, as of a PNG file that is drawn
+constexpr std::size_t kMostBytesOfCopy = std::size_t{1} << 29;  // of a file, as of a PNG file that is drawn
 
 void write_copy(const fs::path& to, const std::string& text) {
     std::error_code error;
@@ -26,8 +26,8 @@ void write_copy(const fs::path& to, const std::string& text) {
 }
 
 std::string read_within_limit(const fs::path& file) {
-    std::string text = read_file(file, kMostBytes);
-    if (text.size() > kMostBytes) throw FileError(file, "is longer than 512 MiB");
+    std::string text = read_file(file, kMostBytesOfCopy);
+    if (text.size() > kMostBytesOfCopy) throw FileError(file, "is longer than 512 MiB");
     return text;
 }
 

@@ -74,7 +74,7 @@ std::vector<RubeImage> read_rube_images(std::vector<RubeObject> list, std::size_
     }
     std::vector<double> ranks = orders;
     std::ranges::sort(ranks);
-    ranks.erase(std::ranges::unique(ranks).begin(), ranks.end());
+    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto rank = static_cast<int>(std::ranges::lower_bound(ranks, orders[i]) - ranks.begin());
         all[i].image.order = all[i].body ? rank : rank - static_cast<int>(ranks.size());
