@@ -53,9 +53,11 @@ struct WorldDef {
 // A world of rigid bodies. It owns bodies, shapes and joints, and refers to them by ids.
 //
 // Sleep. Dynamic bodies that touch or are joined form an island. An island falls asleep once all of its bodies have
-// been slower than 0.05 m/s for 0.5 s, each times the square root of WorldDef::scale. A sleeping island costs nothing
-// in a step. It wakes when an awake body touches it; when one of its bodies gets a velocity, a force, a joint to an
-// awake body or, if the island has contacts, a shape; and when a body that it rests on is moved, changed or destroyed.
+// been slower than 0.05 m/s for 0.5 s, each times the square root of WorldDef::scale. An island that touches and is
+// joined to no body at rest stays awake while a body without damping moves in it: nothing would stop it. A sleeping
+// island costs nothing in a step. It wakes when an awake body touches it; when one of its bodies gets a velocity, a
+// force, a joint to an awake body or, if the island has contacts, a shape; and when a body that it rests on is moved,
+// changed or destroyed.
 //
 // Speed limits. A step clamps the speed of dynamic bodies to 400 m/s times the square root of WorldDef::scale, and
 // their rotation to 1/8 turn in a step (1/2 turn in a sub-step with BodyDef::allow_fast_rotation), whatever forces and

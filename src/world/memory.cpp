@@ -70,7 +70,8 @@ std::size_t scratch_bytes(const ContactLists& lists) {
     return scratch_bytes(lists.first) + scratch_bytes(lists.contacts);
 }
 std::size_t scratch_bytes(const BounceScratch& scratch) {
-    return scratch_bytes(scratch.touch_counts) + scratch_bytes(scratch.landings);
+    return scratch_bytes(scratch.touch_counts) + scratch_bytes(scratch.landings) + scratch_bytes(scratch.group_sizes) +
+           scratch_bytes(scratch.group_landings);
 }
 
 std::size_t scratch_bytes(const AabbTree& tree) { return bytes_of(tree); }

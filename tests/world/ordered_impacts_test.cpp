@@ -219,6 +219,7 @@ TEST_CASE("in order: twenty stacks that land at different times do not rebound, 
     const auto add_stack = [&](double x, double height, int count) {
         for (int i = 0; i < count; ++i) boxes.push_back(add_dynamic(world, {x, height + i}, make_box({1.0f, 1.0f})));
     };
+    // 0.0085 m: 20 stacks at 20 phases of a step, 0.17 m at 10 m/s.
     for (int stack = 0; stack < 20; ++stack) add_stack(4.0 * stack, 5.5 + 0.0085 * stack, 10);
     add_stack(-4.0, 5.5, 20);
     float fastest = 0.0f;
@@ -227,35 +228,6 @@ TEST_CASE("in order: twenty stacks that land at different times do not rebound, 
         for (const BodyId box : boxes) fastest = std::max(fastest, world.state(box).velocity.y);
     }
     CHECK(fastest < 1.0f);
-}
-
-// Gravity moves a ball by up to 5 m in a step, 25 times its radius.
-TEST_CASE("in order: no body leaves a closed box, at any rate, gravity and number of sub-steps") {
-    for (const int rate : {10, 30, 60})
-        for (const float gravity : {100.0f, 1000.0f})
-            for (const int substeps : {1, 4}) {
-                CAPTURE(rate);
-                CAPTURE(gravity);
-                CAPTURE(substeps);
-                WorldDef def;
-                def.gravity = {0.0f, -gravity};
-                def.steps_per_second = static_cast<float>(rate);
-                def.substeps = substeps;
-                World world(def);
-                add_walls(world, 10.0f, {});
-                std::vector<BodyId> bodies;
-                for (int i = 0; i < 49; ++i) {
-                    const float size = 0.2f + 0.02f * static_cast<float>(i % 5);
-                    const DVec2 at{1.2 * (i % 7) - 3.6 + 0.01 * (i % 3), 1.2 * (i / 7) - 3.6};
-                    const Shape shape = i % 2 == 0 ? make_circle(size) : make_box({2.0f * size, 1.4f * size});
-                    bodies.push_back(add_dynamic(world, at, shape, {}, 0.3 * i));
-                }
-                run(world, rate);
-                for (const BodyId body : bodies) {
-                    const DVec2 at = world.state(body).pose.position;
-                    CHECK(std::max(std::abs(at.x), std::abs(at.y)) <= 5.0);
-                }
-            }
 }
 
 TEST_CASE("in order: shapes that pass each other within a step do not touch") {
@@ -290,7 +262,7 @@ TEST_CASE("in order: a velocity that the caller sets counts in the same step") {
 TEST_CASE("in order: a turning rod strikes what its tip reaches within the step") {
     World world = ordered();
     const BodyId rod = add_body(world, BodyType::kinematic_body, {0.0, 0.0}, make_box({4.0f, 0.1f}));
-    const BodyId disc = add_dynamic(world, {std::cos(0.3) * 1.9, std::sin(0.3) * 1.9}, make_circle(0.05f));
+    const BodyId disc = add_dynamic(world, {std::cos(0.5) * 1.9, std::sin(0.5) * 1.9}, make_circle(0.05f));
     run(world, 3);
     world.set_velocity(rod, {}, 36.0f);  // 0.6 rad in a step
     world.step();
@@ -316,7 +288,7 @@ TEST_CASE("in order: a projectile follows its parabola, and with damping its clo
             CAPTURE(rate);
             CAPTURE(damping);
             WorldDef def;
-            def.steps_per_second = static_cast<float>(rate);
+            def.steps_per_second = rate;
             def.impacts = ImpactModel::in_order;
             World world(def);
             const BodyId ball = throw_disc(world, {}, {10.0f, 20.0f}, {});

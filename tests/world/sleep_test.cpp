@@ -49,6 +49,8 @@ TEST_CASE("a body without forces sleeps after half a second of rest, to the step
     World world = weightless();
     const BodyId body = add_dynamic(world, {}, kBox);
     CHECK(steps_until_asleep(world, body) == 30);
+    world.set_velocity(body, {4e-5f, 0.0f}, 0.0f);  // what rounding may leave: below 1e-3 of 0.05 m/s
+    CHECK(steps_until_asleep(world, body) == 30);
     world.set_damping(body, kFaintDamping, kFaintDamping);
     world.set_velocity(body, {0.049f, 0.0f}, 0.0f);
     CHECK(world.is_awake(body));
@@ -87,6 +89,26 @@ TEST_CASE("what drifts through free space stays awake and keeps its speed; what 
         world.set_velocity(on_floor, {speed, 0.0f}, 0.0f);
         CHECK(steps_until_asleep(world, on_floor) >= 0);
     }
+}
+
+TEST_CASE("an island that touches the ground by one body falls asleep though another drifts on it") {
+    World world = weightless();
+    const BodyId rider = add_dynamic(world, {0.0, 1.5}, kBox, {.friction = 0.0f});
+    const BodyId base = add_dynamic(world, {0.0, 0.5}, kBox, {.friction = 0.0f});
+    add_static(world, {0.0, -0.5}, make_box({99.0f, 1.0f}), {.friction = 0.0f});
+    world.set_velocity(rider, {0.04f, 0.0f}, 0.0f);
+    CHECK(steps_until_asleep(world, rider) == 30);
+    CHECK_FALSE(world.is_awake(base));
+}
+
+TEST_CASE("a body that drifts stays awake if only a filter joint connects it to a body at rest") {
+    World world = weightless();
+    const BodyId ground = world.create_body({.type = BodyType::static_body});
+    const BodyId body = add_dynamic(world, {}, kBox);
+    world.create_joint(FilterJointDef{.body_a = ground, .body_b = body});
+    world.set_velocity(body, {0.04f, 0.0f}, 0.0f);
+    run(world, 300);
+    CHECK(near(world.state(body).pose.position.x, 0.2, relative(1e-6)));
 }
 
 TEST_CASE("a stack sleeps as one island, keeps its contacts, and costs no contact while asleep") {

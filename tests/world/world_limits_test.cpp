@@ -8,7 +8,7 @@
 using namespace tumble;
 using namespace tumble::test;
 
-TEST_CASE("bodies slower than rest_speed fall asleep, in worlds of all scales") {
+TEST_CASE("damped bodies slower than rest_speed fall asleep, in worlds of all scales") {
     for (const float scale : {0.02f, 1.0f, 50.0f}) {
         CAPTURE(scale);
         const auto sleeps = [&](float part) {

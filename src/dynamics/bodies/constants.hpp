@@ -71,8 +71,8 @@ inline constexpr float kRecyclingPart = 0.025f;
 inline constexpr float kAabbMargin = 0.05f;
 inline constexpr float kAabbMarginPart = 0.125f;
 
-// An island falls asleep when none of its points has moved faster than this (m/s) for this long (s). Faster: creeping
-// bodies freeze in mid-air. Slower, or longer: settled piles keep costing time.
+// An island may fall asleep when none of its points has moved faster than this (m/s) for this long (s). Faster:
+// creeping bodies freeze in mid-air. Slower, or longer: settled piles keep costing time.
 inline constexpr float kSleepSpeed = 0.05f;
 inline constexpr float kTimeToSleep = 0.5f;
 
@@ -105,7 +105,8 @@ inline constexpr float kTouchingPart = 0.05f;
 // turning paddle drives has more impacts. Larger: it sinks in deeper.
 inline constexpr double kLongestRest = 1.0 / 16.0;
 
-// Impacts of a body in a step. A ball at 200 m/s between walls 10 cm apart has 33.
+// The weight of a body's impacts in a step, at which it stops. An impact with a bounce weighs 1: a ball at 200 m/s
+// between walls 10 cm apart has 33. One without weighs more (kInelasticWeight of stages/impact_response.cpp).
 inline constexpr int kMaxImpactsPerBody = 64;
 
 // Rotation limit per step, rad: an eighth of a turn. More breaks the linearisation of contacts within the step, and

@@ -4,19 +4,20 @@
 // apart. The solver works in rounds [Smith, Kaufman, Vouga, Tamstorf, Grinspun 2012, "Reflections on simultaneous
 // impact"]: a round finds the least impulses after which no contact is approached, and applies those of bouncing
 // contacts 1 + e times. Then other contacts may be approached, and the next round follows. Contacts that bounce but are
-// not approached do not take part in a round: a row of balls passes an impact on from ball to ball. With e = 1 and
+// not approached do not take part in a round: a row of balls hands an impact on from ball to ball. With e = 1 and
 // without friction the energy is kept.
 //
 // The motion ahead may still approach: gravity pulls a body that has landed, or the solver pushes another one out of an
 // overlap. What keeps such bodies apart for the rest of the step is the `hold`, which is no impulse.
 //
 // The rounds end when no contact is approached faster than its threshold; the contact solver of the next step stops
-// what is slower. A contact bounces in at most kMaxBounces rounds: points of a pile that pass an impact to and fro
+// what is slower. A contact bounces in at most kMaxBounces rounds: points of a pile that hand an impact to and fro
 // would need hundreds.
 //
 // No round gains energy: where friction or different restitutions would, the bounce is weaker. Kinematic bodies and
 // moving surfaces do work of their own, which does not count. The number of solved points is bounded
-// (kMaxImpactWork): a group that has approaching contacts when it ends keeps these approaches.
+// for the rounds and for the holds (kMaxImpactWork each): a group that has approaching contacts when the rounds end
+// keeps these approaches.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +27,8 @@
 
 namespace tumble {
 
-// How often a group solves one of its points, in all rounds together: some 1.2 ms. A stack of twenty boxes needs 20 000
-// while the group grows through it.
+// How often a group solves one of its points in all rounds together, and again for all holds: some 1.2 ms each. A stack
+// of twenty boxes needs 20 000 while the group grows through it.
 inline constexpr int kMaxImpactWork = 32000;
 
 // The rounds in which a point may bounce. More: impacts in piles cost more. Fewer: elastic bodies that touch several
@@ -87,11 +88,13 @@ struct ImpactGroup {
     std::vector<ImpactBody> bodies;
     std::vector<ImpactPoint> points;
     std::vector<ImpactRow> rows;  // scratch of a round
-    int work = 0;                 // how often a point was solved
-    int depth = 1;                // through how many contacts, one behind the other, the impact may go on
+    int work = 0;                 // how often a point was solved in the rounds
+    int hold_work = 0;            // and for the holds
+    int depth = 1;                // contacts in the longest row from the impact: 1, and 1 more for each growth
 
     void clear() {
         work = 0;
+        hold_work = 0;
         depth = 1;
         bodies.clear();
         points.clear();

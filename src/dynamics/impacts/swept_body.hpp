@@ -42,9 +42,10 @@ struct SweptBody {
     Twist acceleration;        // of any other body the part of its free acceleration that it has had
     bool is_free = false;
     bool is_off_course = false;  // contacts with points may not keep it apart from all that it meets
-    bool has_stopped = false;    // it has had as many impacts as a step allows, and rests until the step ends
+    bool has_stopped = false;    // its impacts weigh as much as a step allows: it rests until the step ends
     int impact_count = 0;
-    int last_impact = -1;  // index among all impacts of the step; -1 for none
+    int impact_weight = 0;  // of these impacts: at kMaxImpactsPerBody the body stops
+    int last_impact = -1;   // index among all impacts of the step; -1 for none
 
     // The motion from a time on, which must not be before `time`.
     Sweep sweep_from(double from) const {

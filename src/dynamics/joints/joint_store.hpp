@@ -9,6 +9,7 @@
 #include <array>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "debug/check.hpp"
@@ -102,11 +103,15 @@ public:
     // The joints whose reaction exceeded their strength in the last store(), in order of their ids.
     const std::vector<JointId>& broken() const { return broken_; }
 
-    // Calls visit(body, other), by index, for each two bodies of each awake joint.
+    // Calls visit(body, other, has_rows) for each two bodies, by index, of each awake joint. A joint without rows
+    // neither pushes nor pulls.
     template <class Visitor>
     void for_each_awake_pair(Visitor&& visit) const {
         for_each_list(*this, [&](const auto& list) {
-            for (const AwakeJoint& awake : list.awake) bodies(ids.at(awake.joint)).for_each_pair(visit);
+            for (const AwakeJoint& awake : list.awake)
+                bodies(ids.at(awake.joint)).for_each_pair([&](std::uint32_t body, std::uint32_t other) {
+                    visit(body, other, has_rows(list));
+                });
         });
     }
 
@@ -150,6 +155,10 @@ private:
         std::vector<std::uint32_t> free;  // slots without a joint
         std::vector<AwakeJoint> awake;    // sorted by prepare()
     };
+    template <class Joint>
+    static constexpr bool has_rows(const JointList<Joint>&) {
+        return !std::is_same_v<Joint, FilterJoint>;
+    }
     template <class... Joints>
     using Lists = std::tuple<JointList<Joints>...>;
     // In the order in which the kinds are solved: the last ones are the most exact.

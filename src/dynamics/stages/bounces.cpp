@@ -10,8 +10,9 @@ namespace tumble {
 
 namespace {
 
-// Landings of bodies that carry others are impacts for at most so many contacts of a group of touching bodies in a
-// step, and one more for each further number of its bodies. More: they cost more than the rest of the step.
+// In each group of touching bodies, the kMaxLandings fastest landings of bodies that carry others are impacts, and one
+// more for each kBodiesPerLanding bodies of the group. The solver gets the rest. Larger: impacts cost more than the
+// rest of the step.
 constexpr std::uint32_t kMaxLandings = 8;
 constexpr std::uint32_t kBodiesPerLanding = 16;
 
@@ -97,7 +98,7 @@ std::uint32_t group_of(Simulation& simulation, const Contact& contact) {
     return simulation.scratch.islands.root(simulation.bodies.frames[body].solver_body);
 }
 
-// Of the landings in a group, the solver keeps all but the fastest.
+// Leaves all but the fastest landings of each group to the solver.
 void keep_slow_landings(Simulation& simulation) {
     BounceScratch& scratch = simulation.scratch.ordered_impacts.bounces;
     if (scratch.landings.size() <= kMaxLandings) return;

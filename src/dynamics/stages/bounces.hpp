@@ -15,9 +15,9 @@ double bounce_threshold(const Simulation& simulation, const Contact& contact);
 bool note_bounce(const Simulation& simulation, Contact& contact);
 
 // A stage of the step, before constraints are prepared: of the contacts that may bounce, keeps the mark of those that
-// do, and of two kinds of inelastic ones. A body lands that carries others: the few sweeps of the solver would leave
-// such a stack with overlap and approaches, from which it rebounds with half of its speed. Or the impact is so fast
-// that the sub-steps are too long for it.
+// do. An inelastic contact keeps it in two cases: a body that carries others lands, and the few sub-steps of the solver
+// would leave the stack with overlap, from which it rebounds at half its speed; or the impact is too fast for a
+// sub-step.
 void find_bounces(Simulation& simulation);
 
 }  // namespace tumble

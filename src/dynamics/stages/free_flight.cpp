@@ -78,7 +78,7 @@ void begin_flight(Simulation& simulation) {
         start[i] = {DVec2(body.velocity) + exact, body.angular_velocity};
         rest = {};
     }
-    simulation.joints.for_each_awake_pair([&](std::uint32_t a, std::uint32_t b) {
+    simulation.joints.for_each_awake_pair([&](std::uint32_t a, std::uint32_t b, bool) {
         for (const std::uint32_t body : {a, b})
             bodies.solver_bodies[bodies.frames[body].solver_body].flags |= kPushedBody;
     });

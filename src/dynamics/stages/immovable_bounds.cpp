@@ -7,6 +7,7 @@
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/contacts/separation.hpp"
 #include "dynamics/stages/shape_core.hpp"
 #include "dynamics/stages/swept_bodies.hpp"
 #include "dynamics/state/collision_rules.hpp"
@@ -25,8 +26,9 @@ constexpr float kBoundCore = 0.5f;
 constexpr double kCoreTolerance = 1e-4;
 constexpr int kMaxTries = 8;
 
-// A body that moves, or has sunk in, by less than this part of its smallest extent needs no bound in this step.
-constexpr float kBoundPart = 0.25f;
+// The overlap at which the core touches, as a part of the shape's thickness. A body that moves by less than this part
+// of its smallest extent, and has sunk in by less, needs no bound in this step.
+constexpr float kBoundPart = 0.5f * (1.0f - kBoundCore);
 
 // A body that stops at one shape may be taken by another one: at most so often, and then it stays where it is.
 constexpr int kMaxStops = 4;
@@ -41,14 +43,19 @@ public:
         TUMBLE_CHECK(simulation.bodies.frames[body].solver_body != kStaticSolverBody);
     }
 
+    // Of a body with impacts, the chord to the last of them is bounded, and the motion after it.
     void run() {
-        for (int stops = 0; stops < kMaxStops; ++stops) {
-            sweep_ = sweep_of(simulation_.bodies, body_);
-            first_ = {};
-            for (const ShapeId own : simulation_.bodies.records[body_].shapes) search(own.index);
-            if (!(first_.fraction < 1.0)) return;
-            stop(stops + 1 == kMaxStops);
+        const Sweep whole = sweep_of(simulation_.bodies, body_);
+        const std::uint32_t index = find_swept(simulation_, body_);
+        const SweptBody* const swept = index == kNotSwept ? nullptr : &simulation_.scratch.ordered_impacts.swept[index];
+        if (!swept || swept->impact_count == 0) {
+            bound(whole, 0.0, 1.0);
+            return;
         }
+        const Sweep last = swept->sweep;
+        const Sweep before{whole.local_center, whole.start, last.start, whole.start_angle,
+                           last.start_angle - whole.start_angle};
+        if (!bound(before, 0.0, swept->time)) bound(last, swept->time, 1.0);
     }
 
 private:
@@ -57,6 +64,23 @@ private:
         DVec2 point, normal;      // world; the normal is unit, from the immovable shape
         std::uint32_t other = 0;  // that shape
     };
+
+    // Bounds a motion between two times, fractions of the step. True if the body stops.
+    bool bound(const Sweep& sweep, double from, double to) {
+        sweep_ = sweep;
+        from_ = from;
+        to_ = to;
+        for (int stops = 0; stops < kMaxStops; ++stops) {
+            first_ = {};
+            for (const ShapeId own : simulation_.bodies.records[body_].shapes) search(own.index);
+            if (!(first_.fraction < 1.0)) return stops > 0;
+            stop(stops + 1 == kMaxStops);
+        }
+        return true;
+    }
+
+    // The motion of another body during that time.
+    Sweep sweep_between(std::uint32_t body) const { return part_of(sweep_of(simulation_.bodies, body), from_, to_); }
 
     void search(std::uint32_t own) {
         const ShapeRecord& shape = simulation_.shapes[own];
@@ -74,7 +98,7 @@ private:
     // Takes the first contact of a core with another shape if it is earlier; of two at one time, that of the lower one.
     void meet(const ShapeRecord& shape, std::uint32_t other) {
         const ShapeRecord& immovable = simulation_.shapes[other];
-        const Sweep sweep = sweep_of(simulation_.bodies, immovable.body);
+        const Sweep sweep = sweep_between(immovable.body);
         if (immovable.link &&
             is_behind(immovable.shape, *immovable.link, pose_at(sweep, 0.0), shape.shape, pose_at(sweep_, 0.0)))
             return;
@@ -84,7 +108,7 @@ private:
         take(hit, other);
     }
 
-    // The part of the largest core of the shape that is out of the other one when the step begins, by regula falsi; 0
+    // The part of the largest core of the shape that is out of the other one when the motion begins, by regula falsi; 0
     // if there is none.
     float part_outside(const ShapeRecord& shape, const ShapeRecord& immovable, const Sweep& sweep) const {
         const Pose pose = pose_at(sweep_, 0.0), other_pose = pose_at(sweep, 0.0);
@@ -117,27 +141,32 @@ private:
     void stop(bool is_last) {
         TUMBLE_CHECK(first_.fraction >= 0.0);
         TUMBLE_CHECK(first_.fraction < 1.0);
-        const double ahead = 1.0 - first_.fraction;
-        const DVec2 taken =
-            is_last ? DVec2{} : std::max(ahead * dot(surface_path(), first_.normal), 0.0) * first_.normal;
-        const DVec2 path = first_.fraction * (sweep_.end - sweep_.start) + taken;
-        moved_.delta_position = allowed(moved_.flags, to_float(path));
-        moved_.delta_rotation = make_rotation(first_.fraction * sweep_.turn);
-        const double duration = static_cast<double>(simulation_.settings.duration);
-        const double speed = dot(DVec2(moved_.velocity) - (1.0 / duration) * surface_path(), first_.normal);
+        const double time = from_ + first_.fraction * (to_ - from_), along = dot(surface_path(time), first_.normal);
+        const DVec2 taken = is_last ? DVec2{} : std::max((1.0 - time) * along, 0.0) * first_.normal;
+        to_ = 1.0;
+        sweep_.end = sweep_.start + first_.fraction * (sweep_.end - sweep_.start) +
+                     DVec2(allowed(moved_.flags, to_float(taken)));
+        sweep_.turn *= first_.fraction;
+        const BodyFrame& frame = simulation_.bodies.frames[body_];
+        moved_.delta_position = to_float(sweep_.end - frame.center);
+        moved_.delta_rotation = make_rotation(sweep_.start_angle + sweep_.turn - angle(frame.pose.rotation));
+        const double speed =
+            dot(DVec2(moved_.velocity), first_.normal) - along / static_cast<double>(simulation_.settings.duration);
         if (speed < 0.0) moved_.velocity -= allowed(moved_.flags, to_float(speed * first_.normal));
     }
 
-    // Of the immovable shape's point in the whole step, m.
-    DVec2 surface_path() const {
+    // The velocity of the immovable shape's point at a time, times the whole step, m.
+    DVec2 surface_path(double time) const {
         const Sweep sweep = sweep_of(simulation_.bodies, simulation_.shapes[first_.other].body);
-        return (sweep.end - sweep.start) + sweep.turn * perp(first_.point - sweep.start);
+        const DVec2 path = sweep.end - sweep.start, center = sweep.start + time * path;
+        return path + sweep.turn * perp(first_.point - center);
     }
 
     Simulation& simulation_;
     std::uint32_t body_;
     SolverBody& moved_;
-    Sweep sweep_;
+    Sweep sweep_;                   // the motion that is bounded
+    double from_ = 0.0, to_ = 1.0;  // when it begins and ends, fractions of the step
     Stop first_;
 };
 
@@ -148,32 +177,38 @@ std::optional<std::uint32_t> find_sunk(const Simulation& simulation, const Conta
     if (bodies.is_dynamic(contact.body_a) == bodies.is_dynamic(contact.body_b)) return {};
     const bool a_is_dynamic = bodies.is_dynamic(contact.body_a);
     const ShapeRecord& shape = simulation.shapes[a_is_dynamic ? contact.shapes.a : contact.shapes.b];
-    for (int i = 0; i < contact.manifold.point_count; ++i) {
-        const ManifoldPoint& point = contact.manifold.points[i];
-        const Vec2 moved = shift_in_step(bodies, contact.body_b, point.anchor_b) -
-                           shift_in_step(bodies, contact.body_a, point.anchor_a);
-        if (point.separation + dot(moved, contact.manifold.normal) < -kBoundPart * shape.smaller_extent)
+    for (int i = 0; i < contact.manifold.point_count; ++i)
+        if (separation_at_end(contact, contact.manifold.points[i], bodies) < -kBoundPart * shape.smaller_extent)
             return shape.body;
-    }
     return {};
+}
+
+// The bodies that may need a bound, each once.
+void find_bounded(Simulation& simulation) {
+    const BodyStore& bodies = simulation.bodies;
+    std::vector<std::uint32_t>& bounded = simulation.scratch.ordered_impacts.bounded_bodies;
+    bounded.clear();
+    for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
+        const BodyMotion& motion = bodies.moving[i].motion;
+        const SolverBody& body = bodies.solver_bodies[i];
+        if ((body.flags & kDynamicBody) && displacement_in_step(body, motion) > kBoundPart * motion.smallest_extent)
+            bounded.push_back(bodies.moving[i].body);
+    }
+    for (const Contact& contact : simulation.contacts.all()) {
+        const std::optional<std::uint32_t> sunk = find_sunk(simulation, contact);
+        if (sunk && !bodies.is_asleep(*sunk)) bounded.push_back(*sunk);
+    }
+    std::sort(bounded.begin(), bounded.end());
+    bounded.erase(std::unique(bounded.begin(), bounded.end()), bounded.end());
 }
 
 }  // namespace
 
 void keep_out_of_immovable(Simulation& simulation) {
     if (!simulation.settings.continuous) return;
-    const BodyStore& bodies = simulation.bodies;
-    for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
-        const BodyMotion& motion = bodies.moving[i].motion;
-        const SolverBody& body = bodies.solver_bodies[i];
-        if (!(body.flags & kDynamicBody)) continue;
-        if (displacement_in_step(body, motion) > kBoundPart * motion.smallest_extent)
-            MotionBound(simulation, bodies.moving[i].body).run();
-    }
-    for (const Contact& contact : simulation.contacts.all()) {
-        const std::optional<std::uint32_t> sunk = find_sunk(simulation, contact);
-        if (sunk && !bodies.is_asleep(*sunk)) MotionBound(simulation, *sunk).run();
-    }
+    find_bounded(simulation);
+    for (const std::uint32_t body : simulation.scratch.ordered_impacts.bounded_bodies)
+        MotionBound(simulation, body).run();
 }
 
 }  // namespace tumble

@@ -24,8 +24,8 @@ constexpr std::size_t kMaxGroupPoints = 128;
 // much at 0.1). Larger: elastic bodies that touch several others lose energy.
 constexpr double kPassedOn = 0.3;
 
-// As how many of a body's impacts in a step one without a bounce counts. More: the bodies of fast piles rest sooner,
-// and sink in deeper. Fewer: they have so many impacts that their step costs a hundred times as much.
+// The weight of an impact without a bounce; one with a bounce weighs 1. Larger: the bodies of fast piles stop sooner,
+// and sink in deeper. Smaller: their step costs a hundred times as much.
 constexpr int kInelasticWeight = 8;
 
 class ImpactResponse {
@@ -188,7 +188,8 @@ private:
     // Without locks, 1/kg.
     float inv_mass(std::uint32_t body) const { return simulation_.bodies.frames[body].inv_mass; }
 
-    // Adds the contacts that the bodies now press together by more than `least` (m/s). False if there are none.
+    // Adds the contacts that the bodies now press together by more than `least` (m/s), and those with static and
+    // kinematic bodies that are approached at all, at the impact or ahead. False if there are none.
     bool grow(double least) {
         const std::size_t before = group_.points.size();
         const std::size_t member_count = scratch_.members.size();
@@ -339,11 +340,12 @@ private:
         const ImpactBody& body = group_.bodies[index];
         swept.push(body.change, duration_);
         swept.hold(body.hold, duration_);
-        swept.impact_count += weight(index);
-        if (swept.impact_count >= kMaxImpactsPerBody || has_joints(swept.body)) swept.stop();
+        ++swept.impact_count;
+        swept.impact_weight += weight(index);
+        if (swept.impact_weight >= kMaxImpactsPerBody || has_joints(swept.body)) swept.stop();
     }
 
-    // Without a bounce the two bodies of an impact only get nearer to rest.
+    // An impact without a bounce weighs more for its two bodies: they only come nearer to rest.
     int weight(std::size_t index) const {
         const bool bounces = !group_.points.empty() && group_.points.front().restitution > 0.0;
         return index >= 2 || bounces ? 1 : kInelasticWeight;

@@ -6,6 +6,7 @@
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/contacts/separation.hpp"
 #include "dynamics/stages/contact_lists.hpp"
 #include "dynamics/stages/swept_bodies.hpp"
 #include "dynamics/stages/swept_pair.hpp"
@@ -43,10 +44,9 @@ bool leaves_foreseen_motion(const Simulation& simulation, std::size_t index) {
 bool is_left_overlapping(const Contact& contact, float least, const BodyStore& bodies) {
     for (int i = 0; i < contact.manifold.point_count; ++i) {
         const ManifoldPoint& point = contact.manifold.points[i];
-        const Vec2 moved = shift_in_step(bodies, contact.body_b, point.anchor_b) -
-                           shift_in_step(bodies, contact.body_a, point.anchor_a);
-        const float separation = point.separation + dot(moved, contact.manifold.normal);
-        if (separation < -contact.speculative_distance && length_sq(moved) > least * least) return true;
+        if (separation_at_end(contact, point, bodies) < -contact.speculative_distance &&
+            length_sq(relative_shift(contact, point, bodies)) > least * least)
+            return true;
     }
     return false;
 }
@@ -182,12 +182,12 @@ private:
     }
 
     // For how long two shapes that touch after an impact are left alone, as a fraction of the step: until they may have
-    // sunk in by the inset. Each further impact of the body makes it longer, so that a ball driven by a turning paddle
+    // sunk in by the inset. The weight of the body's impacts makes it longer, so that a ball driven by a turning paddle
     // has few of them. Two segments have no thickness to sink in by: they are left alone for the longest time.
     double rest_after_impact(const Side& a, const Side& b, DVec2 path) const {
         const double moved = length(path) + std::abs(a.sweep.turn) * a.reach + std::abs(b.sweep.turn) * b.reach;
         const double ahead = 1.0 - self().time;
-        const double sink = static_cast<double>(inset(a, b)) * (1 << std::min(self().impact_count / 4, 16));
+        const double sink = static_cast<double>(inset(a, b)) * (1 << std::min(self().impact_weight / 4, 16));
         return moved > 0.0 && sink > 0.0 ? std::min(kLongestRest, ahead * sink / moved) : kLongestRest;
     }
 

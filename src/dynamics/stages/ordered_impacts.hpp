@@ -6,7 +6,7 @@
 // on (impacts/impact_group.hpp). The bodies that it changed have a new motion for the rest of the step, and new impacts
 // ahead.
 //
-// The work is bounded: a body that has had kMaxImpactsPerBody impacts in a step stays where it is until the step ends,
+// The work is bounded: a body whose impacts in a step weigh kMaxImpactsPerBody stays where it is until the step ends,
 // and keeps its velocity.
 #pragma once
 

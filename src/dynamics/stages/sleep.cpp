@@ -27,13 +27,15 @@ bool update_still_times(BodyStore& bodies, const StepSettings& settings) {
     return any_is_ready;
 }
 
-// For two bodies that touch or are joined: dynamic ones share an island, a body at rest holds the other's island, and a
-// moving kinematic one keeps it awake.
-void connect(IslandFinder& islands, const BodyStore& bodies, std::uint32_t body_a, std::uint32_t body_b) {
+// For two bodies that touch or are joined: dynamic ones share an island, a body at rest supports the other's island if
+// it can push or pull it, and a moving kinematic one keeps it awake.
+void connect(IslandFinder& islands, const BodyStore& bodies, std::uint32_t body_a, std::uint32_t body_b,
+             bool has_rows = true) {
     const std::uint32_t a = bodies.frames[body_a].solver_body, b = bodies.frames[body_b].solver_body;
     if (!bodies.is_active(body_a) || !bodies.is_active(body_b)) {
-        islands.hold(a);
-        islands.hold(b);
+        if (!has_rows) return;
+        islands.mark_supported(a);
+        islands.mark_supported(b);
     } else if (bodies.is_dynamic(body_a) && bodies.is_dynamic(body_b)) {
         islands.join(a, b);
     } else {
@@ -50,16 +52,16 @@ bool drifts(const SolverBody& body, const MovingBody& moving, float sleep_speed)
     return path + turn * motion.reach > kDriftPart * sleep_speed;
 }
 
-// Keeps the islands awake that move through free space. They count their still time again, so that islands are not
-// searched for in each step.
+// Keeps islands awake that move through free space. Their drifting bodies count their still time anew: otherwise each
+// step would search for islands.
 void keep_drifting_awake(Simulation& simulation) {
     BodyStore& bodies = simulation.bodies;
     IslandFinder& islands = simulation.scratch.islands;
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
-        if (islands.is_held(i)) islands.hold(islands.root(i));
+        if (islands.is_supported(i)) islands.mark_supported(islands.root(i));
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i) {
         const SolverBody& body = bodies.solver_bodies[i];
-        if (!(body.flags & kDynamicBody) || islands.is_held(islands.root(i))) continue;
+        if (!(body.flags & kDynamicBody) || islands.is_supported(islands.root(i))) continue;
         if (!drifts(body, bodies.moving[i], simulation.settings.tuning.sleep_speed)) continue;
         islands.keep_awake(islands.root(i));
         bodies.moving[i].still_time = 0.0f;
@@ -73,7 +75,7 @@ void find_islands(Simulation& simulation) {
         if (is_touching(contact) && !is_over(simulation, contact))
             connect(islands, simulation.bodies, contact.body_a, contact.body_b);
     simulation.joints.for_each_awake_pair(
-        [&](std::uint32_t a, std::uint32_t b) { connect(islands, simulation.bodies, a, b); });
+        [&](std::uint32_t a, std::uint32_t b, bool has_rows) { connect(islands, simulation.bodies, a, b, has_rows); });
 }
 
 // Removes the contacts of sleeping bodies from those that are solved. A touching contact moves to its island; a pair

@@ -1,9 +1,9 @@
 // Falling asleep and waking: an island leaves the arrays of moving bodies as a whole, and returns as a whole.
 //
 // An island is a set of dynamic bodies connected by touching contacts and joints. It falls asleep when each of its
-// bodies has been slow for half a second (Tuning::time_to_sleep), and it touches or is joined to a body at rest, or
-// does not drift: nothing stops what moves through free space without damping. It wakes when an awake body touches one
-// of its bodies, or when the user changes a body that it rests on.
+// bodies has been slow for half a second (Tuning::time_to_sleep). An island that touches and is joined to no body at
+// rest must not drift either: nothing stops what moves through free space without damping. It wakes when an awake body
+// touches one of its bodies, or when the user changes a body that it rests on.
 #pragma once
 
 #include <cstdint>

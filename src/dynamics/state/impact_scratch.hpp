@@ -95,6 +95,7 @@ struct ImpactScratch {
     ContactLists contact_lists;
     BounceScratch bounces;
     std::vector<Impact> impacts;
+    std::vector<std::uint32_t> bounded_bodies;  // indices, sorted: their motion may need a bound
 };
 
 }  // namespace tumble

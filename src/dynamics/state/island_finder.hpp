@@ -20,7 +20,7 @@ public:
         parent_.resize(body_count);
         std::iota(parent_.begin(), parent_.end(), 0u);
         kept_awake_.assign(body_count, 0);
-        held_.assign(body_count, 0);
+        supported_.assign(body_count, 0);
     }
 
     std::uint32_t root(std::uint32_t body) {
@@ -43,20 +43,20 @@ public:
 
     // Marks one body that touches or is joined to a body at rest that no impulse moves. The caller transfers this mark
     // too.
-    void hold(std::uint32_t body) {
-        TUMBLE_CHECK(body < held_.size());
-        held_[body] = 1;
+    void mark_supported(std::uint32_t body) {
+        TUMBLE_CHECK(body < supported_.size());
+        supported_[body] = 1;
     }
-    bool is_held(std::uint32_t body) const { return held_[body] != 0; }
+    bool is_supported(std::uint32_t body) const { return supported_[body] != 0; }
 
     std::size_t bytes() const {
-        return parent_.capacity() * sizeof(std::uint32_t) + kept_awake_.capacity() + held_.capacity();
+        return parent_.capacity() * sizeof(std::uint32_t) + kept_awake_.capacity() + supported_.capacity();
     }
 
 private:
     std::vector<std::uint32_t> parent_;     // by body
     std::vector<std::uint8_t> kept_awake_;  // by body, 0 or 1
-    std::vector<std::uint8_t> held_;        // by body, 0 or 1
+    std::vector<std::uint8_t> supported_;   // by body, 0 or 1
 };
 
 }  // namespace tumble

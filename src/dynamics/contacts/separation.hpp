@@ -1,0 +1,20 @@
+// How far apart the shapes of a contact are when the step ends. The normal is that of its start.
+#pragma once
+
+#include "dynamics/bodies/sweeps.hpp"
+#include "dynamics/contacts/contact.hpp"
+
+namespace tumble {
+
+// The displacement of B's point against A's in the step, m.
+inline Vec2 relative_shift(const Contact& contact, const ManifoldPoint& point, const BodyStore& bodies) {
+    return shift_in_step(bodies, contact.body_b, point.anchor_b) -
+           shift_in_step(bodies, contact.body_a, point.anchor_a);
+}
+
+// Of a point when the step ends, m; negative if the shapes overlap.
+inline float separation_at_end(const Contact& contact, const ManifoldPoint& point, const BodyStore& bodies) {
+    return point.separation + dot(relative_shift(contact, point, bodies), contact.manifold.normal);
+}
+
+}  // namespace tumble
