@@ -54,10 +54,9 @@ struct WorldDef {
 //
 // Sleep. Dynamic bodies that touch or are joined form an island. An island falls asleep once all of its bodies have
 // been slower than 0.05 m/s for 0.5 s, each times the square root of WorldDef::scale. An island that touches and is
-// joined to no body at rest stays awake while a body without damping moves in it: nothing would stop it. A sleeping
-// island costs nothing in a step. It wakes when an awake body touches it; when one of its bodies gets a velocity, a
-// force, a joint to an awake body or, if the island has contacts, a shape; and when a body that it rests on is moved,
-// changed or destroyed.
+// joined to no body at rest stays awake while a body without damping moves in it. A sleeping island costs nothing in a
+// step. It wakes when an awake body touches it; when one of its bodies gets a velocity, a force, a joint to an awake
+// body or, with contacts, a shape; and when a body that it rests on is moved, changed or destroyed.
 //
 // Speed limits. A step clamps the speed of dynamic bodies to 400 m/s times the square root of WorldDef::scale, and
 // their rotation to 1/8 turn in a step (1/2 turn in a sub-step with BodyDef::allow_fast_rotation), whatever forces and
@@ -356,10 +355,9 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// Makes one step of each world; the worlds are divided among the threads, and each must be there once. This uses
-// threads better than a step on several of them, as long as there are more worlds than threads. A world whose own
-// WorldDef::threads are more than one uses these too. If steps throw, the other worlds still make theirs, and the
-// exception of the first world is thrown.
+// Makes one step of each world, each of which must be there once, on several threads: better than steps on several
+// threads if there are more worlds than threads. A world whose own WorldDef::threads are more than one uses these too.
+// If steps throw, the other worlds still make theirs, and the exception of the first world is thrown.
 void step_all(std::span<World* const> worlds, const Threads& threads = {.count = 0});
 
 // A snapshot that cannot be loaded: incomplete, damaged, or of another version.

@@ -15,6 +15,12 @@ namespace tumble {
 struct PointImpulse {
     float normal = 0.0f;
     float tangent = 0.0f;  // along contact_tangent()
+
+    PointImpulse& operator+=(const PointImpulse& other) {
+        normal += other.normal;
+        tangent += other.tangent;
+        return *this;
+    }
 };
 
 // Solid contacts push. A sensor's contact only reports that the shapes overlap.

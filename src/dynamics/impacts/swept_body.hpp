@@ -61,6 +61,9 @@ struct SweptBody {
 
     Twist final_velocity(double duration) const { return velocity + (1.0 - time) * duration * acceleration; }
 
+    // From the start of the step until `time`, rad.
+    double turned() const { return sweep.start_angle - first_angle; }
+
     // Moves the start of the sweep to a later time. A free body leaves the chord for its parabola.
     void advance(double to, double duration);
 

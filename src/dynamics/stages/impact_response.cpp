@@ -8,6 +8,7 @@
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/contacts/collide_posed.hpp"
 #include "dynamics/contacts/make_contact.hpp"
+#include "dynamics/contacts/separation.hpp"
 #include "dynamics/stages/bounces.hpp"
 #include "dynamics/stages/contact_lists.hpp"
 #include "dynamics/stages/swept_bodies.hpp"
@@ -24,8 +25,8 @@ constexpr std::size_t kMaxGroupPoints = 128;
 // much at 0.1). Larger: elastic bodies that touch several others lose energy.
 constexpr double kPassedOn = 0.3;
 
-// The weight of an impact without a bounce; one with a bounce weighs 1. Larger: the bodies of fast piles stop sooner,
-// and sink in deeper. Smaller: their step costs a hundred times as much.
+// Of an impact without a bounce; one with a bounce weighs 1. Larger: bodies of fast piles stop sooner, and sink deeper.
+// Smaller: their step costs a hundred times as much.
 constexpr int kInelasticWeight = 8;
 
 class ImpactResponse {
@@ -54,10 +55,7 @@ public:
 
 private:
     void clear() {
-        group_.clear();
-        scratch_.members.clear();
-        scratch_.member_turns.clear();
-        scratch_.group_points.clear();
+        scratch_.clear_group();
         scratch_.impacts.resize(first_);
     }
 
@@ -80,12 +78,9 @@ private:
         if (found != scratch_.members.end()) return static_cast<std::size_t>(found - scratch_.members.begin());
         scratch_.members.push_back(swept);
         group_.bodies.push_back(swept == kNotSwept ? ImpactBody{} : make_body(scratch_.swept[swept]));
-        scratch_.member_turns.push_back(swept == kNotSwept ? SinCos{} : turn_of(scratch_.swept[swept]));
+        scratch_.member_turns.push_back(swept == kNotSwept ? SinCos{} : sin_cos(scratch_.swept[swept].turned()));
         return scratch_.members.size() - 1;
     }
-
-    // Since the step began.
-    static SinCos turn_of(const SweptBody& swept) { return sin_cos(swept.sweep.start_angle - swept.first_angle); }
 
     ImpactBody make_body(SweptBody& swept) {
         const BodyFrame& frame = simulation_.bodies.frames[swept.body];
@@ -119,7 +114,7 @@ private:
         const Pose pose_a = pose(contact.body_a, a), pose_b = pose(contact.body_b, b);
         const PosedShape shape_a{simulation_.shapes[shapes.a], pose_a}, shape_b{simulation_.shapes[shapes.b], pose_b};
         contact.manifold = collide_posed(shape_a, shape_b, contact, contact.speculative_distance, {});
-        const float depth = std::max(deepest(contact.manifold), 0.0f) + touching_distance(contact);
+        const float depth = std::max(least_separation(contact.manifold), 0.0f) + touching_distance(contact);
         Manifold& taking_part = begin_impact(shapes).manifold;
         taking_part.normal = contact.manifold.normal;
         for (int i = 0; i < contact.manifold.point_count; ++i) {
@@ -158,13 +153,6 @@ private:
                   separation);
     }
 
-    static float deepest(const Manifold& manifold) {
-        float least = 0.0f;
-        for (int i = 0; i < manifold.point_count; ++i)
-            least = i == 0 ? manifold.points[i].separation : std::min(least, manifold.points[i].separation);
-        return least;
-    }
-
     static float touching_distance(const Contact& contact) { return kTouchingPart * contact.speculative_distance; }
 
     void add_point(const Contact& contact, std::size_t a, std::size_t b, DVec2 normal, DVec2 arm_a, DVec2 arm_b,
@@ -179,14 +167,13 @@ private:
         point.friction = contact.friction;
         point.restitution = contact.restitution;
         point.threshold = bounce_threshold(simulation_, contact);
-        point.least_response = static_cast<double>(kDeadPoint * (inv_mass(contact.body_a) + inv_mass(contact.body_b)));
+        const auto& frames = simulation_.bodies.frames;  // their inverse masses are without locks
+        point.least_response =
+            static_cast<double>(kDeadPoint * (frames[contact.body_a].inv_mass + frames[contact.body_b].inv_mass));
         point.tangent_speed = contact.tangent_speed;
         group_.points.push_back(point);
         scratch_.group_points.push_back({contact.shapes});
     }
-
-    // Without locks, 1/kg.
-    float inv_mass(std::uint32_t body) const { return simulation_.bodies.frames[body].inv_mass; }
 
     // Adds the contacts that the bodies now press together by more than `least` (m/s), and those with static and
     // kinematic bodies that are approached at all, at the impact or ahead. False if there are none.
@@ -229,8 +216,7 @@ private:
         scratch_.impacts.pop_back();
     }
 
-    // Static and kinematic bodies bound the motion of all others: their contacts take part however slow the approach
-    // is.
+    // Static and kinematic bodies bound all others: their contacts take part however slow the approach is.
     bool is_with_immovable(std::uint32_t a, std::uint32_t b) const {
         return !simulation_.bodies.is_dynamic(a) || !simulation_.bodies.is_dynamic(b);
     }
@@ -282,12 +268,8 @@ private:
 
     Twist velocity_now(std::uint32_t body) const {
         const std::uint32_t swept = find_swept(simulation_, body);
-        if (swept == kNotSwept) {
-            const SolverBody& moved = simulation_.bodies.solver_bodies[simulation_.bodies.frames[body].solver_body];
-            return {DVec2(moved.velocity), moved.angular_velocity};
-        }
         const auto found = std::find(scratch_.members.begin(), scratch_.members.end(), swept);
-        if (found == scratch_.members.end()) return scratch_.swept[swept].velocity;
+        if (swept == kNotSwept || found == scratch_.members.end()) return present_velocity(simulation_, body);
         const ImpactBody& member = group_.bodies[static_cast<std::size_t>(found - scratch_.members.begin())];
         return member.velocity + member.change;
     }
@@ -296,16 +278,14 @@ private:
     bool add_touching_point(const Contact& contact, const ManifoldPoint& point, std::size_t a, std::size_t b) {
         const DVec2 normal(contact.manifold.normal);
         const Arm arm_a = arm(contact.body_a, a, point.anchor_a), arm_b = arm(contact.body_b, b, point.anchor_b);
-        const DVec2 shift = (arm_b.shift - arm_a.shift);
-        const double separation = static_cast<double>(point.separation) + dot(shift, normal);
+        const double separation = static_cast<double>(point.separation) + dot(arm_b.shift - arm_a.shift, normal);
         if (separation > static_cast<double>(touching_distance(contact))) return false;
         add_point(contact, a, b, normal, arm_a.now, arm_b.now, separation);
         return true;
     }
 
     struct Arm {
-        DVec2 now;    // from the centre of mass, m
-        DVec2 shift;  // of its end since the step began, m
+        DVec2 now, shift;  // from the centre of mass; of its end since the step began, m
     };
     Arm arm(std::uint32_t body, std::size_t index, Vec2 anchor) const {
         const BodyFrame& frame = simulation_.bodies.frames[body];
@@ -364,7 +344,7 @@ private:
                 scratch_.impacts[static_cast<std::size_t>(own.impact)].applied[own.manifold_point] = applied;
             Contact* const contact = simulation_.contacts.find(own.shapes);
             if (!contact) continue;
-            if (own.impact < 0) add(contact->applied[own.manifold_point], applied);
+            if (own.impact < 0) contact->applied[own.manifold_point] += applied;
             contact->is_bouncing = false;
         }
         if (Contact* const contact = simulation_.contacts.find(impact_.shapes)) contact->is_bouncing = false;
@@ -380,11 +360,6 @@ private:
     int exchange_last(std::uint32_t body, int index) {
         const std::uint32_t swept = find_swept(simulation_, body);
         return swept == kNotSwept ? -1 : std::exchange(scratch_.swept[swept].last_impact, index);
-    }
-
-    static void add(PointImpulse& sum, const PointImpulse& impulse) {
-        sum.normal += impulse.normal;
-        sum.tangent += impulse.tangent;
     }
 
     Simulation& simulation_;

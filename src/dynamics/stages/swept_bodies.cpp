@@ -88,6 +88,13 @@ std::uint32_t find_swept(const Simulation& simulation, std::uint32_t body) {
     return solver_body == kStaticSolverBody ? kNotSwept : simulation.scratch.ordered_impacts.swept_of[solver_body];
 }
 
+Twist present_velocity(const Simulation& simulation, std::uint32_t body) {
+    const std::uint32_t swept = find_swept(simulation, body);
+    if (swept != kNotSwept) return simulation.scratch.ordered_impacts.swept[swept].velocity;
+    const SolverBody& moved = simulation.bodies.solver_bodies[simulation.bodies.frames[body].solver_body];
+    return {DVec2(moved.velocity), moved.angular_velocity};
+}
+
 std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body) {
     wake_for_impact(simulation, body);
     ImpactScratch& scratch = simulation.scratch.ordered_impacts;

@@ -11,6 +11,9 @@ void clear_swept_bodies(Simulation& simulation);
 // The index of a body among the swept ones; kNotSwept if it is not one of them.
 std::uint32_t find_swept(const Simulation& simulation, std::uint32_t body);
 
+// The velocity of a body at the time of its sweep's start, or if it is not swept that of the solver.
+Twist present_velocity(const Simulation& simulation, std::uint32_t body);
+
 // The index among the swept bodies of a body that may move. Adds it to them if it is not one of them yet, and wakes it
 // if it sleeps.
 std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body);

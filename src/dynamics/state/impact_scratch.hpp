@@ -96,6 +96,13 @@ struct ImpactScratch {
     BounceScratch bounces;
     std::vector<Impact> impacts;
     std::vector<std::uint32_t> bounded_bodies;  // indices, sorted: their motion may need a bound
+
+    void clear_group() {
+        group.clear();
+        members.clear();
+        member_turns.clear();
+        group_points.clear();
+    }
 };
 
 }  // namespace tumble
