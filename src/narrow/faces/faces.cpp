@@ -92,7 +92,7 @@ void move_below_origin(const CorePair& pair, Face& face) {
         const VertexPair next = neighbour(pair, face.direction, end, step);
         const double left = distance_to_go(next);
         const double part = left < 0.0 ? to_go / (to_go - left) : 1.0;
-        TUMBLE_CHECK(part > 0.0);
+        TUMBLE_CHECK(part >= 0.0);  // 0 where the quotient underflows
         TUMBLE_CHECK(part <= 1.0);
         const double from = height(pair, face.direction, end), to = height(pair, face.direction, next);
         if (next == end || from + part * (to - from) < level) return;
