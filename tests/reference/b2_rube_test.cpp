@@ -87,7 +87,7 @@ TEST_CASE("the bodies and joints of a large export are those of Box2D") {
 
 namespace {
 
-// The text with one of its numbers replaced by another, or with a key that nobody knows.
+// The text with one of its numbers replaced by another, or with an unknown key.
 std::string mutate(const std::string& text, std::mt19937& random) {
     static constexpr std::array<const char*, 16> kValues = {"0",
                                                             "-1",

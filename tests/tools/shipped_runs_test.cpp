@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kAspect = 16.0 / 9.0;  // of the frames
-constexpr double kStill = 0.05;         // of the frame's height: a displacement that nobody sees
+constexpr double kStill = 0.05;         // of the frame's height: a displacement too small to see
 
 // In these, bodies roll or fall out of the frame at the end, when there is no more to see of them.
 const std::set<std::string> kRollAway{"breakable_bridge", "cliff", "ghost_bumps"};

@@ -22,8 +22,8 @@ public:
     // Closes that end in this process.
     void close_entry();
 
-    // Waits until nobody can write any more and everything is copied. Throws FileError, or std::bad_alloc. If the file
-    // cannot be written, a process that writes to the pipe gets an error.
+    // Waits until no process can write any more and everything is copied. Throws FileError, or std::bad_alloc. If the
+    // file cannot be written, a process that writes to the pipe gets an error.
     void finish();
 
 private:
