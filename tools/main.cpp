@@ -1,4 +1,6 @@
 // The command line of tumble: parses the arguments, runs one subcommand, and converts an exception into an exit code.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <exception>
 #include <string>

@@ -1,5 +1,7 @@
 #include "tools/cli/command.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "tools/cli/console.hpp"
 
 namespace tumble::tools {

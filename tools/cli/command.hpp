@@ -1,13 +1,15 @@
 // What all subcommands share: the flag --json, and an action that runs after the command line is parsed.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <functional>
 #include <initializer_list>
 #include <string>
 
 #include "tools/cli/exit_code.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace tumble::tools {
 

@@ -1,5 +1,7 @@
 #include "tools/cli/output_path.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <string>
 #include <system_error>
 

@@ -1,12 +1,14 @@
 // Creates output files: refuses to overwrite, creates missing folders, and lets "-" stand for standard output.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <string_view>
 
 #include "tumble/file.hpp"
+
+namespace CLI {
+class Option;
+}
 
 namespace tumble::tools {
 

@@ -1,5 +1,7 @@
 #include "tools/cli/validators.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <charconv>
 #include <limits>
 #include <string>

@@ -1,9 +1,11 @@
 // Validators of numeric options. Unlike those of CLI11 they refuse NaN, and -1 for an unsigned number.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
+
+namespace CLI {
+class Validator;
+}
 
 namespace tumble::tools {
 

@@ -1,4 +1,6 @@
 // `tumble bench`: times narrow-phase queries and the world step of tumble and of Box2D in one run.
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <memory>
 #include <string>

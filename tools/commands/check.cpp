@@ -1,4 +1,6 @@
 // `tumble check`: simulates scenes without drawing them, and evaluates their claims ("expect").
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <exception>
 #include <filesystem>

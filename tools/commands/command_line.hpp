@@ -2,6 +2,8 @@
 // of shells are written from it.
 #pragma once
 
+#include <CLI/CLI.hpp>
+
 #include "tools/cli/command.hpp"
 
 namespace tumble::tools {

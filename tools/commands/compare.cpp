@@ -1,4 +1,6 @@
 // `tumble compare`: two runs, or a scene in tumble and in Box2D, side by side: a page, a table, frames.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>

@@ -1,5 +1,7 @@
 // `tumble demo`: runs a shipped scene and writes its results to a folder that each demo replaces, or to a folder that
 // the user names; lists the shipped scenes; prints the file of one.
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <memory>
 #include <string>

@@ -1,4 +1,6 @@
 // `tumble diff`: reports how two runs differ: their bodies, hashes, events, summaries or frames.
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <memory>
 #include <string>

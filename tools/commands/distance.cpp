@@ -1,4 +1,6 @@
 // `tumble distance`: computes the signed distance of two shapes, for two arguments or for each line of standard input.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>

@@ -1,4 +1,6 @@
 // `tumble doctor`: what works on this machine, and what to install.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <memory>
 #include <sstream>

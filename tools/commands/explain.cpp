@@ -1,4 +1,6 @@
 // `tumble explain`: the page of a warning, an error or an exit code, or the list of all codes.
+#include <CLI/CLI.hpp>
+
 #include <memory>
 #include <string>
 #include <vector>

@@ -1,4 +1,6 @@
 // `tumble fmt`: prints or writes the canonical form of a scene file.
+#include <CLI/CLI.hpp>
+
 #include <memory>
 #include <string>
 #include <string_view>

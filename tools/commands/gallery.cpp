@@ -1,4 +1,6 @@
 // `tumble gallery`: a page and a contact sheet of many scenes, with their claims and timings.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>

@@ -1,4 +1,6 @@
 // `tumble import`: converts a file of another program into a scene.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cctype>

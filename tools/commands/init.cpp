@@ -1,4 +1,6 @@
 // `tumble init`: writes a project folder for scenes that a CI service checks.
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <memory>
 #include <string>

@@ -1,4 +1,6 @@
 // `tumble parity`: compares distances, rays, casts and times of impact with Box2D, and checks both by exact arithmetic.
+#include <CLI/CLI.hpp>
+
 #include <cstdint>
 #include <memory>
 #include <string>

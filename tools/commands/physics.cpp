@@ -1,4 +1,6 @@
 // `tumble physics`: measures impacts, friction, joints and free flight against exact answers and Box2D.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <memory>
 #include <string>

@@ -1,4 +1,6 @@
 // `tumble plot`: values of expressions over the time of a run, or over each other, as a picture or a table.
+#include <CLI/CLI.hpp>
+
 #include <cstdint>
 #include <exception>
 #include <filesystem>

@@ -1,4 +1,6 @@
 // `tumble run`: simulates a scene, renders its frames and writes the requested files.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>

@@ -1,4 +1,6 @@
 // `tumble schema`: prints the JSON schema of scene files or of the plans of sweeps.
+#include <CLI/CLI.hpp>
+
 #include <memory>
 #include <string>
 

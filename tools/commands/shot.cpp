@@ -1,4 +1,6 @@
 // `tumble shot`: renders one frame of a scene.
+#include <CLI/CLI.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>

@@ -1,4 +1,6 @@
 // `tumble shrink`: makes a scene smaller while it fails in the same way.
+#include <CLI/CLI.hpp>
+
 #include <unistd.h>
 
 #include <algorithm>

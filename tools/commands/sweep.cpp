@@ -1,4 +1,6 @@
 // `tumble sweep`: simulates the runs of a plan into a folder.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <filesystem>

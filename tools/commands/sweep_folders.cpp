@@ -1,4 +1,6 @@
 // `tumble sweep verify`, `status`, `merge` and `plot`: commands on the folder of a sweep.
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <memory>
 #include <optional>

@@ -1,4 +1,6 @@
 // `tumble sweep submit`: a sweep as a job array of Slurm.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -1,4 +1,6 @@
 // `tumble validate`: reads scenes and reports all their errors and warnings.
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <memory>
 #include <string>

@@ -1,4 +1,6 @@
 // `tumble watch`: checks and draws a scene on each save, until it is interrupted.
+#include <CLI/CLI.hpp>
+
 #include <chrono>
 #include <exception>
 #include <filesystem>

@@ -1,5 +1,7 @@
 #include "tools/pages/option_list.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <sstream>
 

@@ -1,5 +1,7 @@
 #include "tools/plot/expression_plots.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <array>
 #include <string>
 

@@ -1,5 +1,7 @@
 #include "tools/plot/expression_table.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

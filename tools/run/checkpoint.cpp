@@ -1,6 +1,8 @@
 // One line of JSON, then the bytes of the run.
 #include "tools/run/checkpoint.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "tools/run/replay_output.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

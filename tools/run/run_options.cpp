@@ -1,5 +1,7 @@
 #include "tools/run/run_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <span>

@@ -1,13 +1,15 @@
 // The options of a run: what to simulate, what to draw, which files to write.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 
 #include "tumble/render.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace tumble::tools {
 

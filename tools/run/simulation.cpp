@@ -1,5 +1,7 @@
 #include "tools/run/simulation.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -1,5 +1,7 @@
 #include "tools/run/video_output.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 #include <string>
 

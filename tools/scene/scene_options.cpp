@@ -1,5 +1,7 @@
 #include "tools/scene/scene_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cctype>
 

@@ -1,13 +1,15 @@
 // The options of all subcommands that read a scene, and functions that read it.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 #include <vector>
 
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace tumble::tools {
 
