@@ -18,7 +18,7 @@ using namespace tumble::test;
 
 namespace {
 
-const std::filesystem::path kData = std::filesystem::path(TUMBLE_SOURCE_DIR) / "tests/import/data";
+const std::filesystem::path kRubeData = std::filesystem::path(TUMBLE_SOURCE_DIR) / "tests/import/data";
 
 int count_of(const ImportedScene& imported, const std::string& feature) {
     for (const ImportNote& note : imported.notes)
@@ -36,7 +36,7 @@ const SceneBody& body_of(const ImportedScene& imported, const std::string& name)
 }  // namespace
 
 TEST_CASE("bodies, fixtures and materials are imported in scene units") {
-    const ImportedScene imported = import_rube(kData / "rube_small.json");
+    const ImportedScene imported = import_rube(kRubeData / "rube_small.json");
     const Scene& scene = imported.scene;
     CHECK(scene.name == "rube_small");
     CHECK(scene.world.gravity.y == static_cast<double>(-9.81f));
@@ -78,7 +78,7 @@ TEST_CASE("bodies, fixtures and materials are imported in scene units") {
 }
 
 TEST_CASE("chains and edges are two-sided, closed chains are loops") {
-    const ImportedScene imported = import_rube(kData / "rube_small.json");
+    const ImportedScene imported = import_rube(kRubeData / "rube_small.json");
     const std::vector<SceneShape>& shapes = body_of(imported, "ground").shapes;
     REQUIRE(shapes.size() == 4);
     const ChainGeometry& closed = std::get<ChainGeometry>(shapes[0].geometry);
@@ -92,7 +92,7 @@ TEST_CASE("chains and edges are two-sided, closed chains are loops") {
 }
 
 TEST_CASE("missing friction and restitution are 0, not the engine's defaults") {
-    const ImportedScene imported = import_rube(kData / "rube_small.json");
+    const ImportedScene imported = import_rube(kRubeData / "rube_small.json");
     const std::string& name = body_of(imported, "crate").shapes.at(0).material;
     for (const SceneMaterial& material : imported.scene.materials) {
         if (material.name != name) continue;
@@ -104,7 +104,7 @@ TEST_CASE("missing friction and restitution are 0, not the engine's defaults") {
 }
 
 TEST_CASE("joints are imported with local anchors and degrees") {
-    const ImportedScene imported = import_rube(kData / "rube_small.json");
+    const ImportedScene imported = import_rube(kRubeData / "rube_small.json");
     REQUIRE(imported.scene.joints.size() == 12);
     const SceneJoint& hinge = imported.scene.joints.at(0);
     CHECK(hinge.type == SceneJointType::revolute);
@@ -158,7 +158,7 @@ TEST_CASE("joints are imported with local anchors and degrees") {
 }
 
 TEST_CASE("features that are not carried over are noted once, with a count") {
-    const ImportedScene imported = import_rube(kData / "rube_small.json");
+    const ImportedScene imported = import_rube(kRubeData / "rube_small.json");
     const std::map<std::string, int> expected = {
         {"repeated body names, numbered", 1},
         {"fixtures without a shape or with a degenerate one, left out", 2},
@@ -179,7 +179,7 @@ TEST_CASE("features that are not carried over are noted once, with a count") {
 }
 
 TEST_CASE("images belong to their bodies, in their order, and those of the world are behind all bodies") {
-    const Scene scene = import_rube(kData / "rube_small.json").scene;
+    const Scene scene = import_rube(kRubeData / "rube_small.json").scene;
     REQUIRE(scene.bodies.at(1).images.size() == 1);
     const SceneImage& a = scene.bodies[1].images[0];
     CHECK(a.file == "pictures/a.png");
@@ -202,7 +202,7 @@ TEST_CASE("images belong to their bodies, in their order, and those of the world
 }
 
 TEST_CASE("a byte-order mark and a JavaScript wrapper are tolerated") {
-    const ImportedScene imported = import_rube(kData / "rube_wrapped.js");
+    const ImportedScene imported = import_rube(kRubeData / "rube_wrapped.js");
     REQUIRE(imported.scene.bodies.size() == 1);
     CHECK(imported.scene.world.gravity == DVec2(0, 0));
     CHECK(imported.scene.bodies.at(0).name == "ball");
@@ -210,7 +210,7 @@ TEST_CASE("a byte-order mark and a JavaScript wrapper are tolerated") {
 
 TEST_CASE("wrong values are errors at their location") {
     try {
-        import_rube(kData / "rube_bad_index.json");
+        import_rube(kRubeData / "rube_bad_index.json");
         FAIL("imported");
     } catch (const SceneError& error) {
         REQUIRE(error.diagnostics.size() == 2);
@@ -235,9 +235,9 @@ TEST_CASE("a sleeping body is imported without its velocity, which a scene file 
 }
 
 TEST_CASE("an editor project is recognised") {
-    CHECK_THROWS_WITH_AS(import_rube(kData / "rube_project.rube"), doctest::Contains("export the scene as JSON"),
+    CHECK_THROWS_WITH_AS(import_rube(kRubeData / "rube_project.rube"), doctest::Contains("export the scene as JSON"),
                          SceneError);
-    CHECK_THROWS_AS(import_rube(kData / "no_such_file.json"), FileError);
+    CHECK_THROWS_AS(import_rube(kRubeData / "no_such_file.json"), FileError);
 }
 
 TEST_CASE("a large export arrives with all its bodies, fixtures and joints") {

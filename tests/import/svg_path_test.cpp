@@ -29,7 +29,7 @@ std::vector<DVec2> only_points(const std::string& data) {
     return contours[0].points;
 }
 
-std::string error_of(const std::string& data) {
+std::string path_error(const std::string& data) {
     try {
         flatten(data);
     } catch (const SvgError& error) {
@@ -188,14 +188,14 @@ TEST_CASE("transforms apply from right to left") {
 }
 
 TEST_CASE("errors in path data state their position") {
-    CHECK(error_of("L1 1") == "expected 'M' or 'm' to begin with at character 1, got \"L1 1\"");
-    CHECK(error_of("M1 1 L2") == "expected a number at character 8, got the end");
-    CHECK(error_of("M1 1 X") == "expected a path command at character 6, got \"X\"");
-    CHECK(error_of("M1 inf") == "expected a number at character 4, got \"inf\"");
-    CHECK(error_of("M0 0 A1 1 0 2 0 1 1").starts_with("expected a flag, 0 or 1 at character 13"));
-    CHECK(error_of("M0 0 L1e999 0") == "a number is out of range");
-    CHECK(error_of("M0 0 L1e300 0").starts_with("a point is farther than"));
-    CHECK(error_of("M0 0 C 1e4 1e4 -1e4 1e4 1e4 0") == "no error");
+    CHECK(path_error("L1 1") == "expected 'M' or 'm' to begin with at character 1, got \"L1 1\"");
+    CHECK(path_error("M1 1 L2") == "expected a number at character 8, got the end");
+    CHECK(path_error("M1 1 X") == "expected a path command at character 6, got \"X\"");
+    CHECK(path_error("M1 inf") == "expected a number at character 4, got \"inf\"");
+    CHECK(path_error("M0 0 A1 1 0 2 0 1 1").starts_with("expected a flag, 0 or 1 at character 13"));
+    CHECK(path_error("M0 0 L1e999 0") == "a number is out of range");
+    CHECK(path_error("M0 0 L1e300 0").starts_with("a point is farther than"));
+    CHECK(path_error("M0 0 C 1e4 1e4 -1e4 1e4 1e4 0") == "no error");
     CHECK_THROWS_WITH_AS(flatten("M0 0 C 1e4 1e4 -1e4 1e4 1e4 0", {}, 1e-9),
                          "a curve needs more than 65535 chords for a tolerance of 1e-09 m", SvgError);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/example.hpp"
+#include "scene/reread.hpp"
 #include "scene/shipped.hpp"
 #include "support/near.hpp"
 #include "tumble/scene.hpp"
@@ -20,8 +21,6 @@ std::uint64_t hash_after(const Scene& scene, int steps) {
     for (int step = 0; step < steps; ++step) built.world.step();
     return built.world.state_hash();
 }
-
-Scene reread(const Scene& scene) { return parse_scene(to_json(scene), "written.json"); }
 
 }  // namespace
 

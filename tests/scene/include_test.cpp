@@ -51,7 +51,7 @@ const std::string kPart = scene_text(R"(
     ])");
 
 // Position (10, -4), turned by 90 degrees: the point (x, y) becomes (10 - y, -4 + x), the vector (x, y) (-y, x).
-const Files kQuarterTurn = {
+const Files kTurnedPart = {
     {"parts/arm.json", kPart},
     {"main.json", includes(R"({"file": "parts/arm.json", "position": [10, -4], "angle": 90, "prefix": "left/"})")}};
 
@@ -65,7 +65,7 @@ const SceneBody& body_of(const Scene& scene, const std::string& name) {
 }  // namespace
 
 TEST_CASE("a part rotated by 90 degrees has the poses of hand arithmetic, exactly") {
-    const Scene scene = load(kQuarterTurn);
+    const Scene scene = load(kTurnedPart);
     REQUIRE(scene.bodies.size() == 4);
     const SceneBody& hub = scene.bodies.at(0);
     CHECK(hub.name == "left/hub");
@@ -95,7 +95,7 @@ TEST_CASE("a part rotated by 90 degrees has the poses of hand arithmetic, exactl
 }
 
 TEST_CASE("the world settings of an included part are ignored") {
-    const Scene scene = load(kQuarterTurn);
+    const Scene scene = load(kTurnedPart);
     CHECK(scene.world.gravity == DVec2(0, -10));
     CHECK(scene.world.duration == 5);
     CHECK(!scene.camera.center);
@@ -106,7 +106,7 @@ TEST_CASE("the world settings of an included part are ignored") {
 
 TEST_CASE("the copies of a repeated body turn with the part") {
     // The grid starts at (0, -3): (13, -4) in the scene; its columns go up, its rows to the left.
-    const SceneWorld built = build_world(load(kQuarterTurn));
+    const SceneWorld built = build_world(load(kTurnedPart));
     REQUIRE(built.bodies.size() == 7);
     const DVec2 expected[] = {{13, -4}, {13, -2}, {12, -4}, {12, -2}};
     for (std::size_t copy = 0; copy < 4; ++copy) {
@@ -145,7 +145,7 @@ TEST_CASE("a part at any angle moves as it does alone, seen from its frame") {
 
 TEST_CASE("claims of a part are measured in its frame") {
     for (const double angle : {0.0, 90.0, 37.0, -120.0}) {
-        Files files = kQuarterTurn;
+        Files files = kTurnedPart;
         files["main.json"] = scene_text(
             R"("world": {"gravity": [0, 0], "duration": 0.1}, "include": [{"file": "parts/arm.json", "position": [10, -4], "angle": )" +
             std::to_string(angle) + "}]");
@@ -213,16 +213,16 @@ TEST_CASE("includes nest: poses and prefixes combine") {
 }
 
 TEST_CASE("a scene is written with its includes, or with their contents, and is the same world") {
-    LoadOptions as_written = with_files(kQuarterTurn);
+    LoadOptions as_written = with_files(kTurnedPart);
     as_written.keep_includes = true;
-    const std::string& text = kQuarterTurn.at("main.json");
+    const std::string& text = kTurnedPart.at("main.json");
     const Scene written = parse_scene(text, "main.json", as_written);
     CHECK(written.bodies.empty());
     REQUIRE(written.include.size() == 1);
     CHECK(parse_scene(to_json(written), "main.json", as_written).include.at(0).position == DVec2(10, -4));
     CHECK_THROWS_AS(build_world(written), SceneError);
-    const Scene whole = load(kQuarterTurn);
-    const Scene again = parse_scene(to_json(written), "main.json", with_files(kQuarterTurn));
+    const Scene whole = load(kTurnedPart);
+    const Scene again = parse_scene(to_json(written), "main.json", with_files(kTurnedPart));
     const Scene flat = parse_scene(to_json(whole), "flat.json");
     for (const Scene* scene : {&again, &flat}) {
         CHECK(scene_hash(*scene) == scene_hash(whole));

@@ -14,11 +14,11 @@ namespace {
 
 const std::vector<std::string> kAtStepEnd{"/world/impacts=at_step_end"};
 
-std::vector<Diagnostic> warnings_of(const std::string& bodies, const std::string& rest = "") {
+std::vector<Diagnostic> at_step_end_warnings(const std::string& bodies, const std::string& rest = "") {
     return test::warnings_of(bodies, rest, kAtStepEnd);
 }
 
-Diagnostic warning_of(const std::string& bodies, const std::string& rest = "") {
+Diagnostic at_step_end_warning(const std::string& bodies, const std::string& rest = "") {
     return test::warning_of(bodies, rest, kAtStepEnd);
 }
 
@@ -28,22 +28,22 @@ TEST_CASE("a body that moves farther in a step than it is thick causes a warning
     // 60 m/s at 60 Hz: 1 m a step; the ball is 0.5 m thick.
     const std::string target = R"({"position": [50, 0], "shapes": [{"box": {"size": [1, 1]}}]}, )";
     const std::string ball = R"({"velocity": [60, 0], "shapes": [{"circle": {"radius": 0.25}}])";
-    const Diagnostic fast = warning_of(target + ball + "}");
+    const Diagnostic fast = at_step_end_warning(target + ball + "}");
     CHECK(fast.pointer == "/bodies/1/velocity");
     CHECK(says(fast,
                "the body moves 1 m in a step, and the body is 0.5 m thick: it may pass through other moving bodies"));
-    CHECK(warnings_of(target + ball + R"(, "bullet": true})").empty());
+    CHECK(at_step_end_warnings(target + ball + R"(, "bullet": true})").empty());
     CHECK(fast.hint.find(R"("impacts": "in_order")") != std::string::npos);
-    CHECK(warnings_of(target + ball + "}", R"(, "world": {"steps_per_second": 240})").empty());
+    CHECK(at_step_end_warnings(target + ball + "}", R"(, "world": {"steps_per_second": 240})").empty());
     const Diagnostic unswept =
-        warning_of(target + ball + R"(, "bullet": true})", R"(, "world": {"continuous": false})");
+        at_step_end_warning(target + ball + R"(, "bullet": true})", R"(, "world": {"continuous": false})");
     CHECK(says(unswept, "anything in its path, because the world is not continuous"));
     CHECK(unswept.hint.find(R"("continuous": true)") != std::string::npos);
     // With impacts in order, continuous collision sweeps the ball against all others.
     CHECK(test::warnings_of(target + ball + "}").empty());
     CHECK(says(test::warning_of(target + ball + "}", R"(, "world": {"continuous": false})"), "not continuous"));
     // No body is faster than 400 m/s: 6.67 m a step.
-    CHECK(says(warning_of(target + R"({"velocity": [0, 90000], "shapes": [{"circle": {"radius": 0.25}}]})"),
+    CHECK(says(at_step_end_warning(target + R"({"velocity": [0, 90000], "shapes": [{"circle": {"radius": 0.25}}]})"),
                "moves 6.67 m in a step"));
 }
 
@@ -57,22 +57,23 @@ TEST_CASE(
     };
     const std::string spin = R"(, "angular_velocity": -1200)",
                       later = R"(, "timeline": [{"at": 1, "body": "blade", "angular_velocity": 1200}])";
-    const Diagnostic spinning = warning_of(blade(spin));
+    const Diagnostic spinning = at_step_end_warning(blade(spin));
     CHECK(spinning.pointer == "/bodies/1/angular_velocity");
     CHECK(says(spinning, "moves the ends of the body by up to 0.699 m in a step, and the body is 0.2 m thick"));
-    CHECK(warning_of(blade(""), later).pointer == "/timeline/0/angular_velocity");
-    CHECK(warnings_of(blade(R"(, "angular_velocity": 300)")).empty());
-    CHECK(warnings_of(blade(spin + R"(, "bullet": true)")).empty());
-    CHECK(warnings_of(blade(spin + R"(, "fixed_rotation": true)")).empty());
+    CHECK(at_step_end_warning(blade(""), later).pointer == "/timeline/0/angular_velocity");
+    CHECK(at_step_end_warnings(blade(R"(, "angular_velocity": 300)")).empty());
+    CHECK(at_step_end_warnings(blade(spin + R"(, "bullet": true)")).empty());
+    CHECK(at_step_end_warnings(blade(spin + R"(, "fixed_rotation": true)")).empty());
     // No more than an eighth of a turn a step: 1.57 m, unless it may turn faster.
-    CHECK(says(warning_of(blade(R"(, "angular_velocity": 90000)")), "by up to 1.57 m"));
-    CHECK(says(warning_of(blade(R"(, "angular_velocity": 9000, "allow_fast_rotation": true)")), "by up to 5.24 m"));
+    CHECK(says(at_step_end_warning(blade(R"(, "angular_velocity": 90000)")), "by up to 1.57 m"));
+    CHECK(says(at_step_end_warning(blade(R"(, "angular_velocity": 9000, "allow_fast_rotation": true)")),
+               "by up to 5.24 m"));
     // A mass of its own far outside: the farthest corner is 9.0006 m from there.
-    CHECK(
-        says(warning_of(blade(spin + R"(, "mass": {"mass": 1, "center": [0, 0], "inertia": 1})")), "by up to 3.14 m"));
+    CHECK(says(at_step_end_warning(blade(spin + R"(, "mass": {"mass": 1, "center": [0, 0], "inertia": 1})")),
+               "by up to 3.14 m"));
     const std::string wheel =
         R"({"position": [50, 0], "shapes": [{"circle": {"radius": 0.5}}]}, {"shapes": [{"circle": {"radius": 0.5, "center": [3, 0]}}], "allow_fast_rotation": true, "angular_velocity": 90000})";
-    CHECK(warnings_of(wheel).empty());
+    CHECK(at_step_end_warnings(wheel).empty());
 }
 
 TEST_CASE("an arm that a motor swings farther in a step than it is thick causes a warning at the fastest speed") {
@@ -84,27 +85,30 @@ TEST_CASE("an arm that a motor swings farther in a step than it is thick causes 
         return R"(, "joints": [{"type": "revolute", "name": "hinge", "bodies": ["wall", "arm"], "anchor": [-1, 0], "motor": {"speed": )" +
                speed + R"(, "max_torque": 100}}], "timeline": [)" + events + "]";
     };
-    const Diagnostic fast = warning_of(bodies + "}", joint("900", ""));
+    const Diagnostic fast = at_step_end_warning(bodies + "}", joint("900", ""));
     CHECK(fast.pointer == "/joints/0/motor");
     CHECK(says(fast, "the joint moves 'arm' by up to 0.524 m in a step, and the body is 0.2 m thick"));
-    CHECK(warning_of(bodies + "}", joint("0", R"({"at": 1, "joint": "hinge", "motor_speed": -900})")).pointer ==
-          "/timeline/0/motor_speed");
-    CHECK(warning_of(bodies + "}", joint("900", R"({"at": 1, "joint": "hinge", "motor_speed": -800})")).pointer ==
-          "/joints/0/motor");
-    CHECK(warnings_of(bodies + R"(, "bullet": true})", joint("900", "")).empty());
-    CHECK(says(warning_of(bodies + R"(, "bullet": true})", joint("900", "") + R"(, "world": {"continuous": false})"),
-               "not continuous"));
-    CHECK(warnings_of(bodies + "}", joint("300", "")).empty());
-    CHECK(says(warning_of(bodies + "}", joint("0", R"({"at": 1, "body": "ball", "velocity": [90, 0]})")),
+    CHECK(
+        at_step_end_warning(bodies + "}", joint("0", R"({"at": 1, "joint": "hinge", "motor_speed": -900})")).pointer ==
+        "/timeline/0/motor_speed");
+    CHECK(at_step_end_warning(bodies + "}", joint("900", R"({"at": 1, "joint": "hinge", "motor_speed": -800})"))
+              .pointer == "/joints/0/motor");
+    CHECK(at_step_end_warnings(bodies + R"(, "bullet": true})", joint("900", "")).empty());
+    CHECK(says(
+        at_step_end_warning(bodies + R"(, "bullet": true})", joint("900", "") + R"(, "world": {"continuous": false})"),
+        "not continuous"));
+    CHECK(at_step_end_warnings(bodies + "}", joint("300", "")).empty());
+    CHECK(says(at_step_end_warning(bodies + "}", joint("0", R"({"at": 1, "body": "ball", "velocity": [90, 0]})")),
                "moves 1.5 m in a step"));
     // A motor joint drives by velocities of its own: 30 / 60 m, and 1800 degrees/s of the tip.
     const auto drive = [](const std::string& velocity) {
         return R"(, "joints": [{"type": "motor", "bodies": ["wall", "arm"], "anchor": [-1, 0], "max_force": 1, "max_torque": 1, )" +
                velocity + "}]";
     };
-    CHECK(says(warning_of(bodies + "}", drive(R"("velocity": [18, 24])")),
+    CHECK(says(at_step_end_warning(bodies + "}", drive(R"("velocity": [18, 24])")),
                "the joint moves 'arm' by up to 0.5 m in a step"));
-    const Diagnostic turned = warning_of(bodies + "}", drive(R"("velocity": [0, 9], "angular_velocity": 1800)"));
+    const Diagnostic turned =
+        at_step_end_warning(bodies + "}", drive(R"("velocity": [0, 9], "angular_velocity": 1800)"));
     CHECK(turned.pointer == "/joints/0/angular_velocity");
     CHECK(says(turned, "the joint moves 'arm' by up to 1.05 m in a step"));
 }

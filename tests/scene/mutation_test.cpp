@@ -146,7 +146,7 @@ LoadOptions with_part() {
     return options;
 }
 
-std::vector<Diagnostic> errors_of(const std::string& text) {
+std::vector<Diagnostic> errors_of_mutated(const std::string& text) {
     try {
         parse_scene(text, "mutated.json", with_part());
     } catch (const SceneError& error) {
@@ -182,7 +182,7 @@ TEST_CASE("wrong values of every field are refused by the reader, at their locat
     for (const std::string& text : test::scenes_with_every_field()) {
         const json document = json::parse(text);
         CAPTURE(text);
-        REQUIRE(errors_of(text).empty());
+        REQUIRE(errors_of_mutated(text).empty());
         REQUIRE(schema.accepts(document));
         const Walk walk(schema.document(), document);
         for (const Described& described : walk.values()) {
@@ -191,14 +191,14 @@ TEST_CASE("wrong values of every field are refused by the reader, at their locat
             for (const Mutation& mutation : mutator.wrong) {
                 const std::string bad = mutation.document.dump();
                 CHECK_MESSAGE(!schema.accepts(mutation.document), "the schema accepts ", bad);
-                CHECK_MESSAGE(is_reported_at(errors_of(bad), mutation.pointer), mutation.pointer, " is not refused in ",
-                              bad);
+                CHECK_MESSAGE(is_reported_at(errors_of_mutated(bad), mutation.pointer), mutation.pointer,
+                              " is not refused in ", bad);
                 ++wrong;
             }
             for (const Mutation& mutation : mutator.right) {
                 const std::string good = mutation.document.dump();
                 CHECK_MESSAGE(schema.accepts(mutation.document), "the schema refuses ", good);
-                for (const Diagnostic& error : errors_of(good))
+                for (const Diagnostic& error : errors_of_mutated(good))
                     CHECK_MESSAGE(error.message.find("must be at") == std::string::npos, to_string(error));
                 ++right;
             }

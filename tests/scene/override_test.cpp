@@ -13,7 +13,7 @@ Scene with(const std::vector<std::string>& overrides, const std::string& text = 
     return parse_scene(text, "example.json", LoadOptions{overrides, std::nullopt});
 }
 
-Diagnostic error_of(const std::string& override_text) {
+Diagnostic override_error(const std::string& override_text) {
     try {
         with({override_text});
     } catch (const SceneError& error) {
@@ -38,7 +38,7 @@ TEST_CASE("an override replaces a value anywhere in the scene") {
 TEST_CASE("overrides find bodies and joints by name, and errors below them keep their pointer") {
     CHECK(with({"/bodies/ball/position/0=7"}).bodies.at(2).position.x == 7.0);
     CHECK(with({"/joints/hinge/anchor=[0, 3]"}).joints.at(0).anchor == DVec2(0, 3));
-    CHECK(to_string(error_of("/bodies/ball/gravity_scale=true")) ==
+    CHECK(to_string(override_error("/bodies/ball/gravity_scale=true")) ==
           "--set /bodies/ball/gravity_scale=true: /bodies/2/gravity_scale: must be a number, got true [body]");
 }
 
@@ -59,24 +59,25 @@ TEST_CASE("the later of two overrides takes effect, and the seed is applied last
 }
 
 TEST_CASE("an override whose pointer leads nowhere is an error that names the step") {
-    CHECK(to_string(error_of("/world/substeps=0")) ==
+    CHECK(to_string(override_error("/world/substeps=0")) ==
           "--set /world/substeps=0: /world/substeps: must be at least 1, got 0 [world]");
-    CHECK(to_string(error_of("/world/substep=8")) ==
+    CHECK(to_string(override_error("/world/substep=8")) ==
           "--set /world/substep=8: /world/substep: unknown key \"substep\" [world]\n  hint: did you mean 'substeps'?");
-    CHECK(error_of("/bodies/9/name=x").message == "step 2, '9', is neither an index nor a name in an array of 4");
-    const Diagnostic misspelt = error_of("/bodies/bal/position=[0, 0]");
+    CHECK(override_error("/bodies/9/name=x").message == "step 2, '9', is neither an index nor a name in an array of 4");
+    const Diagnostic misspelt = override_error("/bodies/bal/position=[0, 0]");
     CHECK(misspelt.message == "step 2, 'bal', is neither an index nor a name in an array of 4");
     CHECK(misspelt.hint == "did you mean 'ball'?");
-    CHECK(error_of("/wrold/seed=1").hint == "did you mean 'world'?");
-    CHECK(error_of("/name/x=1").message == "step 2, 'x', is below a value that is neither an object nor an array");
-    CHECK(error_of("/world/gravity/1=down").message == "must be a number, got \"down\"");
+    CHECK(override_error("/wrold/seed=1").hint == "did you mean 'world'?");
+    CHECK(override_error("/name/x=1").message ==
+          "step 2, 'x', is below a value that is neither an object nor an array");
+    CHECK(override_error("/world/gravity/1=down").message == "must be a number, got \"down\"");
     for (const char* text : {"world/seed=1", "/world/seed", "=1", ""})
-        CHECK(error_of(text).message == "must read /json/pointer=value");
+        CHECK(override_error(text).message == "must read /json/pointer=value");
 }
 
 TEST_CASE("a deeply nested override value is an error, not a crash") {
-    CHECK(error_of("/custom/a/b=1").message == "step 2, 'a', does not exist");
-    CHECK(error_of("/world/gravity=" + std::string(100000, '[')).pointer == "/world/gravity");
+    CHECK(override_error("/custom/a/b=1").message == "step 2, 'a', does not exist");
+    CHECK(override_error("/world/gravity=" + std::string(100000, '[')).pointer == "/world/gravity");
 }
 
 TEST_CASE("replace_text changes one string and leaves the rest of the text") {

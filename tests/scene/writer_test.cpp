@@ -8,11 +8,13 @@
 
 #include "scene/example.hpp"
 #include "scene/json/json_text.hpp"
+#include "scene/reread.hpp"
 #include "scene/shipped.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_file.hpp"
 
 using namespace tumble;
+using test::reread;
 
 namespace {
 
@@ -21,8 +23,6 @@ std::filesystem::path temporary_folder() {
     std::filesystem::create_directories(folder);
     return folder;
 }
-
-Scene reread(const Scene& scene) { return parse_scene(to_json(scene), "written.json"); }
 
 }  // namespace
 

@@ -18,17 +18,17 @@ using tumble::test::tumble_command;
 
 namespace {
 
-const std::string kPage = read_text(TUMBLE_SOURCE_DIR "/src/narrow/GJK.md");
+const std::string kGjkPage = read_text(TUMBLE_SOURCE_DIR "/src/narrow/GJK.md");
 
 // The text between `from` and `to`, at their first occurrence behind `after`.
 std::string between(const std::string& after, const std::string& from, const std::string& to) {
-    const std::size_t start = kPage.find(after);
+    const std::size_t start = kGjkPage.find(after);
     REQUIRE_MESSAGE(start != std::string::npos, after);
-    const std::size_t begin = kPage.find(from, start);
+    const std::size_t begin = kGjkPage.find(from, start);
     REQUIRE_MESSAGE(begin != std::string::npos, from);
-    const std::size_t end = kPage.find(to, begin + from.size());
+    const std::size_t end = kGjkPage.find(to, begin + from.size());
     REQUIRE_MESSAGE(end != std::string::npos, to);
-    return kPage.substr(begin + from.size(), end - begin - from.size());
+    return kGjkPage.substr(begin + from.size(), end - begin - from.size());
 }
 
 }  // namespace

@@ -30,14 +30,14 @@ TEST_CASE("numbers are the shortest that read back as the same value") {
 
 TEST_CASE("written JSON reads back in both layouts") {
     for (const JsonWriter::Layout layout : {JsonWriter::Layout::lines, JsonWriter::Layout::compact}) {
-        JsonWriter json(layout);
-        json.open_object().member("text", "a \"quote\", a \\, a\nline, \x01 and \xc3\xa9");
-        json.member("yes", true).member("count", -3).member("big", std::numeric_limits<std::uint64_t>::max());
-        json.member("nothing", std::nan("")).member("single", 0.1f);
-        json.key("empty").open_array().close_array().key("none").open_object().close_object();
-        json.key("list").open_array().value(1.5).open_object().member("a", 1).close_object().close_array();
-        json.close_object();
-        const nlohmann::json read = nlohmann::json::parse(json.text());
+        JsonWriter writer(layout);
+        writer.open_object().member("text", "a \"quote\", a \\, a\nline, \x01 and \xc3\xa9");
+        writer.member("yes", true).member("count", -3).member("big", std::numeric_limits<std::uint64_t>::max());
+        writer.member("nothing", std::nan("")).member("single", 0.1f);
+        writer.key("empty").open_array().close_array().key("none").open_object().close_object();
+        writer.key("list").open_array().value(1.5).open_object().member("a", 1).close_object().close_array();
+        writer.close_object();
+        const nlohmann::json read = nlohmann::json::parse(writer.text());
         CHECK(read["text"] == "a \"quote\", a \\, a\nline, \x01 and \xc3\xa9");
         CHECK(read["yes"] == true);
         CHECK(read["count"] == -3);
@@ -47,7 +47,7 @@ TEST_CASE("written JSON reads back in both layouts") {
         CHECK(read["empty"].empty());
         CHECK(read["none"].empty());
         CHECK(read["list"] == nlohmann::json::parse(R"([1.5, {"a": 1}])"));
-        CHECK((json.text().find('\n') == std::string::npos) == (layout == JsonWriter::Layout::compact));
+        CHECK((writer.text().find('\n') == std::string::npos) == (layout == JsonWriter::Layout::compact));
     }
 }
 

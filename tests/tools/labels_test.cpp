@@ -22,7 +22,7 @@ namespace {
 
 // 20 pixels a metre, the origin in the middle of 320 x 180 pixels. The box covers half of the plate, the twins are
 // copies, and the far ball is out of view.
-const char* const kScene = R"({"format": 1, "name": "labelled",
+const char* const kLabelled = R"({"format": 1, "name": "labelled",
     "world": {"gravity": [0, 0], "duration": 1, "steps_per_second": 10},
     "camera": {"center": [0, 0], "height": 9},
     "bodies": [
@@ -47,7 +47,7 @@ json annotation_of(const json& coco, int frame, int label) {
 
 TEST_CASE("labels of a run: boxes, visibility, key points, the order of drawing and the matrix of each frame") {
     const Folder folder;
-    const std::string scene = folder.write("labelled.json", kScene), out = (folder / "out").string();
+    const std::string scene = folder.write("labelled.json", kLabelled), out = (folder / "out").string();
     const Answer answer = run_tumble({"run", scene, "-o", out, "--size", "320x180", "--fps", "2", "--no-frames",
                                       "--masks", "--boxes", "--depth-order", "--json"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
@@ -95,7 +95,7 @@ TEST_CASE("labels of a run: boxes, visibility, key points, the order of drawing 
 
 TEST_CASE("a run without labels removes those of the run before, and labels are no part of checkpoints") {
     const Folder folder;
-    const std::string scene = folder.write("labelled.json", kScene), out = (folder / "out").string();
+    const std::string scene = folder.write("labelled.json", kLabelled), out = (folder / "out").string();
     REQUIRE(run_tumble({"run", scene, "-o", out, "--size", "64x64", "--fps", "2", "--masks", "--boxes"}).code == 0);
     CHECK(std::filesystem::exists(folder / "out/frames/frame_000002.png"));
     CHECK(std::filesystem::exists(folder / "out/masks/mask_000002.png"));

@@ -18,7 +18,7 @@ using tumble::test::run_tumble;
 namespace {
 
 // A falling ball, with these claims and further members.
-std::string ball_scene(const std::string& claims, const std::string& more = "") {
+std::string falling_ball(const std::string& claims, const std::string& more = "") {
     return R"({"format": 1, "world": {"duration": 1}, "camera": {"center": [0, 0], "height": 12}, "bodies": [
         {"name": "ball", "shapes": [{"circle": {"radius": 1}}]}], )" +
            more + R"("expect": [)" + claims + "]}";
@@ -31,7 +31,7 @@ json expectation_of(const Answer& answer) { return json::parse(answer.out)["scen
 TEST_CASE("a picture claim compares the frame at its time with a PNG file beside the scene") {
     const Folder folder;
     const std::string scene =
-        folder.write("ball.json", ball_scene(R"({"picture": "golden.png", "at": 0.5, "tolerance": 2})"));
+        folder.write("ball.json", falling_ball(R"({"picture": "golden.png", "at": 0.5, "tolerance": 2})"));
     const Answer missing = run_tumble({"check", scene});
     CHECK(missing.code == 4);
     CHECK(missing.out.find("golden.png") != std::string::npos);
@@ -55,7 +55,7 @@ TEST_CASE("a picture claim compares the frame at its time with a PNG file beside
 TEST_CASE("check --update draws the pictures that are missing, and leaves the others") {
     const Folder folder;
     const std::string scene =
-        folder.write("ball.json", ball_scene(R"({"picture": "golden/half.png", "at": 0.5}, {"picture": "end.png"},
+        folder.write("ball.json", falling_ball(R"({"picture": "golden/half.png", "at": 0.5}, {"picture": "end.png"},
                                    {"picture": "late.png", "at": 3})"));
     CHECK(run_tumble({"check", scene}).out.find("`tumble check --update` writes it") != std::string::npos);
     const Answer updated = run_tumble({"check", scene, "--update", "--json"});
@@ -88,21 +88,22 @@ TEST_CASE("check --update draws the pictures that are missing, and leaves the ot
 
 TEST_CASE("a claim on a ratio of times steps the reference scene too") {
     const Folder folder;
-    folder.write("small.json", ball_scene(""));
+    folder.write("small.json", falling_ball(""));
     folder.write(
         "large.json",
         R"({"format": 1, "world": {"duration": 1, "sleeping": false}, "bodies": [{"name": "floor", "type": "static",
                      "shapes": [{"box": {"size": [90, 1]}}]}, {"name": "crate", "position": [-20, 1.01], "repeat": {"grid":
                      {"columns": 40, "rows": 10, "spacing": [1, 1.02]}}, "shapes": [{"box": {"size": [0.9, 1]}}]}]})");
     const std::string slow =
-        folder.write("slow.json", ball_scene(R"({"max_time_ratio": 1e-6, "reference": "large.json"})"));
+        folder.write("slow.json", falling_ball(R"({"max_time_ratio": 1e-6, "reference": "large.json"})"));
     const std::string fast =
-        folder.write("fast.json", ball_scene(R"({"max_time_ratio": 0.5, "reference": "large.json"})"));
+        folder.write("fast.json", falling_ball(R"({"max_time_ratio": 0.5, "reference": "large.json"})"));
     const Answer failed = run_tumble({"check", slow, "--json"});
     CHECK(failed.code == 7);
     CHECK(expectation_of(failed)["finding"].get<std::string>().starts_with("it takes "));
     CHECK(run_tumble({"check", fast}).code == 0);
-    const std::string lost = folder.write("lost.json", ball_scene(R"({"max_time_ratio": 1, "reference": "no.json"})"));
+    const std::string lost =
+        folder.write("lost.json", falling_ball(R"({"max_time_ratio": 1, "reference": "no.json"})"));
     CHECK(run_tumble({"check", lost}).code == 4);
 }
 
@@ -110,7 +111,7 @@ TEST_CASE("a stop ends run and check, which is no failure") {
     const Folder folder;
     const std::string scene = folder.write(
         "ball.json",
-        ball_scene(R"({"that": "ball.y < -0.5"})", R"("timeline": [{"when": "ball.y < -0.5", "stop": true}], )"));
+        falling_ball(R"({"that": "ball.y < -0.5"})", R"("timeline": [{"when": "ball.y < -0.5", "stop": true}], )"));
     const Answer checked = run_tumble({"check", scene, "--json"});
     CHECK(checked.code == 0);
     // 0.5 m of free fall take 0.32 s.
@@ -144,7 +145,7 @@ TEST_CASE("the summary lists what was drawn, and --seed draws again") {
 
 TEST_CASE("an error in a condition is shown with a caret at its place") {
     const Folder folder;
-    const std::string scene = folder.write("ball.json", ball_scene(R"({"that": "ball.x < bell.x"})"));
+    const std::string scene = folder.write("ball.json", falling_ball(R"({"that": "ball.x < bell.x"})"));
     const Answer answer = run_tumble({"validate", scene});
     CHECK(answer.code == 3);
     CHECK(answer.err.find("there is no body or joint 'bell'") != std::string::npos);

@@ -19,7 +19,7 @@ using tumble::test::run_tumble;
 namespace {
 
 // A ball in free fall beside one with a name that is no word, and one that is spawned at 0.5 s.
-constexpr const char* kScene = R"({
+constexpr const char* kPlotted = R"({
   "format": 1, "name": "</script><b>\"fall\"",
   "world": {"duration": 1, "steps_per_second": 60},
   "bodies": [
@@ -44,7 +44,7 @@ std::vector<std::vector<std::string>> rows_of(const std::string& text) {
 
 TEST_CASE("plot writes the values of each step, those that the trajectory of a run has") {
     const Folder folder;
-    const std::string scene = folder.write("scene.json", kScene), table = (folder / "t.csv").string();
+    const std::string scene = folder.write("scene.json", kPlotted), table = (folder / "t.csv").string();
     const Answer answer = run_tumble({"plot", scene, "ball.y", "ball.vy", "late.x", "-o", table});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     const auto rows = rows_of(read_text(table));
@@ -68,7 +68,7 @@ TEST_CASE("plot writes the values of each step, those that the trajectory of a r
 
 TEST_CASE("plot takes expressions of the grammar, quoted names, --set, --duration and standard output") {
     const Folder folder;
-    const std::string scene = folder.write("scene.json", kScene);
+    const std::string scene = folder.write("scene.json", kPlotted);
     const std::string quoted = R"('</script>, "x"'.x)";
     const Answer answer = run_tumble({"plot", scene, quoted, "ball.y > 20 or true", "time^2", "-o", "-", "--duration",
                                       "0.1", "--set", "/bodies/0/position/1=3"});
@@ -83,7 +83,7 @@ TEST_CASE("plot takes expressions of the grammar, quoted names, --set, --duratio
 
 TEST_CASE("texts of scenes and expressions are no markup in a plot") {
     const Folder folder;
-    const std::string scene = folder.write("scene.json", kScene), file = (folder / "p.svg").string();
+    const std::string scene = folder.write("scene.json", kPlotted), file = (folder / "p.svg").string();
     REQUIRE(run_tumble({"plot", scene, R"('</script>, "x"'.x)", "-o", file}).code == 0);
     const std::string svg = read_text(file);
     CHECK(svg.find("</script>") == std::string::npos);
@@ -93,7 +93,7 @@ TEST_CASE("texts of scenes and expressions are no markup in a plot") {
 
 TEST_CASE("plot --json tells the extremes, their times and the unknown states") {
     const Folder folder;
-    const std::string scene = folder.write("scene.json", kScene), file = (folder / "p.png").string();
+    const std::string scene = folder.write("scene.json", kPlotted), file = (folder / "p.png").string();
     const Answer answer = run_tumble({"plot", scene, "-o", file, "--json", "--against", "late.x", "ball.y", "step"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     CHECK(read_text(file).starts_with("\x89PNG"));
@@ -111,7 +111,7 @@ TEST_CASE("plot --json tells the extremes, their times and the unknown states") 
 
 TEST_CASE("an expression that is wrong is shown with its place, and nothing is written") {
     const Folder folder;
-    const std::string scene = folder.write("scene.json", kScene), file = (folder / "p.csv").string();
+    const std::string scene = folder.write("scene.json", kPlotted), file = (folder / "p.csv").string();
     const Answer answer = run_tumble({"plot", scene, "1 + bal.y", "-o", file});
     CHECK(answer.code == 2);
     CHECK_MESSAGE(answer.err.find("there is no body or joint 'bal'; did you mean 'ball'?\n  1 + bal.y\n      ^\n") !=

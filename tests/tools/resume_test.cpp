@@ -23,7 +23,7 @@ using tumble::test::wait_for;
 namespace {
 
 // The camera follows a body that the timeline spawns, with a trail; others appear all the time.
-constexpr const char* kScene = R"({"format": 1, "world": {"duration": 8}, "camera": {"follow": "car"}, "bodies": [
+constexpr const char* kResumed = R"({"format": 1, "world": {"duration": 8}, "camera": {"follow": "car"}, "bodies": [
     {"name": "floor", "type": "static", "position": [0, -1], "shapes": [{"box": {"size": [200, 1]}}]}],
     "timeline": [
       {"at": 0.1, "spawn": {"name": "car", "velocity": [5, 0], "trail": true, "shapes": [{"circle": {"radius": 0.5}}]}},
@@ -42,7 +42,7 @@ std::vector<std::string> run_of(const Folder& folder, const std::vector<std::str
 }
 
 // All files below the folder but the summary, by their names.
-std::map<std::string, std::string> files_of(const fs::path& folder) {
+std::map<std::string, std::string> result_files(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
         if (entry.is_regular_file() && entry.path().filename() != "summary.json")
@@ -56,11 +56,11 @@ struct TwoRuns {
     std::map<std::string, std::string> expected;
 
     TwoRuns() {
-        whole.write("scene.json", kScene);
-        parted.write("scene.json", kScene);
+        whole.write("scene.json", kResumed);
+        parted.write("scene.json", kResumed);
         const Answer answer = tumble::test::run(run_of(whole, {}), whole.path());
         REQUIRE_MESSAGE(answer.code == 0, answer.err);
-        expected = files_of(whole.path());
+        expected = result_files(whole.path());
         REQUIRE(expected.size() > 400);  // 481 frames, and the tables
     }
 
@@ -75,7 +75,7 @@ struct TwoRuns {
     }
 
     void check_equal() const {
-        const std::map<std::string, std::string> found = files_of(parted.path());
+        const std::map<std::string, std::string> found = result_files(parted.path());
         CHECK(found.size() == expected.size());
         for (const auto& file : expected)
             CHECK_MESSAGE((found.contains(file.first) && found.at(file.first) == file.second), file.first);
@@ -108,7 +108,7 @@ TEST_CASE("a run that ends by SIGTERM saves its last step and continues after it
 
 TEST_CASE("--resume refuses another scene, other options, a damaged checkpoint and none") {
     const Folder folder;
-    folder.write("scene.json", kScene);
+    folder.write("scene.json", kResumed);
     const auto run = [&](const std::vector<std::string>& more) {
         return tumble::test::run(run_of(folder, more), folder.path());
     };
@@ -187,27 +187,27 @@ TEST_CASE("a killed run continues after its folders have moved") {
     CHECK_MESSAGE(answer.code == 0, answer.err);
     fs::rename(runs.parted / "moved/tables", runs.parted / "tables");
     fs::rename(runs.parted / "moved", runs.parted / "out");
-    for (const auto& file : files_of(runs.parted.path()))
+    for (const auto& file : result_files(runs.parted.path()))
         CHECK_MESSAGE((runs.expected.contains(file.first) && runs.expected.at(file.first) == file.second), file.first);
 }
 
 TEST_CASE("--resume refuses a duration that ends before the checkpoint, and changes nothing") {
     const TwoRuns runs;
     CHECK(runs.run_until("000060", SIGTERM, {}).code == 143);
-    const std::map<std::string, std::string> before = files_of(runs.parted.path());
+    const std::map<std::string, std::string> before = result_files(runs.parted.path());
     const Answer shorter =
         tumble::test::run(run_of(runs.parted, {"--resume", "--duration", "0.5"}), runs.parted.path());
     CHECK(shorter.code == 2);
     CHECK_MESSAGE(shorter.err.find("--duration: ends before the checkpoint, which is at ") != std::string::npos,
                   shorter.err);
-    CHECK(files_of(runs.parted.path()) == before);
+    CHECK(result_files(runs.parted.path()) == before);
     CHECK(tumble::test::run(run_of(runs.parted, {"--resume"}), runs.parted.path()).code == 0);
     runs.check_equal();
 }
 
 TEST_CASE("an output file with the name of the checkpoint, of a frame or of another output is refused") {
     const Folder folder;
-    folder.write("scene.json", kScene);
+    folder.write("scene.json", kResumed);
     fs::create_directory(folder / "out");
     fs::create_directory_symlink(folder / "out", folder / "link");
     for (const char* const file : {"out/checkpoint", "out/./summary.json", "link/checkpoint", "link/events.csv",
