@@ -95,7 +95,7 @@ py::array_t<BatchEntry> query_batch(const py::object& shapes_a, const Doubles& p
     return results;
 }
 
-py::dict to_dict(const Certificate& certificate) {
+py::dict certificate_dict(const Certificate& certificate) {
     py::list pairs;
     for (std::size_t i = 0; i < certificate.pair_count; ++i)
         pairs.append(py::make_tuple(certificate.pairs[i].a, certificate.pairs[i].b));
@@ -106,7 +106,7 @@ py::dict to_dict(const Certificate& certificate) {
     return dict;
 }
 
-py::dict to_dict(const DistanceResult& result) {
+py::dict result_dict(const DistanceResult& result) {
     py::dict dict;
     dict["distance"] = result.distance;
     dict["lower"] = result.lower;
@@ -116,7 +116,7 @@ py::dict to_dict(const DistanceResult& result) {
     dict["normal"] = to_tuple(result.normal);
     dict["status"] = std::string(to_string(result.status));
     dict["iterations"] = result.iterations;
-    dict["certificate"] = to_dict(result.certificate);
+    dict["certificate"] = certificate_dict(result.certificate);
     return dict;
 }
 
@@ -138,7 +138,7 @@ py::dict trace_of(const Shape& a, Pair position_a, double angle_a, const Shape& 
     }
     py::dict dict;
     dict["steps"] = steps;
-    dict["result"] = to_dict(trace.result);
+    dict["result"] = result_dict(trace.result);
     dict["svg"] = to_svg(draw_trace(a, at_a, b, at_b, trace));
     return dict;
 }
@@ -147,10 +147,11 @@ py::dict trace_of(const Shape& a, Pair position_a, double angle_a, const Shape& 
 
 void add_distance(py::module_& module) {
     PYBIND11_NUMPY_DTYPE(BatchEntry, distance, lower, upper, point_a, point_b, normal, status, iterations);
-    module.def("distance", [](const Shape& a, Pair position_a, double angle_a, const Shape& b, Pair position_b,
-                              double angle_b) {
-        return to_dict(distance(a, to_pose(to_dvec2(position_a), angle_a), b, to_pose(to_dvec2(position_b), angle_b)));
-    });
+    module.def("distance",
+               [](const Shape& a, Pair position_a, double angle_a, const Shape& b, Pair position_b, double angle_b) {
+                   return result_dict(
+                       distance(a, to_pose(to_dvec2(position_a), angle_a), b, to_pose(to_dvec2(position_b), angle_b)));
+               });
     module.def("trace_distance", trace_of);
     module.def("distance_batch", query_batch);
 }

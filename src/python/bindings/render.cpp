@@ -26,7 +26,7 @@ Overlay to_overlay(const std::vector<std::string>& names) {
     return overlay;
 }
 
-py::array_t<std::uint8_t> to_array(const Image& image) {
+py::array_t<std::uint8_t> pixels_of(const Image& image) {
     py::array_t<std::uint8_t> pixels({py::ssize_t{image.height}, py::ssize_t{image.width}, py::ssize_t{4}});
     std::memcpy(pixels.mutable_data(), image.rgba.data(), image.rgba.size());
     return pixels;
@@ -56,7 +56,7 @@ py::array_t<std::uint8_t> render(WorldBox& box, bool has_scene, int width, int h
         renderer.draw(box.run().scene, box.run().run.built(), camera, world.time(), image, to_overlay(overlay));
     else
         renderer.draw(world, camera, image, to_overlay(overlay));
-    return to_array(image);
+    return pixels_of(image);
 }
 
 using Pixels = py::array_t<std::uint8_t, py::array::c_style>;
