@@ -37,17 +37,21 @@ void ConstraintGraph::build(std::span<const Contact> contacts, const BodyStore& 
     used_colors_.assign(bodies.solver_bodies.size(), 0);
     contact_colors_.resize(contacts.size());
     std::array<std::uint32_t, kColors + 1> count{};  // contacts by colour; the last: without a colour
+    bool has_touching = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const bool touching = contacts[i].manifold.point_count > 0 && !contacts[i].is_bouncing;
         contact_colors_[i] = touching ? choose_color(contacts[i], bodies) : kNotTouching;
         if (touching) ++count[contact_colors_[i]];
+        has_touching |= touching;
     }
+    color_count_ = 0;
+    colors_.clear();
+    lanes_.clear();
+    if (!has_touching) return;
 
     // The first lane of each colour. Contacts without a colour come first, with a block for each.
     std::array<std::uint32_t, kColors> next{};
     std::uint32_t end = count[kNoColor] * kLaneCount;
-    color_count_ = 0;
-    colors_.clear();
     if (end > 0) colors_.push_back({0, end / kLaneCount, false});
     for (std::size_t color = 0; color < kColors; ++color) {
         next[color] = end;

@@ -233,9 +233,10 @@ void store_block(const ContactBlock& block, std::span<const std::uint32_t, kLane
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
                       const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks, Crew& crew) {
     TUMBLE_CHECK(h > 0.0f);
+    blocks.resize(graph.block_count());
+    if (blocks.empty()) return;
     const ContactSoftness softness{contact_softness(tuning, h), static_contact_softness(tuning, h)};
     const ContactBlock neutral = make_neutral_block();
-    blocks.resize(graph.block_count());
     crew.for_each(blocks.size(), kLeastPrepared, [&](std::size_t index) {
         if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
         ContactBlock& block = blocks[index];
