@@ -82,7 +82,7 @@ public:
         REQUIRE_MESSAGE(attribute >= 0, name);
         const hid_t type = H5Aget_type(attribute);
         CHECK(H5Aread(attribute, type, &text) >= 0);
-        const std::string copy = text == nullptr ? "" : text;
+        std::string copy = text == nullptr ? "" : text;
         H5free_memory(text);
         H5Tclose(type);
         H5Aclose(attribute);

@@ -29,7 +29,7 @@ std::optional<sweep::ShardEntry> write_shard(const sweep::Plan& plan, std::uint6
     std::optional<sweep::StoredFileWriter> tar;
     if (plan.write.has_tar()) tar.emplace(folder, sweep::shard_file_name(shard, ".tar"));
     const std::uint64_t first = shard * runs_in_shard(plan), last = std::min(plan.runs, first + runs_in_shard(plan));
-    const sweep::TrajectoryFormat format{plan.write.trajectory_every, plan.write.trajectory_bits, last - first};
+    const sweep::TrajectoryFormat format{plan.write.trajectory_every, plan.write.trajectory_bits};
     std::optional<sweep::TrajectoryFileWriter> trajectories;
     if (plan.write.has_hdf5()) trajectories.emplace(folder, sweep::shard_file_name(shard, ".h5"), format);
     sweep::StoredFileWriter table(folder, sweep::shard_file_name(shard, ".csv"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "sweep/hdf5/hdf5_output.hpp"
@@ -15,17 +16,22 @@ namespace {
 
 using Sizes = std::array<hsize_t, 4>;  // [run, step, body, 6]
 
+constexpr hsize_t kLeastChunk = 1 << 16, kMostChunk = 1 << 20;  // bytes
+
 // The trajectory is stored in chunks, so that it can grow. A chunk has at most 1 MiB, as much as HDF5 keeps in memory:
-// a whole run, or an equal part of its steps. Runs of less than 64 KiB share one, because each chunk has an entry in an
-// index. The first run decides.
-Sizes chunk_for(const TrajectoryArray& first, const TrajectoryFormat& format) {
-    constexpr hsize_t kLeast = 1 << 16, kMost = 1 << 20;
-    const hsize_t body_bytes = kStateNumbers * (format.bits == 64 ? 8 : 4);
-    const hsize_t bodies = std::clamp<hsize_t>(first.bodies, 1, kMost / body_bytes);
-    const hsize_t state_bytes = bodies * body_bytes, most_steps = kMost / state_bytes;
-    const hsize_t steps = std::max<hsize_t>(first.steps, 1), parts = (steps + most_steps - 1) / most_steps;
-    const hsize_t part = (steps + parts - 1) / parts;
-    const hsize_t runs = std::clamp<hsize_t>(kLeast / (part * state_bytes), 1, std::max<hsize_t>(format.most_runs, 1));
+// a whole run, or an equal part of its steps. Runs of less than 64 KiB share one, because each chunk takes memory and
+// an entry in an index. `first` are the first runs of the file, of which the largest decides.
+Sizes chunk_for(const std::vector<ShardTrajectory>& first, int bits) {
+    hsize_t steps = 1, bodies = 1;
+    for (const ShardTrajectory& run : first) {
+        steps = std::max<hsize_t>(steps, run.states.steps);
+        bodies = std::max<hsize_t>(bodies, run.states.bodies);
+    }
+    const hsize_t body_bytes = kStateNumbers * (bits == 64 ? 8 : 4);
+    bodies = std::min(bodies, kMostChunk / body_bytes);
+    const hsize_t state_bytes = bodies * body_bytes, most_steps = kMostChunk / state_bytes;
+    const hsize_t parts = (steps + most_steps - 1) / most_steps, part = (steps + parts - 1) / parts;
+    const hsize_t runs = std::clamp<hsize_t>(kLeastChunk / (part * state_bytes), 1, std::max<hsize_t>(first.size(), 1));
     return {runs, part, bodies, kStateNumbers};
 }
 
@@ -35,8 +41,10 @@ struct TrajectoryFileWriter::Impl {
     Impl(std::filesystem::path folder_, std::string name_, const TrajectoryFormat& format_)
         : folder(std::move(folder_)), name(std::move(name_)), format(format_), file(folder / name) {}
 
-    void make_data(const TrajectoryArray& first);
-    void append(const ShardTrajectory& run);
+    void append(ShardTrajectory run);
+    void start();
+    void make_data();
+    void store(const ShardTrajectory& run);
     void write_columns();
 
     std::filesystem::path folder;
@@ -45,13 +53,28 @@ struct TrajectoryFileWriter::Impl {
     Hdf5Output file;
     Handle data{};
     Sizes sizes{0, 0, 0, kStateNumbers};
+    std::vector<ShardTrajectory> first{};  // until they are as large as a chunk
+    std::size_t first_bytes = 0;
     std::vector<std::uint64_t> runs{}, steps{}, bodies{}, stopped{};
 };
 
-void TrajectoryFileWriter::Impl::make_data(const TrajectoryArray& first) {
+void TrajectoryFileWriter::Impl::append(ShardTrajectory run) {
+    if (data >= 0) return store(run);
+    first_bytes += run.states.numbers.size() * static_cast<std::size_t>(format.bits) / 8;
+    first.push_back(std::move(run));
+    if (first_bytes >= kLeastChunk) start();
+}
+
+void TrajectoryFileWriter::Impl::start() {
+    make_data();
+    for (const ShardTrajectory& run : first) store(run);
+    first = {};
+}
+
+void TrajectoryFileWriter::Impl::make_data() {
     constexpr Sizes kLargest{H5S_UNLIMITED, H5S_UNLIMITED, H5S_UNLIMITED, kStateNumbers};
     const double padding = std::numeric_limits<double>::quiet_NaN();
-    const Sizes chunk = chunk_for(first, format);
+    const Sizes chunk = chunk_for(first, format.bits);
     const Handle properties = file.make_properties();
     file.required(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()));
     file.required(H5Pset_fill_value(properties, H5T_NATIVE_DOUBLE, &padding));
@@ -61,9 +84,8 @@ void TrajectoryFileWriter::Impl::make_data(const TrajectoryArray& first) {
         Handle(H5Dcreate2(file.id(), "trajectory", type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose));
 }
 
-void TrajectoryFileWriter::Impl::append(const ShardTrajectory& run) {
+void TrajectoryFileWriter::Impl::store(const ShardTrajectory& run) {
     const TrajectoryArray& states = run.states;
-    if (data < 0) make_data(states);
     const Sizes start{sizes[0], 0, 0, 0}, count{1, states.steps, states.bodies, kStateNumbers};
     sizes = {sizes[0] + 1, std::max<hsize_t>(sizes[1], states.steps), std::max<hsize_t>(sizes[2], states.bodies),
              kStateNumbers};
@@ -102,16 +124,16 @@ TrajectoryFileWriter::~TrajectoryFileWriter() {
     impl_.reset();
 }
 
-void TrajectoryFileWriter::append(const ShardTrajectory& run) {
+void TrajectoryFileWriter::append(ShardTrajectory run) {
     const Hdf5Lock lock;
-    impl_->append(run);
+    impl_->append(std::move(run));
 }
 
 StoredFile TrajectoryFileWriter::commit() {
     Hdf5Output& file = impl_->file;
     {
         const Hdf5Lock lock;
-        if (impl_->data < 0) impl_->make_data({});
+        if (impl_->data < 0) impl_->start();
         file.required(impl_->data.close());
         impl_->write_columns();
         file.close();

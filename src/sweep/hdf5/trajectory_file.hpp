@@ -21,11 +21,10 @@ struct ShardTrajectory {
     TrajectoryArray states;
 };
 
-// What the file of a shard is for.
+// What all runs of a file have in common.
 struct TrajectoryFormat {
-    std::uint64_t every = 1;      // steps between two states
-    int bits = 32;                // of a number: 32 or 64
-    std::uint64_t most_runs = 1;  // of the shard
+    std::uint64_t every = 1;  // steps between two states
+    int bits = 32;            // of a number: 32 or 64
 };
 
 // Writes the runs one by one. The bytes depend on the runs and their order alone. Several threads may write a file
@@ -38,7 +37,7 @@ public:
     TrajectoryFileWriter(const TrajectoryFileWriter&) = delete;
     TrajectoryFileWriter& operator=(const TrajectoryFileWriter&) = delete;
 
-    void append(const ShardTrajectory& run);
+    void append(ShardTrajectory run);
 
     // As StoredFileWriter::commit().
     StoredFile commit();
