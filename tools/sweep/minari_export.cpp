@@ -14,6 +14,7 @@
 #include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/output/input_error.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/sweep/minari_metadata.hpp"
 #include "tools/sweep/runs/run_record.hpp"
 #include "tools/sweep/sweep_folder.hpp"
@@ -25,13 +26,6 @@ namespace tumble::tools {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::optional<double> number_of(const std::string& cell) {
-    double number = 0.0;
-    const char* const end = cell.data() + cell.size();
-    const auto [stop, error] = std::from_chars(cell.data(), end, number);
-    return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
-}
 
 void verify_checksum(const fs::path& folder, const sweep::StoredFile& file) {
     if (is_interrupted()) throw Interrupted{};

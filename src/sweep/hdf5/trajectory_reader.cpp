@@ -13,7 +13,7 @@ namespace tumble::sweep {
 
 namespace {
 
-constexpr hsize_t kMostRuns = 1000000;                            // of a file: kMostShardRuns of a plan
+constexpr hsize_t kMostRunsOfFile = 1000000;                      // of a file: kMostShardRuns of a plan
 constexpr std::size_t kMostNumbers = (std::size_t{1} << 31) / 8;  // of a run
 constexpr const char* kNoShard = "is no trajectory file of a sweep";
 
@@ -62,7 +62,7 @@ TrajectoryReader::TrajectoryReader(const std::filesystem::path& file) {
     const Hdf5Lock lock;
     auto opened = std::make_unique<Impl>(file);
     const auto [run_count, step_count, body_count, numbers] = opened->sizes_of<4>(opened->data);
-    if (run_count > kMostRuns || numbers != kStateNumbers) opened->fail(kNoShard);
+    if (run_count > kMostRunsOfFile || numbers != kStateNumbers) opened->fail(kNoShard);
     runs_ = opened->column("run", run_count);
     steps_ = opened->column("steps", run_count);
     bodies_ = opened->column("bodies", run_count);

@@ -1,10 +1,8 @@
 #include "tools/sweep/runs/run_video.hpp"
 
 #include <array>
-#include <cerrno>
 #include <cstdio>
-#include <cstdlib>
-#include <system_error>
+#include <filesystem>
 
 #include "tumble/file.hpp"
 
@@ -31,18 +29,6 @@ std::string encoder_version() {
             "the program ffmpeg, which encodes videos, is not installed (Debian: apt-get install "
             "--no-install-recommends ffmpeg); frames as PNG do not need it");
     return line.substr(0, line.find(' ', std::string("ffmpeg version ").size()));
-}
-
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "tumble-video-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-        throw FileError(name, "cannot create the folder: " + std::generic_category().message(errno));
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
 }
 
 RunVideo::RunVideo(int width, int height, double frames_per_second)
