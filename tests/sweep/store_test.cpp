@@ -1,9 +1,7 @@
 // The files of shards: the same bytes each time, and what other programs read in them.
 #include <doctest/doctest.h>
-#include <hdf5.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -13,11 +11,11 @@
 #include <thread>
 #include <vector>
 
-#include "sweep/store/hdf5_file.hpp"
 #include "sweep/store/lease.hpp"
 #include "sweep/store/manifest.hpp"
 #include "sweep/store/stored_file.hpp"
 #include "sweep/store/tar.hpp"
+#include "sweep/store/trajectory_array.hpp"
 #include "tumble/file.hpp"
 
 namespace fs = std::filesystem;
@@ -33,13 +31,6 @@ struct Folder {
 };
 
 void write(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
-
-// Run 3 with two states of two bodies, run 8 with one state of one body.
-std::vector<ShardTrajectory> two_runs() {
-    std::vector<double> numbers(24);
-    for (std::size_t i = 0; i < 24; ++i) numbers[i] = 0.5 * static_cast<double>(i);
-    return {{3, {2, 2, numbers}}, {8, {1, 1, {1, 2, 3, 4, 5, 6}}}};
-}
 
 }  // namespace
 
@@ -75,44 +66,6 @@ TEST_CASE("an .npy file has its shape and its numbers") {
     std::memcpy(&last, bytes.data() + bytes.size() - 4, 4);
     CHECK(last == 12.0f);
     CHECK(to_npy({2, 1, std::vector<double>(12)}, 64).size() == 10 + header + std::size_t{96});
-}
-
-TEST_CASE("an HDF5 file has the runs of a shard, padded by NaN, and the same bytes each time") {
-    for (const int bits : {32, 64}) {
-        auto runs = two_runs();
-        const std::string bytes = to_hdf5(runs, 10, bits);
-        std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 counts times in seconds
-        auto again = two_runs();
-        CHECK(to_hdf5(again, 10, bits) == bytes);
-        const Folder folder;
-        write(folder.path / "a.h5", bytes);
-        const hid_t file = H5Fopen((folder.path / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-        REQUIRE(file >= 0);
-        const hid_t data = H5Dopen2(file, "trajectory", H5P_DEFAULT), space = H5Dget_space(data),
-                    type = H5Dget_type(data);
-        hsize_t sizes[4] = {};
-        CHECK(H5Sget_simple_extent_dims(space, sizes, nullptr) == 4);
-        CHECK(H5Tget_size(type) == static_cast<std::size_t>(bits / 8));
-        CHECK(sizes[0] * 1000 + sizes[1] * 100 + sizes[2] * 10 + sizes[3] == 2226);
-        double read[48] = {};
-        CHECK(H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, read) >= 0);
-        CHECK(read[23] == 11.5);
-        CHECK(read[24] == 1.0);
-        CHECK(read[29] == 6.0);
-        CHECK(std::isnan(read[30]));
-        CHECK(std::isnan(read[47]));
-        const hid_t numbers = H5Dopen2(file, "run", H5P_DEFAULT);
-        std::uint64_t run[2] = {};
-        CHECK(H5Dread(numbers, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, run) >= 0);
-        CHECK(run[1] == 8);
-        H5Tclose(type);
-        H5Sclose(space);
-        H5Dclose(numbers);
-        H5Dclose(data);
-        H5Fclose(file);
-    }
-    std::vector<ShardTrajectory> none;
-    CHECK(to_hdf5(none, 1, 32).starts_with("\x89HDF"));
 }
 
 TEST_CASE("a manifest keeps what whole lines say, in the order of the shards") {

@@ -32,6 +32,9 @@ void add_sweep(CLI::App& app, Command& command);
 // The commands of `sweep` on folders: verify, status, merge, plot.
 void add_sweep_commands(CLI::App& app, Command& command);
 
+// `sweep export`.
+void add_sweep_export(CLI::App& app, Command& command);
+
 // `sweep submit`.
 void add_sweep_submit(CLI::App& app, Command& command);
 

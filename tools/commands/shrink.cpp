@@ -1,8 +1,6 @@
 // `tumble shrink`: makes a scene smaller while it fails in the same way.
 #include <CLI/CLI.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -19,6 +17,7 @@
 #include "tools/machine/build_info.hpp"
 #include "tools/output/input_error.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/temporary_folder.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/shrink/failure_picture.hpp"
 #include "tools/shrink/shrinker.hpp"
@@ -46,26 +45,6 @@ struct OutputFiles {
 };
 
 // A folder in which candidates are written for the command, removed at the end.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "tumble_shrink_XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw FileError(name, "cannot create the folder");
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
-
 struct Shrunk {
     SceneSize before, after;
     std::string failure;
@@ -203,7 +182,7 @@ ExitCode shrink(const Command& command, const ShrinkArguments& options) {
     for (const fs::path& file : {files.scene, files.picture}) refuse_to_overwrite(file, options.force || continues);
 
     catch_interrupts();
-    const TemporaryFolder folder;
+    const TemporaryFolder folder("shrink");
     const std::vector<Failure> failures = run_trial(text, options.trial, folder.path() / "0" / "scene.json");
     if (is_interrupted()) return interruption_code();
     const Failure failure = chosen_failure(options, failures);

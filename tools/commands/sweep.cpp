@@ -17,7 +17,7 @@
 #include "tools/scene/scene_options.hpp"
 #include "tools/sweep/estimate.hpp"
 #include "tools/sweep/plan_input.hpp"
-#include "tools/sweep/run_record.hpp"
+#include "tools/sweep/runs/run_record.hpp"
 #include "tools/sweep/sweep_text.hpp"
 #include "tools/sweep/sweep_work.hpp"
 
@@ -96,6 +96,7 @@ void add_sweep(CLI::App& app, Command& command) {
                        "Simulate 20 runs, write nothing, and print how long and how large the sweep is");
     add_outside_option(app_sweep, options->allow_outside);
     add_sweep_commands(app_sweep, command);
+    add_sweep_export(app_sweep, command);
     add_sweep_submit(app_sweep, command);
     app_sweep.callback([&app_sweep, &command, options] {
         if (app_sweep.get_subcommands().empty())

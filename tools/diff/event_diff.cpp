@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <string_view>
@@ -11,6 +10,7 @@
 
 #include "tools/output/csv_file.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 
 namespace tumble::tools {
 
@@ -56,12 +56,6 @@ private:
     CsvFile<10> csv_;
     std::optional<Event> next_;
 };
-
-std::optional<double> number_of(const std::string& text) {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
 
 bool are_near(const std::string& a, const std::string& b, double tolerance) {
     if (a == b) return true;

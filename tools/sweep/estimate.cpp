@@ -4,7 +4,7 @@
 
 #include "sweep/store/tar.hpp"
 #include "tools/measure/stopwatch.hpp"
-#include "tools/sweep/run_record.hpp"
+#include "tools/sweep/runs/run_record.hpp"
 
 namespace tumble::tools {
 

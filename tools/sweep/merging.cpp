@@ -5,7 +5,7 @@
 #include "sweep/store/durable.hpp"
 #include "sweep/store/stored_file.hpp"
 #include "tools/output/input_error.hpp"
-#include "tools/sweep/scene_texts.hpp"
+#include "tools/sweep/runs/scene_texts.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
-#include <vector>
 
-#include "sweep/store/hdf5_file.hpp"
+#include "sweep/hdf5/trajectory_file.hpp"
 #include "sweep/store/stored_file.hpp"
 #include "sweep/store/tar.hpp"
 #include "tools/sweep/crash_log.hpp"
@@ -29,19 +28,21 @@ std::optional<sweep::ShardEntry> write_shard(const sweep::Plan& plan, std::uint6
     sweep::ShardEntry entry{.shard = shard};
     std::optional<sweep::StoredFileWriter> tar;
     if (plan.write.has_tar()) tar.emplace(folder, sweep::shard_file_name(shard, ".tar"));
-    std::vector<sweep::ShardTrajectory> trajectories;
-    std::string rows;
     const std::uint64_t first = shard * runs_in_shard(plan), last = std::min(plan.runs, first + runs_in_shard(plan));
+    const sweep::TrajectoryFormat format{plan.write.trajectory_every, plan.write.trajectory_bits};
+    std::optional<sweep::TrajectoryFileWriter> trajectories;
+    if (plan.write.has_hdf5()) trajectories.emplace(folder, sweep::shard_file_name(shard, ".h5"), format);
+    sweep::StoredFileWriter table(folder, sweep::shard_file_name(shard, ".csv"));
     for (std::uint64_t run = first; run < last; ++run) {
         const auto crashed = calls.crashed.find(run);
         const RunMark mark(run);
         RunRecord record = crashed == calls.crashed.end() ? runs.make(run) : runs.record_crash(run, crashed->second);
         ++entry.outcomes[record.outcome];
-        rows += record.row;
+        table.write(record.row);
         for (const auto& [suffix, bytes] : record.members)
             tar->write(sweep::tar_member(member_name(run, suffix), bytes));
-        if (plan.write.has_hdf5() && record.trajectory.steps > 0)
-            trajectories.push_back({run, std::move(record.trajectory)});
+        if (trajectories && record.trajectory.steps > 0)
+            trajectories->append({run, record.is_stopped, std::move(record.trajectory)});
         calls.count_run();
     }
     if (!calls.may_commit()) return std::nullopt;
@@ -49,13 +50,7 @@ std::optional<sweep::ShardEntry> write_shard(const sweep::Plan& plan, std::uint6
         tar->write(sweep::tar_end(tar->size()));
         entry.files.push_back(tar->commit());
     }
-    if (plan.write.has_hdf5()) {
-        sweep::StoredFileWriter file(folder, sweep::shard_file_name(shard, ".h5"));
-        file.write(to_hdf5(trajectories, plan.write.trajectory_every, plan.write.trajectory_bits));
-        entry.files.push_back(file.commit());
-    }
-    sweep::StoredFileWriter table(folder, sweep::shard_file_name(shard, ".csv"));
-    table.write(rows);
+    if (trajectories) entry.files.push_back(trajectories->commit());
     entry.table = table.commit();
     return entry;
 }

@@ -10,7 +10,7 @@
 
 #include "sweep/plan/plan.hpp"
 #include "sweep/store/manifest.hpp"
-#include "tools/sweep/run_record.hpp"
+#include "tools/sweep/runs/run_record.hpp"
 
 namespace tumble::tools {
 

@@ -17,8 +17,8 @@
 #include "tools/measure/stopwatch.hpp"
 #include "tools/output/input_error.hpp"
 #include "tools/sweep/crash_log.hpp"
-#include "tools/sweep/frame_recorder.hpp"
-#include "tools/sweep/run_table.hpp"
+#include "tools/sweep/runs/frame_recorder.hpp"
+#include "tools/sweep/runs/run_table.hpp"
 #include "tools/sweep/shard_writer.hpp"
 #include "tools/sweep/verification.hpp"
 #include "tumble/file.hpp"
@@ -42,7 +42,7 @@ sweep::SweepHeader expected_header(const sweep::Plan& plan) {
             version(),
             table_header(plan),
             plan.allow_outside ? "" : plan.file.filename().string(),
-            plan.write.has_frames() ? renderer_name() : ""};
+            renderer_name(plan.write)};
 }
 
 std::string difference_text(const sweep::SweepHeader& found, const sweep::SweepHeader& wanted) {

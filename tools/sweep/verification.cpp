@@ -11,8 +11,9 @@
 #include "sweep/plan/permutation.hpp"
 #include "sweep/store/stored_file.hpp"
 #include "tools/cli/interrupt.hpp"
-#include "tools/sweep/run_record.hpp"
+#include "tools/sweep/runs/run_record.hpp"
 #include "tools/sweep/sweep_folder.hpp"
+#include "tools/sweep/table_reader.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -55,7 +56,10 @@ std::vector<sweep::StoredFile> stored_files(const sweep::Manifest& manifest) {
 }
 
 // Whether the same command would give other results on another machine, or at another time.
-bool depends_on_machine(const std::string& outcome) {
+bool depends_on_machine(const std::string& line, std::size_t outcome_column) {
+    const std::vector<std::string> cells = cells_of(line);
+    if (cells.size() <= outcome_column) return false;
+    const std::string& outcome = cells[outcome_column];
     return outcome == "timed_out" || outcome == "failed" || outcome == "crashed";
 }
 
@@ -69,22 +73,6 @@ std::map<std::uint64_t, std::string> read_rows(const fs::path& file, const std::
         if (wanted.contains(run)) rows.emplace(run, line + "\n");
     }
     return rows;
-}
-
-// The cell of a line of the table.
-std::string cell_of(const std::string& line, std::size_t column) {
-    std::string cell;
-    bool is_quoted = false;
-    for (const char letter : line) {
-        if (letter == '"') is_quoted = !is_quoted;
-        const bool ends = letter == ',' && !is_quoted;
-        if (ends && column-- == 0) break;
-        if (ends)
-            cell.clear();
-        else
-            cell += letter;
-    }
-    return cell;
 }
 
 // Different runs of the complete shards, of which only the last of the plan may be shorter than the others.
@@ -134,9 +122,9 @@ void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, V
     const sweep::SweepHeader& header = *manifest.header;
     if (header.plan != plan.hash || header.runs != plan.runs || header.shard_runs != runs_in_shard(plan))
         throw FileError(folder, "is of another plan than " + plan.file.string());
-    if (plan.write.has_frames() && header.renderer != renderer_name())
-        throw FileError(folder, "has frames of " + header.renderer + ", and this machine draws by " + renderer_name() +
-                                    ": their bytes may differ");
+    if (header.renderer != renderer_name(plan.write))
+        throw FileError(folder, "has frames of " + header.renderer + ", and this machine draws by " +
+                                    renderer_name(plan.write) + ": their bytes may differ");
     const std::set<std::uint64_t> runs = draw_runs(plan, folder, manifest, part, verification.seed);
     std::map<std::uint64_t, std::string> rows;
     if (manifest.table)
@@ -152,7 +140,7 @@ void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, V
     RunMaker maker(plan, texts);
     for (const std::uint64_t run : runs) {
         const auto row = rows.find(run);
-        if (row != rows.end() && depends_on_machine(cell_of(row->second, outcome))) continue;
+        if (row != rows.end() && depends_on_machine(row->second, outcome)) continue;
         const RunRecord record = maker.make(run);
         ++verification.repeated_runs;
         if (row == rows.end())

@@ -41,11 +41,13 @@ struct Filter {
     std::string that{};   // keep only runs for which this condition holds at the end; empty: all
 };
 
-// PNG files of a run, in the tar file: of the state at the start, and after every `every` steps.
+// Pictures of a run in the tar file, of the state at the start, and after every `every` steps: a PNG file each, or all
+// as one MP4.
 struct Pictures {
     std::uint64_t every = 0;  // steps; 0: none
     int width = 256, height = 256;
     bool is_plain = false;  // of frames: without grid, scale bar and text
+    bool is_video = false;  // of frames: as MP4
 
     bool are_due(std::uint64_t step) const { return every > 0 && step % every == 0; }
 };

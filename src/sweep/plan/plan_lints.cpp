@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdio>
 
 namespace tumble::sweep {
 
 namespace {
 
-constexpr double kMuchMemory = 1e9;          // bytes of one thread
 constexpr std::uint64_t kManyFiles = 10000;  // in one folder
 
 void warn(scene::Diagnostics& diagnostics, const std::string& pointer, const std::string& message,
@@ -56,28 +53,11 @@ void lint_runs(const Plan& plan, scene::Diagnostics& diagnostics) {
              "\"shard_runs\" makes larger shards");
 }
 
-// What a thread keeps until its HDF5 file is written: 8 bytes for each number of a trajectory.
-void lint_memory(const Plan& plan, const std::vector<SceneFacts>& scenes, scene::Diagnostics& diagnostics) {
-    if (!plan.write.has_hdf5()) return;
-    double numbers = 0.0;
-    for (const SceneFacts& scene : scenes)
-        numbers = std::max(numbers, static_cast<double>(scene.bodies * 6) *
-                                        (1.0 + std::floor(static_cast<double>(scene.steps) /
-                                                          static_cast<double>(plan.write.trajectory_every))));
-    const double bytes = 8.0 * numbers * static_cast<double>(std::min(plan.runs, runs_in_shard(plan)));
-    if (bytes <= kMuchMemory) return;
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g GB", bytes * 1e-9);
-    warn(diagnostics, "/write/trajectory", std::string("each thread keeps the trajectories of a shard, ") + text,
-         "a larger \"every\", a smaller \"shard_runs\", or \"as\": \"npy\", which is written run by run");
-}
-
 }  // namespace
 
 void add_plan_lints(const Plan& plan, const std::vector<SceneFacts>& scenes, scene::Diagnostics& diagnostics) {
     lint_parameters(plan, diagnostics);
     lint_runs(plan, diagnostics);
-    lint_memory(plan, scenes, diagnostics);
     if (plan.filter.claims && std::ranges::none_of(scenes, &SceneFacts::has_claims))
         warn(diagnostics, "/filter/claims", "no scene has claims, so that this keeps every run",
              "claims are in the scene's \"expect\"");

@@ -63,9 +63,10 @@ std::string plan_schema() {
   "definitions": {
     "name": {"type": "string", "pattern": "^[A-Za-z_][A-Za-z0-9_]{0,63}$", "description": "A column of the table, and a name in expressions."},
     "size": {"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "integer", "minimum": 16, "maximum": 4096}, "description": "Width and height in pixels. Default [256, 256]; of masks that of the frames."},
-    "frames": {"type": "object", "additionalProperties": false, "description": "Pictures of the run as PNG in the tar file: of the start, and after every n-th step.", "properties": {
+    "frames": {"type": "object", "additionalProperties": false, "description": "Pictures of the run in the tar file: of the start, and after every n-th step.", "properties": {
       "every": {"type": "integer", "minimum": 1, "maximum": 1000000, "description": "Steps between two frames. Default 1."},
       "size": {"$ref": "#/definitions/size"},
+      "as": {"enum": ["png", "mp4"], "description": "A PNG file for each frame, or an MP4 for each run, which needs even sides and the program ffmpeg. Default png."},
       "plain": {"type": "boolean", "description": "Without grid, scale bar and text. Default false."}}},
     "masks": {"type": "object", "additionalProperties": false, "description": "Which body each pixel of a frame shows, as PNG with 16 bits in the tar file: 0 for none, else one more than the index of the body.", "properties": {
       "every": {"type": "integer", "minimum": 1, "maximum": 1000000, "description": "Steps between two masks. Default: that of the frames, else 1."},

@@ -65,7 +65,7 @@ void try_expressions(const Plan& plan, const Scene& scene, scene::Diagnostics& d
 
 SceneFacts facts_of(const Scene& scene) {
     const bool has_camera = scene.camera.height && (scene.camera.center || !scene.camera.follow.empty());
-    return {count_bodies(scene), count_steps(scene), !scene.expect.empty(), has_camera};
+    return {!scene.expect.empty(), has_camera};
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Tries a plan on its scenes before anything is simulated.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,8 +11,6 @@ namespace tumble::sweep {
 
 // What the warnings about a plan ask of a scene, as its first run has it.
 struct SceneFacts {
-    std::size_t bodies = 0;  // of the initial state
-    std::uint64_t steps = 0;
     bool has_claims = false;
     bool has_camera = false;  // that the scene states, so that it is the same for all runs
 };

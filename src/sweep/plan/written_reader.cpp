@@ -27,10 +27,19 @@ bool is_side(double pixels) {
     return pixels >= kSmallestSide && pixels <= kLargestSide && std::floor(pixels) == pixels;
 }
 
+// How frames look, and as which files.
+void read_look(PlanObject& frames, Pictures& pictures) {
+    pictures.is_plain = frames.flag("plain", false);
+    pictures.is_video = frames.word("as", {"png", "mp4"}) == "mp4";
+    if (pictures.is_video && (pictures.width % 2 != 0 || pictures.height % 2 != 0))
+        frames.error("size", "must have even sides for an MP4, whose colours have half the resolution");
+}
+
 // `otherwise` has the size of pictures that do not state one.
 Pictures read_pictures(PlanObject& object, const char* key, const Pictures& otherwise, Diagnostics& diagnostics) {
     Pictures pictures = otherwise;
     pictures.every = 0;
+    pictures.is_video = false;
     const Json* const json = object.find(key);
     if (json == nullptr) return pictures;
     PlanObject inner(*json, object.pointer_to(key), diagnostics);
@@ -43,7 +52,7 @@ Pictures read_pictures(PlanObject& object, const char* key, const Pictures& othe
             inner.error("size", "must be [width, height], whole numbers from 16 to 4096");
         }
     }
-    if (std::string_view(key) == "frames") pictures.is_plain = inner.flag("plain", false);
+    if (std::string_view(key) == "frames") read_look(inner, pictures);
     inner.finish();
     return pictures;
 }

@@ -1,9 +1,11 @@
 // tumble sweep: frames and masks.
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tools/sweep/sweeps.hpp"
@@ -16,6 +18,7 @@ using tumble::test::are_equal;
 using tumble::test::read_text;
 using tumble::test::run_tumble;
 using tumble::test::Sweeps;
+using tumble::test::tumble_command;
 
 namespace {
 
@@ -23,6 +26,18 @@ constexpr const char* kPictures = R"({"format": 1, "scene": "scene.json", "runs"
   "parameters": [{"name": "height", "set": "/bodies/ball/position/1", "range": [1.2, 4]}],
   "set": {"/camera": {"center": [0, 2], "height": 6}},
   "write": {"frames": {"every": 15, "size": [96, 64], "plain": true}, "masks": {"size": [48, 32]}, "summary": true}})";
+
+std::string video_plan() {
+    std::string text = kPictures;
+    return text.insert(text.find("\"plain\""), "\"as\": \"mp4\", ");
+}
+
+// The program with a variable of the environment, "NAME=VALUE".
+Answer with_environment(const std::string& variable, const std::vector<std::string>& arguments) {
+    std::vector<std::string> command = tumble_command(arguments);
+    command.insert(command.begin(), {"/usr/bin/env", variable});
+    return tumble::test::run(command);
+}
 
 }  // namespace
 
@@ -71,6 +86,43 @@ TEST_CASE("the frames of a run are those of tumble run, and its masks have the l
             read_text(entry.path()) == read_text(sweeps.folder / "000000000001.mask.000015.png"))
             ++masks;
     CHECK(masks == 1);
+}
+
+TEST_CASE("a video of each run is in the tar files, with the frames of its pictures, and its bytes repeat") {
+    const Sweeps sweeps(video_plan());
+    fs::create_directories(sweeps.folder / "temporary");
+    REQUIRE(with_environment("TMPDIR=" + sweeps.at("temporary"), sweeps.arguments("one", {"-j", "1"})).code == 0);
+    CHECK(fs::is_empty(sweeps.folder / "temporary"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // an MP4 can state times in seconds
+    REQUIRE(sweeps.sweep("three", {"-j", "3"}).code == 0);
+    CHECK(are_equal(sweeps.folder / "one", sweeps.folder / "three"));
+    const Answer list = tumble::test::run({"/bin/tar", "-tf", sweeps.at("one/shard-000002.tar")});
+    CHECK(list.out.find("000000000005.frames.mp4\n") != std::string::npos);
+    CHECK(list.out.find("frame.000") == std::string::npos);
+    CHECK(list.out.find("000000000005.mask.000030.png\n") != std::string::npos);
+    CHECK(run_tumble({"sweep", "verify", sweeps.at("one"), "--part", "1"}).code == 0);
+    // 3 frames, each 15 steps of 1/60 s.
+    REQUIRE(tumble::test::run({"/bin/tar", "-xf", sweeps.at("one/shard-000000.tar"), "-C", sweeps.at("")}).code == 0);
+    const std::string video = sweeps.at("000000000001.frames.mp4");
+    const Answer frames =
+        tumble::test::run({"/usr/bin/ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                           "stream=nb_read_frames,r_frame_rate,width,height", "-of", "csv=p=0", video});
+    CHECK(frames.out == "96,64,4/1,3\n");
+    CHECK(read_text(sweeps.folder / "one/manifest.jsonl").find("ffmpeg version ") != std::string::npos);
+}
+
+TEST_CASE("without ffmpeg a sweep with videos ends with exit code 5 before it writes, and its sides must be even") {
+    std::string text = video_plan();
+    const Sweeps sweeps(text);
+    const Answer answer = with_environment("PATH=" + sweeps.at(""), sweeps.arguments("out"));
+    CHECK(answer.code == 5);
+    CHECK_MESSAGE(answer.err.find("the program ffmpeg, which encodes videos, is not installed") != std::string::npos,
+                  answer.err);
+    CHECK_FALSE(fs::exists(sweeps.folder / "out/manifest.jsonl"));
+    text.replace(text.find("[96, 64]"), 8, "[97, 64]");
+    const Answer odd = run_tumble({"sweep", sweeps.folder.write("odd.json", text), "--dry-run"});
+    CHECK(odd.code == 3);
+    CHECK_MESSAGE(odd.err.find("/write/frames/size: must have even sides") != std::string::npos, odd.err);
 }
 
 TEST_CASE("the folder of a sweep has the images of its frames, and a damaged image makes a run invalid") {

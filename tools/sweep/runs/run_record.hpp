@@ -10,8 +10,8 @@
 
 #include "sweep/plan/plan.hpp"
 #include "sweep/store/trajectory_array.hpp"
-#include "tools/sweep/frame_recorder.hpp"
-#include "tools/sweep/scene_texts.hpp"
+#include "tools/sweep/runs/frame_recorder.hpp"
+#include "tools/sweep/runs/scene_texts.hpp"
 #include "tumble/scene_file.hpp"
 
 namespace tumble::tools {
@@ -24,6 +24,7 @@ struct RunRecord {
     std::string row{};                                           // its line of the table
     std::vector<std::pair<std::string, std::string>> members{};  // of the tar file: suffix and bytes
     sweep::TrajectoryArray trajectory{};                         // for the HDF5 file
+    bool is_stopped = false;                                     // by an event of the scene
     std::uint64_t steps = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "tools/sweep/trajectory_recorder.hpp"
+#include "tools/sweep/runs/trajectory_recorder.hpp"
 
 #include <limits>
 

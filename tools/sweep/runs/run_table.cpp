@@ -1,4 +1,4 @@
-#include "tools/sweep/run_table.hpp"
+#include "tools/sweep/runs/run_table.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "tools/sweep/frame_recorder.hpp"
+#include "tools/sweep/runs/frame_recorder.hpp"
 
 #include <array>
 #include <cstdio>
@@ -19,10 +19,11 @@ std::string picture_suffix(const char* kind, std::uint64_t step) {
 
 }  // namespace
 
-std::string renderer_name() {
+std::string renderer_name(const sweep::Written& written) {
+    if (!written.has_frames()) return "";
     const BackendCheck check = check_backend(RenderBackend::automatic);
     if (!check.works) throw RenderError(check.error);
-    return check.version + ", " + check.renderer;
+    return check.version + ", " + check.renderer + (written.frames.is_video ? ", " + encoder_version() : "");
 }
 
 FrameRecorder::FrameRecorder(const sweep::Written& written) : written_(written) {
@@ -35,6 +36,10 @@ FrameRecorder::FrameRecorder(const sweep::Written& written) : written_(written) 
 void FrameRecorder::start(const Scene& scene, const SceneWorld& built) {
     if (renderer_) frame_camera_ = make_camera(scene, built, aspect_ratio(written_.frames));
     if (labeller_) mask_camera_ = make_camera(scene, built, aspect_ratio(written_.masks));
+    const sweep::Pictures& frames = written_.frames;
+    video_.reset();
+    if (frames.is_video)
+        video_.emplace(frames.width, frames.height, scene.world.steps_per_second / static_cast<double>(frames.every));
 }
 
 void FrameRecorder::record(const Scene& scene, const SceneWorld& built, std::uint64_t step,
@@ -43,10 +48,18 @@ void FrameRecorder::record(const Scene& scene, const SceneWorld& built, std::uin
     if (labeller_) mask_camera_ = move_camera(mask_camera_, scene, built);
     if (written_.frames.are_due(step)) {
         renderer_->draw(scene, built, frame_camera_, built.world.time(), image_, overlay_);
-        members.emplace_back(picture_suffix("frame", step), to_png(image_));
+        if (video_)
+            video_->write(image_);
+        else
+            members.emplace_back(picture_suffix("frame", step), to_png(image_));
     }
     if (written_.masks.are_due(step))
         members.emplace_back(picture_suffix("mask", step), to_png(labeller_->label(scene, built, mask_camera_).mask));
+}
+
+void FrameRecorder::finish(std::vector<std::pair<std::string, std::string>>& members) {
+    if (video_) members.emplace_back("frames.mp4", video_->finish());
+    video_.reset();
 }
 
 }  // namespace tumble::tools

@@ -1,4 +1,4 @@
-#include "tools/sweep/scene_texts.hpp"
+#include "tools/sweep/runs/scene_texts.hpp"
 
 #include <system_error>
 

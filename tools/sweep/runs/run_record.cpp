@@ -1,4 +1,4 @@
-#include "tools/sweep/run_record.hpp"
+#include "tools/sweep/runs/run_record.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -11,8 +11,8 @@
 #include "tools/cli/interrupt.hpp"
 #include "tools/measure/stopwatch.hpp"
 #include "tools/output/json_writer.hpp"
-#include "tools/sweep/run_table.hpp"
-#include "tools/sweep/trajectory_recorder.hpp"
+#include "tools/sweep/runs/run_table.hpp"
+#include "tools/sweep/runs/trajectory_recorder.hpp"
 #include "tools/tables/step_files.hpp"
 #include "tumble/file.hpp"
 #include "tumble/render.hpp"
@@ -80,6 +80,7 @@ private:
     ContactLines contacts_;
     std::string event_text_{EventLines::kHeader}, contact_text_{ContactLines::kHeader}, final_state_;
     std::vector<std::pair<std::string, std::string>> picture_files_;
+    bool is_stopped_ = false;
     Stopwatch watch_;
 };
 
@@ -116,6 +117,7 @@ void SweepRun::simulate() {
         record(scene, run.built());
         look_around();
     }
+    is_stopped_ = run.is_stopped();
     found_.claims = watch.results();
     evaluate(run, scene);
 }
@@ -145,6 +147,7 @@ void SweepRun::add_data(RunRecord& record) {
     if (write.events) record.members.emplace_back("events.csv", event_text_);
     if (write.contacts) record.members.emplace_back("contacts.csv", contact_text_);
     if (write.final_state && !final_state_.empty()) record.members.emplace_back("state", final_state_);
+    if (pictures_ != nullptr) pictures_->finish(picture_files_);
     std::ranges::move(picture_files_, std::back_inserter(record.members));
     if (!write.has_trajectory()) return;
     record.trajectory = trajectory_.array();
@@ -190,7 +193,8 @@ RunRecord SweepRun::make() {
     } catch (const std::exception& error) {
         end("failed", error.what());
     }
-    RunRecord record{.run = choice_.run, .outcome = found_.outcome, .steps = found_.steps.value_or(0)};
+    RunRecord record{
+        .run = choice_.run, .outcome = found_.outcome, .is_stopped = is_stopped_, .steps = found_.steps.value_or(0)};
     add_data(record);
     record.row = table_row(plan_, choice_, found_, data_hash(record));
     return record;
