@@ -174,11 +174,14 @@ TEST_CASE("the timed queries of both give the same sums of answers" * doctest::s
         const QueryRuns runs = query_case.make(500, 7);
         CHECK(static_cast<bool>(runs.box2d_v3) == !query_case.name.starts_with("1000-gon"));
         if (!runs.box2d_v3) continue;
-        // Rays and distances are those of tumble up to the precision of a float.
+        // Distances and rays agree to the precision of a float; of overlap Box2D knows that the distance is 0. The
+        // pairs of manifolds overlap and have one or two points, of which Box2D v3 keeps those too that are far apart.
         if (query_case.name.starts_with("manifold")) {
-            CHECK(near(runs.box2d_v3(), runs.box2d(), absolute(25.0)));
-        } else if (!query_case.name.ends_with("overlapping")) {
-            CHECK(near(runs.box2d_v3(), runs.tumble(), absolute(500 * 1e-5)));
+            CHECK(runs.box2d_v3() >= runs.tumble());
+            CHECK(runs.box2d_v3() <= 1000.0);
+        } else {
+            const bool overlap = query_case.name.find("overlapping") != std::string::npos;
+            CHECK(near(runs.box2d_v3(), overlap ? 0.0 : runs.tumble(), absolute(500 * 1e-5)));
         }
         ++compared;
     }
