@@ -59,11 +59,18 @@ std::string unknown_argument_text(const CLI::App& app) {
            (nearest.empty() ? "" : "\n  hint: did you mean '" + std::string(nearest) + "'?");
 }
 
+// Of the texts of CLI11 about the number of values of an option, which begin with its name.
+std::string wrong_count_text(const std::string& text) {
+    const std::string option = text.substr(0, text.find(':'));
+    if (text.find(": At Most ") != std::string::npos) return option + ": is given more than once";
+    return option + ": the value is missing";
+}
+
 std::string parse_error_text(const CLI::App& app, const CLI::ParseError& error) {
     std::string text = error.what();
     switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
         case CLI::ExitCodes::ExtrasError: return unknown_argument_text(app);
-        case CLI::ExitCodes::ArgumentMismatch: return text.substr(0, text.find(':')) + ": the value is missing";
+        case CLI::ExitCodes::ArgumentMismatch: return wrong_count_text(text);
         default: return text;
     }
 }

@@ -1,4 +1,4 @@
-// Frames without a display: cameras, an off-screen renderer, and PNG files.
+// Frames without a display: cameras, an off-screen renderer, and picture files.
 #pragma once
 
 #include <array>
@@ -187,6 +187,9 @@ Image draw_image(const Drawing& drawing);
 // Reads a PNG file. Throws FileError, or PictureError for a file that is damaged, no PNG, or has a side of more than
 // kLargestFrame pixels.
 Image read_png(const std::filesystem::path& file);
+
+// The same for a PNG, JPEG or BMP file, whatever its name is.
+Image read_picture(const std::filesystem::path& file);
 
 // Writes to a temporary name beside `file`, then renames. Throws FileError. The same image gives the same bytes.
 void write_png(const Image& image, const std::filesystem::path& file);

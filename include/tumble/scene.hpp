@@ -135,7 +135,7 @@ struct SceneMass {
 
 // A picture that frames show on a body, in body coordinates. It has no effect on the simulation.
 struct SceneImage {
-    std::string file;               // of a PNG file, relative to the folder of the scene's file
+    std::string file;               // PNG, JPEG or BMP, relative to the folder of the scene's file
     DVec2 center;                   // m
     double angle = 0.0;             // degrees
     double height = 0.0;            // m

@@ -88,6 +88,7 @@ const std::map<std::string, std::set<std::string>> kThirdParty = {
     {"stb_image_write.h", {"render"}},
     {"stb_truetype.h", {"render"}},
     {"libdeflate.h", {"render"}},
+    {"turbojpeg.h", {"render"}},
     {"nlohmann", {"scene", "import", "render", "tools", "reference", "sweep"}},
     {"pybind11", {"python"}},
     {"rapidjson", {"tools"}},

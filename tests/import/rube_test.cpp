@@ -170,7 +170,7 @@ TEST_CASE("features that are not carried over are noted once, with a count") {
         {"tints of images", 1},
         {"stretched images without corners, shown in the proportions of their files", 1},
         {"images without a file or a size, left out", 1},
-        {"images that are not PNG files, left out", 1},
+        {"images that are not PNG, JPEG or BMP files, left out", 1},
     };
     for (const auto& note : expected) CHECK_MESSAGE(count_of(imported, note.first) == note.second, note.first);
     for (const ImportNote& note : imported.notes) CHECK_MESSAGE(expected.contains(note.feature), note.feature);
@@ -190,8 +190,11 @@ TEST_CASE("images belong to their bodies, in their order, and those of the world
     CHECK(a.flip);
     CHECK(a.opacity == 0.5);
     CHECK(a.order == 1);  // the second of the orders -2.5 and 7
-    REQUIRE(scene.bodies.at(0).images.size() == 1);
+    REQUIRE(scene.bodies.at(0).images.size() == 3);
     CHECK(scene.bodies[0].images[0].order == 0);
+    CHECK(scene.bodies[0].images[1].file == "d.BMP");
+    CHECK(scene.bodies[0].images[2].file == "e.jpeg");
+    CHECK(scene.bodies[0].images[2].order == 1);
     CHECK_FALSE(scene.bodies[0].images[0].width.has_value());
     const SceneBody& world = scene.bodies.back();
     CHECK(world.type == BodyType::static_body);

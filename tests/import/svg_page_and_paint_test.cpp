@@ -133,5 +133,5 @@ TEST_CASE("colours in any notation, opaque or as they look on white paper") {
     CHECK(color_of("fill: red; opacity: much") == "#ff0000");
     const ImportedScene group = import_text("<g opacity='0.5'><g opacity='.5'><rect width='9' height='9'/></g></g>");
     CHECK(group.scene.bodies.at(0).shapes.at(0).material == "#bfbfbf");  // a quarter of black
-    CHECK(notes_of(group) == std::map<std::string, int>{{"transparent colours, as they look on white paper", 1}});
+    CHECK(notes_of(group) == std::map<std::string, int>{{"transparent colours, made opaque as on white paper", 1}});
 }

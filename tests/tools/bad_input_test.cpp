@@ -175,6 +175,8 @@ TEST_CASE("--force replaces files only, not folders, pipes or devices") {
 
 TEST_CASE("a missing value, a missing scene and a misspelt demo are named") {
     CHECK(run_tumble({"run", "x.json", "--fps"}).err.find("--fps: the value is missing") != std::string::npos);
+    CHECK(run_tumble({"run", "x.json", "--fps", "9", "--fps", "8"}).err.find("--fps: is given more than once") !=
+          std::string::npos);
     CHECK(run_tumble({"bench", "--scenes", "piramid"}).err.find("piramid: no such file, and no shipped scene") !=
           std::string::npos);
     CHECK(run_tumble({"demo", "piramid"}).err.find("did you mean 'pyramid'?") != std::string::npos);

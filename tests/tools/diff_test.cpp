@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <string>
 
 #include "diff_answer.hpp"
@@ -93,6 +94,17 @@ TEST_CASE("diff compares two lists of hashes, and a scene with a changed value")
     CHECK(run_tumble({"diff", scattered, scattered, "--seed", "2"}).code == 7);
     CHECK(run_tumble({"diff", scattered, a, "--seed", "2"}).code == 2);
     CHECK(run_tumble({"diff", a, a, "--tolerance", "1"}).err.find("--tolerance has no effect") != std::string::npos);
+}
+
+TEST_CASE("diff and compare accept paths out of the folder in both scenes with --allow-outside") {
+    const Folder folder;
+    std::filesystem::create_directory(folder / "levels");
+    folder.write("ball.json", R"({"format": 1, "bodies": [{"name": "ball", "shapes": [{"circle": {"radius": 1}}]}]})");
+    const std::string level = folder.write(
+        "levels/level.json", R"({"format": 1, "world": {"duration": 0.1}, "include": [{"file": "../ball.json"}]})");
+    CHECK(run_tumble({"diff", level, level}).code == 3);
+    CHECK(run_tumble({"diff", level, level, "--allow-outside"}).code == 0);
+    CHECK(run_tumble({"compare", level, level, "--allow-outside", "--csv", (folder / "apart.csv").string()}).code == 0);
 }
 
 TEST_CASE("a run that ends early or has other bodies differs") {

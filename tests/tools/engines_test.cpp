@@ -1,8 +1,6 @@
 // Tables that compare tumble with Box2D state which versions they compare, and how each was compiled.
 #include <doctest/doctest.h>
 
-#include <box2d/b2_common.h>
-
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -17,8 +15,6 @@ using tumble::test::read_text;
 using tumble::test::run_tumble;
 
 TEST_CASE("every table names both engines, their versions and their builds") {
-    const std::string box2d = std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
-                              std::to_string(b2_version.revision);
     const Folder folder;
     const std::string page = (folder / "page.html").string();
     const json about = json::parse(run_tumble({"--version", "--json"}).out);
@@ -30,13 +26,15 @@ TEST_CASE("every table names both engines, their versions and their builds") {
         std::vector<std::string> as_json = command, as_page = command;
         as_json.push_back("--json");
         const json engines = json::parse(run_tumble(as_json).out)["engines"];
-        CHECK(engines["box2d"]["version"] == box2d);
+        const std::string box2d = engines["box2d"]["version"].get<std::string>();
+        CHECK(box2d.starts_with("2.4."));
         CHECK(engines["tumble"]["version"] == about["version"]);
         const std::string build = engines["tumble"]["build"].get<std::string>();
         CHECK(build.starts_with(about["compiler"].get<std::string>()));
         CHECK(build.find(about["simd"].get<std::string>() + " of this processor") != std::string::npos);
         const std::string of_box2d = engines["box2d"]["build"].get<std::string>();
         CHECK_FALSE(of_box2d.empty());
+        if (of_box2d.starts_with("Debian")) CHECK(of_box2d.find(" " + box2d + "-") != std::string::npos);
         const Answer table = run_tumble(command);
         CHECK(table.out.ends_with("tumble " + about["version"].get<std::string>() + ": " + build + "\nBox2D " + box2d +
                                   ": " + of_box2d + "\n"));

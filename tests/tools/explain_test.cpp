@@ -33,6 +33,24 @@ TEST_CASE("explain prints the meaning, an example and the remedy of a code") {
     CHECK(json::parse(run_tumble({"explain", "--json"}).out).size() == tumble::problems().size());
 }
 
+TEST_CASE("an option that a page names is one of a command that the page names") {
+    const std::regex word("--[a-z-]+|[a-z]+");
+    for (const tumble::ProblemPage& page : tumble::problems()) {
+        CAPTURE(page.code);
+        const std::string text =
+            std::string(page.meaning) + " " + std::string(page.example) + " " + std::string(page.remedy);
+        std::set<std::string> options;
+        std::string help;  // of all words that are commands
+        for (auto match = std::sregex_iterator(text.begin(), text.end(), word); match != std::sregex_iterator();
+             ++match)
+            if (match->str().starts_with("--")) options.insert(match->str());
+        if (options.empty()) continue;
+        for (const char* const command : {"check", "diff", "import", "parity", "physics", "run", "shot", "validate"})
+            if (text.find(command) != std::string::npos) help += run_tumble({command, "--help"}).out;
+        for (const std::string& option : options) CHECK_MESSAGE(help.find(option) != std::string::npos, option);
+    }
+}
+
 TEST_CASE("explain refuses an unknown code and names the nearest") {
     const Answer answer = run_tumble({"explain", "stiff-sprng"});
     CHECK(answer.code == 2);

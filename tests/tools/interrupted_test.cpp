@@ -127,6 +127,7 @@ TEST_CASE("a second run into the folder of a running one is refused, and a kille
     std::erase(unforced, "--force");
     CHECK(tumble::test::run(unforced).code == 4);
     const std::string of_another = folder.write("tables/notes.1-0.partial", "");
+    folder.write("out/old.csv." + std::to_string(first.id()) + "-9.partial", "");  // a table that is not named again
     folder.write("tables/t.csv.1-0.partial", "");  // as of a killed process whose number another has now
     CHECK(tumble::test::run(lasting("0.1")).code == 0);
     CHECK(partial_count() == 1);  // not of this run

@@ -52,6 +52,21 @@ TEST_CASE("a picture claim compares the frame at its time with a PNG file beside
     CHECK(expectation_of(late)["finding"] == "the run ends before that");
 }
 
+TEST_CASE("no claim passes that was left undecided because a picture is missing") {
+    const Folder folder;
+    const std::string scene =
+        folder.write("ball.json", ball_scene(R"({"picture": "golden.png"}, {"picture": "other.png"})"));
+    const Answer missing = run_tumble({"check", scene, "--json", "--junit", (folder / "report.xml").string()});
+    CHECK(missing.code == 4);
+    const json claims = json::parse(missing.out)["scenes"][0]["expectations"];
+    REQUIRE(claims.size() == 2);
+    for (const json& claim : claims) {
+        CHECK(claim["passed"] == false);
+        CHECK(claim["finding"] == "it was not decided, because the scene could not be checked");
+    }
+    CHECK(read_text(folder / "report.xml").find("tests=\"3\" failures=\"2\" errors=\"1\"") != std::string::npos);
+}
+
 TEST_CASE("check --update draws the pictures that are missing, and leaves the others") {
     const Folder folder;
     const std::string scene =

@@ -62,6 +62,9 @@ TEST_CASE("the checks of a new project pass, and fail after a scene has changed 
     CHECK(read_text(project / "scenes/scene.schema.json") == run_tumble({"schema"}).out);
     CHECK(read_text(project / "README.md").starts_with("# marble game\n"));
 
+    for (const char* const workflow : {".github/workflows/physics.yml", ".gitlab-ci.yml", "azure-pipelines.yml"})
+        CHECK(read_text(project / workflow).find("debian:12") != std::string::npos);  // for which the package is
+
     const std::string binary = "TUMBLE=" TUMBLE_BINARY;
     const Answer checked = run({"make", "check", binary}, project);
     CHECK_MESSAGE(checked.code == 0, checked.out << checked.err);
@@ -84,6 +87,7 @@ TEST_CASE("init replaces no file") {
     const Answer answer = run_tumble({"init", folder.path().string()});
     CHECK(answer.code == 4);
     CHECK(answer.err.find("Makefile") != std::string::npos);
+    CHECK(answer.err.find("--force") == std::string::npos);  // which init has not
     CHECK(read_text(folder / "Makefile") == "mine\n");
     CHECK(!fs::exists(folder / "scenes"));
 }

@@ -64,7 +64,9 @@ CompareInputs inputs_of(const CompareArguments& options) {
     const bool is_changed = !options.changes.overrides.empty() || options.changes.seed;
     if (is_changed && !is_of_engines && !is_scene_file(options.b))
         throw CLI::ValidationError("--set and --seed", "change the scene B, and B is not a scene: " + options.b);
-    CompareInputs inputs{options.a, options.b, is_of_engines ? options.changes : LoadOptions{}, options.changes};
+    LoadOptions unchanged;
+    unchanged.allow_outside = options.changes.allow_outside;
+    CompareInputs inputs{options.a, options.b, is_of_engines ? options.changes : unchanged, options.changes};
     if (options.duration) {
         std::string change = "/world/duration=";
         append_number(change, *options.duration);

@@ -28,7 +28,7 @@ constexpr double kMaxTolerance = 1e9;  // m: the largest coordinate of a scene
 struct DiffArguments {
     std::string a, b;
     double tolerance = 0.0;
-    LoadOptions changes;  // of B
+    LoadOptions changes;  // of B; allow_outside of A too
     std::filesystem::path heat_map;
     bool force = false;
 };
@@ -43,7 +43,10 @@ ExitCode diff_hashes(const Command& command, const DiffArguments& options) {
 }
 
 ExitCode diff_states(const Command& command, const DiffArguments& options) {
-    const std::unique_ptr<StateSource> a = open_states(options.a), b = open_states(options.b, options.changes);
+    LoadOptions unchanged;
+    unchanged.allow_outside = options.changes.allow_outside;
+    const std::unique_ptr<StateSource> a = open_states(options.a, unchanged),
+                                       b = open_states(options.b, options.changes);
     const Comparison comparison = compare_states(*a, *b, options.tolerance);
     write_output(command.json ? to_json(comparison) : to_text(comparison, options.tolerance));
     return code_of(comparison.is_equal());

@@ -33,9 +33,15 @@ void write_hash(const fs::path& scene) {
     update_hashes(check);
 }
 
+void refuse_existing(const fs::path& file) {
+    std::error_code ignored;
+    if (fs::exists(fs::symlink_status(file, ignored)))
+        throw FileError(file, "already exists, and no file is replaced; choose another name");
+}
+
 ExitCode init(const Command& command, const fs::path& folder) {
     const std::vector<ProjectFile> files = project_files(project_name(folder));
-    for (const ProjectFile& file : files) refuse_to_overwrite(folder / file.path, false);
+    for (const ProjectFile& file : files) refuse_existing(folder / file.path);
     std::vector<std::string> paths;
     for (const ProjectFile& file : files) {
         write_file(folder / file.path, file.text, false);

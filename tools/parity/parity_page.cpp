@@ -133,6 +133,12 @@ void add_family_table(HtmlPage& page, const ParityResult& result) {
     page.table(header, rows);
 }
 
+// A number about the answers of Box2D v3, or a dash if it has refused all queries of the family.
+HtmlCell v3_cell(const ParityRow& of_v3, double value) {
+    if (of_v3.box2d_refused < of_v3.comparisons) return number_cell(value);
+    return {.text = "-", .is_number = true};
+}
+
 // The same judge on the answers of Box2D v3.
 void add_v3_table(HtmlPage& page, const ParityResults& results) {
     const EngineBuild v3 = box2d_v3_engine();
@@ -155,10 +161,10 @@ void add_v3_table(HtmlPage& page, const ParityResults& results) {
                         count_cell(of_v3.box2d_refused),
                         number_cell(row.max_error_ours_m),
                         number_cell(row.max_error_box2d_m),
-                        number_cell(of_v3.max_error_box2d_m),
+                        v3_cell(of_v3, of_v3.max_error_box2d_m),
                         number_cell(mean_iterations(row.iterations_ours, row)),
                         number_cell(mean_iterations(row.iterations_box2d, row)),
-                        number_cell(mean_iterations(of_v3.iterations_box2d, of_v3))});
+                        v3_cell(of_v3, mean_iterations(of_v3.iterations_box2d, of_v3))});
     }
     page.table(header, rows);
 }

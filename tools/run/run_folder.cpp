@@ -17,6 +17,8 @@ void remove_earlier_run(const fs::path& folder) {
             for (const fs::directory_entry& entry : fs::directory_iterator(folder / images))
                 if (is_frame(entry.path()) || is_mask(entry.path())) fs::remove(entry.path());
     remove_partial_files(folder);
+    for (const PartialFile& partial : find_partial_files(folder))  // of tables
+        if (!partial.is_open) fs::remove(partial.path);
     fs::remove(labels_file(folder));
     fs::remove(boxes_file(folder));
     fs::remove(summary_file(folder));

@@ -54,6 +54,7 @@ bool write_picture(const Scene& scene, const std::filesystem::path& file, Expect
     if (is_interrupted()) return false;
     create_folder_of(file);
     write_png(drawn, file);
+    result.passed = true;
     result.finding = "the picture was missing and has been written";
     return true;
 }
@@ -62,9 +63,10 @@ bool decide_picture(const EndedRun& run, const SceneExpectation& claim, bool wri
     const double rate = run.scene.world.steps_per_second;
     result.step = claim.at ? nearest_step(*claim.at, rate) : run.last_step;
     result.time = static_cast<double>(result.step) / rate;
-    result.passed = result.step <= run.last_step;
-    result.finding = "the run ends before that";
-    if (!result.passed) return false;
+    if (result.step > run.last_step) {
+        result.finding = "the run ends before that";
+        return false;
+    }
     const std::filesystem::path file = run.folder / claim.picture;
     std::error_code unreadable;
     if (!std::filesystem::exists(file, unreadable)) {

@@ -104,10 +104,12 @@ on: [push, pull_request]
 jobs:
   check:
     runs-on: ubuntu-latest
+    container: debian:12
     steps:
       - uses: actions/checkout@v4
       # The variable of the repository TUMBLE_PACKAGE is the address of a Debian package of tumble.
-      - run: curl -fsSL -o tumble.deb "${{ vars.TUMBLE_PACKAGE }}" && sudo apt-get install -y ./tumble.deb
+      - run: apt-get update && apt-get install -y --no-install-recommends ca-certificates curl make
+      - run: curl -fsSL -o tumble.deb "${{ vars.TUMBLE_PACKAGE }}" && apt-get install -y ./tumble.deb
       - run: make check
       - uses: actions/upload-artifact@v4
         if: always()
@@ -131,8 +133,10 @@ constexpr const char* kAzure = R"text(trigger: ['*']
 pool: {vmImage: ubuntu-latest}
 steps:
   # The variable TUMBLE_PACKAGE is the address of a Debian package of tumble.
-  - script: curl -fsSL -o tumble.deb "$(TUMBLE_PACKAGE)" && sudo apt-get install -y ./tumble.deb
-  - script: make check
+  - script: curl -fsSL -o tumble.deb "$(TUMBLE_PACKAGE)"
+  - script: >
+      docker run --rm -v "$PWD:/project" -w /project debian:12
+      sh -c "apt-get update && apt-get install -y make ./tumble.deb && make check"
   - task: PublishTestResults@2
     condition: always()
     inputs: {testResultsFiles: out/report.xml}

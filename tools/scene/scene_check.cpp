@@ -20,6 +20,11 @@ namespace {
 void decide_outer_claims(const Scene& scene, const CheckOptions& options, SceneCheck& check) {
     const std::filesystem::path file = is_standard_input(check.file) ? "" : check.file;
     const EndedRun run{scene, file.parent_path(), check.steps, options.changes.allow_outside};
+    for (ExpectationResult& result : check.expectations) {
+        if (result.is_decided) continue;
+        result.passed = false;
+        result.finding = "it was not decided, because the scene could not be checked";
+    }
     for (std::size_t i = 0; i < scene.expect.size(); ++i) {
         ExpectationResult& result = check.expectations[i];
         if (!result.is_decided && decide_outer_claim(run, scene.expect[i], options.update, result))

@@ -27,10 +27,11 @@ void read_size(RubeObject& json, SceneImage& image, const std::string& owner, Ru
     image.height = length(corners[3] - corners[0]);
 }
 
-bool is_png(const std::string& file) {
+// By its extension: frames read these formats.
+bool is_picture(const std::string& file) {
     std::string extension = std::filesystem::path(file).extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension == ".png";
+    return extension == ".png" || extension == ".jpg" || extension == ".jpeg" || extension == ".bmp";
 }
 
 bool has_size(const SceneImage& image) { return image.height > 0.0 && image.width.value_or(1.0) > 0.0; }
@@ -65,8 +66,8 @@ std::vector<RubeImage> read_rube_images(std::vector<RubeObject> list, std::size_
             notes.add_of(owner, "images without a file or a size, left out");
             continue;
         }
-        if (!is_png(read.image.file)) {
-            notes.add_of(owner, "images that are not PNG files, left out");
+        if (!is_picture(read.image.file)) {
+            notes.add_of(owner, "images that are not PNG, JPEG or BMP files, left out");
             continue;
         }
         all.push_back(std::move(read));

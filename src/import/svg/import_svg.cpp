@@ -123,7 +123,7 @@ private:
             follow(element, map, style, depth);
         else if (is_figure(tag))
             add_body(element, map,
-                     with_opacity(style, result_notes_["transparent colours, as they look on white paper"]));
+                     with_opacity(style, result_notes_["transparent colours, made opaque as on white paper"]));
         else
             visit_children(element, tag == "svg" ? shifted(element, map) : map, style, depth);
     }

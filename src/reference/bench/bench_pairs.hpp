@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tumble/cast.hpp"
 #include "tumble/distance.hpp"
 #include "tumble/shape.hpp"
 
@@ -17,6 +18,17 @@ struct BenchPair {
     Shape a, b;
     Pose pose_a, pose_b;
     SimplexCache cache;
+};
+
+struct BenchImpact {
+    Shape a, b;
+    Sweep sweep_a, sweep_b;
+};
+
+struct BenchRay {
+    Shape shape;
+    Pose pose;
+    DVec2 origin, translation;
 };
 
 // `count` pairs of shapes of about a metre. A is within 10 m of the origin on each axis, and B is `gap` (m, negative

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "reference/bench/case_makers.hpp"
+#include "reference/bench/v3_runs.hpp"
 #include "reference/box2d/b2_types.hpp"
 #include "reference/query/random.hpp"
 #include "tumble/cast.hpp"
@@ -17,11 +18,7 @@ namespace {
 constexpr float kTarget = b2_linearSlop;  // b2TimeOfImpact stops at this distance of cores without radius
 
 struct ImpactPairs {
-    struct OurQuery {
-        Shape a, b;
-        Sweep sweep_a, sweep_b;
-    };
-    std::vector<OurQuery> ours;
+    std::vector<BenchImpact> ours;
     Proxies proxies;
     std::vector<b2TOIInput> theirs;
 
@@ -51,7 +48,7 @@ QueryCase impact_case(const std::string& name, BenchKind kind) {
                 const auto pairs = std::make_shared<ImpactPairs>(random_pairs(kind, kind, 0.5, count, seed), seed);
                 return {[=] {
                             double sum = 0.0;
-                            for (const ImpactPairs::OurQuery& query : pairs->ours)
+                            for (const BenchImpact& query : pairs->ours)
                                 sum += time_of_impact(query.a, query.sweep_a, query.b, query.sweep_b, kTarget).fraction;
                             return sum;
                         },
@@ -63,7 +60,8 @@ QueryCase impact_case(const std::string& name, BenchKind kind) {
                                 sum += output.t;
                             }
                             return sum;
-                        }};
+                        },
+                        v3_impacts(pairs->ours)};
             }};
 }
 
@@ -73,17 +71,12 @@ namespace {
 // stores only what its query needs, because reading it is a notable part of a query this short.
 template <class B2Shape>
 struct RayQueries {
-    struct OurQuery {
-        Shape shape;
-        Pose pose;
-        DVec2 origin, translation;
-    };
     struct TheirQuery {
         B2Shape shape;
         b2Transform pose;
         b2RayCastInput input;
     };
-    std::vector<OurQuery> ours;
+    std::vector<BenchRay> ours;
     std::vector<TheirQuery> theirs;
 
     explicit RayQueries(const std::vector<BenchPair>& pairs) {
@@ -121,7 +114,8 @@ QueryCase ray_case(const std::string& name, BenchKind kind) {
                                 if (query.shape.RayCast(&output, query.input, query.pose, 0)) sum += output.fraction;
                             }
                             return sum;
-                        }};
+                        },
+                        v3_rays(rays->ours)};
             }};
 }
 

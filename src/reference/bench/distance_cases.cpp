@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "reference/bench/case_makers.hpp"
+#include "reference/bench/v3_runs.hpp"
 #include "reference/box2d/b2_types.hpp"
-#include "reference/box2d_v3/v3_queries.hpp"
 
 namespace tumble::reference {
 
@@ -26,24 +26,6 @@ struct DistancePairs {
         }
     }
 };
-
-box2d_v3::Place to_v3(const Pose& pose) {
-    const Vec2 position = to_float(pose.position);
-    return {position.x, position.y, pose.rotation.c, pose.rotation.s};
-}
-
-// The run of the same pairs by Box2D v3: empty if this build lacks it, or a core has too many vertices.
-QueryRun v3_run(const std::vector<BenchPair>& pairs, bool is_warm) {
-    if (!has_box2d_v3()) return {};
-    const std::shared_ptr<box2d_v3::Pairs> theirs(box2d_v3::make_pairs(),
-                                                  [](box2d_v3::Pairs* list) { box2d_v3::destroy(list); });
-    for (const BenchPair& pair : pairs) {
-        const V3Points a(pair.a), b(pair.b);
-        if (!a.fits() || !b.fits()) return {};
-        box2d_v3::add(theirs.get(), a.get(), to_v3(pair.pose_a), b.get(), to_v3(pair.pose_b));
-    }
-    return [=] { return box2d_v3::run(theirs.get(), is_warm); };
-}
 
 double run_tumble(std::vector<BenchPair>& pairs, bool is_warm) {
     double sum = 0.0;
@@ -69,7 +51,7 @@ QueryCase distance_case(const std::string& name, BenchKind kind_a, BenchKind kin
     return {name + (is_warm ? " warm" : " cold"), [=](int count, std::uint64_t seed) -> QueryRuns {
                 const auto pairs = std::make_shared<DistancePairs>(random_pairs(kind_a, kind_b, gap, count, seed));
                 return {[=] { return run_tumble(pairs->ours, is_warm); },
-                        [=] { return run_box2d(pairs->theirs, is_warm); }, v3_run(pairs->ours, is_warm)};
+                        [=] { return run_box2d(pairs->theirs, is_warm); }, v3_distances(pairs->ours, is_warm)};
             }};
 }
 
@@ -85,7 +67,7 @@ QueryCase batch_case(const std::string& name, BenchKind kind, double gap) {
                             for (const DistanceResult& result : *results) sum += result.distance;
                             return sum;
                         },
-                        [=] { return run_box2d(pairs->theirs, false); }, v3_run(pairs->ours, false)};
+                        [=] { return run_box2d(pairs->theirs, false); }, v3_distances(pairs->ours, false)};
             }};
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "reference/bench/case_makers.hpp"
+#include "reference/bench/v3_runs.hpp"
 #include "reference/box2d/b2_types.hpp"
 #include "tumble/manifold.hpp"
 
@@ -56,7 +57,8 @@ QueryCase manifold_case(const std::string& name, BenchKind kind, double gap, boo
                             sum += manifold.pointCount;
                         }
                         return sum;
-                    }};
+                    },
+                    v3_manifolds(pairs->ours)};
             }};
 }
 

@@ -24,18 +24,9 @@ B2Cast cast_of(const v3::Hit& hit) {
 // Box2D interpolates the two rotations, which differs from a constant angular velocity.
 constexpr double kMostTurn = 0.25;  // rad, up to which the difference is below 1e-4 rad
 
-v3::Motion motion_of(const Sweep& sweep) {
-    const auto place = [](DVec2 center, double angle) {
-        const Rotation q = make_rotation(angle);
-        return v3::Place{static_cast<float>(center.x), static_cast<float>(center.y), q.c, q.s};
-    };
-    return {sweep.local_center.x, sweep.local_center.y, place(sweep.start, sweep.start_angle),
-            place(sweep.end, sweep.start_angle + sweep.turn)};
-}
-
 std::optional<B2Cast> v3_impact(const CastQuery& query, const V3Points& a, const V3Points& b) {
     if (std::max(std::abs(query.sweep_a.turn), std::abs(query.sweep_b.turn)) > kMostTurn) return std::nullopt;
-    return cast_of(v3::time_of_impact(a.get(), b.get(), motion_of(query.sweep_a), motion_of(query.sweep_b)));
+    return cast_of(v3::time_of_impact(a.get(), b.get(), v3_motion(query.sweep_a), v3_motion(query.sweep_b)));
 }
 
 // The radius with which a cast of bare cores ends at the target: Box2D subtracts its slop from the sum of the radii.
@@ -68,6 +59,15 @@ V3Points::V3Points(const Shape& shape, std::optional<float> radius) : radius_(ra
         *next++ = shape.vertex(i).x;
         *next++ = shape.vertex(i).y;
     }
+}
+
+v3::Motion v3_motion(const Sweep& sweep) {
+    const auto place = [](DVec2 center, double angle) {
+        const Rotation q = make_rotation(angle);
+        return v3::Place{static_cast<float>(center.x), static_cast<float>(center.y), q.c, q.s};
+    };
+    return {sweep.local_center.x, sweep.local_center.y, place(sweep.start, sweep.start_angle),
+            place(sweep.end, sweep.start_angle + sweep.turn)};
 }
 
 v3::Place relative_place(const Pose& a, const Pose& b) {

@@ -31,6 +31,8 @@ private:
 // The pose of B in the frame of A, computed in double: Box2D v3 takes that instead of two world poses.
 box2d_v3::Place relative_place(const Pose& a, const Pose& b);
 
+box2d_v3::Motion v3_motion(const Sweep& sweep);
+
 // Nothing for cores of more than eight vertices, numbers that are not finite as a float, and rotations that are not of
 // unit length, which Box2D v3 does not accept.
 std::optional<B2Distance> b2_v3_distance(const PairQuery& query, bool use_radii);

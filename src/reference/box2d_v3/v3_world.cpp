@@ -1,9 +1,13 @@
 #include "reference/box2d_v3/v3_world.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <variant>
 #include <vector>
 
 #include "reference/box2d_v3/library/v3_library.hpp"
+#include "reference/box2d_v3/v3_joint_plan.hpp"
 #include "tumble/scene_world.hpp"
 
 namespace tumble::reference {
@@ -49,6 +53,7 @@ void add_parts(v3::World* world, int body, const Shape& shape, const v3::Surface
 
 struct V3World::Impl {
     v3::World* world;
+    std::map<BodyId, int> bodies;  // their numbers in that world
     float step_duration;
     int sub_steps;
 
@@ -64,6 +69,7 @@ struct V3World::Impl {
     void add(const SceneWorld& built, const Scene& scene, const SceneInstance& instance) {
         const World& source = built.world;
         const int body = v3::add_body(world, plan_of(source, instance.id, scene.bodies[instance.source]));
+        bodies[instance.id] = body;
         for (const ShapeId id : source.shapes(instance.id)) {
             if (source.is_sensor(id)) continue;
             const SurfaceMaterial& material = source.material(id);
@@ -76,13 +82,33 @@ struct V3World::Impl {
         if (source.type(instance.id) == BodyType::dynamic_body && mass.mass > 0.0f)
             v3::set_mass(world, body, {mass.mass, mass.center.x, mass.center.y, mass.inertia});
     }
+
+    void add(const JointDef& joint) {
+        std::optional<v3::JointPlan> plan = v3_joint_plan(joint);
+        if (!plan) return;
+        std::visit(
+            [&](const auto& def) {
+                if constexpr (requires { def.body_a; }) {  // gears join joints
+                    plan->body_a = bodies.at(def.body_a);
+                    plan->body_b = bodies.at(def.body_b);
+                }
+            },
+            joint);
+        v3::add_joint(world, *plan);
+    }
 };
 
-bool V3World::can_hold(const Scene& scene) { return scene.joints.empty() && scene.timeline.empty(); }
+bool V3World::can_hold(const Scene& scene) {
+    if (!scene.timeline.empty()) return false;
+    const SceneWorld built = build_world(scene);
+    return std::ranges::all_of(built.world.joints(),
+                               [&](JointId id) { return v3_joint_plan(built.world.joint(id)).has_value(); });
+}
 
 V3World::V3World(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {
     const SceneWorld built = build_world(scene);
     for (const SceneInstance& instance : built.bodies) impl_->add(built, scene, instance);
+    for (const JointId id : built.world.joints()) impl_->add(built.world.joint(id));
 }
 V3World::~V3World() = default;
 V3World::V3World(V3World&&) noexcept = default;

@@ -1,4 +1,4 @@
-// A scene as a world of Box2D v3: the same bodies, shapes, masses and materials.
+// A scene as a world of Box2D v3: the same bodies, shapes, masses, materials and joints.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,12 @@ namespace tumble::reference {
 
 class V3World {
 public:
-    // Whether it can hold the scene: joints and events are not carried over.
+    // Whether it can hold the scene: events are not carried over, nor are joints that v3_joint_plan() lacks. Throws the
+    // exceptions of build_world().
     static bool can_hold(const Scene& scene);
 
-    // Takes shapes and masses from tumble's world of the scene. A polygon of more than eight vertices becomes a fan.
-    // Only in a build with has_box2d_v3(). Throws the exceptions of build_world().
+    // Takes shapes, masses and joints from tumble's world of the scene. A polygon of more than eight vertices becomes a
+    // fan. Only in a build with has_box2d_v3(). Throws the exceptions of build_world().
     explicit V3World(const Scene& scene);
     ~V3World();
     V3World(V3World&&) noexcept;

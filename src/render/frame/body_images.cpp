@@ -57,7 +57,7 @@ const Image* ImageFiles::find(const std::filesystem::path& file) {
     if (entry == files_.end()) {
         std::error_code ignored;
         std::optional<Image> image;
-        if (std::filesystem::exists(file, ignored)) image = read_png(file);
+        if (std::filesystem::exists(file, ignored)) image = read_picture(file);
         if (image) pixels_ += pixels_of(*image);
         entry = files_.emplace(file, std::move(image)).first;
     }

@@ -77,8 +77,8 @@ void visit_fields(V& v, Type<SceneMass>) {
 template <class V>
 void visit_fields(V& v, Type<SceneImage>) {
     v.field({.name = "file",
-             .description = "Path of a PNG file, from the folder of the scene's file. Frames show the outline of the "
-                            "image if there is no such file.",
+             .description = "Path of a PNG, JPEG or BMP file, from the folder of the scene's file. Frames show the "
+                            "outline of the image if there is no such file.",
              .required = true},
             &SceneImage::file);
     v.field({"center", "Middle of the image, in body coordinates.", "m", kCoordinate}, &SceneImage::center);

@@ -122,7 +122,7 @@ constexpr ProblemPage kPages[] = {
      R"({"size": [9, 1]}}]}, {"name": "ball", "repeat": {"grid": {"columns": 3}}, "shapes": [{"circle": )"
      R"({"radius": 0.4}}]}], "joints": [{"type": "distance", "bodies": ["beam", "ball[0]"], "anchors": [[0, 0], )"
      R"([0, 0]], "repeat": {"columns": 3}}]})",
-     "Repeat the other body too, as a row of hooks without shapes, for example."},
+     R"(Give "repeat" a "spacing": it moves the point on that body from copy to copy. Or repeat that body too.)"},
     {kWarning, codes::after_the_end, "an event or a claim after the end of the run",
      "The run ends before this time. The event never happens, and the claim cannot hold.",
      R"({"format": 1, "bodies": [{"name": "ball", "position": [0, 1], "shapes": [{"circle": {"radius": )"
@@ -211,7 +211,7 @@ constexpr ProblemPage kPages[] = {
      R"("check" found a claim that does not hold, or "diff", "parity", "physics" or "import --check" found a )"
      "difference.",
      "tumble check scene.json",
-     R"("tumble check" states the time and the distance by which the claim failed, and --frames draws the state.)"},
+     R"("tumble check" states the time and the distance by which the claim failed, and --shots draws the state.)"},
     {kExitCode, "exit-130", "interrupted",
      "The command was ended by SIGINT (Ctrl-C) or SIGHUP. What was complete is kept.", "tumble watch scene.json",
      R"(None is needed. "run --resume" continues a run that has a checkpoint.)"},

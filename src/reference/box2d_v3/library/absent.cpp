@@ -5,19 +5,20 @@ namespace tumble::box2d_v3 {
 
 const char* version() { return nullptr; }
 Nearest distance(const Points&, const Points&, const Place&, bool) { return {}; }
-Pairs* make_pairs() { return nullptr; }
-void destroy(Pairs*) {}
-void add(Pairs*, const Points&, const Place&, const Points&, const Place&) {}
-double run(Pairs*, bool) { return 0.0; }
 Hit cast_shape(const Points&, const Points&, const Place&, float, float) { return {}; }
 Hit cast_ray(const Points&, float, float, float, float) { return {}; }
 Hit time_of_impact(const Points&, const Points&, const Motion&, const Motion&) { return {}; }
 float linear_slop() { return 0.0f; }
+Queries* make_distances(std::span<const PosedPair>, bool) { return nullptr; }
+Queries* make_manifolds(std::span<const PosedPair>) { return nullptr; }
+Queries* make_impacts(std::span<const MovingPair>) { return nullptr; }
+Queries* make_rays(std::span<const Ray>) { return nullptr; }
 World* make_world(float, float, bool, bool) { return nullptr; }
 void destroy(World*) {}
 int add_body(World*, const BodyPlan&) { return 0; }
 bool add_shape(World*, int, const Points&, const Surface&) { return false; }
 void set_mass(World*, int, const MassPlan&) {}
+void add_joint(World*, const JointPlan&) {}
 void step(World*, float, int) {}
 Place pose_of(const World*, int) { return {}; }
 

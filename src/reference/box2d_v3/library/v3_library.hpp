@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #define TUMBLE_V3_API __attribute__((visibility("default")))
 
@@ -34,14 +35,6 @@ struct Nearest {
 // `b_in_a` is the pose of B in the frame of A. A cold start.
 TUMBLE_V3_API Nearest distance(const Points& a, const Points& b, const Place& b_in_a, bool use_radii);
 
-// Pairs for measurements: their points are converted once, and a run answers all, each from two world poses.
-struct Pairs;
-TUMBLE_V3_API Pairs* make_pairs();
-TUMBLE_V3_API void destroy(Pairs* pairs);
-TUMBLE_V3_API void add(Pairs* pairs, const Points& a, const Place& pose_a, const Points& b, const Place& pose_b);
-// The sum of the distances. Warm: with the cache of the last run.
-TUMBLE_V3_API double run(Pairs* pairs, bool is_warm);
-
 struct Hit {
     bool hits = false;
     bool overlaps = false;  // at the start
@@ -61,6 +54,40 @@ struct Motion {
 TUMBLE_V3_API Hit time_of_impact(const Points& a, const Points& b, const Motion& of_a, const Motion& of_b);
 
 TUMBLE_V3_API float linear_slop();
+
+// ---- Queries to be timed ----
+
+// A list of queries, whose points are converted once. A run answers all, each from two world poses, and returns the sum
+// of the answers.
+class Queries {
+public:
+    virtual ~Queries() = default;
+    virtual double run() = 0;
+};
+
+struct PosedPair {
+    Points a;
+    Place pose_a;
+    Points b;
+    Place pose_b;
+};
+struct MovingPair {
+    Points a;
+    Motion of_a;
+    Points b;
+    Motion of_b;
+};
+struct Ray {
+    Points shape;  // a circle, or a polygon without radius
+    Place pose;
+    float origin_x = 0, origin_y = 0, x = 0, y = 0;  // in the world
+};
+
+// The caller deletes the list. Warm: with the cache of the last run.
+TUMBLE_V3_API Queries* make_distances(std::span<const PosedPair> pairs, bool is_warm);
+TUMBLE_V3_API Queries* make_manifolds(std::span<const PosedPair> pairs);  // of polygons; the numbers of points
+TUMBLE_V3_API Queries* make_impacts(std::span<const MovingPair> pairs);
+TUMBLE_V3_API Queries* make_rays(std::span<const Ray> rays);
 
 // ---- Worlds ----
 
@@ -82,6 +109,21 @@ struct MassPlan {
     float mass = 0, center_x = 0, center_y = 0, inertia = 0;  // about the centre
 };
 
+enum class JointKind { revolute, prismatic, distance, weld, wheel };
+
+struct JointPlan {
+    JointKind kind = JointKind::revolute;
+    int body_a = 0, body_b = 0;
+    Place frame_a, frame_b;  // in body coordinates; the motion of a slider or suspension is along the x axis of frame_a
+    bool collides = false;   // the two bodies with each other
+    float length = 1;        // of a rod or spring
+    bool has_limits = false, has_motor = false, has_spring = false;
+    float lower = 0, upper = 0;                          // rad or m
+    float motor_speed = 0, motor_strength = 0;           // rad/s and N m, or m/s and N
+    float hertz = 0, damping_ratio = 0;                  // of a weld: of its point, 0 is rigid
+    float angular_hertz = 0, angular_damping_ratio = 0;  // of a weld, 0 is rigid
+};
+
 struct World;  // of Box2D
 TUMBLE_V3_API World* make_world(float gravity_x, float gravity_y, bool may_sleep, bool is_continuous);
 TUMBLE_V3_API void destroy(World* world);
@@ -89,6 +131,7 @@ TUMBLE_V3_API int add_body(World* world, const BodyPlan& plan);  // returns 0, 1
 // False if Box2D has no such shape: one without area.
 TUMBLE_V3_API bool add_shape(World* world, int body, const Points& points, const Surface& surface);
 TUMBLE_V3_API void set_mass(World* world, int body, const MassPlan& mass);
+TUMBLE_V3_API void add_joint(World* world, const JointPlan& plan);
 TUMBLE_V3_API void step(World* world, float seconds, int sub_steps);
 TUMBLE_V3_API Place pose_of(const World* world, int body);
 

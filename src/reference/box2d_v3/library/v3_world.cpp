@@ -1,10 +1,10 @@
 // Worlds of Box2D v3.
-#include <box2d/box2d.h>
-
 #include <cstddef>
 #include <vector>
 
+#include "reference/box2d_v3/library/v3_joints.hpp"
 #include "reference/box2d_v3/library/v3_library.hpp"
+#include "reference/box2d_v3/library/v3_types.hpp"
 
 namespace tumble::box2d_v3 {
 
@@ -64,11 +64,9 @@ int add_body(World* world, const BodyPlan& plan) {
 bool add_shape(World* world, int body, const Points& points, const Surface& surface) {
     const b2BodyId id = world->bodies[static_cast<std::size_t>(body)];
     const b2ShapeDef def = shape_def(surface);
-    b2Vec2 at[kMostPoints];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); ++i)
-        at[i] = {points.xy[2 * i], points.xy[2 * i + 1]};
+    const auto at = vertices_of(points);
     if (points.count == 1) {
-        const b2Circle circle{at[0], points.radius};
+        const b2Circle circle = circle_of(points);
         b2CreateCircleShape(id, &def, &circle);
     } else if (points.count == 2 && points.radius > 0.0f) {
         const b2Capsule capsule{at[0], at[1], points.radius};
@@ -77,7 +75,7 @@ bool add_shape(World* world, int body, const Points& points, const Surface& surf
         const b2Segment segment{at[0], at[1]};
         b2CreateSegmentShape(id, &def, &segment);
     } else {
-        const b2Hull hull = b2ComputeHull(at, points.count);
+        const b2Hull hull = b2ComputeHull(at.data(), points.count);
         if (hull.count < 3) return false;
         const b2Polygon polygon = b2MakePolygon(&hull, points.radius);
         b2CreatePolygonShape(id, &def, &polygon);
@@ -88,6 +86,11 @@ bool add_shape(World* world, int body, const Points& points, const Surface& surf
 void set_mass(World* world, int body, const MassPlan& mass) {
     b2Body_SetMassData(world->bodies[static_cast<std::size_t>(body)],
                        {mass.mass, {mass.center_x, mass.center_y}, mass.inertia});
+}
+
+void add_joint(World* world, const JointPlan& plan) {
+    const auto body = [&](int index) { return world->bodies[static_cast<std::size_t>(index)]; };
+    create_joint(world->id, body(plan.body_a), body(plan.body_b), plan);
 }
 
 void step(World* world, float seconds, int sub_steps) { b2World_Step(world->id, seconds, sub_steps); }

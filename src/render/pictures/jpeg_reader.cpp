@@ -1,0 +1,57 @@
+// JPEG files, decoded by libjpeg-turbo.
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include "render/pictures/picture_formats.hpp"
+
+namespace tumble::render {
+
+namespace {
+
+constexpr std::string_view kJpegSignature = "\xff\xd8\xff";
+
+// The first scan has at least one bit for each block of 8 by 8 pixels: a file that claims more pixels is not complete.
+constexpr std::size_t kMostPixelsOfByte = 8 * 8 * 8;
+
+using JpegDecoder = std::unique_ptr<std::remove_pointer_t<tjhandle>, int (*)(tjhandle)>;
+
+const unsigned char* jpeg_data_of(std::string_view bytes) {
+    return reinterpret_cast<const unsigned char*>(bytes.data());
+}
+
+// An image of the size that the file claims, with no pixels yet.
+Image read_jpeg_header(tjhandle decoder, std::string_view bytes) {
+    Image image;
+    int subsampling = 0, color_space = 0;
+    if (tjDecompressHeader3(decoder, jpeg_data_of(bytes), bytes.size(), &image.width, &image.height, &subsampling,
+                            &color_space) != 0)
+        throw PictureError(tjGetErrorStr2(decoder));
+    if (std::max(image.width, image.height) > kLargestFrame)
+        throw PictureError("a side of the JPEG file has more than " + std::to_string(kLargestFrame) + " pixels");
+    return image;
+}
+
+}  // namespace
+
+bool is_jpeg(std::string_view bytes) { return bytes.starts_with(kJpegSignature); }
+
+// A warning is an error, as a file that is cut off gives one. libjpeg-turbo refuses more than 500 scans, each of which
+// would go through all pixels.
+Image decode_jpeg(std::string_view bytes) {
+    const JpegDecoder decoder(tjInitDecompress(), &tjDestroy);
+    if (!decoder) throw PictureError(tjGetErrorStr2(nullptr));
+    Image image = read_jpeg_header(decoder.get(), bytes);
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    if (pixels > kMostPixelsOfByte * bytes.size()) throw PictureError("the JPEG file is not complete");
+    image.rgba.resize(4 * pixels);
+    if (tjDecompress2(decoder.get(), jpeg_data_of(bytes), bytes.size(), image.rgba.data(), image.width, 0, image.height,
+                      TJPF_RGBA, TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT) != 0)
+        throw PictureError(tjGetErrorStr2(decoder.get()));
+    return image;
+}
+
+}  // namespace tumble::render

@@ -1,0 +1,97 @@
+// Picture files of the three formats: their pixels, whatever their names are, and files that claim more than they hold.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "render/pixels.hpp"
+#include "support/temporary_folder.hpp"
+#include "tumble/file.hpp"
+#include "tumble/render.hpp"
+
+using namespace tumble;
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path seed(const std::string& name) { return fs::path(TUMBLE_SOURCE_DIR) / "tests/fuzz/seeds" / name; }
+
+// All pictures of the seeds are 32 pixels wide, red in their left half and green in their right one.
+void check_halves(const Image& image, int tolerance) {
+    REQUIRE(image.width == 32);
+    const auto near = [&](Color color, Color wanted) {
+        return std::abs(color.r - wanted.r) <= tolerance && std::abs(color.g - wanted.g) <= tolerance &&
+               std::abs(color.b - wanted.b) <= tolerance && color.a == 255;
+    };
+    for (int row = 0; row < image.height; ++row)
+        for (const int column : {0, 7, 24, 31})
+            CHECK(near(render::pixel(image, column, row), column < 16 ? Color{220, 30, 20} : Color{20, 200, 40}));
+}
+
+// A copy of the seed with its first `size` bytes.
+fs::path cut_off(const TemporaryFolder& folder, const std::string& name, std::size_t size) {
+    fs::path file = folder.path / name;
+    std::ofstream(file, std::ios::binary) << read_file(seed(name)).substr(0, size);
+    return file;
+}
+
+}  // namespace
+
+TEST_CASE("a BMP file gives its pixels exactly, with colours or a palette, from below or from above") {
+    for (const char* const name : {"picture_24.bmp", "picture_palette.bmp", "picture_top_down.bmp"}) {
+        CAPTURE(name);
+        check_halves(read_picture(seed(name)), 0);
+    }
+}
+
+TEST_CASE("a JPEG file gives its pixels, baseline or progressive") {
+    // The areas are flat, so that only the steps of quantisation change them: at most 3 levels of 255 at this quality.
+    for (const char* const name : {"picture_baseline.jpg", "picture_progressive.jpg"}) {
+        CAPTURE(name);
+        const Image image = read_picture(seed(name));
+        CHECK(image.height == 16);
+        check_halves(image, 3);
+    }
+}
+
+TEST_CASE("the bytes and not the name decide which format a picture has") {
+    const TemporaryFolder folder;
+    fs::copy_file(seed("picture_24.bmp"), folder.path / "picture.png");
+    check_halves(read_picture(folder.path / "picture.png"), 0);
+    CHECK_THROWS_WITH_AS(read_png(folder.path / "picture.png"), doctest::Contains("picture.png: is not a PNG file"),
+                         PictureError);
+    std::ofstream(folder.path / "text.jpg") << "no picture";
+    CHECK_THROWS_WITH_AS(read_picture(folder.path / "text.jpg"),
+                         doctest::Contains("text.jpg: is not a PNG, JPEG or BMP file"), PictureError);
+}
+
+TEST_CASE("a picture that is cut off at any byte is an error") {
+    const TemporaryFolder folder;
+    for (const char* const name :
+         {"picture_24.bmp", "picture_palette.bmp", "picture_baseline.jpg", "picture_progressive.jpg"})
+        for (std::size_t size = 0; size < fs::file_size(seed(name)); size += 7) {
+            CAPTURE(name);
+            CAPTURE(size);
+            CHECK_THROWS_AS(read_picture(cut_off(folder, name, size)), PictureError);
+        }
+}
+
+TEST_CASE("a picture that claims more pixels than its bytes can hold is refused before memory is taken") {
+    // 8192 by 8192 pixels in 660 bytes.
+    CHECK_THROWS_WITH_AS(read_picture(seed("picture_claims_more.jpg")),
+                         doctest::Contains("the JPEG file is not complete"), PictureError);
+    const TemporaryFolder folder;
+    std::string bytes = read_file(seed("picture_24.bmp"));
+    const auto with_sides = [&](std::string four_bytes_each) {
+        std::ofstream(folder.path / "claims.bmp", std::ios::binary) << bytes.replace(18, 8, four_bytes_each);
+        return folder.path / "claims.bmp";
+    };
+    CHECK_THROWS_WITH_AS(read_picture(with_sides({"\x00\x20\x00\x00\x00\x20\x00\x00", 8})),
+                         doctest::Contains("the BMP file is not complete"), PictureError);
+    CHECK_THROWS_WITH_AS(read_picture(with_sides({"\x01\x20\x00\x00\x01\x00\x00\x00", 8})),
+                         doctest::Contains("is not 1 to 8192 pixels"), PictureError);
+    CHECK_THROWS_WITH_AS(read_picture(with_sides({"\x01\x00\x00\x00\x00\x00\x00\x80", 8})),
+                         doctest::Contains("is not 1 to 8192 pixels"), PictureError);
+}
