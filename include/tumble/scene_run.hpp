@@ -1,15 +1,18 @@
-// Running a scene: its world, the events of its timeline, the evaluation of its claims and of expressions.
+// Running a scene: its world, the events of its timeline, the evaluation of its claims and of expressions, its health.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tumble/counters.hpp"
 #include "tumble/scene.hpp"
 #include "tumble/scene_world.hpp"
 
@@ -179,5 +182,132 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+// The health of a run: what is wrong with a scene although its file is valid, found while it runs.
+//
+// Each check has its own subject and a limit that follows from the steps, the gravity, the sizes of the bodies and the
+// constants of the solver; src/scene/health/README.md derives them. The watch reads the world through its public
+// functions only, so that a run that is watched makes the same steps as one that is not.
+
+struct HealthCheckName {
+    std::string_view name;   // in files
+    std::string_view title;  // of a finding
+    std::string_view rule;   // when there is one
+};
+inline constexpr std::array<HealthCheckName, 12> kHealthChecks{{
+    {"overlap", "Deep overlap",
+     "Two bodies start more than 2 % of the smaller one's thickness (at most 1 cm) inside each other, or stay more "
+     "than "
+     "a quarter of it."},
+    {"tunnelling", "Passed through a body",
+     "In one step, the centre of a shape crosses another shape from side to side."},
+    {"lost", "Fell out of the world",
+     "At the end, a body is below all static and kinematic shapes by their height, or by ten typical bodies."},
+    {"jitter", "Jitter at rest",
+     "A body that is held where it is reverses its velocity more than twice in eight steps, faster than a body at "
+     "rest."},
+    {"joint_error", "Joint apart",
+     "A joint starts more than a tenth of its smaller body away from where it may be, or stays so."},
+    {"mass_ratio", "Heavy body on a light one", "A body rests on one that is over 100 times lighter."},
+    {"sleepless", "Rests but does not sleep",
+     "At the end, a body has been at rest four times as long as it takes to fall asleep, and is awake."},
+    {"speed_limit", "Speed limit reached",
+     "A body is as fast as a step allows, or turns as fast for as long as it takes to fall asleep."},
+    {"energy", "Spike of energy",
+     "In one step, the world gains energy without work, or a body that nothing touches gets a velocity that moves it "
+     "by "
+     "more than its thickness in each step."},
+    {"size", "Size outside the range of the solver",
+     "A body is smaller than 5 mm or larger than 100 m, times the scale."},
+    {"stiff_spring", "Spring too stiff for the step",
+     "A joint's spring has a higher frequency than a step can follow."},
+    {"motor", "Motor works against a limit",
+     "A motor presses a joint against its limit with over 100 times what carries its bodies."},
+}};
+
+// One fault, at the moment at which it was worst. Copies of a body or joint share a finding.
+struct HealthFinding {
+    std::string check;               // a name of kHealthChecks
+    std::string subject;             // the bodies or joints at fault: "'crate[3]' and 'floor'"
+    std::string text{};              // one sentence with the numbers
+    std::string remedy{};            // one sentence
+    std::uint64_t step = 0;          // of the state that the finding is about
+    double time = 0.0;               // s, of that state
+    std::vector<BodyId> bodies{};    // that a picture of the state marks
+    std::optional<DVec2> point{};    // world, m: where it is
+    double value = 0.0;              // what was measured
+    double limit = 0.0;              // the largest value without a finding
+    std::string unit{};              // of both: "m", "m/s"
+    std::size_t more_of_a_kind = 0;  // further copies of the same bodies or joints that have the fault
+};
+
+// A state, or several consecutive ones of a long run: the last energies, the largest errors.
+struct HealthSample {
+    double time = 0.0;          // s
+    double kinetic = 0.0;       // J, of all dynamic bodies
+    double potential = 0.0;     // J
+    double work = 0.0;          // J: SceneWorld::work
+    DVec2 momentum;             // kg m/s
+    double overlap = 0.0;       // m, the deepest
+    double joint_error = 0.0;   // m, the largest
+    int awake = 0;              // dynamic bodies that are awake
+    double milliseconds = 0.0;  // wall clock of the step
+};
+
+// The largest value of a quantity in the run.
+struct HealthExtreme {
+    std::string quantity;   // "deepest overlap"
+    std::string unit;       // of the value
+    std::string subject{};  // the bodies or the joint
+    double value = 0.0;
+    std::uint64_t step = 0;
+    double time = 0.0;  // s
+    DVec2 point{};      // world, m
+};
+
+// A step that took longer than most.
+struct SlowStep {
+    std::uint64_t step = 0;
+    StepCounters counters;
+};
+
+inline constexpr std::size_t kMostHealthSamples = 8192;
+inline constexpr std::size_t kMostHealthFindings = 8;  // of one check
+inline constexpr std::size_t kSlowSteps = 5;
+
+// Watches a run. Costs O(bodies + contacts) for each state, about as much as a small part of the step.
+class HealthWatch {
+public:
+    // The scene must outlive the watch.
+    explicit HealthWatch(const Scene& scene);
+    ~HealthWatch();
+    HealthWatch(HealthWatch&&) noexcept;
+    HealthWatch& operator=(HealthWatch&&) noexcept;
+
+    // To be called for the initial state and after each step.
+    void observe(const SceneWorld& built);
+
+    // What was found so far, in the order of kHealthChecks, of each check the worst first, at most kMostHealthFindings.
+    // The world that was observed last
+    // must still exist, in the same state.
+    std::vector<HealthFinding> findings() const;
+
+    // The deepest overlap, the largest error of a joint and the fastest body, of those that there are.
+    std::vector<HealthExtreme> extremes() const;
+
+    // At most kMostHealthSamples, of equal distance.
+    const std::vector<HealthSample>& samples() const noexcept;
+
+    // At most kSlowSteps, the slowest first. These depend on the machine, all else does not.
+    const std::vector<SlowStep>& slow_steps() const noexcept;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// The dynamic bodies, by their indices in SceneWorld::bodies, that have fallen below all static and kinematic shapes by
+// the height of these, or by ten typical bodies if that is more. None without gravity, or without such shapes.
+std::vector<std::size_t> find_lost_bodies(const SceneWorld& built);
 
 }  // namespace tumble

@@ -8,6 +8,7 @@ namespace tumble {
 
 struct WorldLimits {
     float rest_speed = 0.0f;         // m/s: islands faster than this stay awake
+    float time_to_sleep = 0.0f;      // s: islands that are slower for this long fall asleep
     float max_speed = 0.0f;          // m/s: the speed limit of dynamic bodies
     float max_rotation = 0.0f;       // rad in a step: the rotation limit of dynamic bodies without allow_fast_rotation
     float push_out_speed = 0.0f;     // m/s: the largest speed at which overlapping shapes are pushed apart

@@ -9,6 +9,7 @@ WorldLimits world_limits(const WorldDef& def) {
     const Tuning tuning = make_tuning(def.scale);
     const float h = 1.0f / def.steps_per_second / static_cast<float>(def.substeps);
     return {.rest_speed = tuning.sleep_speed,
+            .time_to_sleep = tuning.time_to_sleep,
             .max_speed = tuning.max_speed,
             .max_rotation = kMaxRotation,
             .push_out_speed = tuning.push_out_speed,

@@ -32,7 +32,9 @@ ExitCode run(const Command& command, const RunArguments& options) {
     if (settings.folder.empty()) settings.folder = std::filesystem::path("out") / file_name_of(scene.name);
     const RunReport report = simulate(scene, settings);
     write_output(command.json ? to_json(report) : to_text(report));
-    return report.complete ? ExitCode::ok : interruption_code();
+    if (!report.complete) return interruption_code();
+    const bool has_findings = report.health && !report.health->findings.empty();
+    return settings.fail_on_findings && has_findings ? ExitCode::failed : ExitCode::ok;
 }
 
 }  // namespace

@@ -135,6 +135,12 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         .add_flag("--no-replay-contacts", options.no_replay_contacts,
                   "Leave the contact points out of the replay: a page of half the size")
         ->needs(replay);
+    CLI::Option* const report = &allow_standard_output(
+        *subcommand.add_option("--report", options.report, "Write a page that tells what is wrong with the run")
+             ->type_name("F.html"));
+    subcommand
+        .add_flag("--fail-on-findings", options.fail_on_findings, "End with exit code 7 if the report has findings")
+        ->needs(report);
     CLI::Option* const video = &allow_standard_output(
         *subcommand
              .add_option("--video", options.video,
@@ -157,15 +163,16 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
                     "Save the run after each S seconds of wall clock, and when it is interrupted")
         ->type_name("S")
         ->check(number_from_to(0.0, kMaxDuration))
-        ->excludes(replay, video, raw_video, masks, depth_order, boxes);
+        ->excludes(replay, report, video, raw_video, masks, depth_order, boxes);
     CLI::Option* const resume =
         subcommand.add_flag("--resume", options.resume, "Continue the run in the folder from its checkpoint")
-            ->excludes(replay, video, raw_video, masks, depth_order, boxes);
+            ->excludes(replay, report, video, raw_video, masks, depth_order, boxes);
     add_threads_option(subcommand, options.threads);
     subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
         if (subcommand.count("--video") + subcommand.count("--raw-video") > 0) return;
-        warn_of_unused(subcommand, {"--overlay", "--hide", "--renderer"}, "--no-frames");
+        warn_of_unused(subcommand, {"--overlay", "--hide"}, "--no-frames");
+        if (subcommand.count("--report") == 0) warn_of_unused(subcommand, {"--renderer"}, "--no-frames");
         if (subcommand.count("--masks") + subcommand.count("--depth-order") + subcommand.count("--boxes") > 0) return;
         warn_of_unused(subcommand, {"--fps"}, "--no-frames");
         if (subcommand.count("--replay") == 0) warn_of_unused(subcommand, {"--size"}, "--no-frames");

@@ -38,6 +38,8 @@ struct RunOptions {
     std::filesystem::path replay;      // empty: not written
     std::filesystem::path video;       // empty: not written
     std::filesystem::path raw_video;   // empty: not written
+    std::filesystem::path report;      // of health; empty: not written
+    bool fail_on_findings = false;     // a report with findings ends with exit code 7
     int threads = 1;                   // that make a step; 0: one for each processor
     bool no_replay_contacts = false;   // leave the contact points out of the replay
     Overlay overlay;                   // drawn over the shapes
@@ -63,8 +65,8 @@ void add_renderer_option(CLI::App& subcommand, RenderBackend& renderer);
 void add_threads_option(CLI::App& subcommand, int& threads);
 
 // -o, --duration, --fps, --size, --no-frames, --overlay, --hide, --renderer, --trajectory, --contacts, --hashes,
-// --replay, --video,
-// --raw-video, --masks, --depth-order, --boxes, --checkpoint, --resume, --threads, --force
+// --replay, --report, --fail-on-findings, --video, --raw-video, --masks, --depth-order, --boxes, --checkpoint,
+// --resume, --threads, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 
 }  // namespace tumble::tools

@@ -64,6 +64,10 @@ void add_counters(JsonWriter& json, const RunReport& report) {
         .close_object();
 }
 
+std::string count_text(std::size_t findings) {
+    return std::to_string(findings) + (findings == 1 ? " finding" : " findings");
+}
+
 std::string describe(const WrittenFiles& files) {
     const double bytes = static_cast<double>(files.bytes);
     const std::string size = bytes < 1e5 ? format("%.1f kB", bytes / 1e3) : format("%.1f MB", bytes / 1e6);
@@ -109,6 +113,7 @@ std::string to_json(const RunReport& report) {
             .close_object();
     json.close_array().key("view");
     write_views(json, report.frame_size, report.views);
+    if (report.health) write_health(json.key("health"), *report.health);
     json.member("complete", report.complete).close_object();
     return json.text() + "\n";
 }
@@ -119,6 +124,7 @@ std::string to_text(const RunReport& report) {
                        std::to_string(report.counters.contacts) + " contacts at the end" +
                        (report.complete ? "" : ", interrupted before the end") + "\n";
     for (const WrittenFiles& files : report.files) append_line(text, files.kind, describe(files));
+    if (report.health) append_line(text, "health", count_text(report.health->findings.size()));
     append_line(text, "state hash", to_hex(report.state_hash));
     append_line(text, "time",
                 format("%.2f s: ", report.total_seconds) + format("simulate %.2f, ", report.simulate_seconds) +

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/health/health_report.hpp"
 #include "tools/run/frame_views.hpp"
 #include "tumble/counters.hpp"
 #include "tumble/scene.hpp"
@@ -14,8 +16,8 @@ namespace tumble::tools {
 
 // Files that a run wrote, all of one kind.
 struct WrittenFiles {
-    std::string kind;  // "frames", "events", "trajectory", "contacts", "hashes", "replay", "video", "raw video",
-                       // "masks", "labels", "boxes"
+    std::string kind;            // "frames", "events", "trajectory", "contacts", "hashes", "replay", "report", "video",
+                                 // "raw video", "masks", "labels", "boxes"
     std::filesystem::path path;  // of the first
     std::uint64_t count = 0;
     std::uint64_t bytes = 0;  // of all
@@ -41,7 +43,8 @@ struct RunReport {
     std::uint64_t state_hash = 0;
     std::vector<WrittenFiles> files;
     FrameSize frame_size;
-    std::vector<FrameView> views;  // empty if no frame was drawn
+    std::vector<FrameView> views;          // empty if no frame was drawn
+    std::optional<HealthReport> health{};  // of a run with a report
     bool complete = false;
 };
 

@@ -20,6 +20,7 @@
 #include "tools/run/folder_lock.hpp"
 #include "tools/run/frame_output.hpp"
 #include "tools/run/frame_schedule.hpp"
+#include "tools/run/health_output.hpp"
 #include "tools/run/label_output.hpp"
 #include "tools/run/lost_bodies.hpp"
 #include "tools/run/replay_output.hpp"
@@ -47,6 +48,9 @@ public:
     void run();
     void write_summary();
 
+    // After an error: writes what the report has so far.
+    void write_report(const std::string& error);
+
     // After an error: leaves the tables as far as they are written if there is a checkpoint that refers to them.
     void leave_tables();
     const RunReport& report() const noexcept { return report_; }
@@ -58,6 +62,7 @@ private:
     void save_checkpoint();
     std::vector<OpenTable> open_tables();
     void close_files(bool is_complete);
+    void finish_health(const std::string& note);
     void update_report();
 
     const Scene& scene_;
@@ -71,6 +76,7 @@ private:
     std::optional<HashFile> hashes_;
     std::optional<OutputFile> summary_;
     std::optional<ReplayOutput> replay_;
+    std::optional<HealthOutput> health_;
     std::optional<FrameOutput> frames_;
     std::optional<LabelOutput> labels_;
     Stopwatch watch_;
@@ -85,9 +91,9 @@ FrameSchedule make_schedule(const Scene& scene, const RunOptions& options) {
 }
 
 // The files that options name, if they are wanted.
-std::array<const std::filesystem::path*, 6> named_files(const RunOptions& options) {
-    return {&options.contacts, &options.trajectory, &options.hashes,
-            &options.replay,   &options.video,      &options.raw_video};
+std::array<const std::filesystem::path*, 7> named_files(const RunOptions& options) {
+    return {&options.contacts, &options.trajectory, &options.hashes, &options.replay,
+            &options.video,    &options.raw_video,  &options.report};
 }
 
 // The file as renaming into its place sees it: links in its folder are followed, the file itself is not.
@@ -164,6 +170,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     if (!options.trajectory.empty()) trajectory_.emplace(options.trajectory, force);
     if (!options.hashes.empty()) hashes_.emplace(options.hashes, force);
     if (!options.replay.empty()) replay_.emplace(scene, run_.built(), options);
+    if (!options.report.empty()) health_.emplace(scene, options);
     if (options.draws()) frames_.emplace(scene, run_.built(), options, schedule_);
     // Last, when nothing that the options name is refused any more: an earlier run is removed.
     if (!options.resume) clear_run_folder(options.folder, !options.no_frames, options.masks);
@@ -238,6 +245,7 @@ void Simulation::record_step() {
     if (contacts_) contacts_->record(run_.built());
     if (hashes_) hashes_->record(run_.world());
     if (replay_) replay_->record(run_.built());
+    if (health_) health_->record(run_.built());
     if (frames_) frames_->draw_due(run_.built());
     if (labels_) labels_->label_due(run_.built());
 }
@@ -252,6 +260,16 @@ void Simulation::close_files(bool is_complete) {
     if (trajectory_) report_.files.push_back({"trajectory", options_.trajectory, 1, trajectory_->file().commit()});
     if (hashes_) report_.files.push_back({"hashes", options_.hashes, 1, hashes_->file().commit()});
     if (replay_) report_.files.push_back({"replay", options_.replay, 1, replay_->finish(run_.built(), is_complete)});
+    if (health_) finish_health(is_complete ? "" : "The run was interrupted.");
+}
+
+void Simulation::finish_health(const std::string& note) {
+    report_.files.push_back({"report", options_.report, 1, health_->finish(run_.built(), note)});
+    report_.health = health_->report();
+}
+
+void Simulation::write_report(const std::string& error) {
+    if (health_ && !report_.health) finish_health("The run ended with an error: " + error);
 }
 
 void Simulation::update_report() {
@@ -294,6 +312,17 @@ void Simulation::write_summary() {
     if (report_.complete && has_checkpoint) std::filesystem::remove(checkpoint_file(options_.folder));
 }
 
+// After an error. `diverged` is its message if the simulation diverged: the report then shows how it came to that.
+void save_what_is_done(Simulation& simulation, const std::string& diverged) {
+    simulation.leave_tables();
+    try {
+        if (!diverged.empty()) simulation.write_report(diverged);
+        simulation.write_summary();
+    } catch (const FileError&) {
+        // The first error is reported; that of these files would hide it.
+    }
+}
+
 }  // namespace
 
 RunReport simulate(const Scene& scene, const RunOptions& options) {
@@ -301,13 +330,11 @@ RunReport simulate(const Scene& scene, const RunOptions& options) {
     Simulation simulation(scene, options);
     try {
         simulation.run();
+    } catch (const SimulationDiverged& error) {
+        save_what_is_done(simulation, error.what());
+        throw;
     } catch (...) {
-        simulation.leave_tables();
-        try {
-            simulation.write_summary();
-        } catch (const FileError&) {
-            // The first error is reported; that of the summary would hide it.
-        }
+        save_what_is_done(simulation, "");
         throw;
     }
     simulation.write_summary();

@@ -14,9 +14,6 @@ namespace tumble::scene {
 namespace {
 
 constexpr double kSliver = 0.01;  // of its length
-constexpr double kSmallestBody = 0.005,
-                 kLargestBody =
-                     100.0;  // m, in a world of scale 1: the range in which the constants of the solver are tested
 
 class BodyLinter {
 public:

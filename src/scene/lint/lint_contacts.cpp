@@ -16,12 +16,9 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kOverlap = 0.02;       // of the smaller extent: twice the overlap of resting contacts
-constexpr double kOverlapLimit = 0.01;  // m, in a world of scale 1: the upper bound of the above
-constexpr double kLeastRise = 0.5;      // cosine of normal and up: contacts with a smaller one carry no weight
-constexpr double kElastic = 0.5;        // a restitution from which a hit is expected to pass on
-constexpr double kTouching = 0.005;     // m, in a world of scale 1: bodies this close are hit in the same step
-constexpr double kVisibleSag = 0.05;    // of the smallest extent of the body that sinks
+constexpr double kLeastRise = 0.5;   // cosine of normal and up: contacts with a smaller one carry no weight
+constexpr double kElastic = 0.5;     // a restitution from which a hit is expected to pass on
+constexpr double kTouching = 0.005;  // m, in a world of scale 1: bodies this close are hit in the same step
 
 // The contact points of two bodies, combined.
 struct Touch {
@@ -30,16 +27,6 @@ struct Touch {
     DVec2 normal;              // of that point, from A to B
     double stiffness = 0.0;    // of all points along their normals, N/m
 };
-
-// The smallest extent of the body's shapes (m); of a segment its length.
-double smallest_extent(const World& world, BodyId body) {
-    double least = HUGE_VAL;
-    for (const ShapeId shape : world.shapes(body)) {
-        const Extent size = extent(world.shape(shape));
-        least = std::min(least, double{size.smaller > 0.0f ? size.smaller : size.larger});
-    }
-    return least;
-}
 
 class ContactLinter {
 public:
@@ -71,8 +58,8 @@ public:
     void lint_overlaps() {
         std::set<std::pair<std::size_t, std::size_t>> reported;
         for (const Touch& touch : touches_) {
-            const double allowed = std::min(kOverlap * std::min(extent_of(touch.a), extent_of(touch.b)),
-                                            scene_.world.scale * kOverlapLimit);
+            const double allowed =
+                allowed_overlap(std::min(extent_of(touch.a), extent_of(touch.b)), scene_.world.scale);
             if (touch.separation >= -allowed || !reported.insert({source(touch.a), source(touch.b)}).second) continue;
             warn(codes::overlap, touch.b,
                  name(touch.b) + " starts " + brief(-touch.separation) + " m inside " + name(touch.a) +

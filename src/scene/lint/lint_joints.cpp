@@ -19,7 +19,6 @@ namespace tumble::scene {
 
 namespace {
 
-constexpr double kWideGap = 0.1;     // of the size of the smaller body
 constexpr double kOneLength = 0.01;  // of the longest: copies whose lengths differ by less are spokes of one hub
 constexpr double kFarAnchor = 10.0;  // times the size of a body: a longer lever arm is taken for an error
 
@@ -62,17 +61,9 @@ private:
              "bring their densities closer together, or give the world more substeps");
     }
 
-    // Of the largest shape (m); 0 without shapes.
-    double size_of(BodyId body) const {
-        double size = 0.0;
-        for (const ShapeId shape : world_.shapes(body))
-            size = std::max(size, double{extent(world_.shape(shape)).larger});
-        return size;
-    }
-
     bool lint_gap(const SceneJointInstance& joint, BodyId a, BodyId b) {
-        const double size_a = size_of(a), size_b = size_of(b), gap = joint_gap(world_, joint.id);
-        const double size = size_a > 0.0 && size_b > 0.0 ? std::min(size_a, size_b) : std::max(size_a, size_b);
+        const double gap = joint_gap(world_, joint.id);
+        const double size = smaller_size(largest_extent(world_, a), largest_extent(world_, b));
         if (!(gap > kWideGap * size)) return false;
         warn(codes::open_joint, joint,
              "the joint starts " + brief(gap) + " m away from a position that it allows for " +
@@ -93,7 +84,7 @@ private:
     // No point is far from a body without shapes: its size is unknown.
     bool is_far(BodyId body, DVec2 point) const {
         const Shape at_point = make_circle(0.0f);
-        const double far = kFarAnchor * size_of(body);
+        const double far = kFarAnchor * largest_extent(world_, body);
         return far > 0.0 && std::ranges::all_of(world_.shapes(body), [&](ShapeId shape) {
                    return distance(world_.shape(shape), world_.state(body).pose, at_point, {point, {}}).distance > far;
                });

@@ -5,6 +5,13 @@
 
 namespace tumble::scene {
 
+namespace {
+
+constexpr double kOverlap = 0.02;       // of the smaller extent: twice the overlap of resting contacts
+constexpr double kOverlapLimit = 0.01;  // m, in a world of scale 1: the upper bound of the above
+
+}  // namespace
+
 double mass_ratio(const World& world, BodyId a, BodyId b) {
     const auto [lighter, heavier] = std::minmax({double{world.mass(a).mass}, double{world.mass(b).mass}});
     return heavier / lighter;
@@ -21,6 +28,29 @@ double width_of(const Shape& shape) {
         least = std::min(least, height / length(edge));
     }
     return least + 2.0 * double{shape.radius()};
+}
+
+double smallest_extent(const World& world, BodyId body) {
+    double least = HUGE_VAL;
+    for (const ShapeId shape : world.shapes(body)) {
+        const Extent size = extent(world.shape(shape));
+        least = std::min(least, double{size.smaller > 0.0f ? size.smaller : size.larger});
+    }
+    return least;
+}
+
+double largest_extent(const World& world, BodyId body) {
+    double size = 0.0;
+    for (const ShapeId shape : world.shapes(body)) size = std::max(size, double{extent(world.shape(shape)).larger});
+    return size;
+}
+
+double smaller_size(double size_a, double size_b) {
+    return size_a > 0.0 && size_b > 0.0 ? std::min(size_a, size_b) : std::max(size_a, size_b);
+}
+
+double allowed_overlap(double smallest_extent, double scale) {
+    return std::min(kOverlap * smallest_extent, scale * kOverlapLimit);
 }
 
 }  // namespace tumble::scene

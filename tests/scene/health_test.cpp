@@ -1,0 +1,107 @@
+// The health of runs: each planted fault is found and its culprit named, sound scenes have no findings, and watching
+// changes nothing.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scene/shipped.hpp"
+#include "scene/unhealthy_scenes.hpp"
+#include "tumble/scene_file.hpp"
+#include "tumble/scene_run.hpp"
+
+using namespace tumble;
+
+namespace {
+
+struct WatchedRun {
+    std::vector<HealthFinding> findings;
+    std::vector<HealthSample> samples;
+    std::uint64_t state_hash = 0;
+};
+
+WatchedRun watch_run(const Scene& scene) {
+    SceneRun run(scene);
+    HealthWatch watch(scene);
+    watch.observe(run.built());
+    for (std::uint64_t step = count_steps(scene); step > 0 && !run.is_stopped(); --step) {
+        run.step();
+        watch.observe(run.built());
+    }
+    return {watch.findings(), watch.samples(), run.world().state_hash()};
+}
+
+std::string text_of(const std::vector<HealthFinding>& findings) {
+    std::string text;
+    for (const HealthFinding& finding : findings) text += finding.check + ": " + finding.text + "\n";
+    return text;
+}
+
+// Its name as a message quotes it.
+bool names(const HealthFinding& finding, const std::string& culprit) {
+    return (finding.subject + " " + finding.text).find("'" + culprit + "'") != std::string::npos;
+}
+
+// What a shipped scene shows on purpose.
+const std::map<std::string, std::set<std::string>> kOnPurpose{{"overlap_recovery", {"overlap", "energy"}}};
+
+}  // namespace
+
+TEST_CASE("the report of each planted fault names its culprit") {
+    const std::vector<test::UnhealthyScene> scenes = test::unhealthy_scenes();
+    REQUIRE(scenes.size() >= 20);
+    std::set<std::string> checks;
+    for (const test::UnhealthyScene& unhealthy : scenes) {
+        const std::string& fault = unhealthy.fault;
+        CAPTURE(fault);
+        const WatchedRun run = watch_run(parse_scene(test::text_of(unhealthy), "unhealthy.json"));
+        const bool is_found = std::ranges::any_of(run.findings, [&](const HealthFinding& finding) {
+            return finding.check == unhealthy.check && names(finding, unhealthy.culprit);
+        });
+        CHECK_MESSAGE(is_found, text_of(run.findings));
+        checks.insert(unhealthy.check);
+    }
+    CHECK(checks.size() == kHealthChecks.size());
+}
+
+TEST_CASE("shipped scenes have no findings, except for what they show on purpose") {
+    for (const std::filesystem::path& file : test::shipped_scenes()) {
+        CAPTURE(file);
+        const auto allowed = kOnPurpose.find(file.stem());
+        std::set<std::string> found;
+        for (const HealthFinding& finding : watch_run(load_scene(file)).findings) {
+            found.insert(finding.check);
+            if (allowed == kOnPurpose.end()) FAIL_CHECK(finding.text);
+        }
+        if (allowed != kOnPurpose.end()) CHECK(found == allowed->second);
+    }
+}
+
+TEST_CASE("watching a run does not change it") {
+    for (const test::UnhealthyScene& unhealthy : test::unhealthy_scenes()) {
+        const Scene scene = parse_scene(test::text_of(unhealthy), "unhealthy.json");
+        SceneRun run(scene);
+        for (std::uint64_t step = count_steps(scene); step > 0; --step) run.step();
+        CHECK(watch_run(scene).state_hash == run.world().state_hash());
+    }
+}
+
+TEST_CASE("bodies that a program adds to a run are no part of its health") {
+    const std::string crate = test::box("crate", "[0, 0.5]", "[1, 1]", "wood");
+    const test::UnhealthyScene alone{.fault = "", .check = "", .culprit = "", .rest = "", .bodies = crate};
+    const Scene scene = parse_scene(test::text_of(alone), "alone.json");
+    SceneRun run(scene);
+    HealthWatch watch(scene);
+    watch.observe(run.built());
+    const BodyId added = run.world().create_body({.pose = {{0.2, 0.7}, {}}, .allow_sleep = false});
+    run.world().add_shape(added, {.shape = make_box({1.0f, 1.0f})});
+    for (std::uint64_t step = count_steps(scene); step > 0; --step) {
+        run.step();
+        watch.observe(run.built());
+    }
+    CHECK_MESSAGE(watch.findings().empty(), text_of(watch.findings()));
+}
