@@ -28,7 +28,7 @@ std::vector<Plot> health_plots(const Samples& samples) {
                   {sample_line(samples, "kinetic", Ink::tumble, [](const auto& s) { return s.kinetic; }),
                    sample_line(samples, "potential", Ink::second, [](const auto& s) { return s.potential; }),
                    sample_line(samples, "both less work", Ink::violet,
-                             [](const auto& s) { return s.kinetic + s.potential - s.work; })}),
+                               [](const auto& s) { return s.kinetic + s.potential - s.work; })}),
         over_time("Momentum", "kg m/s",
                   {sample_line(samples, "to the right", Ink::tumble, [](const auto& s) { return s.momentum.x; }),
                    sample_line(samples, "upwards", Ink::second, [](const auto& s) { return s.momentum.y; })}),

@@ -16,6 +16,7 @@ namespace tumble::scene {
 
 namespace {
 
+constexpr double kLeastPath = 0.01;   // of the thickness of the body: a slower one is pressed through, a deep overlap
 constexpr double kThroughPart = 0.5;  // of the thickness of the other shape: less grazes a corner
 constexpr double kStraight = 0.1;     // rad: a relative motion that turns less in the step is taken for a straight line
 
@@ -45,6 +46,7 @@ private:
         const Vec2 middle = centroid_of(world.shape(shape));
         const DVec2 from = transform_point(view.bodies_before()[i].state.pose, middle);
         const DVec2 to = transform_point(body.state.pose, middle);
+        if (length(to - from) < kLeastPath * body.smallest) return;
         const DVec2 lower{std::min(from.x, to.x), std::min(from.y, to.y)};
         const DVec2 upper{std::max(from.x, to.x), std::max(from.y, to.y)};
         for (const ShapeId other :
