@@ -35,7 +35,7 @@ WatchedRun watch_run(const Scene& scene) {
     return {watch.findings(), watch.samples(), run.world().state_hash()};
 }
 
-std::string text_of(const std::vector<HealthFinding>& findings) {
+std::string words_of(const std::vector<HealthFinding>& findings) {
     std::string text;
     for (const HealthFinding& finding : findings) text += finding.check + ": " + finding.text + "\n";
     return text;
@@ -62,7 +62,7 @@ TEST_CASE("the report of each planted fault names its culprit") {
         const bool is_found = std::ranges::any_of(run.findings, [&](const HealthFinding& finding) {
             return finding.check == unhealthy.check && names(finding, unhealthy.culprit);
         });
-        CHECK_MESSAGE(is_found, text_of(run.findings));
+        CHECK_MESSAGE(is_found, words_of(run.findings));
         checks.insert(unhealthy.check);
     }
     CHECK(checks.size() == kHealthChecks.size());
@@ -103,5 +103,5 @@ TEST_CASE("bodies that a program adds to a run are no part of its health") {
         run.step();
         watch.observe(run.built());
     }
-    CHECK_MESSAGE(watch.findings().empty(), text_of(watch.findings()));
+    CHECK_MESSAGE(watch.findings().empty(), words_of(watch.findings()));
 }

@@ -20,7 +20,7 @@ constexpr const char* kText =
   {"that": "ball.y > 1.99", "when": "sometime"}, {"that": "ball.y > 1.9", "at": 0.1}, {"that": "ball.y > 9", "from": 0.5, "when": "sometime"},
   {"that": "ball.y < 0.6", "until": 0.5, "when": "sometime"}, {"body": "ball", "touches": "floor"}, {"that": "ball.y > 0", "at": 2}]})";
 
-std::string text_of(const std::filesystem::path& file) {
+std::string included_text(const std::filesystem::path& file) {
     if (file == "scene.json") return kText;
     return R"({"format": 1, "bodies": [{"name": "floor", "type": "static", "shapes": [{"segment": {"from": [-9, 0], "to": [9, 0]}}]}]})";
 }
@@ -40,7 +40,7 @@ std::vector<ExpectationResult> results_of(const Scene& scene, bool tells_last_st
 }  // namespace
 
 TEST_CASE("claims are decided alike when the states before the last are observed as such") {
-    const Scene scene = load_scene("scene.json", {.overrides = {}, .seed = 3, .read_included = text_of});
+    const Scene scene = load_scene("scene.json", {.overrides = {}, .seed = 3, .read_included = included_text});
     const std::vector<ExpectationResult> all = results_of(scene, false), marked = results_of(scene, true);
     REQUIRE(all.size() == 9);
     int failed = 0;
@@ -55,13 +55,13 @@ TEST_CASE("claims are decided alike when the states before the last are observed
 }
 
 TEST_CASE("a source gives the scenes that load_scene gives, and the same errors") {
-    const SceneSource source("scene.json", text_of);
+    const SceneSource source("scene.json", included_text);
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const LoadOptions options{
-            .overrides = {"/bodies/ball/position/1=" + std::to_string(seed)}, .seed = seed, .read_included = text_of};
+            .overrides = {"/bodies/ball/position/1=" + std::to_string(seed)}, .seed = seed, .read_included = included_text};
         CHECK(to_json(source.load(options)) == to_json(load_scene("scene.json", options)));
     }
-    const LoadOptions wrong{.overrides = {"/bodies/bal/angle=1"}, .seed = {}, .read_included = text_of};
+    const LoadOptions wrong{.overrides = {"/bodies/bal/angle=1"}, .seed = {}, .read_included = included_text};
     const auto error_of = [](const auto& load) -> std::string {
         try {
             load();

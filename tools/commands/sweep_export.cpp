@@ -1,4 +1,6 @@
 // `tumble sweep export`: the trajectories of a sweep for programs that learn.
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <memory>
 #include <string>

@@ -26,7 +26,7 @@ using tumble::test::Sweeps;
 namespace {
 
 // A ball falls for half a second, or until it is below y = 1.3. A trajectory has each tenth step.
-constexpr const char* kFall = R"({"format": 1, "scene": "fall.json", "shard_runs": 5, "seeds": [7],
+constexpr const char* kFallPlan = R"({"format": 1, "scene": "fall.json", "shard_runs": 5, "seeds": [7],
   "parameters": [{"name": "height", "set": "/bodies/0/position/1", "list": [1.35, 1.6, 2, 3]},
                  {"name": "word", "set": "/description", "list": ["a, \"b\"", "c"]},
                  {"name": "radius", "set": "/bodies/0/shapes/0/circle/radius", "list": [0.5, -1]}],
@@ -36,7 +36,7 @@ constexpr const char* kFallScene = R"({"format": 1, "world": {"duration": 0.5},
   "timeline": [{"when": "ball.y < 1.3", "stop": true}]})";
 
 struct Fall : Sweeps {
-    Fall() : Sweeps(kFall) {
+    Fall() : Sweeps(kFallPlan) {
         folder.write("fall.json", kFallScene);
         REQUIRE(sweep("out").code == 0);
     }
