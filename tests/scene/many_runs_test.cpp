@@ -57,8 +57,9 @@ TEST_CASE("claims are decided alike when the states before the last are observed
 TEST_CASE("a source gives the scenes that load_scene gives, and the same errors") {
     const SceneSource source("scene.json", included_text);
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
-        const LoadOptions options{
-            .overrides = {"/bodies/ball/position/1=" + std::to_string(seed)}, .seed = seed, .read_included = included_text};
+        const LoadOptions options{.overrides = {"/bodies/ball/position/1=" + std::to_string(seed)},
+                                  .seed = seed,
+                                  .read_included = included_text};
         CHECK(to_json(source.load(options)) == to_json(load_scene("scene.json", options)));
     }
     const LoadOptions wrong{.overrides = {"/bodies/bal/angle=1"}, .seed = {}, .read_included = included_text};
