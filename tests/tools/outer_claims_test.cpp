@@ -55,7 +55,7 @@ TEST_CASE("a picture claim compares the frame at its time with a PNG file beside
 TEST_CASE("no claim passes that was left undecided because a picture is missing") {
     const Folder folder;
     const std::string scene =
-        folder.write("ball.json", ball_scene(R"({"picture": "golden.png"}, {"picture": "other.png"})"));
+        folder.write("ball.json", falling_ball(R"({"picture": "golden.png"}, {"picture": "other.png"})"));
     const Answer missing = run_tumble({"check", scene, "--json", "--junit", (folder / "report.xml").string()});
     CHECK(missing.code == 4);
     const json claims = json::parse(missing.out)["scenes"][0]["expectations"];
