@@ -33,13 +33,13 @@ struct DiffArguments {
     bool force = false;
 };
 
-ExitCode code_of(bool is_equal) { return is_equal ? ExitCode::ok : ExitCode::failed; }
+ExitCode equality_code(bool is_equal) { return is_equal ? ExitCode::ok : ExitCode::failed; }
 
 ExitCode diff_hashes(const Command& command, const DiffArguments& options) {
     if (options.tolerance > 0.0) report_warning("--tolerance has no effect on hashes");
     const HashComparison comparison = compare_hash_files(options.a, options.b);
     write_output(command.json ? to_json(comparison) : to_text(comparison));
-    return code_of(!comparison.first);
+    return equality_code(!comparison.first);
 }
 
 ExitCode diff_states(const Command& command, const DiffArguments& options) {
@@ -49,19 +49,19 @@ ExitCode diff_states(const Command& command, const DiffArguments& options) {
                                        b = open_states(options.b, options.changes);
     const Comparison comparison = compare_states(*a, *b, options.tolerance);
     write_output(command.json ? to_json(comparison) : to_text(comparison, options.tolerance));
-    return code_of(comparison.is_equal());
+    return equality_code(comparison.is_equal());
 }
 
 ExitCode diff_events(const Command& command, const DiffArguments& options) {
     const EventComparison comparison = compare_event_files(options.a, options.b, options.tolerance);
     write_output(command.json ? to_json(comparison) : to_text(comparison));
-    return code_of(!comparison.first);
+    return equality_code(!comparison.first);
 }
 
 ExitCode diff_summaries(const Command& command, const DiffArguments& options) {
     const SummaryComparison comparison = compare_summaries(options.a, options.b, options.tolerance);
     write_output(command.json ? to_json(comparison) : to_text(comparison));
-    return code_of(comparison.different.empty());
+    return equality_code(comparison.different.empty());
 }
 
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -91,7 +91,7 @@ ExitCode diff_frames(const Command& command, const DiffArguments& options) {
     }
     write_output(command.json ? to_json(comparison, map) : to_text(comparison));
     if (!command.json && !map.empty()) write_output("  heat map: " + map.string() + "\n");
-    return code_of(comparison.is_equal());
+    return equality_code(comparison.is_equal());
 }
 
 ExitCode run_diff(const Command& command, const DiffArguments& options) {

@@ -47,7 +47,7 @@ std::string json_report(const std::vector<GalleryEntry>& entries, const std::vec
 }
 
 // Of different codes the highest other than `failed` counts, then `failed`, as for check.
-ExitCode code_of(const std::vector<GalleryEntry>& entries) {
+ExitCode gallery_code(const std::vector<GalleryEntry>& entries) {
     const auto weight = [](ExitCode code) { return code == ExitCode::failed ? 1 : static_cast<int>(code) * 10; };
     ExitCode code = ExitCode::ok;
     for (const GalleryEntry& entry : entries) {
@@ -77,7 +77,7 @@ ExitCode show(const Command& command, const GalleryArguments& options) {
     } else {
         for (const std::filesystem::path& file : files) write_output(file.string() + "\n");
     }
-    return code_of(entries);
+    return gallery_code(entries);
 }
 
 }  // namespace
