@@ -235,7 +235,7 @@ struct HealthFinding {
     std::vector<BodyId> bodies{};    // that a picture of the state marks
     std::optional<DVec2> point{};    // world, m: where it is
     double value = 0.0;              // what was measured
-    double limit = 0.0;              // the largest value without a finding
+    double limit = 0.0;              // the largest value without a finding, the smallest for a small body; 0: none
     std::string unit{};              // of both: "m", "m/s"
     std::size_t more_of_a_kind = 0;  // further copies of the same bodies or joints that have the fault
 };
