@@ -59,7 +59,7 @@ std::string unknown_argument_text(const CLI::App& app) {
            (nearest.empty() ? "" : "\n  hint: did you mean '" + std::string(nearest) + "'?");
 }
 
-// Of the texts of CLI11 about the number of values of an option, which begin with its name.
+// The message for a text of CLI11 about a wrong number of values; the text begins with the name of the option.
 std::string wrong_count_text(const std::string& text) {
     const std::string option = text.substr(0, text.find(':'));
     if (text.find(": At Most ") != std::string::npos) return option + ": is given more than once";

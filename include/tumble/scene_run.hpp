@@ -196,31 +196,30 @@ struct HealthCheckName {
 };
 inline constexpr std::array<HealthCheckName, 12> kHealthChecks{{
     {"overlap", "Deep overlap",
-     "Two bodies start more than 2 % of the smaller one's thickness (at most 1 cm) inside each other, or stay more "
-     "than "
-     "a quarter of it."},
+     "Two bodies start with an overlap of more than 2 % of the smaller one's thickness (at most 1 cm times the scale), "
+     "or keep one of more than a quarter of it."},
     {"tunnelling", "Passed through a body",
      "In one step, the centre of a shape crosses another shape from side to side."},
     {"lost", "Fell out of the world",
-     "At the end, a body is below all static and kinematic shapes by their height, or by ten typical bodies."},
+     "At the end, a body is below all static and kinematic shapes by their height, or by ten times the scale if that "
+     "is more."},
     {"jitter", "Jitter at rest",
      "A body that is held where it is reverses its velocity more than twice in eight steps, faster than a body at "
      "rest."},
     {"joint_error", "Joint apart",
-     "A joint starts more than a tenth of its smaller body away from where it may be, or stays so."},
+     "A joint starts with an error of more than a tenth of the size of its smaller body, or keeps one."},
     {"mass_ratio", "Heavy body on a light one", "A body rests on one that is over 100 times lighter."},
     {"sleepless", "Rests but does not sleep",
-     "At the end, a body has been at rest four times as long as it takes to fall asleep, and is awake."},
+     "At the end, a body has been at rest four times as long as it takes to fall asleep, and a cause keeps it awake."},
     {"speed_limit", "Speed limit reached",
      "A body is as fast as a step allows, or turns as fast for as long as it takes to fall asleep."},
     {"energy", "Spike of energy",
-     "In one step, the world gains energy without work, or a body that nothing touches gets a velocity that moves it "
-     "by "
-     "more than its thickness in each step."},
+     "In one step, the world gains energy without work, or the velocity of a body that nothing touches or holds "
+     "changes by more than its thickness per step."},
     {"size", "Size outside the range of the solver",
-     "A body is smaller than 5 mm or larger than 100 m, times the scale."},
+     "A dynamic body is smaller than 5 mm or larger than 100 m, times the scale."},
     {"stiff_spring", "Spring too stiff for the step",
-     "A joint's spring has a higher frequency than a step can follow."},
+     "The spring of a joint has a higher frequency than a step can follow."},
     {"motor", "Motor works against a limit",
      "A motor presses a joint against its limit with over 100 times what carries its bodies."},
 }};
@@ -229,14 +228,14 @@ inline constexpr std::array<HealthCheckName, 12> kHealthChecks{{
 struct HealthFinding {
     std::string check;               // a name of kHealthChecks
     std::string subject;             // the bodies or joints at fault: "'crate[3]' and 'floor'"
-    std::string text{};              // one sentence with the numbers
+    std::string text{};              // what is wrong, with the numbers: no capital at its start, no full stop
     std::string remedy{};            // one sentence
     std::uint64_t step = 0;          // of the state that the finding is about
     double time = 0.0;               // s, of that state
     std::vector<BodyId> bodies{};    // that a picture of the state marks
     std::optional<DVec2> point{};    // world, m: where it is
     double value = 0.0;              // what was measured
-    double limit = 0.0;              // the largest value without a finding
+    double limit = 0.0;              // the largest value without a finding, the smallest for a small body; 0: none
     std::string unit{};              // of both: "m", "m/s"
     std::size_t more_of_a_kind = 0;  // further copies of the same bodies or joints that have the fault
 };
@@ -288,17 +287,17 @@ public:
     void observe(const SceneWorld& built);
 
     // What was found so far, in the order of kHealthChecks, of each check the worst first, at most kMostHealthFindings.
-    // The world that was observed last
-    // must still exist, in the same state.
+    // The world that was observed last must still exist, in the same state.
     std::vector<HealthFinding> findings() const;
 
-    // The deepest overlap, the largest error of a joint and the fastest body, of those that there are.
+    // The deepest overlap, the largest joint error and the fastest body, without those whose value is 0.
     std::vector<HealthExtreme> extremes() const;
 
     // At most kMostHealthSamples, of equal distance.
     const std::vector<HealthSample>& samples() const noexcept;
 
-    // At most kSlowSteps, the slowest first. These depend on the machine, all else does not.
+    // At most kSlowSteps, the slowest first. These and HealthSample::milliseconds depend on the machine, all else does
+    // not.
     const std::vector<SlowStep>& slow_steps() const noexcept;
 
 private:

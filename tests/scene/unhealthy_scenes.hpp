@@ -39,7 +39,6 @@ inline const std::string kChainJoints =
        {"type": "revolute", "name": "hinge", "bodies": ["link[0]", "link[1]"], "anchors": [[0, -0.25], [0, 0.25]], "repeat": {"columns": 9}},
        {"type": "revolute", "name": "last", "bodies": ["link[9]", "weight"], "anchors": [[0, -0.25], [0, 0.5]]}])";
 
-// Twenty-six.
 inline std::vector<UnhealthyScene> unhealthy_scenes() {
     const std::string crate = box("crate", "[0, 0.5]", "[1, 1]", "wood");
     const std::string rows = R"(, "repeat": {"grid": {"rows": 3, "spacing": [0, 1]}})";

@@ -41,7 +41,7 @@ ExitCode export_sweep(const Command& command, const MinariOptions& options) try 
 }
 
 std::string must_be_dataset_id(const std::string& id) {
-    return is_dataset_id(id) ? "" : "must read NAME-vN or NAMESPACE/NAME-vN, as friction-v0, got " + id;
+    return is_dataset_id(id) ? "" : "must read NAME-vN or NAMESPACE/NAME-vN, such as friction-v0, got " + id;
 }
 
 }  // namespace
@@ -51,16 +51,17 @@ void add_sweep_export(CLI::App& app, Command& command) {
     CLI::App& app_export =
         add_subcommand(app, command, "export", "Write the trajectories as a dataset that Minari loads");
     app_export.add_option("DIR", options->folder, "Folder of a complete sweep")->required();
-    app_export.add_option("-o,--output", options->root, "Folder of the datasets, MINARI_DATASETS_PATH of Minari")
+    app_export
+        .add_option("-o,--output", options->root, "Folder of all datasets, which Minari finds by MINARI_DATASETS_PATH")
         ->type_name("ROOT")
         ->required();
-    app_export.add_option("--id", options->id, "Identifier of the dataset, and its folder in ROOT, as friction-v0")
+    app_export.add_option("--id", options->id, "Identifier of the dataset, and its folder in ROOT: friction-v0")
         ->type_name("NAME-vN")
         ->required()
         ->check(CLI::Validator(must_be_dataset_id, ""));
     app_export
         .add_option("--reward", options->reward,
-                    "Column of the table, such as a measure, that is the reward of the last step; without it 0")
+                    "Column of the table, such as a measure, that is the reward of the last step; default: 0")
         ->type_name("NAME");
     app_export.add_flag("--force", options->force, "Replace an existing dataset");
     app_export.callback(

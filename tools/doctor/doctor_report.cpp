@@ -1,23 +1,18 @@
 #include "tools/doctor/doctor_report.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 #include <thread>
 
 #include "tools/machine/build_info.hpp"
 #include "tools/machine/machine.hpp"
+#include "tools/output/temporary_folder.hpp"
 #include "tumble/file.hpp"
 #include "tumble/instruction_set.hpp"
 #include "tumble/recording.hpp"
@@ -60,34 +55,11 @@ std::vector<Finding> find_fonts() {
             font("wide", files.wide, "characters of Chinese and other scripts are boxes", "fonts-noto-cjk")};
 }
 
-// A new folder, removed with its files.
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        std::error_code missing;
-        std::string name = (std::filesystem::temp_directory_path(missing) / "tumble-doctor-XXXXXX").string();
-        if (missing) throw FileError("the folder for temporary files, TMPDIR", missing.message());
-        if (::mkdtemp(name.data()) == nullptr) throw FileError(name, std::strerror(errno));
-        path_ = name;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
-
 // Encodes one white frame.
 Finding find_encoder(const std::string& format) {
     Finding finding{.name = format, .package = "ffmpeg"};
     try {
-        const ScratchFolder folder;
+        const TemporaryFolder folder("doctor");
         const std::filesystem::path file = folder.path() / ("frame." + format);
         VideoWriter writer(file, {.format = *video_format_of(file), .width = kFrameSide, .height = kFrameSide});
         writer.write(

@@ -1,21 +1,16 @@
 #include "tools/health/health_page.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+#include <cctype>
 
 #include "tools/health/health_plots.hpp"
 #include "tools/output/html.hpp"
+#include "tools/output/number_text.hpp"
+#include "tools/output/step_stages.hpp"
 
 namespace tumble::tools {
 
 namespace {
-
-std::string four_digits(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
-    return text.data();
-}
 
 std::string moment_of(std::uint64_t step, double time) {
     return four_digits(time) + " s, step " + std::to_string(step);
@@ -88,16 +83,14 @@ void add_course(HtmlPage& page, const HealthReport& report) {
 
 void add_slow_steps(HtmlPage& page, const HealthReport& report) {
     page.heading("The slowest steps");
-    page.paragraph("Wall clock in ms, for each stage of a step. A step of few bodies has the time of the whole alone.");
-    const std::vector<std::string> header{"step",       "whole",   "pairs",  "collide", "prepare",      "solve",
-                                          "continuous", "proxies", "events", "sleep",   "awake bodies", "contacts"};
+    page.paragraph("Wall clock in ms, of each stage and of the whole step. Steps of few bodies have the latter alone.");
+    std::vector<std::string> header{"number"};
+    for (const StepStage& stage : kStepStages) header.emplace_back(stage.name);
+    header.insert(header.end(), {"awake bodies", "contacts"});
     std::vector<std::vector<HtmlCell>> rows;
     for (const SlowStep& slow : report.slow_steps) {
-        const StageTimes& ms = slow.counters.ms;
         std::vector<HtmlCell> row{value_cell(std::to_string(slow.step))};
-        for (const double stage :
-             {ms.step, ms.pairs, ms.collide, ms.prepare, ms.solve, ms.continuous, ms.proxies, ms.events, ms.sleep})
-            row.push_back(value_cell(four_digits(stage)));
+        for (const StepStage& stage : kStepStages) row.push_back(value_cell(four_digits(slow.counters.ms.*stage.ms)));
         row.push_back(value_cell(std::to_string(slow.counters.awake_bodies)));
         row.push_back(value_cell(std::to_string(slow.counters.contacts)));
         rows.push_back(std::move(row));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tools/output/step_stages.hpp"
+
 namespace tumble::tools {
 
 namespace {
@@ -25,17 +27,8 @@ void write_health_finding(JsonWriter& json, const ReportedFinding& reported) {
 }
 
 void write_slow_step(JsonWriter& json, const SlowStep& slow) {
-    const StageTimes& ms = slow.counters.ms;
     json.open_object().member("step", slow.step).key("ms").open_object();
-    json.member("pairs", ms.pairs)
-        .member("collide", ms.collide)
-        .member("prepare", ms.prepare)
-        .member("solve", ms.solve)
-        .member("continuous", ms.continuous)
-        .member("proxies", ms.proxies)
-        .member("events", ms.events)
-        .member("sleep", ms.sleep)
-        .member("step", ms.step);
+    for (const StepStage& stage : kStepStages) json.member(stage.name, slow.counters.ms.*stage.ms);
     json.close_object().close_object();
 }
 

@@ -20,7 +20,7 @@ struct StepBenchResult {
     int contacts = 0;        // of the tumble world, at the end
     double tumble_ms = 0.0;  // CPU or wall-clock time per step: mean of a run, median of the runs
     double box2d_ms = 0.0;
-    double box2d_v3_ms = 0.0;  // 0: not timed: this build lacks Box2D v3, or it lacks what the scene has
+    double box2d_v3_ms = 0.0;  // 0: not timed: this build lacks Box2D v3, or V3World cannot hold the scene
     double ratio() const { return box2d_ms / tumble_ms; }
 };
 

@@ -9,7 +9,9 @@
 namespace tumble::tools {
 
 TemporaryFolder::TemporaryFolder(const std::string& purpose) {
-    std::string name = (std::filesystem::temp_directory_path() / ("tumble-" + purpose + "-XXXXXX")).string();
+    std::error_code missing;
+    std::string name = (std::filesystem::temp_directory_path(missing) / ("tumble-" + purpose + "-XXXXXX")).string();
+    if (missing) throw FileError("the folder for temporary files, TMPDIR", missing.message());
     if (::mkdtemp(name.data()) == nullptr)
         throw FileError(name, "cannot create the folder: " + std::generic_category().message(errno));
     path_ = name;

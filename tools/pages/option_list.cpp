@@ -19,9 +19,9 @@ std::vector<std::string> choices_of(const std::string& type) {
     return choices;
 }
 
-// Values are named after what they are: "DIR", "F.csv", "SCENE", "FILE"; the others are numbers and texts.
+// Values are named after what they are: "DIR", "ROOT", "F.csv", "SCENE", "FILE"; the others are numbers and texts.
 ValueKind kind_of(const std::string& value) {
-    if (value == "DIR") return ValueKind::folder;
+    if (value == "DIR" || value == "ROOT") return ValueKind::folder;
     const bool is_file = value == "F" || value.starts_with("F.") || value == "SCENE" || value == "FILE";
     return is_file ? ValueKind::file : ValueKind::text;
 }

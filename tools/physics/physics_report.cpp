@@ -1,11 +1,10 @@
 #include "tools/physics/physics_report.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "tools/machine/engines.hpp"
+#include "tools/output/number_text.hpp"
 
 namespace tumble::tools {
 
@@ -64,9 +63,7 @@ int PhysicsResult::holding(Engine engine) const {
 std::string value_text(double value) {
     if (std::isnan(value)) return "-";
     if (std::isinf(value)) return "not reached";
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
-    return text.data();
+    return four_digits(value);
 }
 
 std::string bar_text(const Bar& bar) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <vector>
 
 #include "tools/output/csv_file.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/output/plot.hpp"
 
 namespace tumble::tools {
@@ -33,11 +33,7 @@ struct Range {
     }
 };
 
-double number_or_nan(const char* text) {
-    double number = std::nan("");
-    const char* const end = text + std::strlen(text);
-    return std::from_chars(text, end, number).ptr == end ? number : std::nan("");
-}
+double number_or_nan(const char* text) { return number_of(text).value_or(std::nan("")); }
 
 // The lines with a number in each of the columns; the last one is the value.
 template <unsigned Columns, class... Names>
@@ -77,12 +73,6 @@ Color color_of(double part) {
     return {mixed(0), mixed(1), mixed(2)};
 }
 
-std::string label(double number) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", number);
-    return text.data();
-}
-
 void draw_box(Drawing& drawing, double left, double top, double width, double height, Color fill) {
     drawing.polygon({{left, top}, {left + width, top}, {left + width, top + height}, {left, top + height}}, fill, 0.0,
                     {});
@@ -110,8 +100,8 @@ void draw_scale(Drawing& drawing, const std::string& name, Range values) {
     const double left = kLeft + kSize + 25, step = kSize / kSteps;
     for (int i = 0; i < kSteps; ++i)
         draw_box(drawing, left, kTop + kSize - (i + 1) * step, 18, step + 0.5, color_of((i + 0.5) / kSteps));
-    drawing.text({left + 24, kTop + kSize}, label(values.lower), 13, kInk);
-    drawing.text({left + 24, kTop + 10}, label(values.upper), 13, kInk);
+    drawing.text({left + 24, kTop + kSize}, four_digits(values.lower), 13, kInk);
+    drawing.text({left + 24, kTop + 10}, four_digits(values.upper), 13, kInk);
     drawing.text({left, kTop - 10}, name, 15, kInk);
 }
 

@@ -6,6 +6,7 @@
 
 #include "tools/machine/build_info.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/step_stages.hpp"
 
 namespace tumble::tools {
 
@@ -20,15 +21,6 @@ std::string format(const char* pattern, double number) {
 void append_line(std::string& text, const std::string& label, const std::string& content) {
     text += "  " + label + std::string(label.size() < 12 ? 12 - label.size() : 1, ' ') + content + "\n";
 }
-
-struct Stage {
-    const char* name;
-    double StageTimes::*ms;
-};
-constexpr Stage kStages[] = {
-    {"pairs", &StageTimes::pairs},   {"collide", &StageTimes::collide},       {"prepare", &StageTimes::prepare},
-    {"solve", &StageTimes::solve},   {"continuous", &StageTimes::continuous}, {"proxies", &StageTimes::proxies},
-    {"events", &StageTimes::events}, {"sleep", &StageTimes::sleep},           {"step", &StageTimes::step}};
 
 void add_counters(JsonWriter& json, const RunReport& report) {
     const StepCounters& last = report.counters;
@@ -48,7 +40,7 @@ void add_counters(JsonWriter& json, const RunReport& report) {
         .close_object();
     json.key("ms_per_step").open_object();
     const double steps = static_cast<double>(std::max<std::uint64_t>(report.timed_steps, 1));
-    for (const Stage& stage : kStages) json.member(stage.name, report.stages.*stage.ms / steps);
+    for (const StepStage& stage : kStepStages) json.member(stage.name, report.stages.*stage.ms / steps);
     json.close_object();
     const WorldMemory& memory = report.memory;
     json.key("memory_bytes")
@@ -78,7 +70,7 @@ std::string describe(const WrittenFiles& files) {
 }  // namespace
 
 void add_times(StageTimes& sum, const StageTimes& step) {
-    for (const Stage& stage : kStages) sum.*stage.ms += step.*stage.ms;
+    for (const StepStage& stage : kStepStages) sum.*stage.ms += step.*stage.ms;
 }
 
 std::string to_json(const RunReport& report) {

@@ -40,8 +40,7 @@ void copy_lines(const fs::path& from, const sweep::Manifest& part, const fs::pat
 }
 
 void add_part(const fs::path& folder, const fs::path& from, sweep::Manifest& manifest) {
-    const sweep::Manifest part = sweep::read_manifest(from);
-    if (!part.header) throw FileError(from, "has no sweep: there is no manifest.jsonl with its first line");
+    const sweep::Manifest part = manifest_of_sweep(from);
     if (!manifest.header) {
         append_header(folder, *part.header);
         manifest.header = part.header;

@@ -148,16 +148,14 @@ void write_episodes(const MinariOptions& options, const sweep::SweepHeader& head
             episodes.append(maker.make(std::move(run)));
         }
     }
-    if (report.episodes == 0) throw FileError(options.folder, "has no run with two states that came to its end");
+    if (report.episodes == 0) throw FileError(options.folder, "has no run with the outcome ok and at least two states");
     report.left_out = header.runs - report.episodes;
 }
 
 }  // namespace
 
 MinariReport export_minari(const MinariOptions& options) {
-    const sweep::Manifest manifest = sweep::read_manifest(options.folder);
-    if (!manifest.header)
-        throw FileError(options.folder, "has no sweep: there is no manifest.jsonl with its first line");
+    const sweep::Manifest manifest = manifest_of_sweep(options.folder);
     if (!is_complete(options.folder, manifest))
         throw FileError(options.folder, "is not complete; `tumble sweep status` tells what is missing");
     MinariReport report{.dataset = options.root / options.id};

@@ -53,9 +53,9 @@ std::string minari_metadata(const std::string& id, const sweep::SweepHeader& hea
     json.member("data_format", "hdf5").member("total_episodes", report.episodes).member("total_steps", report.steps);
     json.member("dataset_size", std::round(static_cast<double>(report.bytes) * 1e-5) / 10.0);  // MB
     json.member("observation_space", observation_space(shape)).member("action_space", action_space(shape));
-    json.member("description", "Runs of " + of + " by tumble " + header.version + ". A step has " +
+    json.member("description", "Runs of " + of + " by tumble " + header.version + ". A step is " +
                                    std::to_string(shape.every) +
-                                   " of the simulation, an action the parameters of its run.");
+                                   " steps of the simulation; an action has the parameters of the run.");
     return json.close_object().text() + "\n";
 }
 

@@ -80,6 +80,12 @@ ShardRanges missing_shards(const fs::path& folder, const sweep::Manifest& manife
     return missing;
 }
 
+sweep::Manifest manifest_of_sweep(const fs::path& folder) {
+    sweep::Manifest manifest = sweep::read_manifest(folder);
+    if (!manifest.header) throw FileError(folder, "has no sweep: there is no manifest.jsonl with its first line");
+    return manifest;
+}
+
 bool is_complete(const fs::path& folder, const sweep::Manifest& manifest) {
     return manifest.header && manifest.table && has_size(folder, *manifest.table) &&
            missing_shards(folder, manifest).empty();

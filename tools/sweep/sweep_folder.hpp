@@ -17,6 +17,9 @@ bool is_stored(const std::filesystem::path& folder, const sweep::Manifest& manif
 using ShardRanges = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 ShardRanges missing_shards(const std::filesystem::path& folder, const sweep::Manifest& manifest);
 
+// The manifest of a folder that has one with its first line: the header is set. Throws FileError.
+sweep::Manifest manifest_of_sweep(const std::filesystem::path& folder);
+
 // Whether the shards, runs.csv and the final manifest are there.
 bool is_complete(const std::filesystem::path& folder, const sweep::Manifest& manifest);
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "tools/output/json_writer.hpp"
-#include "tumble/file.hpp"
+#include "tools/sweep/sweep_folder.hpp"
 
 namespace tumble::tools {
 
@@ -57,8 +57,7 @@ std::string ranges_text(const ShardRanges& ranges) {
 }  // namespace
 
 SweepStatus status_of(const std::filesystem::path& folder) {
-    const sweep::Manifest manifest = sweep::read_manifest(folder);
-    if (!manifest.header) throw FileError(folder, "has no sweep: there is no manifest.jsonl with its first line");
+    const sweep::Manifest manifest = manifest_of_sweep(folder);
     SweepStatus status{.runs = manifest.header->runs, .shards = manifest.header->shards()};
     for (const auto& [shard, entry] : manifest.shards) {
         if (!is_stored(folder, manifest, shard)) continue;

@@ -22,12 +22,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-sweep::Manifest manifest_of(const fs::path& folder) {
-    sweep::Manifest manifest = sweep::read_manifest(folder);
-    if (!manifest.header) throw FileError(folder, "has no sweep: there is no manifest.jsonl with its first line");
-    return manifest;
-}
-
 void verify_file(const fs::path& folder, const sweep::StoredFile& expected, Verification& verification) {
     const fs::path path = folder / expected.name;
     if (!fs::is_regular_file(path)) {
@@ -97,7 +91,7 @@ std::set<std::uint64_t> draw_runs(const sweep::Plan& plan, const fs::path& folde
 }  // namespace
 
 Verification verify_files(const fs::path& folder) {
-    const sweep::Manifest manifest = manifest_of(folder);
+    const sweep::Manifest manifest = manifest_of_sweep(folder);
     Verification verification;
     for (const sweep::StoredFile& file : stored_files(manifest)) verify_file(folder, file, verification);
     const std::uint64_t shards = manifest.header->shards();
@@ -118,7 +112,7 @@ void remove_damaged_files(const fs::path& folder) {
 }
 
 void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, Verification& verification) {
-    const sweep::Manifest manifest = manifest_of(folder);
+    const sweep::Manifest manifest = manifest_of_sweep(folder);
     const sweep::SweepHeader& header = *manifest.header;
     if (header.plan != plan.hash || header.runs != plan.runs || header.shard_runs != runs_in_shard(plan))
         throw FileError(folder, "is of another plan than " + plan.file.string());

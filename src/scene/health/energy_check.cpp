@@ -111,8 +111,8 @@ private:
                            .subject = view.name(body),
                            .text = "the world gains " + brief(gain) + " J in one step without work; " +
                                    view.name(body) + " gets most of it",
-                           .remedy = "Look for bodies that overlap, joints that start apart or contradict each other; "
-                                     "use more \"substeps\".",
+                           .remedy = "Look for bodies that overlap and for joints that start apart or contradict each "
+                                     "other, or use more \"substeps\".",
                            .step = view.step(),
                            .time = view.world().time(),
                            .bodies = {view.bodies()[body].id},

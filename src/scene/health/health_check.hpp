@@ -21,7 +21,7 @@ public:
     virtual void report(const HealthView& view, std::vector<HealthFinding>& findings) const = 0;
 };
 
-// In the order of kHealthChecks. Each is in the file of its name.
+// In the order of kHealthChecks. make_overlap_check() is in overlap_check.cpp, and so on.
 std::unique_ptr<HealthCheck> make_overlap_check();
 std::unique_ptr<HealthCheck> make_tunnelling_check();
 std::unique_ptr<HealthCheck> make_lost_check();

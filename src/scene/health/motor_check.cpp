@@ -83,7 +83,7 @@ private:
             {.check = "motor",
              .subject = name,
              .text = "the motor of the joint " + name + " presses against the limit with up to " + brief(motor.effort) +
-                     " " + unit + ", " + brief(motor.effort / load) + " times what carries the body",
+                     " " + unit + ", " + brief(motor.effort / load) + " times what carries the heavier body",
              .remedy = motor.turns ? "Lower \"max_torque\", or set \"motor_speed\" to 0 when the limit is reached."
                                    : "Lower \"max_force\", or set \"motor_speed\" to 0 when the limit is reached.",
              .step = view.step(),

@@ -1,4 +1,4 @@
-// Bodies at rest that stay awake, and what keeps their island awake.
+// Bodies at rest that stay awake, with the body that keeps their island awake.
 #include <algorithm>
 #include <optional>
 #include <string>

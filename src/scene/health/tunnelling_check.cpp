@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kLeastPath = 0.01;   // of the thickness of the body: a slower one is pressed through, a deep overlap
 constexpr double kThroughPart = 0.5;  // of the thickness of the other shape: less grazes a corner
-constexpr double kStraight = 0.1;     // rad: a relative motion that turns less in the step is taken for a straight line
+constexpr double kStraight =
+    0.1;  // rad: the path in the frame of a body that turns less in the step is taken for straight
 
 Vec2 centroid_of(const Shape& shape) { return mass_properties(shape).center; }
 

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostBytesOfCopy = std::size_t{1} << 29;  // of a file, as of a PNG file that is drawn
+constexpr std::size_t kMostBytesOfCopy = std::size_t{1} << 29;  // of a file, as of a picture that is drawn
 
 void write_copy(const fs::path& to, const std::string& text) {
     std::error_code error;
