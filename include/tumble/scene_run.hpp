@@ -288,8 +288,8 @@ public:
     void observe(const SceneWorld& built);
 
     // What was found so far, in the order of kHealthChecks, of each check the worst first, at most kMostHealthFindings.
-    // The world that was observed last
-    // must still exist, in the same state.
+    // None before the first state. The world that was observed last must still exist, in the same state or in that of a
+    // step that diverged.
     std::vector<HealthFinding> findings() const;
 
     // The deepest overlap, the largest error of a joint and the fastest body, of those that there are.
