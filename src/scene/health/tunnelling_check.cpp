@@ -48,7 +48,7 @@ private:
         const DVec2 to = transform_point(body.state.pose, middle);
         if (length(to - from) < kLeastPath * body.smallest) return;
         // A shape beside the centre of mass of a body that turns moves along an arc.
-        if (turn_of(view, i) > kStraight && length(to - body.center) > kLeastPath * body.smallest) return;
+        if (length(to - body.center) > kLeastPath * body.smallest && turn_of(view, i) > kStraight) return;
         const DVec2 lower{std::min(from.x, to.x), std::min(from.y, to.y)};
         const DVec2 upper{std::max(from.x, to.x), std::max(from.y, to.y)};
         for (const ShapeId other :
