@@ -275,7 +275,7 @@ inline constexpr std::size_t kMostHealthSamples = 8192;
 inline constexpr std::size_t kMostHealthFindings = 8;  // of one check
 inline constexpr std::size_t kSlowSteps = 5;
 
-// Watches a run. Costs O(bodies + contacts log contacts) for each state: for a large pile about as much as the step.
+// Watches a run. Costs O(bodies + contacts log contacts) for each state: for a large pile up to three times the step.
 class HealthWatch {
 public:
     // The scene must outlive the watch.
