@@ -274,7 +274,7 @@ inline constexpr std::size_t kMostHealthSamples = 8192;
 inline constexpr std::size_t kMostHealthFindings = 8;  // of one check
 inline constexpr std::size_t kSlowSteps = 5;
 
-// Watches a run. Costs O(bodies + contacts log contacts) for each state: for a large pile about as much as the step.
+// Watches a run. Costs O(bodies + contacts log contacts) for each state: for a large pile up to three times the step.
 class HealthWatch {
 public:
     // The scene must outlive the watch.
@@ -287,7 +287,8 @@ public:
     void observe(const SceneWorld& built);
 
     // What was found so far, in the order of kHealthChecks, of each check the worst first, at most kMostHealthFindings.
-    // The world that was observed last must still exist, in the same state.
+    // None before the first state. The world that was observed last must still exist, in the same state or in that of a
+    // step that diverged.
     std::vector<HealthFinding> findings() const;
 
     // The deepest overlap, the largest joint error and the fastest body, without those whose value is 0.

@@ -83,6 +83,8 @@ TEST_CASE("a picture that claims more pixels than its bytes can hold is refused 
     CHECK_THROWS_WITH_AS(read_picture(seed("picture_claims_more.jpg")),
                          doctest::Contains("the JPEG file is not complete"), PictureError);
     const TemporaryFolder folder;
+    CHECK_THROWS_WITH_AS(read_picture(cut_off(folder, "picture_baseline.jpg", 3)),  // before any size
+                         doctest::Contains("the JPEG file is not complete"), PictureError);
     std::string bytes = read_file(seed("picture_24.bmp"));
     const auto with_sides = [&](std::string four_bytes_each) {
         std::ofstream(folder.path / "claims.bmp", std::ios::binary) << bytes.replace(18, 8, four_bytes_each);

@@ -89,6 +89,23 @@ TEST_CASE("findings are no failure, unless --fail-on-findings is given") {
     CHECK(run_scene(folder, faulty, {"--report", page, "--checkpoint", "1"}).code == 2);
 }
 
+TEST_CASE("a damaged picture of a body costs a report its pictures alone") {
+    const Folder folder;
+    folder.write("body.bmp", "BM");
+    const std::string scene =
+        folder.write("scene.json", R"({"format": 1, "world": {"duration": 0.1, "gravity": [0, 0]}, "bodies": [
+            {"name": "a", "shapes": [{"circle": {"radius": 0.5}}], "images": [{"file": "body.bmp", "height": 1}]},
+            {"name": "b", "position": [0.3, 0], "shapes": [{"circle": {"radius": 0.5}}]}]})");
+    const std::string page = (folder / "health.html").string();
+    const Answer answer = run_scene(folder, scene, {"--report", page});
+    CHECK(answer.code == 0);
+    CHECK_MESSAGE(answer.err.find("body.bmp: the BMP file is not complete") != std::string::npos, answer.err);
+    const std::string html = read_text(page);
+    CHECK(html.find("Pictures are missing: ") != std::string::npos);
+    CHECK(html.find("Remedy: ") != std::string::npos);
+    CHECK(html.find("<img") == std::string::npos);
+}
+
 TEST_CASE("a run that diverges leaves a report of the steps before") {
     const Folder folder;
     const std::string scene = folder.write(

@@ -28,6 +28,13 @@ TEST_CASE("numbers are the shortest that read back as the same value") {
     }
 }
 
+TEST_CASE("NaN has no sign, which differs between processors") {
+    std::string text;
+    for (const double number : {std::nan(""), std::copysign(std::nan(""), -1.0)}) append_number(text, number);
+    append_number(text, -std::numeric_limits<float>::infinity());
+    CHECK(text == "nannan-inf");
+}
+
 TEST_CASE("written JSON reads back in both layouts") {
     for (const JsonWriter::Layout layout : {JsonWriter::Layout::lines, JsonWriter::Layout::compact}) {
         JsonWriter writer(layout);

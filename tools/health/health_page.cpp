@@ -51,7 +51,7 @@ void add_overview(HtmlPage& page, const HealthReport& report) {
 }
 
 void add_health_findings(HtmlPage& page, const HealthReport& report) {
-    if (!report.picture_error.empty()) page.paragraph("There are no pictures: " + report.picture_error);
+    if (!report.picture_error.empty()) page.paragraph("Pictures are missing: " + report.picture_error);
     for (const ReportedFinding& reported : report.findings) {
         const HealthFinding& finding = reported.finding;
         page.heading(std::string(check_title(finding)) + ": " + finding.subject);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "tumble/scene_run.hpp"
@@ -35,7 +36,7 @@ Camera close_view(Camera camera, const World& world, const std::vector<BodyId>& 
 
 }  // namespace
 
-void draw_findings(const Scene& scene, RenderBackend backend, HealthReport& report) {
+void draw_findings(const Scene& scene, RenderBackend backend, bool (*is_stopped)(), HealthReport& report) {
     std::multimap<std::uint64_t, ReportedFinding*> moments;
     for (ReportedFinding& reported : report.findings) moments.emplace(reported.finding.step, &reported);
     if (moments.empty()) return;
@@ -45,14 +46,19 @@ void draw_findings(const Scene& scene, RenderBackend backend, HealthReport& repo
         const Camera camera = make_camera(scene, run.built(), kAspect);
         const Overlay overlay{.contacts = true, .joints = true, .title = false};
         for (auto& [step, reported] : moments) {
-            while (run.world().step_count() < step) run.step();
+            while (run.world().step_count() < step && !is_stopped()) run.step();
+            if (is_stopped()) throw RenderError("the run that draws them was interrupted");
             std::vector<BodyId> marked = reported->finding.bodies;
             std::erase_if(marked, [&](BodyId id) { return !run.world().is_valid(id); });
             const Marking marking{.bodies = marked};
             const Camera view = widen_camera(close_view(camera, run.world(), marked), run.world(), marking, kAspect);
-            renderer.draw(scene, run.built(), view, run.time(), reported->picture.emplace(), overlay, marking);
+            Image picture;
+            renderer.draw(scene, run.built(), view, run.time(), picture, overlay, marking);
+            reported->picture = std::move(picture);
         }
     } catch (const RenderError& error) {
+        report.picture_error = error.what();
+    } catch (const PictureError& error) {  // of a body
         report.picture_error = error.what();
     }
 }

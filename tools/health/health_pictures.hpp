@@ -8,7 +8,8 @@
 namespace tumble::tools {
 
 // Simulates the scene up to its last finding and draws each: a close view of its bodies, which are marked. Sets
-// HealthReport::picture_error if nothing draws. Throws SimulationDiverged.
-void draw_findings(const Scene& scene, RenderBackend renderer, HealthReport& report);
+// HealthReport::picture_error if nothing draws, a picture of a body is damaged, or `is_stopped`, which is asked before
+// each step, answers true; the pictures up to then remain. Throws SimulationDiverged.
+void draw_findings(const Scene& scene, RenderBackend renderer, bool (*is_stopped)(), HealthReport& report);
 
 }  // namespace tumble::tools

@@ -10,6 +10,10 @@ namespace {
 
 template <class Number>
 void append_shortest(std::string& text, Number number) {
+    if (std::isnan(number)) {  // its sign is another on another processor
+        text += "nan";
+        return;
+    }
     char digits[32];  // the shortest double has at most 24 characters
     const std::to_chars_result end = std::to_chars(digits, digits + sizeof digits, number);
     text.append(digits, end.ptr);

@@ -1,6 +1,7 @@
 #include "tools/run/health_output.hpp"
 
 #include "tools/cli/console.hpp"
+#include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/health/health_page.hpp"
 #include "tools/health/health_pictures.hpp"
@@ -13,8 +14,10 @@ HealthOutput::HealthOutput(const Scene& scene, const RunOptions& options)
 std::uint64_t HealthOutput::finish(const SceneWorld& built, const std::string& note) {
     report_ = make_health_report(scene_, built, watch_);
     report_.note = note;
-    if (note.empty()) draw_findings(scene_, renderer_, report_);
-    if (!report_.picture_error.empty()) report_warning("the report has no pictures: " + report_.picture_error);
+    if (note.empty())
+        draw_findings(
+            scene_, renderer_, [] { return is_interrupted(); }, report_);
+    if (!report_.picture_error.empty()) report_warning("the report has not all pictures: " + report_.picture_error);
     file_.write(health_page(report_));
     return file_.commit();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -48,6 +49,12 @@ std::vector<fs::path> trajectory_files(const fs::path& folder, const sweep::Mani
     return files;
 }
 
+// Nothing for NaN and infinities, which no space of actions and no reward can have.
+std::optional<double> finite_number_of(const std::string& cell) {
+    const std::optional<double> number = number_of(cell);
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
 EpisodeShape shape_of(const fs::path& folder, const sweep::SweepHeader& header, const std::vector<fs::path>& files) {
     EpisodeShape shape;
     for (const fs::path& file : files) {
@@ -61,9 +68,9 @@ EpisodeShape shape_of(const fs::path& folder, const sweep::SweepHeader& header, 
     std::vector<std::size_t> parameters = table.columns_between("seed", "outcome");
     while (table.next()) {
         if (table.cell(outcome) != "ok") continue;
-        std::erase_if(parameters, [&](std::size_t column) { return !number_of(table.cell(column)); });
+        std::erase_if(parameters, [&](std::size_t column) { return !finite_number_of(table.cell(column)); });
         for (const std::size_t column : parameters) {
-            const double number = number_of(table.cell(column)).value();
+            const double number = finite_number_of(table.cell(column)).value();
             ParameterRange& range = shape.actions.try_emplace(column, ParameterRange{number, number}).first->second;
             range = {std::min(range.lower, number), std::max(range.upper, number)};
         }
@@ -91,7 +98,7 @@ public:
         std::from_chars(seed.data(), seed.data() + seed.size(), episode.seed);
         if (reward_) episode.reward = reward();
         for (const auto& [column, range] : shape_.actions)
-            episode.action.push_back(number_of(table_.cell(column)).value());
+            episode.action.push_back(finite_number_of(table_.cell(column)).value());
         add_attributes("options/", parameters_, episode);
         add_attributes("measures/", measures_, episode);
         return episode;
@@ -100,7 +107,7 @@ public:
 private:
     double reward() const {
         const std::string& cell = table_.cell(*reward_);
-        const std::optional<double> number = number_of(cell);
+        const std::optional<double> number = finite_number_of(cell);
         if (!number) table_.fail("the reward '" + table_.columns()[*reward_] + "' is no number: " + cell);
         return *number;
     }
@@ -167,6 +174,7 @@ MinariReport export_minari(const MinariOptions& options) {
     create_folder_of(data);
     sweep::EpisodeFileWriter episodes(data, shape.bodies, shape.bits);
     write_episodes(options, *manifest.header, files, shape, episodes, report);
+    episodes.save();  // before the dataset that is replaced is touched: the disk may be full
     std::error_code error;
     fs::remove(metadata, error);  // of a dataset that is replaced
     if (error) throw FileError(metadata, "cannot remove the file: " + error.message());

@@ -30,6 +30,7 @@ Image read_jpeg_header(tjhandle decoder, std::string_view bytes) {
     if (tjDecompressHeader3(decoder, jpeg_data_of(bytes), bytes.size(), &image.width, &image.height, &subsampling,
                             &color_space) != 0)
         throw PictureError(tjGetErrorStr2(decoder));
+    if (std::min(image.width, image.height) < 1) throw PictureError("the JPEG file is not complete");  // tables alone
     if (std::max(image.width, image.height) > kLargestFrame)
         throw PictureError("a side of the JPEG file has more than " + std::to_string(kLargestFrame) + " pixels");
     return image;

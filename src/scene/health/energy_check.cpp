@@ -41,13 +41,29 @@ bool has_other_sources(const HealthView& view) {
     });
 }
 
-// What contacts at rest may store by overlapping: the work of lifting each body by a sag that is just not visible, J.
+// What bodies at rest may have, J: contacts store the work of lifting each body by a sag that is just not visible, and
+// each may move by up to the speed of rest, which is all that there is without gravity.
 double resting_energy(const HealthView& view) {
+    const double rest_speed{view.limits().rest_speed};
     double sum = 0.0;
-    for (const SeenBody& body : view.bodies())
-        if (body.exists && body.is_dynamic && std::isfinite(body.smallest))
-            sum += body.mass * view.gravity() * kVisibleSag * body.smallest;
+    for (const SeenBody& body : view.bodies()) {
+        if (!body.exists || !body.is_dynamic) continue;
+        sum += 0.5 * body.mass * rest_speed * rest_speed;
+        if (std::isfinite(body.smallest)) sum += body.mass * view.gravity() * kVisibleSag * body.smallest;
+    }
     return sum;
+}
+
+// The velocity after the step of a body on which gravity and damping alone act, sub-step by sub-step.
+DVec2 free_velocity(const HealthView& view, const SeenBody& before) {
+    const WorldDef& world = view.world().def();
+    const BodyDef body = view.world().definition(before.id);
+    const double substep = view.step_duration() / world.substeps;
+    const double decay = 1.0 / (1.0 + substep * double{body.linear_damping});
+    const DVec2 fall = substep * double{body.gravity_scale} * DVec2(world.gravity);
+    DVec2 velocity(before.state.velocity);
+    for (int i = 0; i < world.substeps; ++i) velocity = decay * (velocity + fall);
+    return velocity;
 }
 
 class EnergyCheck final : public HealthCheck {
@@ -84,8 +100,10 @@ private:
     // A body that nothing touches gets its velocity from an event.
     void observe_body(const HealthView& view, std::size_t i) {
         const SeenBody &body = view.bodies()[i], &before = view.bodies_before()[i];
-        const double change = length(DVec2(body.state.velocity) - DVec2(before.state.velocity));
+        const DVec2 velocity(body.state.velocity);
         const double limit = body.smallest / view.step_duration();
+        if (!(length(velocity - DVec2(before.state.velocity)) > limit)) return;
+        const double change = length(velocity - free_velocity(view, before));
         if (!(change > limit) || is_held(view, body) || is_held(view, before)) return;
         const Culprit culprit{{i}, {view.source(i)}};
         if (!culprits_.is_worst(culprit, change / limit)) return;

@@ -38,6 +38,7 @@ public:
 
     void update(const SceneWorld& built);
 
+    bool has_state() const { return built_ != nullptr; }  // else nothing below may be called
     const Scene& scene() const { return scene_; }
     const SceneWorld& built() const { return *built_; }
     const World& world() const { return built_->world; }

@@ -93,6 +93,7 @@ void HealthWatch::observe(const SceneWorld& built) {
 
 std::vector<HealthFinding> HealthWatch::findings() const {
     std::vector<HealthFinding> findings;
+    if (!impl_->view.has_state()) return findings;
     for (const auto& check : impl_->checks) check->report(impl_->view, findings);
     return findings;
 }

@@ -72,6 +72,7 @@ public:
     void report(const HealthView& view, std::vector<HealthFinding>& findings) const override {
         Culprits culprits;
         for (const std::size_t i : find_lost_bodies(view.built())) {
+            if (i >= last_held_.size()) break;  // spawned in a step that diverged: it was in no state
             const Culprit culprit{{i}, {view.source(i)}};
             const Held& held = last_held_[i];
             const DVec2 position = view.bodies()[i].center;

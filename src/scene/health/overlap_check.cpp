@@ -19,6 +19,7 @@ public:
     void observe(const HealthView& view) override {
         std::map<Pair, const ContactPoint*> deepest;
         for (const ContactPoint& contact : view.contacts()) {
+            if (!(-double{contact.separation} > limit_of(view, pair_of(view, contact)))) continue;
             const ContactPoint*& found = deepest.try_emplace(pair_of(view, contact), &contact).first->second;
             if (contact.separation < found->separation) found = &contact;
         }
@@ -38,19 +39,26 @@ private:
         return {view.index_of(contact.body_a), view.index_of(contact.body_b)};
     }
 
+    // The separation is that at the start of the step, in which a spawned body is first seen.
+    static bool is_start(const HealthView& view, const Pair& pair) {
+        return view.step() <= 1 + std::max(view.bodies()[pair.first].born, view.bodies()[pair.second].born);
+    }
+
+    // m: that of the start is the smaller one.
+    static double limit_of(const HealthView& view, const Pair& pair) {
+        const double extent = std::min(view.bodies()[pair.first].smallest, view.bodies()[pair.second].smallest);
+        return is_start(view, pair) ? allowed_overlap(extent, view.scale()) : kCorePart * extent;
+    }
+
+    // Of a pair beyond its limit.
     void observe_pair(const HealthView& view, const Pair& pair, const ContactPoint& contact,
                       std::map<Pair, std::uint64_t>& pressed) {
-        const SeenBody &a = view.bodies()[pair.first], &b = view.bodies()[pair.second];
-        const double depth = -double{contact.separation}, extent = std::min(a.smallest, b.smallest);
-        // The separation is that at the start of the step, in which a spawned body is first seen.
-        const bool is_start = view.step() <= 1 + std::max(a.born, b.born);
-        if (is_start && depth > allowed_overlap(extent, view.scale()))
-            return note(view, pair, contact, allowed_overlap(extent, view.scale()));
-        if (!(depth > kCorePart * extent)) return;
+        const double limit = limit_of(view, pair);
+        if (is_start(view, pair)) return note(view, pair, contact, limit);
         const auto before = pressed_.find(pair);
         const std::uint64_t steps = before == pressed_.end() ? 1 : before->second + 1;
         pressed[pair] = steps;
-        if (steps >= view.patience()) note(view, pair, contact, kCorePart * extent, true);
+        if (steps >= view.patience()) note(view, pair, contact, limit, true);
     }
 
     void note(const HealthView& view, const Pair& pair, const ContactPoint& contact, double limit,

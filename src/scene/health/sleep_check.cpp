@@ -1,11 +1,13 @@
 // Bodies at rest that stay awake, with the body that keeps their island awake.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "scene/health/health_check.hpp"
+#include "scene/model/degrees.hpp"
 #include "scene/model/display.hpp"
 
 namespace tumble::scene {
@@ -68,13 +70,17 @@ private:
                 return Keeper{i, "must not sleep (\"allow_sleep\": false)", "Remove \"allow_sleep\": false."};
         for (const std::size_t i : members)
             if (const std::optional<std::size_t> mover = moving_support(view, i))
-                return Keeper{
-                    *mover,
-                    "is kinematic and moves at " + brief(length(DVec2(view.bodies()[*mover].state.velocity))) + " m/s",
-                    "Set its velocity to 0 when it has arrived."};
+                return Keeper{*mover, "is kinematic and " + motion_text(view.bodies()[*mover].state),
+                              "Set its velocity to 0 when it has arrived."};
         if (std::ranges::any_of(members, [&](std::size_t i) { return moving_[i] > 0.0; }))
             return driven_keeper(view, members);
         return drifting_keeper(view, members);
+    }
+
+    static std::string motion_text(const BodyState& state) {
+        const double speed = length(DVec2(state.velocity));
+        return speed > 0.0 ? "moves at " + brief(speed) + " m/s"
+                           : "turns at " + brief(std::abs(double{state.angular_velocity}) * kDegrees) + " degrees/s";
     }
 
     // Nothing slows down an island that touches and is joined to no body at rest.

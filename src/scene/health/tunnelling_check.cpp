@@ -18,8 +18,7 @@ namespace {
 
 constexpr double kLeastPath = 0.01;   // of the thickness of the body: a slower one is pressed through, a deep overlap
 constexpr double kThroughPart = 0.5;  // of the thickness of the other shape: less grazes a corner
-constexpr double kStraight =
-    0.1;  // rad: the path in the frame of a body that turns less in the step is taken for straight
+constexpr double kStraight = 0.1;     // rad: a motion that turns less in the step is taken for a straight line
 
 Vec2 centroid_of(const Shape& shape) { return mass_properties(shape).center; }
 
@@ -48,11 +47,20 @@ private:
         const DVec2 from = transform_point(view.bodies_before()[i].state.pose, middle);
         const DVec2 to = transform_point(body.state.pose, middle);
         if (length(to - from) < kLeastPath * body.smallest) return;
+        // A shape beside the centre of mass of a body that turns moves along an arc.
+        if (length(to - body.center) > kLeastPath * body.smallest && turn_of(view, i) > kStraight) return;
         const DVec2 lower{std::min(from.x, to.x), std::min(from.y, to.y)};
         const DVec2 upper{std::max(from.x, to.x), std::max(from.y, to.y)};
         for (const ShapeId other :
              world.overlap_box(lower, upper, {.shape = world.filter(shape), .except = body.id, .sensors = false}))
             if (may_stop(view, body.id, other)) test_crossing(view, i, middle, other);
+    }
+
+    // In the step (rad), at most half a turn.
+    static double turn_of(const HealthView& view, std::size_t body) {
+        const Rotation before = view.bodies_before()[body].state.pose.rotation;
+        const double turn = std::abs(angle(view.bodies()[body].state.pose.rotation) - angle(before));
+        return std::min(turn, 2.0 * kPi - turn);
     }
 
     // Joints keep two bodies from colliding unless they collide while connected.
@@ -73,8 +81,7 @@ private:
     void test_crossing(const HealthView& view, std::size_t i, Vec2 middle, ShapeId other) {
         const std::size_t k = view.index_of(view.world().body(other));
         const Pose &before = view.bodies_before()[k].state.pose, &now = view.bodies()[k].state.pose;
-        const double turn = std::abs(angle(now.rotation) - angle(before.rotation));
-        if (std::min(turn, 2.0 * kPi - turn) > kStraight) return;
+        if (turn_of(view, k) > kStraight) return;
         const DVec2 from = inverse_transform_point(before, transform_point(view.bodies_before()[i].state.pose, middle));
         const DVec2 to = inverse_transform_point(now, transform_point(view.bodies()[i].state.pose, middle));
         const Shape& shape = view.world().shape(other);

@@ -141,10 +141,16 @@ void EpisodeFileWriter::append(const Episode& episode) {
     impl_->append(episode);
 }
 
-std::uint64_t EpisodeFileWriter::commit() {
+void EpisodeFileWriter::save() {
     const Hdf5Lock lock;
+    if (impl_->file.id() < 0) return;
     impl_->file.close();
     make_durable(impl_->file.temporary());
+}
+
+std::uint64_t EpisodeFileWriter::commit() {
+    save();
+    const Hdf5Lock lock;
     return impl_->file.commit();
 }
 

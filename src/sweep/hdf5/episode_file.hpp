@@ -37,7 +37,10 @@ public:
 
     void append(const Episode& episode);
 
-    // The bytes are on the disk, and the file has its name. Returns the size in bytes.
+    // The bytes are on the disk, and the file does not have its name yet. No episode may follow.
+    void save();
+
+    // As save(), and the file has its name. Returns the size in bytes.
     std::uint64_t commit();
 
 private:

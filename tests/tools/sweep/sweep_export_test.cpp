@@ -140,6 +140,25 @@ TEST_CASE("export refuses what gives no dataset, and leaves no file") {
     for (const auto& [name, type] : files_of(fall.folder / "sets")) CHECK(type == "folder");
 }
 
+TEST_CASE("NaN and infinities are neither actions nor rewards") {
+    const Sweeps sweeps(R"({"format": 1, "scene": "fall.json", "write": {"trajectory": {}}, "parameters": [
+      {"name": "height", "set": "/bodies/0/position/1", "list": [2, 3]},
+      {"name": "word", "set": "/description", "list": ["nan", "inf"]}],
+      "measures": [{"name": "endless", "value": "1 / ball.x"}]})");
+    sweeps.folder.write("fall.json", kFallScene);
+    REQUIRE(sweeps.sweep("out").code == 0);
+    const auto export_with = [&](const std::string& reward) {
+        return run_tumble({"sweep", "export", sweeps.at("out"), "-o", sweeps.at("sets"), "--id", "ball-v0", "--force",
+                           "--reward", reward});
+    };
+    REQUIRE(export_with("height").code == 0);
+    const json metadata = json::parse(read_text(sweeps.folder / "sets/ball-v0/data/metadata.json"));
+    CHECK(metadata["action_space"] == R"({"type": "Box", "dtype": "float64", "shape": [1], "low": [2], "high": [3]})");
+    const Answer answer = export_with("endless");
+    CHECK(answer.code == 3);
+    CHECK_MESSAGE(answer.err.find("the reward 'endless' is no number: inf") != std::string::npos, answer.err);
+}
+
 TEST_CASE("export finds a flipped byte in a trajectory or in the table before it writes") {
     const Fall fall;
     for (const char* const name : {"shard-000001.h5", "runs.csv"}) {
