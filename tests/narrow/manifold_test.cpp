@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "narrow/manifold/clip.hpp"
 #include "support/moving_pairs.hpp"
 #include "support/near.hpp"
 #include "support/random_pairs.hpp"
@@ -262,4 +263,20 @@ TEST_CASE(
         }
     }
     CHECK(compared > 10000);
+}
+
+TEST_CASE("a normal that rounding turned against its edge gives way to the normal of the edge") {
+    // Two boxes of 2 m, B 0.5 m above A: their faces are 0.5 m apart over the whole edge.
+    const Shape box = make_box({2.0f, 2.0f});
+    const CorePair pair = make_core_pair(box, at(0, 0), box, at(0, 2.5));
+    int top = 0;  // the edge of A from its upper right to its upper left corner
+    while (!(pair.a.point(top).y > 0.0 && pair.a.point(pair.a.next(top)).y > 0.0)) ++top;
+    int lower = 0;
+    while (pair.b.point(lower).y > 0.0) ++lower;
+    for (const DVec2 normal : {DVec2{0.0, 1.0}, DVec2{0.0, -1.0}}) {
+        const ClippedEdge clipped = clip({pair.a, pair.b, pair.offset, top, lower, normal, 1e-4});
+        CHECK(clipped.normal == DVec2{0.0, 1.0});
+        REQUIRE(clipped.count == 2);
+        for (const ClippedPoint& point : clipped.points) CHECK(point.separation == 0.5);
+    }
 }

@@ -27,7 +27,8 @@ ClippedEdge clip(const ClipInput& input) {
     TUMBLE_CHECK(input.edge >= 0);
     TUMBLE_CHECK(input.edge < reference.count);
     TUMBLE_CHECK(input.nearest < incident.count);
-    const bool is_known = input.nearest >= 0;
+    // Beside a shape of 1e16 times its size, rounding may turn the normal of an edge around: it is not used then.
+    const bool is_known = input.nearest >= 0 && dot(along, perp(input.normal)) > 0.0;
     const DVec2 tangent = is_known ? perp(input.normal) : (1.0 / length(along)) * along;
     const DVec2 normal = -perp(tangent);
     const double side = dot(along, tangent);
