@@ -67,7 +67,7 @@ tidy() {
 
 tidy_changed() {
     local file
-    configure build/tidy
+    configure build/tidy -DTUMBLE_JOIN_SOURCES=OFF
     changed_files "$1" | while read -r file; do source_of "$file"; done | awk 'NF && !seen[$0]++' | tidy build/tidy ''
 }
 
@@ -78,7 +78,7 @@ tidy_all() {
     configure build/tidy-joined -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16
     sed -n 's/.*"file": "\(.*\)".*/\1/p' build/tidy-joined/compile_commands.json | sort -u |
         tidy build/tidy-joined '-clang-analyzer-*,-bugprone-suspicious-include'
-    configure build/tidy
+    configure build/tidy -DTUMBLE_JOIN_SOURCES=OFF
     git ls-files '*.cpp' "$without_v3" | tidy build/tidy '-bugprone-*,-misc-*,-performance-*,-modernize-*,-readability-*'
 }
 

@@ -7,7 +7,7 @@ namespace tumble::tools {
 
 namespace {
 
-KeptParts without(const KeptParts& kept, std::size_t begin, std::size_t count) {
+KeptParts without_part(const KeptParts& kept, std::size_t begin, std::size_t count) {
     KeptParts rest(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(begin));
     const std::size_t end = std::min(kept.size(), begin + count);
     rest.insert(rest.end(), kept.begin() + static_cast<std::ptrdiff_t>(end), kept.end());
@@ -19,10 +19,10 @@ void remove_chunks(KeptParts& kept, std::size_t chunk, const FirstFailing& first
     for (std::size_t begin = 0; begin < kept.size();) {
         const std::size_t count = (kept.size() - begin + chunk - 1) / chunk;
         const std::size_t found =
-            first_failing(count, [&](std::size_t index) { return without(kept, begin + index * chunk, chunk); });
+            first_failing(count, [&](std::size_t index) { return without_part(kept, begin + index * chunk, chunk); });
         if (found == count) return;
         begin += found * chunk;
-        kept = without(kept, begin, chunk);
+        kept = without_part(kept, begin, chunk);
     }
 }
 
@@ -32,10 +32,10 @@ void remove_singles(KeptParts& kept, const FirstFailing& first_failing) {
     while (!kept.empty()) {
         const std::size_t count = kept.size();
         const std::size_t found =
-            first_failing(count, [&](std::size_t index) { return without(kept, (begin + index) % count, 1); });
+            first_failing(count, [&](std::size_t index) { return without_part(kept, (begin + index) % count, 1); });
         if (found == count) return;
         begin = (begin + found) % count;
-        kept = without(kept, begin, 1);
+        kept = without_part(kept, begin, 1);
         if (begin == kept.size()) begin = 0;
     }
 }
