@@ -11,6 +11,9 @@ std::mutex library_mutex;
 }  // namespace
 
 Hdf5Lock::Hdf5Lock() : lock_(library_mutex) {
+    // A file that could not be closed, as on a full disk, is still listed: at exit the library would close it once
+    // more, and crash. All that is open closes itself before.
+    H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     errno = 0;
 }
