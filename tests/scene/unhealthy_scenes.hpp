@@ -1,4 +1,4 @@
-// Valid scenes, each with one planted fault, and who is to blame for it.
+// Valid scenes, each with one planted fault, and the body or joint at fault.
 #pragma once
 
 #include <string>

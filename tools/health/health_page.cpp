@@ -36,7 +36,7 @@ void add_overview(HtmlPage& page, const HealthReport& report) {
                    std::to_string(report.steps) + " steps, " + four_digits(report.time) + " s.");
     if (!report.note.empty()) page.paragraph(report.note);
     if (report.findings.empty()) return page.paragraph("No check has found a fault.");
-    const std::vector<std::string> header{"finding", "who", "when", "value", "limit"};
+    const std::vector<std::string> header{"finding", "bodies or joint", "when", "value", "limit"};
     std::vector<std::vector<HtmlCell>> rows;
     for (const ReportedFinding& reported : report.findings) {
         const HealthFinding& finding = reported.finding;
@@ -69,7 +69,7 @@ void add_course(HtmlPage& page, const HealthReport& report) {
     page.begin_figures();
     for (const Plot& plot : health_plots(report.samples)) page.figure(plot);
     page.end_figures();
-    const std::vector<std::string> header{"largest", "value", "who", "when", "x, m", "y, m"};
+    const std::vector<std::string> header{"largest", "value", "bodies or joint", "when", "x, m", "y, m"};
     std::vector<std::vector<HtmlCell>> rows;
     for (const HealthExtreme& extreme : report.extremes)
         rows.push_back({{.text = extreme.quantity},

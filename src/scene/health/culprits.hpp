@@ -10,7 +10,8 @@
 
 namespace tumble::scene {
 
-// Indices in SceneWorld::bodies or SceneWorld::joints of who is at fault, and of the entries that they are copies of.
+// The bodies or joints at fault, by their indices in SceneWorld::bodies or SceneWorld::joints (`members`), and the
+// entries of the scene that they are copies of (`sources`).
 struct Culprit {
     std::vector<std::size_t> members;
     std::vector<std::size_t> sources;

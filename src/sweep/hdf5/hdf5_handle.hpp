@@ -8,8 +8,8 @@
 
 namespace tumble::sweep {
 
-// HDF5 serves one thread at a time: whoever calls it, or closes a handle, has this lock. The lock clears errno, so that
-// after a failed call errno is the system's reason, or 0. The library prints no messages.
+// HDF5 serves one thread at a time: a thread that calls it, or closes a handle, holds this lock. The lock clears errno,
+// so that after a failed call errno is the system's reason, or 0. The library prints no messages.
 class Hdf5Lock {
 public:
     Hdf5Lock();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostMarked = 8;  // bodies at rest in the picture
 
-// Who keeps an island awake, and why.
+// The body that keeps an island awake, and the reason.
 struct Keeper {
     std::size_t body = 0;
     std::string reason;
