@@ -18,7 +18,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 #include "tumble/body.hpp"
@@ -29,7 +28,9 @@
 #include "tumble/joint.hpp"
 #include "tumble/math.hpp"
 #include "tumble/query.hpp"
+#include "tumble/step_memory.hpp"
 #include "tumble/threads.hpp"
+#include "tumble/world_errors.hpp"
 
 namespace tumble {
 
@@ -78,6 +79,9 @@ public:
     // Advances the world by one step of 1 / steps_per_second. Throws SimulationDiverged in the step after which a pose
     // or a velocity is not finite, and in every later call.
     void step();
+
+    // The same step, which works in `memory` in place of memory of the world's own.
+    void step(StepMemory& memory);
 
     std::uint64_t step_count() const noexcept;  // the steps made so far
     double time() const noexcept;               // s: step_count() / steps_per_second
@@ -359,19 +363,5 @@ private:
 // threads if there are more worlds than threads. A world whose own WorldDef::threads are more than one uses these too.
 // If steps throw, the other worlds still make theirs, and the exception of the first world is thrown.
 void step_all(std::span<World* const> worlds, const Threads& threads = {.count = 0});
-
-// A snapshot that cannot be loaded: incomplete, damaged, or of another version.
-class SnapshotError : public std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-// A pose or a velocity is not finite. The world can be read, but not stepped.
-class SimulationDiverged : public std::runtime_error {
-public:
-    // The message has the name of the body, by default its index.
-    SimulationDiverged(BodyId body, std::uint64_t step, const std::string& name = {});
-    BodyId body;             // the one with the lowest id that is not finite
-    std::uint64_t step = 0;  // step_count() after the step
-};
 
 }  // namespace tumble

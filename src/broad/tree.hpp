@@ -127,7 +127,8 @@ void AabbTree::search(MayContain&& may_contain, Visitor&& visit) const {
 // its own searches the subtree: the depth is not limited, and nothing is allocated.
 template <class MayContain, class Visitor>
 void AabbTree::search_subtree(Node root, MayContain& may_contain, Visitor& visit) const {
-    Node waiting[kStackSize] = {root};
+    Node waiting[kStackSize];  // not initialized: setting all of it takes longer than a search of a few nodes
+    waiting[0] = root;
     for (int count = 1; count > 0;) {
         TUMBLE_CHECK(count <= kStackSize);
         const NodeData& node = at(waiting[--count]);

@@ -65,7 +65,7 @@ JointContext joint_context(const Simulation& simulation) {
 
 StepAhead step_ahead(const Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
-    return {settings.duration, settings.gravity, simulation.scratch.free_motions, settings.orders_impacts()};
+    return {settings.duration, settings.gravity, simulation.scratch->free_motions, settings.orders_impacts()};
 }
 
 // Smallest chunks of contacts and bodies, each about 3 us of work.
@@ -87,7 +87,7 @@ template <class IsChosen>
 void collide_all(Simulation& simulation, IsChosen&& is_chosen) {
     std::vector<Contact>& contacts = simulation.contacts.all();
     Crew& crew = simulation.crew;
-    ChunkScratch& scratch = simulation.scratch.chunks;
+    ChunkScratch& scratch = simulation.scratch->chunks;
     scratch.collision_counts.assign(crew.chunk_count(contacts.size(), kLeastCollided), {});
     const auto collide_chunk = [&](const Chunk& chunk, std::vector<std::uint32_t>& newcomers) {
         CollisionCounts own;
@@ -103,7 +103,7 @@ void collide_all(Simulation& simulation, IsChosen&& is_chosen) {
     };
     scratch.found.fill_by_chunk(crew, contacts.size(), kLeastCollided, collide_chunk);
     for (const CollisionCounts& own : scratch.collision_counts) simulation.report.collided += own;
-    simulation.scratch.ordered_impacts.bounces.has_candidates |= simulation.report.collided.bounces > 0;
+    simulation.scratch->ordered_impacts.bounces.has_candidates |= simulation.report.collided.bounces > 0;
     simulation.chain_crossings.now |= simulation.report.collided.crossings > 0;
     scratch.newcomers.clear();
     scratch.found.for_each([&](std::uint32_t i) { scratch.newcomers.push_back(i); });
@@ -154,6 +154,7 @@ void begin_step(Simulation& simulation, StageClock& clock) {
 void solve(Simulation& simulation, StageClock& clock) {
     StageTimes& ms = simulation.report.times;
     prepare_constraints(simulation);
+    simulation.report.colors = simulation.scratch->contact_solver.color_count();
     clock.stop(ms.prepare);
     if (simulation.settings.orders_impacts()) begin_flight(simulation);
     for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation);
@@ -203,7 +204,7 @@ void step(Simulation& simulation) {
 void cover_free_motions(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
     const BodyStore& bodies = simulation.bodies;
-    std::vector<FreeMotion>& motions = simulation.scratch.free_motions;
+    std::vector<FreeMotion>& motions = simulation.scratch->free_motions;
     motions.resize(bodies.moving.size());
     for (std::size_t i = 1; i < motions.size(); ++i) {
         const BodyMotion& body = bodies.moving[i].motion;
@@ -231,7 +232,7 @@ void find_pairs(Simulation& simulation) {
 // Removes the contacts whose boxes are apart, and those that a change since the last step does not allow.
 void end_contacts(Simulation& simulation) {
     std::vector<Contact>& contacts = simulation.contacts.all();
-    ChunkLists<std::uint32_t>& ended = simulation.scratch.chunks.found;
+    ChunkLists<std::uint32_t>& ended = simulation.scratch->chunks.found;
     const bool may_end_all = may_end_anywhere(simulation);
     const auto find_ended = [&](std::size_t i, std::vector<std::uint32_t>& found) {
         const ProxyPair shapes = contacts[i].shapes;
@@ -250,7 +251,7 @@ void end_contacts(Simulation& simulation) {
 
 void collide_pairs(Simulation& simulation) {
     simulation.chain_crossings = {.before = simulation.chain_crossings.now};
-    simulation.scratch.ordered_impacts.bounces.has_candidates = false;
+    simulation.scratch->ordered_impacts.bounces.has_candidates = false;
     collide_all(simulation, [](const Contact&) { return true; });
 }
 
@@ -264,11 +265,11 @@ void collide_woken(Simulation& simulation) {
 
 void prepare_constraints(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
-    simulation.scratch.contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
+    simulation.scratch->contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
                                               settings.gravity, settings.substep_duration(), simulation.crew);
     simulation.joints.prepare(simulation.bodies, simulation.crew);
     if (settings.joints == JointSolver::direct)
-        simulation.scratch.joint_system.prepare(simulation.joints, simulation.bodies.solver_bodies,
+        simulation.scratch->joint_system.prepare(simulation.joints, simulation.bodies.solver_bodies,
                                                 settings.substep_duration(), settings.tuning.push_out_speed);
 }
 
@@ -276,10 +277,10 @@ void run_substep(Simulation& simulation) {
     TUMBLE_CHECK(simulation.settings.substeps >= 1);
     const JointContext context = joint_context(simulation);
     const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
-    ContactSolver& contacts = simulation.scratch.contact_solver;
+    ContactSolver& contacts = simulation.scratch->contact_solver;
     Crew& crew = simulation.crew;
     integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation), crew);
-    JointSystem* system = context.iterates_equalities ? nullptr : &simulation.scratch.joint_system;
+    JointSystem* system = context.iterates_equalities ? nullptr : &simulation.scratch->joint_system;
     if (system) system->start_substep();
     simulation.joints.warm_start(bodies);
     contacts.warm_start(bodies, crew);
@@ -294,13 +295,13 @@ void run_substep(Simulation& simulation) {
 
 void bounce(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
-    simulation.scratch.contact_solver.apply_restitution(simulation.bodies.solver_bodies,
+    simulation.scratch->contact_solver.apply_restitution(simulation.bodies.solver_bodies,
                                                         settings.tuning.restitution_threshold,
                                                         settings.substep_duration(), simulation.crew);
 }
 
 void store_results(Simulation& simulation) {
-    simulation.scratch.contact_solver.store_impulses(simulation.contacts.all(), simulation.bodies.solver_bodies,
+    simulation.scratch->contact_solver.store_impulses(simulation.contacts.all(), simulation.bodies.solver_bodies,
                                                      simulation.crew);
     simulation.joints.store(joint_context(simulation));
     simulation.events.broken_joints = simulation.joints.broken();
@@ -330,14 +331,14 @@ void update_proxies(Simulation& simulation) {
         for (std::size_t i = 1; i < moving.size(); ++i) update_boxes(simulation, moving[i], {});
         return;
     }
-    simulation.scratch.chunks.moved_boxes.fill(
+    simulation.scratch->chunks.moved_boxes.fill(
         simulation.crew, moving.size(), kLeastBoxes, [&](std::size_t i, std::vector<MovedBox>& moved) {
             if (i == kStaticSolverBody) return;
             for_each_left_box(simulation, moving[i], {}, [&](std::uint32_t shape, const Aabb& box) {
                 moved.push_back({shape, box});
             });
         });
-    simulation.scratch.chunks.moved_boxes.for_each(
+    simulation.scratch->chunks.moved_boxes.for_each(
         [&](const MovedBox& moved) { simulation.broad.move(moved.shape, moved.box); });
 }
 

@@ -154,7 +154,7 @@ void audit(const Simulation& simulation) {
     audit_joints(simulation);
     audit_islands(simulation);
     audit_contacts(simulation);
-    simulation.scratch.contact_solver.audit();
+    if (const StepScratch* scratch = simulation.scratch.own()) scratch->contact_solver.audit();
 }
 
 }  // namespace tumble

@@ -100,8 +100,9 @@ WorldMemory count_memory(const Simulation& simulation) {
     WorldMemory memory;
     const SimulationState& state = simulation;
     visit_fields_of(state, [&](const auto&... member) { ((total_of(memory, member) += bytes_of(member)), ...); });
-    visit_fields_of(simulation.scratch,
-                    [&](const auto&... member) { ((total_of(memory, member) += scratch_bytes(member)), ...); });
+    if (const StepScratch* scratch = simulation.scratch.own())
+        visit_fields_of(*scratch,
+                        [&](const auto&... member) { ((total_of(memory, member) += scratch_bytes(member)), ...); });
     return memory;
 }
 

@@ -43,15 +43,20 @@ BodyId body_id(const Simulation& simulation, std::uint32_t shape) {
 // size; the path is clipped to one slab per axis.
 class SweptBox {
 public:
+    // The margin covers the rounding of what is as near as the path. A side of a box that is more than twice as far away
+    // decides by more than its own rounding.
     SweptBox(DVec2 from, DVec2 translation, DVec2 half)
-        : from_(from), inverse_{1.0 / translation.x, 1.0 / translation.y}, half_(half) {}
+        : from_(from),
+          inverse_{1.0 / translation.x, 1.0 / translation.y} {
+        const double margin = 2.0 * kBoxTolerance * (size(from) + size(translation) + size(half));
+        half_ = half + DVec2{margin, margin};
+    }
 
     // True if it touches the box no later than at the fraction `last` of the path.
     bool touches(const Aabb& box, double last) const {
-        const double margin = rounding_margin(box, from_);
         double first = 0.0;
-        return clip(from_.x, inverse_.x, half_.x + margin, box.lower.x, box.upper.x, first, last) &&
-               clip(from_.y, inverse_.y, half_.y + margin, box.lower.y, box.upper.y, first, last);
+        return clip(from_.x, inverse_.x, half_.x, box.lower.x, box.upper.x, first, last) &&
+               clip(from_.y, inverse_.y, half_.y, box.lower.y, box.upper.y, first, last);
     }
 
 private:
@@ -67,7 +72,11 @@ private:
         return first <= last;
     }
 
-    DVec2 from_, inverse_, half_;  // one over the components of the translation
+    static double size(DVec2 v) { return std::abs(v.x) + std::abs(v.y); }
+
+    DVec2 from_;
+    DVec2 inverse_;  // one over the components of the translation
+    DVec2 half_;     // with the margin
 };
 
 bool comes_first(const CastHit& a, const CastHit& b) {

@@ -23,7 +23,7 @@ StepCounters World::Impl::count() const {
     StepCounters counters_now;
     counters_now.bodies = static_cast<int>(simulation.bodies.ids.live().size());
     counters_now.joints = static_cast<int>(simulation.joints.ids.live().size());
-    counters_now.colors = simulation.scratch.contact_solver.color_count();
+    counters_now.colors = simulation.report.colors;
     counters_now.awake_bodies = simulation.bodies.awake_dynamic_count();
     counters_now.sleeping_islands = static_cast<int>(simulation.sleeping.count());
     counters_now.contacts = static_cast<int>(simulation.contact_counts.contacts);
@@ -65,20 +65,34 @@ void World::set_gravity(Vec2 gravity) {
     for (const BodyId id : impl_->simulation.bodies.ids.live()) wake(impl_->simulation, id.index);
 }
 
-void World::step() {
-    Simulation& simulation = impl_->simulation;
-    if (impl_->diverged_body == kNoBody) {
+void World::Impl::step() {
+    if (diverged_body == kNoBody) {
         tumble::step(simulation);
         for (const JointId id : simulation.events.broken_joints)
             if (simulation.joints.ids.is_live(id))  // a broken gear may be destroyed already, with one of its joints
-                impl_->destroy_joint(id);
-        ++impl_->step_count;
-        impl_->counters = impl_->count();
-        impl_->diverged_body = find_diverged(simulation.bodies);
+                destroy_joint(id);
+        ++step_count;
+        counters = count();
+        diverged_body = find_diverged(simulation.bodies);
     }
-    if (impl_->diverged_body != kNoBody)
-        throw SimulationDiverged(simulation.bodies.ids.at(impl_->diverged_body), impl_->step_count);
+    if (diverged_body != kNoBody) throw SimulationDiverged(simulation.bodies.ids.at(diverged_body), step_count);
 }
+
+void World::step() {
+    impl_->simulation.scratch.use_own();
+    impl_->step();
+}
+
+void World::step(StepMemory& memory) {
+    if (!memory.scratch_) memory.scratch_ = std::make_unique<StepScratch>();
+    const ScratchLoan loan(impl_->simulation.scratch, *memory.scratch_);
+    impl_->step();
+}
+
+StepMemory::StepMemory() = default;
+StepMemory::~StepMemory() = default;
+StepMemory::StepMemory(StepMemory&&) noexcept = default;
+StepMemory& StepMemory::operator=(StepMemory&&) noexcept = default;
 
 void step_all(std::span<World* const> worlds, const Threads& threads) {
     check(threads);

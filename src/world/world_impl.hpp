@@ -61,6 +61,9 @@ struct World::Impl {
     template <class Change>
     void change_motion(BodyId id, Change&& change);
 
+    // world.cpp: World::step() in the memory that simulation.scratch points to.
+    void step();
+
     // world.cpp: the counters of the last step, and the settings of the step from `def`.
     StepCounters count() const;
     void apply_settings();

@@ -22,7 +22,7 @@ bool has_joints(const Simulation& simulation, const Contact& contact) {
 }
 
 void count_touches(Simulation& simulation) {
-    std::vector<std::uint32_t>& counts = simulation.scratch.ordered_impacts.bounces.touch_counts;
+    std::vector<std::uint32_t>& counts = simulation.scratch->ordered_impacts.bounces.touch_counts;
     counts.assign(simulation.bodies.solver_bodies.size(), 0);
     for (const Contact& contact : simulation.contacts.all()) {
         if (contact.manifold.point_count == 0) continue;
@@ -36,7 +36,7 @@ bool carries_others(const Simulation& simulation, const Contact& contact) {
     const BodyStore& bodies = simulation.bodies;
     const std::uint32_t a = bodies.frames[contact.body_a].solver_body, b = bodies.frames[contact.body_b].solver_body;
     const bool a_is_faster = length_sq(bodies.solver_bodies[a].velocity) > length_sq(bodies.solver_bodies[b].velocity);
-    return simulation.scratch.ordered_impacts.bounces.touch_counts[a_is_faster ? a : b] > 1;
+    return simulation.scratch->ordered_impacts.bounces.touch_counts[a_is_faster ? a : b] > 1;
 }
 
 float free_acceleration(const Simulation& simulation, std::uint32_t body) {
@@ -70,7 +70,7 @@ void mark_inelastic(Simulation& simulation, std::uint32_t index, double threshol
     const double speed = mark_bounce(contact, simulation.bodies, threshold);
     if (!contact.is_bouncing || outruns_substeps(simulation, contact, speed)) return;
     if (carries_others(simulation, contact))
-        simulation.scratch.ordered_impacts.bounces.landings.push_back({speed, index});
+        simulation.scratch->ordered_impacts.bounces.landings.push_back({speed, index});
     else
         contact.is_bouncing = contact.is_struck = false;
 }
@@ -78,7 +78,7 @@ void mark_inelastic(Simulation& simulation, std::uint32_t index, double threshol
 // Finds the groups of awake dynamic bodies that touch each other, and their sizes.
 void find_groups(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
-    IslandFinder& groups = simulation.scratch.islands;
+    IslandFinder& groups = simulation.scratch->islands;
     groups.reset(bodies.solver_bodies.size());
     for (const Contact& contact : simulation.contacts.all()) {
         if (contact.manifold.point_count == 0) continue;
@@ -86,7 +86,7 @@ void find_groups(Simulation& simulation) {
         const std::uint32_t b = bodies.frames[contact.body_b].solver_body;
         if (bodies.solver_bodies[a].flags & bodies.solver_bodies[b].flags & kDynamicBody) groups.join(a, b);
     }
-    BounceScratch& scratch = simulation.scratch.ordered_impacts.bounces;
+    BounceScratch& scratch = simulation.scratch->ordered_impacts.bounces;
     scratch.group_sizes.assign(bodies.solver_bodies.size(), 0);
     scratch.group_landings.assign(bodies.solver_bodies.size(), 0);
     for (std::uint32_t i = 1; i < bodies.solver_bodies.size(); ++i) ++scratch.group_sizes[groups.root(i)];
@@ -95,12 +95,12 @@ void find_groups(Simulation& simulation) {
 // The root of the group of the contact's first dynamic body.
 std::uint32_t group_of(Simulation& simulation, const Contact& contact) {
     const std::uint32_t body = simulation.bodies.is_dynamic(contact.body_a) ? contact.body_a : contact.body_b;
-    return simulation.scratch.islands.root(simulation.bodies.frames[body].solver_body);
+    return simulation.scratch->islands.root(simulation.bodies.frames[body].solver_body);
 }
 
 // Leaves all but the fastest landings of each group to the solver.
 void keep_slow_landings(Simulation& simulation) {
-    BounceScratch& scratch = simulation.scratch.ordered_impacts.bounces;
+    BounceScratch& scratch = simulation.scratch->ordered_impacts.bounces;
     if (scratch.landings.size() <= kMaxLandings) return;
     find_groups(simulation);
     std::sort(scratch.landings.begin(), scratch.landings.end(), std::greater<>{});
@@ -131,7 +131,7 @@ bool note_bounce(const Simulation& simulation, Contact& contact) {
 }
 
 void find_bounces(Simulation& simulation) {
-    BounceScratch& scratch = simulation.scratch.ordered_impacts.bounces;
+    BounceScratch& scratch = simulation.scratch->ordered_impacts.bounces;
     if (!scratch.has_candidates) return;
     count_touches(simulation);
     scratch.landings.clear();

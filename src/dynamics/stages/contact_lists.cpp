@@ -22,7 +22,7 @@ void for_each_end(const Simulation& simulation, Visitor&& visit) {
 }
 
 void list_contacts(Simulation& simulation) {
-    ContactLists& lists = simulation.scratch.ordered_impacts.contact_lists;
+    ContactLists& lists = simulation.scratch->ordered_impacts.contact_lists;
     lists.first.assign(simulation.bodies.solver_bodies.size() + 2, 0);
     for_each_end(simulation, [&](std::uint32_t body, std::uint32_t) { ++lists.first[body + 2]; });
     for (std::size_t i = 2; i < lists.first.size(); ++i) lists.first[i] += lists.first[i - 1];
@@ -36,7 +36,7 @@ void list_contacts(Simulation& simulation) {
 }  // namespace
 
 std::span<const BodyContact> contacts_of(Simulation& simulation, std::uint32_t body) {
-    ContactLists& lists = simulation.scratch.ordered_impacts.contact_lists;
+    ContactLists& lists = simulation.scratch->ordered_impacts.contact_lists;
     if (lists.first.empty()) list_contacts(simulation);
     const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
     if (solver_body + 1 >= lists.first.size()) return {};
@@ -57,6 +57,6 @@ Contact* find_contact(Simulation& simulation, std::uint32_t body, ProxyPair shap
     return &contact;
 }
 
-void clear_contact_lists(Simulation& simulation) { simulation.scratch.ordered_impacts.contact_lists.first.clear(); }
+void clear_contact_lists(Simulation& simulation) { simulation.scratch->ordered_impacts.contact_lists.first.clear(); }
 
 }  // namespace tumble

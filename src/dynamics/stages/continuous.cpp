@@ -17,7 +17,7 @@ namespace {
 
 class ImpactFinder {
 public:
-    explicit ImpactFinder(Simulation& simulation) : simulation_(simulation), fast_(simulation.scratch.fast_bodies) {}
+    explicit ImpactFinder(Simulation& simulation) : simulation_(simulation), fast_(simulation.scratch->fast_bodies) {}
 
     void run() {
         find_bodies();
@@ -29,7 +29,7 @@ public:
         }
         for (const FastBody& fast : fast_)
             if (fast.fraction < 1.0) stop(fast);
-        std::vector<ProxyPair>& impacts = simulation_.scratch.impacts;
+        std::vector<ProxyPair>& impacts = simulation_.scratch->impacts;
         std::sort(impacts.begin(), impacts.end());
         impacts.erase(std::unique(impacts.begin(), impacts.end()), impacts.end());
     }
@@ -72,7 +72,7 @@ private:
                 if (may_touch(simulation_, pair))
                     visit(own.index, other);
                 else if (shape.is_sensor != simulation_.shapes[other].is_sensor)
-                    simulation_.scratch.sensor_crossings.push_back(pair);
+                    simulation_.scratch->sensor_crossings.push_back(pair);
             }
         }
     }
@@ -177,7 +177,7 @@ private:
     void stop(const FastBody& fast) {
         TUMBLE_CHECK(fast.fraction < 1.0);
         TUMBLE_CHECK(fast.impact.a < fast.impact.b);
-        simulation_.scratch.impacts.push_back(fast.impact);
+        simulation_.scratch->impacts.push_back(fast.impact);
         shorten_motion(simulation_.bodies, fast.body, fast.fraction, simulation_.settings.gravity,
                        {simulation_.settings.duration, simulation_.settings.substep_duration()});
     }
@@ -186,15 +186,15 @@ private:
 
     Simulation& simulation_;
     std::vector<FastBody>& fast_;  // by body index
-    std::vector<std::uint32_t>& near_ = simulation_.scratch.near_shapes;
+    std::vector<std::uint32_t>& near_ = simulation_.scratch->near_shapes;
 };
 
 }  // namespace
 
 void stop_at_impacts(Simulation& simulation) {
-    simulation.scratch.impacts.clear();
-    simulation.scratch.ordered_impacts.impacts.clear();
-    simulation.scratch.sensor_crossings.clear();
+    simulation.scratch->impacts.clear();
+    simulation.scratch->ordered_impacts.impacts.clear();
+    simulation.scratch->sensor_crossings.clear();
     if (simulation.settings.continuous) ImpactFinder(simulation).run();
 }
 

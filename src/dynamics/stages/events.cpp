@@ -87,7 +87,7 @@ void update_sensor(const Simulation& simulation, Contact& contact) {
 
 // A body that continuous collision stopped touches from this step on, although its pair was collided before it moved.
 void begin_impacts(Simulation& simulation) {
-    for (const ProxyPair pair : simulation.scratch.impacts) {
+    for (const ProxyPair pair : simulation.scratch->impacts) {
         Contact* const found = simulation.contacts.find(pair);
         if (!found || found->is_touching) continue;
         TUMBLE_CHECK(found->kind == ContactKind::solid);
@@ -154,7 +154,7 @@ void show_impact(Contact& contact, Impact& impact) {
 
 // A body that touched a sensor during the step and does not overlap it at the end has entered and left it.
 void report_sensor_crossings(Simulation& simulation) {
-    for (const ProxyPair pair : simulation.scratch.sensor_crossings) {
+    for (const ProxyPair pair : simulation.scratch->sensor_crossings) {
         const Contact* const contact = simulation.contacts.find(pair);
         if (contact && contact->is_touching) continue;
         TUMBLE_CHECK(simulation.shapes[pair.a].is_sensor != simulation.shapes[pair.b].is_sensor);
@@ -173,7 +173,7 @@ void report_late(Simulation& simulation, Impact& impact) {
 }
 
 void report_late_impacts(Simulation& simulation) {
-    std::vector<Impact>& impacts = simulation.scratch.ordered_impacts.impacts;
+    std::vector<Impact>& impacts = simulation.scratch->ordered_impacts.impacts;
     std::erase_if(impacts, [](const Impact& impact) { return impact.is_reported; });
     std::sort(impacts.begin(), impacts.end(), [](const Impact& a, const Impact& b) {
         return a.shapes != b.shapes ? a.shapes < b.shapes : a.approach.speed > b.approach.speed;
@@ -194,9 +194,9 @@ bool has_changed(const Simulation& simulation, Contact& contact) {
 void find_changed_contacts(Simulation& simulation) {
     constexpr std::size_t kLeastReported = 512;  // in a chunk: about 3 us of work
     std::vector<Contact>& contacts = simulation.contacts.all();
-    std::vector<ContactCounts>& counts = simulation.scratch.chunks.contact_counts;
+    std::vector<ContactCounts>& counts = simulation.scratch->chunks.contact_counts;
     counts.assign(simulation.crew.chunk_count(contacts.size(), kLeastReported), {});
-    simulation.scratch.chunks.found.fill_by_chunk(simulation.crew, contacts.size(), kLeastReported,
+    simulation.scratch->chunks.found.fill_by_chunk(simulation.crew, contacts.size(), kLeastReported,
                                                   [&](const Chunk& chunk, std::vector<std::uint32_t>& changed) {
                                                       ContactCounts own;
                                                       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -230,7 +230,7 @@ void report_change(Simulation& simulation, Contact& contact) {
 }  // namespace
 
 void show_impacts(Simulation& simulation) {
-    for (Impact& impact : simulation.scratch.ordered_impacts.impacts)
+    for (Impact& impact : simulation.scratch->ordered_impacts.impacts)
         if (Contact* const contact = simulation.contacts.find(impact.shapes)) show_impact(*contact, impact);
 }
 
@@ -254,7 +254,7 @@ void report_events(Simulation& simulation) {
     begin_impacts(simulation);
     report_late_impacts(simulation);
     find_changed_contacts(simulation);
-    simulation.scratch.chunks.found.for_each(
+    simulation.scratch->chunks.found.for_each(
         [&](std::uint32_t i) { report_change(simulation, simulation.contacts.all()[i]); });
     report_sensor_crossings(simulation);
     // The lists are not in order yet: events of removed contacts were added first, and a sensor event has the sensor

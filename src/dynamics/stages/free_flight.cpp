@@ -39,12 +39,12 @@ double rest_of(float velocity, float rest) {
 }
 
 void fly(Simulation& simulation, std::size_t index) {
-    TUMBLE_CHECK(index < simulation.scratch.start_velocities.size());
+    TUMBLE_CHECK(index < simulation.scratch->start_velocities.size());
     SolverBody& body = simulation.bodies.solver_bodies[index];
     MovingBody& moving = simulation.bodies.moving[index];
     const double t = static_cast<double>(simulation.settings.duration);
     const Flight flight = make_flight(t * static_cast<double>(moving.motion.linear_damping));
-    const DVec2 start = simulation.scratch.start_velocities[index].linear;
+    const DVec2 start = simulation.scratch->start_velocities[index].linear;
     const DVec2 acceleration(
         simulation.bodies.free_acceleration(static_cast<std::uint32_t>(index), simulation.settings.gravity));
     const DVec2 velocity = flight.decay * start + (flight.gain * t) * acceleration;
@@ -58,7 +58,7 @@ void spin(Simulation& simulation, std::size_t index) {
     const MovingBody& moving = simulation.bodies.moving[index];
     const double t = static_cast<double>(simulation.settings.duration);
     const Flight flight = make_flight(t * static_cast<double>(moving.motion.angular_damping));
-    const double start = static_cast<double>(simulation.scratch.start_velocities[index].angular);
+    const double start = static_cast<double>(simulation.scratch->start_velocities[index].angular);
     const double acceleration = static_cast<double>(allowed(body.flags, moving.angular_acceleration));
     body.angular_velocity = static_cast<float>(flight.decay * start + flight.gain * t * acceleration);
     body.delta_rotation = make_rotation(flight.gain * t * start + flight.sag * t * t * acceleration);
@@ -68,7 +68,7 @@ void spin(Simulation& simulation, std::size_t index) {
 
 void begin_flight(Simulation& simulation) {
     BodyStore& bodies = simulation.bodies;
-    std::vector<StartVelocity>& start = simulation.scratch.start_velocities;
+    std::vector<StartVelocity>& start = simulation.scratch->start_velocities;
     start.resize(bodies.solver_bodies.size());
     for (std::size_t i = 1; i < start.size(); ++i) {
         SolverBody& body = bodies.solver_bodies[i];
@@ -86,7 +86,7 @@ void begin_flight(Simulation& simulation) {
 
 void end_flight(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
-    TUMBLE_CHECK(simulation.scratch.start_velocities.size() == bodies.solver_bodies.size());
+    TUMBLE_CHECK(simulation.scratch->start_velocities.size() == bodies.solver_bodies.size());
     TUMBLE_CHECK(bodies.moving.size() == bodies.solver_bodies.size());
     const float limit = simulation.settings.speed_limits().spin;
     for (std::size_t i = 1; i < bodies.solver_bodies.size(); ++i) {

@@ -47,7 +47,7 @@ public:
     void run() {
         const Sweep whole = sweep_of(simulation_.bodies, body_);
         const std::uint32_t index = find_swept(simulation_, body_);
-        const SweptBody* const swept = index == kNotSwept ? nullptr : &simulation_.scratch.ordered_impacts.swept[index];
+        const SweptBody* const swept = index == kNotSwept ? nullptr : &simulation_.scratch->ordered_impacts.swept[index];
         if (!swept || swept->impact_count == 0) {
             bound(whole, 0.0, 1.0);
             return;
@@ -84,7 +84,7 @@ private:
 
     void search(std::uint32_t own) {
         const ShapeRecord& shape = simulation_.shapes[own];
-        std::vector<std::uint32_t>& near = simulation_.scratch.near_shapes;
+        std::vector<std::uint32_t>& near = simulation_.scratch->near_shapes;
         near.clear();
         simulation_.broad.query(
             box_of_sweep(shape.shape, sweep_), [&](std::uint32_t other) { near.push_back(other); }, ProxyLayer::fixed,
@@ -186,7 +186,7 @@ std::optional<std::uint32_t> find_sunk(const Simulation& simulation, const Conta
 // The bodies that may need a bound, each once.
 void find_bounded(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
-    std::vector<std::uint32_t>& bounded = simulation.scratch.ordered_impacts.bounded_bodies;
+    std::vector<std::uint32_t>& bounded = simulation.scratch->ordered_impacts.bounded_bodies;
     bounded.clear();
     for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
         const BodyMotion& motion = bodies.moving[i].motion;
@@ -207,7 +207,7 @@ void find_bounded(Simulation& simulation) {
 void keep_out_of_immovable(Simulation& simulation) {
     if (!simulation.settings.continuous) return;
     find_bounded(simulation);
-    for (const std::uint32_t body : simulation.scratch.ordered_impacts.bounded_bodies)
+    for (const std::uint32_t body : simulation.scratch->ordered_impacts.bounded_bodies)
         MotionBound(simulation, body).run();
 }
 

@@ -33,7 +33,7 @@ class ImpactResponse {
 public:
     ImpactResponse(Simulation& simulation, const NextImpact& impact)
         : simulation_(simulation),
-          scratch_(simulation.scratch.ordered_impacts),
+          scratch_(simulation.scratch->ordered_impacts),
           group_(scratch_.group),
           impact_(impact),
           first_(scratch_.impacts.size()),

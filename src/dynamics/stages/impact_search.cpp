@@ -34,7 +34,7 @@ bool moves_far_in_step(const Simulation& simulation, std::size_t index) {
 // Only the impacts of free motions have become contacts.
 bool leaves_foreseen_motion(const Simulation& simulation, std::size_t index) {
     const BodyMotion& motion = simulation.bodies.moving[index].motion;
-    const std::vector<FreeMotion>& foreseen = simulation.scratch.free_motions;
+    const std::vector<FreeMotion>& foreseen = simulation.scratch->free_motions;
     return index >= foreseen.size() || deviation(simulation.bodies.solver_bodies[index], foreseen[index], motion) >
                                            kContinuousPart * motion.smallest_extent;
 }
@@ -86,7 +86,7 @@ struct MotionAhead {
 class ImpactSearch {
 public:
     ImpactSearch(Simulation& simulation, std::uint32_t swept)
-        : simulation_(simulation), scratch_(simulation.scratch.ordered_impacts), index_(swept) {}
+        : simulation_(simulation), scratch_(simulation.scratch->ordered_impacts), index_(swept) {}
 
     void run() {
         forget_next_impact(simulation_, index_);
@@ -145,7 +145,7 @@ private:
     void consider(std::uint32_t own, std::uint32_t other, const SweptBody* partner) {
         const ProxyPair pair = make_pair_of(own, other);
         if (is_sensor(own) != is_sensor(other)) {
-            if (self().impact_count == 0) simulation_.scratch.sensor_crossings.push_back(pair);
+            if (self().impact_count == 0) simulation_.scratch->sensor_crossings.push_back(pair);
             return;
         }
         const double from = partner ? std::max(self().time, partner->time) : self().time;
@@ -282,14 +282,14 @@ void sweep_on_course(Simulation& simulation, std::uint32_t body) { sweep_body(si
 
 void sweep_off_course(Simulation& simulation, std::uint32_t body) {
     const std::uint32_t swept = sweep_body(simulation, body);
-    simulation.scratch.ordered_impacts.swept[swept].is_off_course = true;
+    simulation.scratch->ordered_impacts.swept[swept].is_off_course = true;
 }
 
 }  // namespace
 
 void find_fast_bodies(Simulation& simulation) {
     const BodyStore& bodies = simulation.bodies;
-    bool may_concern_contacts = simulation.scratch.ordered_impacts.bounces.has_candidates;
+    bool may_concern_contacts = simulation.scratch->ordered_impacts.bounces.has_candidates;
     if (simulation.settings.continuous) {
         for (std::size_t i = 1; i < bodies.moving.size(); ++i) {
             if (!moves_far_in_step(simulation, i)) continue;
@@ -299,7 +299,7 @@ void find_fast_bodies(Simulation& simulation) {
     }
     if (!may_concern_contacts) return;
     for (const Contact& contact : simulation.contacts.all()) {
-        if (may_cross_sensor(simulation, contact)) simulation.scratch.sensor_crossings.push_back(contact.shapes);
+        if (may_cross_sensor(simulation, contact)) simulation.scratch->sensor_crossings.push_back(contact.shapes);
         const bool overlaps = overlaps_at_speed(simulation, contact);
         if (!contact.is_bouncing && !overlaps) continue;
         for (const std::uint32_t body : {contact.body_a, contact.body_b})
@@ -311,14 +311,14 @@ void find_fast_bodies(Simulation& simulation) {
 void find_next_impact(Simulation& simulation, std::uint32_t swept) { ImpactSearch(simulation, swept).run(); }
 
 void forget_next_impact(Simulation& simulation, std::uint32_t swept) {
-    NextImpact& next = simulation.scratch.ordered_impacts.next[swept];
+    NextImpact& next = simulation.scratch->ordered_impacts.next[swept];
     const std::uint32_t version = next.version + 1;
     next = {};
     next.version = version;
 }
 
 void note_course(Simulation& simulation, std::uint32_t swept) {
-    SweptBody& body = simulation.scratch.ordered_impacts.swept[swept];
+    SweptBody& body = simulation.scratch->ordered_impacts.swept[swept];
     const Sweep solved = sweep_of(simulation.bodies, body.body);
     const double turn = (body.sweep.start_angle + body.sweep.turn) - (solved.start_angle + solved.turn);
     const BodyMotion& motion = simulation.bodies.records[body.body].motion;
@@ -327,7 +327,7 @@ void note_course(Simulation& simulation, std::uint32_t swept) {
 }
 
 bool moves_far(const Simulation& simulation, std::uint32_t swept) {
-    const SweptBody& body = simulation.scratch.ordered_impacts.swept[swept];
+    const SweptBody& body = simulation.scratch->ordered_impacts.swept[swept];
     const BodyMotion& motion = simulation.bodies.records[body.body].motion;
     const double moved =
         length(body.sweep.end - body.sweep.start) + std::abs(body.sweep.turn) * static_cast<double>(motion.reach);

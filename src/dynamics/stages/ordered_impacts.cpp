@@ -15,7 +15,7 @@ namespace {
 // Finds the next impacts of the bodies that an impact gave a new motion. A body that moves little from now on needs no
 // search after an inelastic impact: in the next step the solver separates it from what it touches.
 void search_again(Simulation& simulation) {
-    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    ImpactScratch& scratch = simulation.scratch->ordered_impacts;
     for (const std::uint32_t swept : scratch.members)
         if (swept != kNotSwept) update_box(simulation, swept);
     for (const std::uint32_t swept : scratch.members) {
@@ -32,7 +32,7 @@ void search_again(Simulation& simulation) {
 
 // True if the other body of a swept body's next impact has had an impact since that was found.
 bool has_changed_partner(const Simulation& simulation, std::uint32_t swept) {
-    const ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    const ImpactScratch& scratch = simulation.scratch->ordered_impacts;
     const NextImpact& next = scratch.next[swept];
     const std::uint32_t a = simulation.shapes[next.shapes.a].body, b = simulation.shapes[next.shapes.b].body;
     const std::uint32_t partner = find_swept(simulation, scratch.swept[swept].body == a ? b : a);
@@ -43,11 +43,11 @@ bool has_changed_partner(const Simulation& simulation, std::uint32_t swept) {
 }  // namespace
 
 void simulate_impacts(Simulation& simulation) {
-    simulation.scratch.impacts.clear();
-    simulation.scratch.sensor_crossings.clear();
+    simulation.scratch->impacts.clear();
+    simulation.scratch->sensor_crossings.clear();
     clear_swept_bodies(simulation);
     find_fast_bodies(simulation);
-    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    ImpactScratch& scratch = simulation.scratch->ordered_impacts;
     for (std::uint32_t i = 0; i < scratch.swept.size(); ++i) find_next_impact(simulation, i);
     while (!scratch.queue.empty()) {
         std::pop_heap(scratch.queue.begin(), scratch.queue.end(), std::greater<>{});

@@ -65,7 +65,7 @@ bool is_ground(const Simulation& simulation, std::uint32_t body, std::uint32_t s
 void find_ground_contacts(Simulation& simulation) {
     constexpr std::size_t kLeastGround = 512;  // in a chunk: about 3 us of work
     const std::vector<Contact>& contacts = simulation.contacts.all();
-    ChunkLists<GroundContact>& lists = simulation.scratch.chunks.ground_contacts;
+    ChunkLists<GroundContact>& lists = simulation.scratch->chunks.ground_contacts;
     lists.fill(simulation.crew, contacts.size(), kLeastGround, [&](std::size_t i, std::vector<GroundContact>& list) {
         const Contact& contact = contacts[i];
         if (contact.manifold.point_count == 0) return;
@@ -73,7 +73,7 @@ void find_ground_contacts(Simulation& simulation) {
         const bool on_b = is_ground(simulation, contact.body_b, contact.shapes.b);
         if (on_a || on_b) list.push_back({on_a ? contact.shapes.b : contact.shapes.a, static_cast<std::uint32_t>(i)});
     });
-    std::vector<GroundContact>& found = simulation.scratch.ground_contacts;
+    std::vector<GroundContact>& found = simulation.scratch->ground_contacts;
     found.clear();
     lists.for_each([&](GroundContact contact) { found.push_back(contact); });
     std::sort(found.begin(), found.end());
@@ -98,7 +98,7 @@ void remove_if_below(Simulation& simulation, std::uint32_t moving_shape, std::ui
 
 void smooth_seams(Simulation& simulation) {
     find_ground_contacts(simulation);
-    const std::vector<GroundContact>& found = simulation.scratch.ground_contacts;
+    const std::vector<GroundContact>& found = simulation.scratch->ground_contacts;
     for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
         while (last < found.size() && found[last].moving_shape == found[first].moving_shape) ++last;
         for (std::size_t i = first; i < last; ++i)

@@ -28,7 +28,7 @@ bool touch_during_step(const Simulation& simulation, ProxyPair pair) {
 }  // namespace
 
 void find_sensor_crossings(Simulation& simulation) {
-    std::vector<ProxyPair>& crossings = simulation.scratch.sensor_crossings;
+    std::vector<ProxyPair>& crossings = simulation.scratch->sensor_crossings;
     std::sort(crossings.begin(), crossings.end());
     crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
     std::erase_if(crossings, [&](ProxyPair pair) {

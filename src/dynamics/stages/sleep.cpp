@@ -56,7 +56,7 @@ bool drifts(const SolverBody& body, const MovingBody& moving, float sleep_speed)
 // step would search for islands.
 void keep_drifting_awake(Simulation& simulation) {
     BodyStore& bodies = simulation.bodies;
-    IslandFinder& islands = simulation.scratch.islands;
+    IslandFinder& islands = simulation.scratch->islands;
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
         if (islands.is_supported(i)) islands.mark_supported(islands.root(i));
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i) {
@@ -69,7 +69,7 @@ void keep_drifting_awake(Simulation& simulation) {
 }
 
 void find_islands(Simulation& simulation) {
-    IslandFinder& islands = simulation.scratch.islands;
+    IslandFinder& islands = simulation.scratch->islands;
     islands.reset(simulation.bodies.solver_bodies.size());
     for (const Contact& contact : simulation.contacts.all())
         if (is_touching(contact) && !is_over(simulation, contact))
@@ -106,27 +106,27 @@ bool touches(const SleepingIsland& island, std::uint32_t body) {
 template <class IsChosen>
 void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
     BodyStore& bodies = simulation.bodies;
-    simulation.scratch.sleepers.clear();
+    simulation.scratch->sleepers.clear();
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
         if ((bodies.solver_bodies[i].flags & kDynamicBody) && is_chosen(i))
-            simulation.scratch.sleepers.push_back({bodies.moving[i].body, simulation.scratch.islands.root(i)});
-    std::sort(simulation.scratch.sleepers.begin(), simulation.scratch.sleepers.end());
+            simulation.scratch->sleepers.push_back({bodies.moving[i].body, simulation.scratch->islands.root(i)});
+    std::sort(simulation.scratch->sleepers.begin(), simulation.scratch->sleepers.end());
 
     // The lowest body of an island comes first and creates it.
-    simulation.scratch.island_of_root.assign(bodies.solver_bodies.size(), kNoIsland);
-    simulation.scratch.sleeping_joints.clear();
-    for (const Sleeper& sleeper : simulation.scratch.sleepers) {
-        std::uint32_t& island = simulation.scratch.island_of_root[sleeper.root];
+    simulation.scratch->island_of_root.assign(bodies.solver_bodies.size(), kNoIsland);
+    simulation.scratch->sleeping_joints.clear();
+    for (const Sleeper& sleeper : simulation.scratch->sleepers) {
+        std::uint32_t& island = simulation.scratch->island_of_root[sleeper.root];
         if (island == kNoIsland) island = simulation.sleeping.add();
         BodyRecord& record = bodies.records[sleeper.body];
         TUMBLE_CHECK(record.island == kNoIsland);
         record.island = island;
         simulation.sleeping[island].bodies.push_back(sleeper.body);
         bodies.put_to_sleep(sleeper.body);
-        simulation.scratch.sleeping_joints.insert(simulation.scratch.sleeping_joints.end(), record.joints.begin(),
+        simulation.scratch->sleeping_joints.insert(simulation.scratch->sleeping_joints.end(), record.joints.begin(),
                                                   record.joints.end());
     }
-    simulation.joints.put_to_sleep(simulation.scratch.sleeping_joints);
+    simulation.joints.put_to_sleep(simulation.scratch->sleeping_joints);
     set_contacts_aside(simulation);
 }
 
@@ -149,7 +149,7 @@ void fall_asleep(Simulation& simulation) {
     if (!simulation.settings.sleeping || !update_still_times(bodies, simulation.settings)) return;
     find_islands(simulation);
     keep_drifting_awake(simulation);
-    IslandFinder& islands = simulation.scratch.islands;
+    IslandFinder& islands = simulation.scratch->islands;
     for (std::uint32_t i = 1; i < bodies.moving.size(); ++i)
         if (bodies.moving[i].still_time < simulation.settings.tuning.time_to_sleep || islands.is_kept_awake(i))
             islands.keep_awake(islands.root(i));
@@ -158,7 +158,7 @@ void fall_asleep(Simulation& simulation) {
         any = (bodies.solver_bodies[i].flags & kDynamicBody) && !islands.is_kept_awake(islands.root(i));
     if (!any) return;
     put_to_sleep(simulation, [&](std::uint32_t i) { return !islands.is_kept_awake(islands.root(i)); });
-    for (const Sleeper& sleeper : simulation.scratch.sleepers)
+    for (const Sleeper& sleeper : simulation.scratch->sleepers)
         simulation.events.fell_asleep.push_back(bodies.ids.at(sleeper.body));
 }
 
@@ -167,8 +167,8 @@ void put_island_to_sleep(Simulation& simulation, std::uint32_t body) {
     TUMBLE_CHECK(!simulation.bodies.is_asleep(body));
     simulation.contacts.merge_woken();
     find_islands(simulation);
-    const std::uint32_t root = simulation.scratch.islands.root(simulation.bodies.frames[body].solver_body);
-    put_to_sleep(simulation, [&](std::uint32_t i) { return simulation.scratch.islands.root(i) == root; });
+    const std::uint32_t root = simulation.scratch->islands.root(simulation.bodies.frames[body].solver_body);
+    put_to_sleep(simulation, [&](std::uint32_t i) { return simulation.scratch->islands.root(i) == root; });
 }
 
 void wake_joint(Simulation& simulation, JointId id) {

@@ -31,9 +31,9 @@ SweptBody make_swept(const Simulation& simulation, std::uint32_t index) {
     swept.sweep = sweep_of(bodies, index);
     swept.first_angle = swept.sweep.start_angle;
     swept.velocity = {DVec2(body.velocity), body.angular_velocity};
-    const bool was_awake = solver_body < simulation.scratch.start_velocities.size();
+    const bool was_awake = solver_body < simulation.scratch->start_velocities.size();
     if (!was_awake || !(body.flags & kDynamicBody)) return swept;
-    const StartVelocity& start = simulation.scratch.start_velocities[solver_body];
+    const StartVelocity& start = simulation.scratch->start_velocities[solver_body];
     const double duration = static_cast<double>(simulation.settings.duration);
     const Twist change{swept.velocity.linear - start.linear,
                        swept.velocity.angular - static_cast<double>(start.angular)};
@@ -59,7 +59,7 @@ Aabb box_of(const Simulation& simulation, const SweptBody& swept) {
 void wake_for_impact(Simulation& simulation, std::uint32_t body) {
     if (!simulation.bodies.is_asleep(body)) return;
     wake(simulation, body);
-    simulation.scratch.ordered_impacts.swept_of.resize(simulation.bodies.solver_bodies.size(), kNotSwept);
+    simulation.scratch->ordered_impacts.swept_of.resize(simulation.bodies.solver_bodies.size(), kNotSwept);
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ Aabb box_of_sweep(const Shape& shape, const Sweep& sweep) {
 }
 
 void clear_swept_bodies(Simulation& simulation) {
-    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    ImpactScratch& scratch = simulation.scratch->ordered_impacts;
     scratch.swept.clear();
     scratch.next.clear();
     scratch.leaves.clear();
@@ -84,20 +84,20 @@ void clear_swept_bodies(Simulation& simulation) {
 std::uint32_t find_swept(const Simulation& simulation, std::uint32_t body) {
     TUMBLE_CHECK(body < simulation.bodies.frames.size());
     const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
-    TUMBLE_CHECK(solver_body < simulation.scratch.ordered_impacts.swept_of.size());
-    return solver_body == kStaticSolverBody ? kNotSwept : simulation.scratch.ordered_impacts.swept_of[solver_body];
+    TUMBLE_CHECK(solver_body < simulation.scratch->ordered_impacts.swept_of.size());
+    return solver_body == kStaticSolverBody ? kNotSwept : simulation.scratch->ordered_impacts.swept_of[solver_body];
 }
 
 Twist present_velocity(const Simulation& simulation, std::uint32_t body) {
     const std::uint32_t swept = find_swept(simulation, body);
-    if (swept != kNotSwept) return simulation.scratch.ordered_impacts.swept[swept].velocity;
+    if (swept != kNotSwept) return simulation.scratch->ordered_impacts.swept[swept].velocity;
     const SolverBody& moved = simulation.bodies.solver_bodies[simulation.bodies.frames[body].solver_body];
     return {DVec2(moved.velocity), moved.angular_velocity};
 }
 
 std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body) {
     wake_for_impact(simulation, body);
-    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    ImpactScratch& scratch = simulation.scratch->ordered_impacts;
     const std::uint32_t solver_body = simulation.bodies.frames[body].solver_body;
     TUMBLE_CHECK(solver_body != kStaticSolverBody);
     TUMBLE_CHECK(solver_body < scratch.swept_of.size());
@@ -111,15 +111,15 @@ std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body) {
 }
 
 void update_box(Simulation& simulation, std::uint32_t swept) {
-    ImpactScratch& scratch = simulation.scratch.ordered_impacts;
+    ImpactScratch& scratch = simulation.scratch->ordered_impacts;
     TUMBLE_CHECK(swept < scratch.swept.size());
     TUMBLE_CHECK(scratch.leaves.size() == scratch.swept.size());
     scratch.tree.move(scratch.leaves[swept], box_of(simulation, scratch.swept[swept]));
 }
 
 bool has_bounce(Simulation& simulation, std::uint32_t swept) {
-    TUMBLE_CHECK(swept < simulation.scratch.ordered_impacts.swept.size());
-    const std::uint32_t body = simulation.scratch.ordered_impacts.swept[swept].body;
+    TUMBLE_CHECK(swept < simulation.scratch->ordered_impacts.swept.size());
+    const std::uint32_t body = simulation.scratch->ordered_impacts.swept[swept].body;
     const std::span<const BodyContact> contacts = contacts_of(simulation, body);
     return std::any_of(contacts.begin(), contacts.end(), [&](const BodyContact& contact) {
         return simulation.contacts.all()[contact.index].is_bouncing;
@@ -127,7 +127,7 @@ bool has_bounce(Simulation& simulation, std::uint32_t swept) {
 }
 
 void store_swept_bodies(Simulation& simulation) {
-    for (const SweptBody& swept : simulation.scratch.ordered_impacts.swept) {
+    for (const SweptBody& swept : simulation.scratch->ordered_impacts.swept) {
         if (swept.impact_count == 0) continue;
         const BodyFrame& frame = simulation.bodies.frames[swept.body];
         TUMBLE_CHECK(frame.solver_body != kStaticSolverBody);

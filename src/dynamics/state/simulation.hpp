@@ -12,7 +12,7 @@
 #include "dynamics/contacts/contact_store.hpp"
 #include "dynamics/joints/joint_store.hpp"
 #include "dynamics/state/sleeping_islands.hpp"
-#include "dynamics/state/step_scratch.hpp"
+#include "dynamics/state/scratch_pointer.hpp"
 #include "tasks/crew.hpp"
 #include "tumble/counters.hpp"
 #include "tumble/events.hpp"
@@ -64,12 +64,13 @@ struct SimulationState {
 // Measurements of the last step. They do not influence the next one and are not saved.
 struct StepReport {
     CollisionCounts collided;
+    int colors = 0;  // of the contacts
     StageTimes times;
 };
 
 struct Simulation : SimulationState {
     StepSettings settings;
-    StepScratch scratch;
+    ScratchPointer scratch;
     StepReport report;
     Crew crew;  // the threads that make a step
 };

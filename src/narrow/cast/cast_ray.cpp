@@ -1,4 +1,4 @@
-// Ray casts: the cast of a point, with fast paths for circles and for sharp polygons of up to eight vertices. They
+// Ray casts: the cast of a point, with fast paths for circles and for sharp segments and polygons of up to eight vertices. They
 // decide clear cases only: the start is outside by more than the error bound, and the entry, if any, is not near a
 // vertex or a tangent. All others go through the general clipping, so that only one piece of code decides doubtful
 // cases.
@@ -88,7 +88,7 @@ struct RayVertices {
 
 template <int N>
 TUMBLE_LANE_FUNCTION RayVertices<N> project(const Core& core, DVec2 offset, DVec2 motion) {
-    TUMBLE_CHECK(core.count >= 3);
+    TUMBLE_CHECK(core.count >= 2);
     TUMBLE_CHECK(core.count <= N);
     const double scale = core.c * core.c + core.s * core.s;
     const DVec2 o = core.turned_back(offset), v = core.turned_back(motion);
@@ -114,7 +114,7 @@ TUMBLE_LANE_FUNCTION Crossing cross_face(const RayVertices<N>& vertices, int fro
 }
 
 // The line enters through the face that runs from its left to its right, and leaves through the other one that crosses
-// it.
+// it. A segment has two faces, one on each side.
 template <int N>
 [[gnu::always_inline]] inline bool cast_at_sharp_polygon(const Ray& ray, CastResult& result) {
     const Core& core = ray.core;
@@ -157,7 +157,7 @@ template <int N>
     const int count = ray.core.count;
     if (!is_moderate(ray)) return false;
     if (count == 1) return cast_at_circle(ray, result);
-    if (ray.radius != 0.0 || count < 3 || count > Shape::kInlineVertices) return false;
+    if (ray.radius != 0.0 || count > Shape::kInlineVertices) return false;
     return count <= 4 ? cast_at_sharp_polygon<4>(ray, result) : cast_at_sharp_polygon<8>(ray, result);
 }
 

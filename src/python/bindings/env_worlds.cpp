@@ -18,7 +18,7 @@ constexpr std::size_t kChunk = 64, kChunkOfImages = 2;
 constexpr std::size_t kMostThreads = 1024;
 
 // The memory of a world of a few bodies: it lies behind its definition, as long as the allocator has put it there.
-constexpr std::size_t kPrefetched = 7168, kCacheLine = 64;
+constexpr std::size_t kPrefetched = 5632, kCacheLine = 64;
 
 // Thousands of worlds are more than the cache holds. Asking for the next one while this one makes its step saves a
 // third of the time of cart-poles.
@@ -66,6 +66,8 @@ EnvWorlds::EnvWorlds(const Scene& scene, EnvPlan plan, std::size_t count, int th
         refuse(plan_, "/done", {.message = "done must be a condition, and '" + plan_.done + "' is a number"});
     if (std::ranges::any_of(scene.draws, [](const SceneDraw& draw) { return !draw.pointer.empty(); }))
         text_ = to_json(scene);
+    workspaces_.resize(workers_.count());
+    for (Workspace& workspace : workspaces_) workspace.values.resize(names_.size());
     const std::vector<std::byte> snapshot = start_.world.save();
     for (std::size_t i = 0; i < count; ++i) worlds_.push_back(World::load(snapshot));
 }
@@ -138,7 +140,8 @@ void EnvWorlds::apply(World& world, const double* values) const {
     for (std::size_t i = 0; i < plan_.actions.size(); ++i) act(world, plan_.actions[i], static_cast<float>(values[i]));
 }
 
-void EnvWorlds::step_one(std::size_t index, const EnvArrays& arrays, Values& values) {
+void EnvWorlds::step_one(std::size_t index, const EnvArrays& arrays, Workspace& workspace) {
+    Values& values = workspace.values;
     const std::size_t acts = plan_.actions.size(), seen = plan_.observations.size();
     const std::span<const float> action =
         plan_.choices.empty()
@@ -154,7 +157,7 @@ void EnvWorlds::step_one(std::size_t index, const EnvArrays& arrays, Values& val
         // Forces act during one step only, so that every step gets them.
         for (int k = 0; k < plan_.frame_skip; ++k) {
             apply(world, entries);
-            world.step();
+            world.step(workspace.memory);
         }
         for (std::size_t i = 0; i < acts; ++i) entries[i] = double{std::clamp(action[i], -1.0f, 1.0f)};
         observe(world, out, values);
@@ -189,21 +192,19 @@ void EnvWorlds::step(const EnvArrays& arrays) {
                 throw std::invalid_argument("actions must be indices from 0 to " + std::to_string(count_choices - 1) +
                                             ", got " + std::to_string(choice));
     }
-    workers_.run(count(), chunk(), [&](std::size_t begin, std::size_t end) {
-        Values values(names_.size());
-        for (std::size_t i = begin; i < end; ++i) {
-            if (i + 1 < end) prefetch(worlds_[i + 1]);
-            step_one(i, arrays, values);
+    workers_.run(count(), chunk(), [&](const Part& part) {
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            if (i + 1 < part.end) prefetch(worlds_[i + 1]);
+            step_one(i, arrays, workspaces_[part.thread]);
         }
     });
 }
 
 void EnvWorlds::reset(std::span<float> observations, std::span<const ImageArray> images) {
     const std::size_t seen = plan_.observations.size();
-    workers_.run(count(), chunk(), [&](std::size_t begin, std::size_t end) {
-        Values values(names_.size());
-        for (std::size_t i = begin; i < end; ++i) {
-            reset_one(i, row(observations, i, seen), values);
+    workers_.run(count(), chunk(), [&](const Part& part) {
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            reset_one(i, row(observations, i, seen), workspaces_[part.thread].values);
             images_.draw(worlds_[i], start_, images, i);
         }
     });

@@ -14,6 +14,7 @@
 #include "python/bindings/env_plan.hpp"
 #include "python/bindings/workers.hpp"
 #include "tumble/scene_run.hpp"
+#include "tumble/step_memory.hpp"
 
 namespace tumble::python {
 
@@ -55,7 +56,13 @@ private:
     // observation names those before it.
     using Values = std::vector<double>;
 
-    void step_one(std::size_t index, const EnvArrays& arrays, Values& values);
+    // What a thread works in.
+    struct Workspace {
+        StepMemory memory;
+        Values values;
+    };
+
+    void step_one(std::size_t index, const EnvArrays& arrays, Workspace& workspace);
     void reset_one(std::size_t index, std::span<float> observations, Values& values);
     void observe(const World& world, std::span<float> out, Values& values) const;
     std::size_t chunk() const;
@@ -79,6 +86,7 @@ private:
     std::vector<World> worlds_;
     std::vector<std::uint64_t> episodes_;  // begun in each world
     Workers workers_;
+    std::vector<Workspace> workspaces_;  // by thread
 };
 
 }  // namespace tumble::python

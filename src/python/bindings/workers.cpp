@@ -7,7 +7,7 @@ namespace tumble::python {
 Workers::Workers(int threads) {
     errors_.resize(static_cast<std::size_t>(threads));
     try {
-        for (std::size_t i = 1; i < errors_.size(); ++i) threads_.emplace_back([this, i] { work(i); });
+        for (std::size_t i = 1; i < errors_.size(); ++i) threads_.emplace_back([this, i] { wait_for_work(i); });
     } catch (...) {
         end();
         throw;
@@ -30,17 +30,17 @@ void Workers::run_parts(std::size_t thread) {
         while (true) {
             const std::size_t begin = next_.fetch_add(size_);
             if (begin >= count_) return;
-            (*part_)(begin, std::min(begin + size_, count_));
+            (*work_)({begin, std::min(begin + size_, count_), thread});
         }
     } catch (...) {
         errors_[thread] = std::current_exception();
     }
 }
 
-void Workers::run(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& part) {
+void Workers::run(std::size_t count, std::size_t size, const std::function<void(const Part&)>& work) {
     {
         const std::lock_guard lock(mutex_);
-        part_ = &part;
+        work_ = &work;
         count_ = count;
         size_ = size;
         next_ = 0;
@@ -56,7 +56,7 @@ void Workers::run(std::size_t count, std::size_t size, const std::function<void(
         if (error) std::rethrow_exception(error);
 }
 
-void Workers::work(std::size_t thread) {
+void Workers::wait_for_work(std::size_t thread) {
     std::size_t seen = 0;
     while (true) {
         std::unique_lock lock(mutex_);

@@ -12,6 +12,13 @@
 
 namespace tumble::python {
 
+// Items from `begin` up to `end`, and the number of the thread that works on them; the calling thread has number 0.
+struct Part {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::size_t thread = 0;
+};
+
 class Workers {
 public:
     // The calling thread is one of them. Throws std::system_error if a thread cannot start.
@@ -20,20 +27,22 @@ public:
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
-    // Calls part(begin, end) for parts of [0, count) of at most `size` on all threads, and returns when all are done.
-    // Throws the exception of one of them, if they have any.
-    void run(std::size_t count, std::size_t size, const std::function<void(std::size_t, std::size_t)>& part);
+    std::size_t count() const { return errors_.size(); }
+
+    // Calls work(part) for parts of [0, count) of at most `size` on all threads, and returns when all are done. Throws
+    // the exception of one of them, if they have any.
+    void run(std::size_t count, std::size_t size, const std::function<void(const Part&)>& work);
 
 private:
     void end();  // of all threads
-    void work(std::size_t thread);
+    void wait_for_work(std::size_t thread);
     void run_parts(std::size_t thread);
 
     std::vector<std::thread> threads_;
     std::vector<std::exception_ptr> errors_;  // [threads], the caller's first
     std::mutex mutex_;
     std::condition_variable wake_, done_;
-    const std::function<void(std::size_t, std::size_t)>* part_ = nullptr;
+    const std::function<void(const Part&)>* work_ = nullptr;
     std::size_t count_ = 0, size_ = 1;
     std::atomic<std::size_t> next_ = 0;
     std::size_t round_ = 0;

@@ -114,11 +114,11 @@ void WorldBox::step_all(const std::vector<WorldBox*>& boxes, std::int64_t count,
         for (WorldBox* const box : boxes) stepping.emplace_back(*box);
         const py::gil_scoped_release release;
         Workers workers(std::min(threads, static_cast<int>(boxes.size())));
-        workers.run(boxes.size(), 1, [&](std::size_t i, std::size_t) {
+        workers.run(boxes.size(), 1, [&](const Part& part) {
             try {
-                for (std::int64_t k = 0; k < count; ++k) boxes[i]->step_once();
+                for (std::int64_t k = 0; k < count; ++k) boxes[part.begin]->step_once();
             } catch (...) {
-                errors[i] = std::current_exception();
+                errors[part.begin] = std::current_exception();
             }
         });
     }
