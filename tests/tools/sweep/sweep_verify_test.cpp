@@ -152,6 +152,9 @@ TEST_CASE("verify finds damaged copies of the plan and its scenes, and --check m
         const Answer damaged = run_tumble({"sweep", "verify", sweeps.at("out")});
         CHECK(damaged.code == 7);
         CHECK_MESSAGE(damaged.out.find(std::string(name) + ": its checksum") != std::string::npos, damaged.out);
+        // Completing the folder again keeps the checksum.
+        CHECK(run_tumble({"sweep", "merge", sweeps.at("out")}).code == 0);
+        CHECK(run_tumble({"sweep", "verify", sweeps.at("out")}).code == 7);
         CHECK(sweeps.sweep("out", {"--runs", "20", "--check"}).code == 0);
         CHECK(are_equal(sweeps.folder / "whole", sweeps.folder / "out"));
         fs::remove(copy);
