@@ -9,7 +9,7 @@
 #include "dynamics/bodies/softness.hpp"
 #include "dynamics/bodies/solver_body.hpp"
 #include "dynamics/contacts/recycling.hpp"
-#include "dynamics/stages/swept_pair.hpp"
+#include "dynamics/continuous/swept_pair.hpp"
 #include "support/near.hpp"
 
 using namespace tumble;

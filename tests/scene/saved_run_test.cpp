@@ -13,7 +13,7 @@ using namespace tumble;
 
 namespace {
 
-// Bodies that appear, disappear and are pushed, and a joint that is released.
+// Bodies that appear, disappear and are pushed, also a while after a condition held, and a joint that is released.
 Scene eventful_scene() {
     return parse_scene(R"({"format": 1, "bodies": [
         {"name": "floor", "type": "static", "position": [0, -1], "shapes": [{"box": {"size": [40, 1]}}]},
@@ -23,6 +23,7 @@ Scene eventful_scene() {
         {"every": 0.2, "spawn": {"name": "drop", "position": [0, 8], "shapes": [{"circle": {"radius": 0.3}}]}},
         {"at": 0.7, "despawn": "crate[0]"},
         {"at": 0.9, "release": "hinge"},
+        {"when": "drop[2].exists", "delay": 0.3, "body": "crate[1]", "impulse": [0, 2]},
         {"every": 0.3, "body": "drop[1]", "impulse": [1, 2]},
         {"at": 0.5, "until": 1.5, "body": "crate[1]", "force": [30, 0]}]})",
                        "scene.json");

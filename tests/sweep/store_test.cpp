@@ -101,7 +101,10 @@ TEST_CASE("a manifest from elsewhere names files of its own folder only, and pos
              R"({"shard":1,"outcomes":{},"table":{"name":"/tmp/a",)" + hash + R"(},"files":[]})",
              R"({"shard":1,"outcomes":{},"table":)" + sound + R"(,"files":[{"name":"../evil.tar",)" + hash + "}]}",
              R"({"shard":1,"outcomes":{},"table":)" + sound + R"(,"files":[{"name":"shard-000002.tar",)" + hash + "}]}",
-             R"({"complete":{"name":"..",)" + hash + "}}", R"({"shard":1e300,"outcomes":{},"table":{},"files":[]})",
+             R"({"complete":{"name":"..",)" + hash + "}}",
+             R"({"complete":{"name":"runs.csv",)" + hash + R"(},"copies":[{"name":"/tmp/a",)" + hash + "}]}",
+             R"({"complete":{"name":"runs.csv",)" + hash + R"(},"copies":[{"name":"plan/../../a",)" + hash + "}]}",
+             R"({"shard":1e300,"outcomes":{},"table":{},"files":[]})",
              R"({"shard":1,"outcomes":{"ok":-1},"table":)" + sound + R"(,"files":[]})",
              R"({"shard":3,"outcomes":{},"table":{"name":"shard-000003.csv",)" + hash + R"(},"files":[]})"}) {
         CAPTURE(line);
@@ -110,6 +113,7 @@ TEST_CASE("a manifest from elsewhere names files of its own folder only, and pos
         CHECK(manifest.damaged_lines == 1);
         CHECK(manifest.shards.empty());
         CHECK_FALSE(manifest.table);
+        CHECK(manifest.copies.empty());
     }
     write(manifest_file(folder.path),
           header + "\n" + R"({"shard":1,"outcomes":{},"table":)" + sound + R"(,"files":[]})");

@@ -131,7 +131,7 @@ TEST_CASE("failures of a scene are its failed claims in their order, without tho
       {"state_hash": "0123456789abcdef"}, {"body": "a", "height": [-9, 9]}, {"body": "a", "height": [0, 9]},
       {"body": "a", "speed": [0, 5], "when": "always"}]})",
         "test");
-    const std::vector<Failure> failures = find_failures(scene);
+    const std::vector<Failure> failures = find_failures(scene, false);
     REQUIRE(failures.size() == 2);
     CHECK(failures[0].claim == 2);
     CHECK(failures[0].step == 60);

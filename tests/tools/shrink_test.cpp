@@ -127,6 +127,33 @@ TEST_CASE("of twenty planted failures at least 95 % of the bodies go, in at most
     }
 }
 
+// Three overlaps: the deepest of them is not so in a scene without its bodies, and other bodies are then found.
+TEST_CASE("with --any-body the finding may be about other bodies") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", R"({"format": 1, "world": {"duration": 0.1}, "bodies": [
+        {"name": "a", "position": [0, 0], "shapes": [{"circle": {"radius": 1}}]},
+        {"name": "b", "position": [1.2, 0], "shapes": [{"circle": {"radius": 1}}]},
+        {"name": "c", "position": [2.6, 0], "shapes": [{"circle": {"radius": 1}}]},
+        {"name": "d", "position": [4.2, 0], "shapes": [{"circle": {"radius": 1}}]}],
+      "expect": [{"max_penetration": 0.1}]})");
+    const auto kept_of = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"shrink", scene, "-o",      (folder / "min.json").string(),
+                                           "--keep", "c",   "--force", "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Answer answer = run_tumble(arguments);
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        const bool is_masked =
+            json::parse(answer.out)["failure"].get<std::string>().find("'*' and '*' overlap") != std::string::npos;
+        CHECK(is_masked == !more.empty());
+        return json::parse(read_text(folder / "min.json"))["bodies"].size();
+    };
+    CHECK(kept_of({}) == 3);  // a and b besides c
+    CHECK(kept_of({"--any-body"}) == 2);
+    CHECK(run_tumble(
+              {"shrink", scene, "-o", (folder / "min.json").string(), "--force", "--any-body", "--fails", "true {}"})
+              .code == 2);
+}
+
 TEST_CASE("one job and several shrink to the same bytes, with the same number of runs") {
     for (const char* title : {"touches", "signal"}) {
         const Folder folder;

@@ -70,6 +70,7 @@ void check_arguments(const ShrinkArguments& options, const Scene& scene) {
         throw CLI::ValidationError("--fails", "must be check, or a command with {} in place of the scene's file");
     if (trial.is_check() && trial.same_output)
         throw CLI::ValidationError("--same-output", "is for commands of --fails");
+    if (!trial.is_check() && trial.any_body) throw CLI::ValidationError("--any-body", "is for --fails check");
     if (!trial.is_check() && options.claim) throw CLI::ValidationError("--claim", "is for --fails check");
     if (options.claim && static_cast<std::size_t>(*options.claim) >= scene.expect.size())
         throw CLI::ValidationError("--claim", "there is no claim /expect/" + std::to_string(*options.claim) +
@@ -89,7 +90,8 @@ void drop_claims_on_files(Scene& scene) {
 // What decides the results of the runs besides their candidates.
 std::uint64_t task_of(const ShrinkArguments& options, const std::string& text) {
     std::string task = text + '\n' + options.trial.command + '\n' + std::to_string(options.trial.timeout) +
-                       (options.trial.same_output ? " same output " : " ") + std::to_string(options.claim.value_or(-1));
+                       (options.trial.same_output ? " same output " : " ") +
+                       (options.trial.any_body ? "any body " : "") + std::to_string(options.claim.value_or(-1));
     for (const std::string& name : options.keep) task += '\n' + name;
     if (options.trial.is_check()) {
         // Another build may give other results.
@@ -230,6 +232,8 @@ void add_shrink(CLI::App& app, Command& command) {
         ->check(whole_number_from_to(0, 1000000));
     shrink_command.add_flag("--same-output", options->trial.same_output,
                             "Of a command: the first line of its standard error must stay too");
+    shrink_command.add_flag("--any-body", options->trial.any_body,
+                            "Of a claim: the finding may be about other bodies and joints");
     shrink_command.add_option("--keep", options->keep, "Do not remove this body; repeatable")
         ->type_name("BODY")
         ->allow_extra_args(false);

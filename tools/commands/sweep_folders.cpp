@@ -48,7 +48,11 @@ ExitCode verify(const Command& command, const VerifyArguments& options) try {
     Verification verification = verify_files(options.folder);
     const sweep::SweepHeader header = sweep::read_manifest(options.folder).header.value();
     const fs::path plan = plan_to_verify(options, header);
-    if (plan.empty()) {
+    if (options.plan.empty() && verification.has_damaged_copies) {
+        report_warning(
+            "no run is simulated again, because copies of the plan or its scenes are damaged; state the plan after the "
+            "folder");
+    } else if (plan.empty()) {
         report_warning(
             "no run is simulated again, because the folder has no copy of the plan; state it after the folder");
     } else {

@@ -65,8 +65,9 @@ bool counts(const SceneExpectation& claim, const ExpectationResult& result) {
     return result.is_decided && !result.passed && claim.state_hash.empty() && !claim.max_ms_per_step;
 }
 
-Failure failure_of(const SceneExpectation& claim, const ExpectationResult& result, std::size_t index) {
-    return {result.claim + ": " + with_masked_numbers(result.finding) + side_of(claim, result.finding), result.step,
+Failure failure_of(const SceneExpectation& claim, const ExpectationResult& result, std::size_t index, bool any_body) {
+    const std::string finding = any_body ? with_masked_names(result.finding) : result.finding;
+    return {result.claim + ": " + with_masked_numbers(finding) + side_of(claim, result.finding), result.step,
             static_cast<int>(index)};
 }
 
@@ -110,6 +111,19 @@ std::string with_masked_numbers(std::string_view text) {
     return masked;
 }
 
+std::string with_masked_names(std::string_view text) {
+    std::string masked;
+    bool is_inside = false;
+    for (const char c : text) {
+        if (c == '\'')
+            masked += is_inside ? "*'" : "'";
+        else if (!is_inside)
+            masked += c;
+        is_inside ^= c == '\'';
+    }
+    return masked;
+}
+
 std::string side_of(const SceneExpectation& claim, const std::string& finding) {
     if (claim.inside) {
         const std::vector<double> point = numbers_after(finding, "it is at [");
@@ -124,12 +138,13 @@ std::string side_of(const SceneExpectation& claim, const std::string& finding) {
     return "";
 }
 
-std::vector<Failure> find_failures(const Scene& scene) {
+std::vector<Failure> find_failures(const Scene& scene, bool any_body) {
     try {
         const std::vector<ExpectationResult> results = results_of(scene);
         std::vector<Failure> failures;
         for (std::size_t i = 0; i < results.size(); ++i)
-            if (counts(scene.expect[i], results[i])) failures.push_back(failure_of(scene.expect[i], results[i], i));
+            if (counts(scene.expect[i], results[i]))
+                failures.push_back(failure_of(scene.expect[i], results[i], i, any_body));
         return failures;
     } catch (...) {
         return {failure_of(std::current_exception())};

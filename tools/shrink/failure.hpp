@@ -18,11 +18,15 @@ struct Failure {
 };
 
 // Simulates the scene: its failed claims in their order, or the error that ends it. Claims that almost every other
-// scene fails (`state_hash`, `picture`), and those on the wall clock, do not count. Does not throw.
-std::vector<Failure> find_failures(const Scene& scene);
+// scene fails (`state_hash`, `picture`), and those on the wall clock, do not count. With `any_body` the names in
+// findings are masked. Does not throw.
+std::vector<Failure> find_failures(const Scene& scene, bool any_body);
 
 // The text with # in place of each number that is not a part of a name: "the height is 0.31 m" and "body[12]".
 std::string with_masked_numbers(std::string_view text);
+
+// The text with * in place of each name in quotes: "'*' and '*' overlap".
+std::string with_masked_names(std::string_view text);
 
 // On which side of the values that the claim allows the finding is: ", below", ", on the right". Empty if the claim
 // allows no range and no box.

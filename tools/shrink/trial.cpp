@@ -41,8 +41,8 @@ std::vector<Failure> from_lines(const std::string& lines) {
     return failures;
 }
 
-void check_in_copy(const std::string& text, int answer) {
-    write_all(answer, to_lines(find_failures(parse_scene(text, "candidate"))));
+void check_in_copy(const std::string& text, bool any_body, int answer) {
+    write_all(answer, to_lines(find_failures(parse_scene(text, "candidate"), any_body)));
 }
 
 void run_in_copy(const std::string& command, const std::string& file, int answer) {
@@ -53,7 +53,7 @@ void run_in_copy(const std::string& command, const std::string& file, int answer
 
 std::function<void(int)> work_of(const std::string& text, const TrialSettings& settings,
                                  const std::filesystem::path& file) {
-    if (settings.is_check()) return [&text](int answer) { check_in_copy(text, answer); };
+    if (settings.is_check()) return [&](int answer) { check_in_copy(text, settings.any_body, answer); };
     write_file(file, text, true);
     return [command = shell_command(settings.command), name = file.string()](int answer) {
         run_in_copy(command, name, answer);

@@ -15,6 +15,7 @@ struct TrialSettings {
     std::string command = "check";  // or a command of the shell, with {} for the file of the scene
     double timeout = 60.0;          // s of one run
     bool same_output = false;       // of a command: the first line of its standard error belongs to the failure
+    bool any_body = false;          // of `check`: a finding may be about other bodies and joints
 
     bool is_check() const { return command == "check"; }
 };

@@ -42,13 +42,14 @@ sweep::SweepHeader expected_header(const sweep::Plan& plan) {
             version(),
             table_header(plan),
             plan.allow_outside ? "" : plan.file.filename().string(),
-            renderer_name(plan.write)};
+            frame_software(plan.write)};
 }
 
 std::string difference_text(const sweep::SweepHeader& found, const sweep::SweepHeader& wanted) {
     if (found.version != wanted.version) return "has a sweep of version " + found.version + " of tumble";
-    if (found.renderer != wanted.renderer)
-        return "has a sweep with frames of " + found.renderer + ", and this machine draws by " + wanted.renderer;
+    if (found.frame_software != wanted.frame_software)
+        return "has a sweep with frames of " + found.frame_software + ", and this machine draws by " +
+               wanted.frame_software;
     return "has another sweep: the plan, the name of its file, its scenes, --runs or --allow-outside differ";
 }
 
@@ -62,6 +63,9 @@ void open_folder(const sweep::Plan& plan, const fs::path& folder) {
     if (manifest.header && !(*manifest.header == header))
         throw FileError(folder, difference_text(*manifest.header, header) + "; choose another folder");
     if (manifest.header) return;
+    if (manifest.damaged_lines > 0 && fs::exists(sweep::table_file(folder)))
+        throw FileError(sweep::manifest_file(folder),
+                        "the first line is damaged; remove runs.csv, and the sweep makes all its files again");
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
         if (entry.path().filename() != "leases" && entry.path() != copies_in(folder) &&
             entry.path() != sweep::manifest_file(folder) && !entry.path().filename().string().starts_with("shard-"))
@@ -89,6 +93,7 @@ public:
           texts_(plan, options.folder),
           part_runs_(runs_of_part(plan, options)),
           progress_("runs", part_runs_) {
+        texts_.restore(sweep::read_manifest(options.folder).copies);
         look();
         done_runs_ = part_runs_ - std::min(part_runs_, missing_.size() * runs_in_shard(plan_));
     }

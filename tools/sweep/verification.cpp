@@ -93,6 +93,8 @@ std::set<std::uint64_t> draw_runs(const sweep::Plan& plan, const fs::path& folde
 Verification verify_files(const fs::path& folder) {
     const sweep::Manifest manifest = manifest_of_sweep(folder);
     Verification verification;
+    for (const sweep::StoredFile& file : manifest.copies) verify_file(folder, file, verification);
+    verification.has_damaged_copies = !verification.findings.empty();
     for (const sweep::StoredFile& file : stored_files(manifest)) verify_file(folder, file, verification);
     const std::uint64_t shards = manifest.header->shards();
     if (manifest.shards.size() < shards)
@@ -102,7 +104,10 @@ Verification verify_files(const fs::path& folder) {
 }
 
 void remove_damaged_files(const fs::path& folder) {
-    for (const sweep::StoredFile& file : stored_files(sweep::read_manifest(folder))) {
+    const sweep::Manifest manifest = sweep::read_manifest(folder);
+    std::vector<sweep::StoredFile> files = stored_files(manifest);
+    files.insert(files.end(), manifest.copies.begin(), manifest.copies.end());
+    for (const sweep::StoredFile& file : files) {
         if (is_interrupted()) return;
         std::error_code error;
         if (!fs::is_regular_file(folder / file.name) || sweep::read_stored_file(folder, file.name).hash == file.hash)
@@ -116,9 +121,9 @@ void verify_runs(const sweep::Plan& plan, const fs::path& folder, double part, V
     const sweep::SweepHeader& header = *manifest.header;
     if (header.plan != plan.hash || header.runs != plan.runs || header.shard_runs != runs_in_shard(plan))
         throw FileError(folder, "is of another plan than " + plan.file.string());
-    if (header.renderer != renderer_name(plan.write))
-        throw FileError(folder, "has frames of " + header.renderer + ", and this machine draws by " +
-                                    renderer_name(plan.write) + ": their bytes may differ");
+    if (header.frame_software != frame_software(plan.write))
+        throw FileError(folder, "has frames of " + header.frame_software + ", and this machine draws by " +
+                                    frame_software(plan.write) + ": their bytes may differ");
     const std::set<std::uint64_t> runs = draw_runs(plan, folder, manifest, part, verification.seed);
     std::map<std::uint64_t, std::string> rows;
     if (manifest.table)

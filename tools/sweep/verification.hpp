@@ -12,6 +12,7 @@ namespace tumble::tools {
 
 struct Verification {
     std::uint64_t files = 0, bytes = 0;   // that were read
+    bool has_damaged_copies = false;      // of the plan, its scenes or images
     std::uint64_t repeated_runs = 0;      // that were simulated again
     std::uint64_t seed = 0;               // from which these runs are drawn
     std::vector<std::string> findings{};  // what is wrong; empty if nothing is
@@ -20,8 +21,8 @@ struct Verification {
 // Reads all files of the complete shards, and finds shards that are missing. Throws FileError if there is no sweep.
 Verification verify_files(const std::filesystem::path& folder);
 
-// Removes the files of complete shards, and the table, whose checksums are not those of the manifest, so that the sweep
-// makes them again.
+// Removes the files of complete shards, the table, and the copies of scenes, whose checksums are not those of the
+// manifest, so that the sweep makes them again.
 void remove_damaged_files(const std::filesystem::path& folder);
 
 // Simulates a part of the stored runs again, drawn from the seed, at least one, and compares the lines of the table,

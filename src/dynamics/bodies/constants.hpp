@@ -106,7 +106,7 @@ inline constexpr float kTouchingPart = 0.05f;
 inline constexpr double kLongestRest = 1.0 / 16.0;
 
 // The weight of a body's impacts in a step, at which it stops. An impact with a bounce weighs 1: a ball at 200 m/s
-// between walls 10 cm apart has 33. One without weighs more (kInelasticWeight of stages/impact_response.cpp).
+// between walls 10 cm apart has 33. One without weighs more (kInelasticWeight of continuous/impact_response.cpp).
 inline constexpr int kMaxImpactsPerBody = 64;
 
 // Rotation limit per step, rad: an eighth of a turn. More breaks the linearisation of contacts within the step, and

@@ -16,7 +16,7 @@ foreach(set ${instruction_sets})
     list(APPEND parts $<TARGET_OBJECTS:tumble_${set}>)
 endforeach()
 # Half the time to compile; the tests of the house read an object for each source of the baseline.
-set_target_properties(tumble_avx2 tumble_avx512 PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+set_target_properties(tumble_avx2 tumble_avx512 PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 31)
 set(join ${CMAKE_CURRENT_SOURCE_DIR}/simd/dispatch/join.sh)
 add_custom_command(OUTPUT ${joined_objects}
                    COMMAND ${join} ${CMAKE_CXX_COMPILER} ${CMAKE_LINKER} ${CMAKE_NM} ${CMAKE_OBJCOPY} ${dispatch_folder} ${instruction_sets}

@@ -44,10 +44,23 @@ LineJson to_json(const StoredFile& file) {
 // Throws if it is not a whole number that is not negative; get() would convert any number.
 std::uint64_t whole(const LineJson& json) { return json.get_ref<const std::uint64_t&>(); }
 
+StoredFile to_file(const LineJson& json) {
+    return {json.at("name").get<std::string>(), whole(json.at("bytes")), from_hex(json.at("xxh64"))};
+}
+
 StoredFile to_file(const LineJson& json, const std::set<std::string>& names) {
-    const auto name = json.at("name").get<std::string>();
-    if (!names.contains(name)) throw std::invalid_argument("not a file of a sweep");
-    return {name, whole(json.at("bytes")), from_hex(json.at("xxh64"))};
+    const StoredFile file = to_file(json);
+    if (!names.contains(file.name)) throw std::invalid_argument("not a file of a sweep");
+    return file;
+}
+
+// A file below DIR/plan.
+StoredFile to_copy(const LineJson& json) {
+    const StoredFile file = to_file(json);
+    const fs::path path(file.name);
+    if (!file.name.starts_with("plan/") || !path.has_filename() || path.lexically_normal() != path)
+        throw std::invalid_argument("not a copy of a sweep");
+    return file;
 }
 
 std::string line_of(const SweepHeader& header) {
@@ -57,16 +70,28 @@ std::string line_of(const SweepHeader& header) {
                   {"version", header.version},
                   {"columns", header.columns}};
     if (!header.plan_file.empty()) json["plan_file"] = header.plan_file;
-    if (!header.renderer.empty()) json["renderer"] = header.renderer;
+    if (!header.frame_software.empty()) json["frame_software"] = header.frame_software;
     return json.dump();
 }
 
+LineJson to_json(const std::vector<StoredFile>& files) {
+    LineJson array = LineJson::array();
+    for (const StoredFile& file : files) array.push_back(to_json(file));
+    return array;
+}
+
 std::string line_of(const ShardEntry& entry) {
-    LineJson files = LineJson::array();
-    for (const StoredFile& file : entry.files) files.push_back(to_json(file));
-    return LineJson{
-        {"shard", entry.shard}, {"outcomes", entry.outcomes}, {"table", to_json(entry.table)}, {"files", files}}
+    return LineJson{{"shard", entry.shard},
+                    {"outcomes", entry.outcomes},
+                    {"table", to_json(entry.table)},
+                    {"files", to_json(entry.files)}}
         .dump();
+}
+
+std::string line_of(const StoredFile& table, const std::vector<StoredFile>& copies) {
+    LineJson json{{"complete", to_json(table)}};
+    if (!copies.empty()) json["copies"] = to_json(copies);
+    return json.dump();
 }
 
 // Reads one line; throws an exception of the JSON library or std::invalid_argument if it is none of a manifest.
@@ -79,7 +104,7 @@ void read_line(const std::string& line, Manifest& manifest, const fs::path& file
                                  json.at("version").get<std::string>(),
                                  json.at("columns").get<std::string>(),
                                  json.value("plan_file", ""),
-                                 json.value("renderer", "")};
+                                 json.value("frame_software", "")};
         if (fs::path(header.plan_file).filename() != header.plan_file)
             throw FileError(file, "names a plan outside of its folder");
         for (const std::uint64_t runs : {header.runs, header.shard_runs})
@@ -95,7 +120,10 @@ void read_line(const std::string& line, Manifest& manifest, const fs::path& file
                 to_file(stored, {shard_file_name(entry.shard, ".tar"), shard_file_name(entry.shard, ".h5")}));
         manifest.shards.insert_or_assign(entry.shard, entry);
     } else {
+        std::vector<StoredFile> copies;
+        for (const LineJson& copy : json.value("copies", LineJson::array())) copies.push_back(to_copy(copy));
         manifest.table = to_file(json.at("complete"), {table_file({}).string()});
+        manifest.copies = std::move(copies);
     }
 }
 
@@ -158,7 +186,7 @@ void write_manifest(const fs::path& folder, const Manifest& manifest) {
     OutputFile file(manifest_file(folder));
     if (manifest.header) file.write(line_of(*manifest.header) + "\n");
     for (const auto& [shard, entry] : manifest.shards) file.write(line_of(entry) + "\n");
-    if (manifest.table) file.write(LineJson{{"complete", to_json(*manifest.table)}}.dump() + "\n");
+    if (manifest.table) file.write(line_of(*manifest.table, manifest.copies) + "\n");
     file.save_so_far();
     make_durable(file.temporary());
     file.commit();

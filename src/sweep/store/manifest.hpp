@@ -27,10 +27,10 @@ struct SweepHeader {
     std::uint64_t plan = 0;  // Plan::hash
     std::uint64_t runs = 1;
     std::uint64_t shard_runs = 1;
-    std::string version;      // of tumble
-    std::string columns;      // the first line of the table
-    std::string plan_file{};  // its name in DIR/plan; empty if the plan was not copied
-    std::string renderer{};   // that draws the frames, on which their bytes depend; empty without frames
+    std::string version;           // of tumble
+    std::string columns;           // the first line of the table
+    std::string plan_file{};       // its name in DIR/plan; empty if the plan was not copied
+    std::string frame_software{};  // on which the bytes of frames depend: OpenGL and ffmpeg; empty without frames
 
     bool operator==(const SweepHeader&) const = default;
     std::uint64_t shards() const { return (runs - 1) / shard_runs + 1; }
@@ -47,6 +47,7 @@ struct Manifest {
     std::optional<SweepHeader> header{};
     std::map<std::uint64_t, ShardEntry> shards{};
     std::optional<StoredFile> table{};  // runs.csv of a complete sweep
+    std::vector<StoredFile> copies{};   // of the plan, its scenes and images, in a complete sweep: by their names
     std::size_t damaged_lines = 0;      // cut off, or not those of a manifest
 };
 

@@ -153,8 +153,8 @@ TEST_CASE("a sweep with frames of another renderer is not continued and not comp
     const Sweeps sweeps(kPictures);
     REQUIRE(sweeps.sweep("out").code == 0);
     const std::string manifest = read_text(sweeps.folder / "out/manifest.jsonl");
-    const std::size_t at = manifest.find("\"renderer\":\"") + 12;
-    REQUIRE(at > 12);
+    const std::size_t at = manifest.find("\"frame_software\":\"") + 18;
+    REQUIRE(at > 18);
     sweeps.folder.write("out/manifest.jsonl", manifest.substr(0, at) + "another " + manifest.substr(at));
     const Answer sweep = sweeps.sweep("out");
     CHECK(sweep.code == 4);

@@ -33,7 +33,7 @@ TEST_CASE("verify finds a flipped byte in any file, and a sweep replaces a file 
     const Answer sound = run_tumble({"sweep", "verify", sweeps.at("out"), "--part", "0.1", "--json"});
     CHECK_MESSAGE(sound.code == 0, sound.out);
     CHECK(json::parse(sound.out)["repeated_runs"] == 20);
-    CHECK(json::parse(sound.out)["files"] == 41);
+    CHECK(json::parse(sound.out)["files"] == 43);
     for (const char* name : {"shard-000007.tar", "shard-000007.h5", "runs.csv"}) {
         const fs::path file = sweeps.folder / "out" / name;
         flip_byte(file, static_cast<std::streamoff>(fs::file_size(file) / 2));
@@ -135,10 +135,45 @@ TEST_CASE("verify needs the folder alone, and draws other runs each time unless 
     CHECK(first["repeated_runs"] == 20);
     CHECK(first["seed"] != second["seed"]);
     CHECK(verify({"--seed", "17"})["seed"] == 17);
-    // A damaged copy of a scene is another sweep.
     sweeps.folder.write("out/plan/part/ball.json",
                         R"({"format": 1, "bodies": [{"shapes": [{"circle": {"radius": 2}}]}]})");
-    CHECK(run_tumble({"sweep", "verify", sweeps.at("out")}).code == 4);
+    const Answer damaged = run_tumble({"sweep", "verify", sweeps.at("out")});
+    CHECK(damaged.code == 7);
+    CHECK_MESSAGE(damaged.out.find("plan/part/ball.json: its checksum") != std::string::npos, damaged.out);
+}
+
+TEST_CASE("verify finds damaged copies of the plan and its scenes, and --check makes them again") {
+    const Sweeps sweeps;
+    REQUIRE(sweeps.sweep("out", {"--runs", "20"}).code == 0);
+    REQUIRE(sweeps.sweep("whole", {"--runs", "20"}).code == 0);
+    for (const char* name : {"plan/plan.json", "plan/scene.json"}) {
+        const fs::path copy = sweeps.folder / "out" / name;
+        flip_byte(copy, 1);
+        const Answer damaged = run_tumble({"sweep", "verify", sweeps.at("out")});
+        CHECK(damaged.code == 7);
+        CHECK_MESSAGE(damaged.out.find(std::string(name) + ": its checksum") != std::string::npos, damaged.out);
+        // Completing the folder again keeps the checksum.
+        CHECK(run_tumble({"sweep", "merge", sweeps.at("out")}).code == 0);
+        CHECK(run_tumble({"sweep", "verify", sweeps.at("out")}).code == 7);
+        CHECK(sweeps.sweep("out", {"--runs", "20", "--check"}).code == 0);
+        CHECK(are_equal(sweeps.folder / "whole", sweeps.folder / "out"));
+        fs::remove(copy);
+        CHECK(sweeps.sweep("out", {"--runs", "20"}).code == 0);
+        CHECK(are_equal(sweeps.folder / "whole", sweeps.folder / "out"));
+    }
+}
+
+TEST_CASE("a complete sweep without the first line of its manifest is refused with a remedy, which works") {
+    const Sweeps sweeps;
+    REQUIRE(sweeps.sweep("out", {"--runs", "20"}).code == 0);
+    REQUIRE(sweeps.sweep("whole", {"--runs", "20"}).code == 0);
+    fs::resize_file(sweeps.folder / "out/manifest.jsonl", 50);
+    const Answer refused = sweeps.sweep("out", {"--runs", "20"});
+    CHECK(refused.code == 4);
+    CHECK_MESSAGE(refused.err.find("the first line is damaged; remove runs.csv") != std::string::npos, refused.err);
+    fs::remove(sweeps.folder / "out/runs.csv");
+    CHECK(sweeps.sweep("out", {"--runs", "20"}).code == 0);
+    CHECK(are_equal(sweeps.folder / "whole", sweeps.folder / "out"));
 }
 
 TEST_CASE("a scene that changes while a sweep is interrupted ends it") {

@@ -19,7 +19,7 @@ std::string picture_suffix(const char* kind, std::uint64_t step) {
 
 }  // namespace
 
-std::string renderer_name(const sweep::Written& written) {
+std::string frame_software(const sweep::Written& written) {
     if (!written.has_frames()) return "";
     const BackendCheck check = check_backend(RenderBackend::automatic);
     if (!check.works) throw RenderError(check.error);

@@ -17,7 +17,7 @@ namespace tumble::tools {
 // What draws the frames on this machine: "3.3 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)", and the
 // version of ffmpeg if they become videos. The bytes of frames depend on it; empty without frames. Throws RenderError
 // if there is no off-screen OpenGL, or no ffmpeg for videos.
-std::string renderer_name(const sweep::Written& written);
+std::string frame_software(const sweep::Written& written);
 
 // A thread keeps one for all of its runs, with an off-screen context and fonts. To be used on that thread.
 class FrameRecorder {

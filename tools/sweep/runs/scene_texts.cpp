@@ -1,8 +1,10 @@
 #include "tools/sweep/runs/scene_texts.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include "sweep/store/durable.hpp"
+#include "sweep/store/stored_file.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -62,6 +64,19 @@ void SceneTexts::copy_new() {
         if (const auto text = texts_.find(new_.back()); text != texts_.end()) copy(text->first, text->second);
 }
 
+void SceneTexts::restore(const std::vector<sweep::StoredFile>& copies) {
+    if (copies_.empty()) return;
+    for (const sweep::StoredFile& copy : copies) {
+        const fs::path to = copies_.parent_path() / copy.name;
+        std::error_code error;
+        if (fs::file_size(to, error) == copy.bytes && !error) continue;
+        const fs::path from = folder_ / to.lexically_relative(copies_);
+        const std::string text = read_within_limit(from);
+        if (sweep::hash_of(text) != copy.hash) throw FileError(from, "has changed since the sweep was made");
+        write_copy(to, text);
+    }
+}
+
 // Two processes that copy a file at once write the same.
 void SceneTexts::copy(const fs::path& file, const std::string& text) const {
     if (copies_.empty()) return;
@@ -72,6 +87,17 @@ void SceneTexts::copy(const fs::path& file, const std::string& text) const {
         return;
     }
     write_copy(to, text);
+}
+
+std::vector<sweep::StoredFile> stored_copies(const fs::path& sweep_folder) {
+    std::vector<sweep::StoredFile> copies;
+    if (!has_copies(sweep_folder)) return copies;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copies_in(sweep_folder)))
+        if (entry.is_regular_file() && !entry.is_symlink())
+            copies.push_back(
+                sweep::read_stored_file(sweep_folder, entry.path().lexically_relative(sweep_folder).generic_string()));
+    std::ranges::sort(copies, {}, &sweep::StoredFile::name);
+    return copies;
 }
 
 void merge_copies(const fs::path& from_sweep, const fs::path& to_sweep) {

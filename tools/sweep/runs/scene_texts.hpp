@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sweep/plan/plan.hpp"
+#include "sweep/store/manifest.hpp"
 
 namespace tumble::tools {
 
@@ -27,6 +28,10 @@ public:
     // Copies the plan to DIR/plan. Of a plan that may read files of other folders nothing is copied. Throws FileError.
     SceneTexts(const sweep::Plan& plan, const std::filesystem::path& sweep_folder);
 
+    // Makes those of these copies that are missing or have another size, from the files that they are copies of. Throws
+    // FileError, also if such a file has changed.
+    void restore(const std::vector<sweep::StoredFile>& copies);
+
     // Throws FileError, also for a file of more than 512 MiB.
     const std::string& read(const std::filesystem::path& file);
 
@@ -41,6 +46,9 @@ private:
     std::map<std::filesystem::path, std::string> texts_;
     std::vector<std::filesystem::path> new_;  // read, and not yet copied
 };
+
+// The files in DIR/plan with their checksums, by their names. Throws FileError.
+std::vector<sweep::StoredFile> stored_copies(const std::filesystem::path& sweep_folder);
 
 // Copies to DIR/plan of one sweep what that of another has more. Throws FileError.
 void merge_copies(const std::filesystem::path& from_sweep, const std::filesystem::path& to_sweep);

@@ -1,10 +1,10 @@
-#include "dynamics/stages/swept_bodies.hpp"
+#include "dynamics/continuous/swept_bodies.hpp"
 
 #include <algorithm>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
-#include "dynamics/stages/contact_lists.hpp"
+#include "dynamics/continuous/contact_lists.hpp"
 #include "dynamics/stages/sleep.hpp"
 
 namespace tumble {

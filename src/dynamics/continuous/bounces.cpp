@@ -1,4 +1,4 @@
-#include "dynamics/stages/bounces.hpp"
+#include "dynamics/continuous/bounces.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "dynamics/stages/free_flight.hpp"
+#include "dynamics/continuous/free_flight.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "dynamics/stages/impact_search.hpp"
+#include "dynamics/continuous/impact_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
 #include "dynamics/contacts/separation.hpp"
-#include "dynamics/stages/contact_lists.hpp"
-#include "dynamics/stages/swept_bodies.hpp"
-#include "dynamics/stages/swept_pair.hpp"
+#include "dynamics/continuous/contact_lists.hpp"
+#include "dynamics/continuous/swept_bodies.hpp"
+#include "dynamics/continuous/swept_pair.hpp"
 #include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {

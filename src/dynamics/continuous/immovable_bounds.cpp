@@ -1,4 +1,4 @@
-#include "dynamics/stages/immovable_bounds.hpp"
+#include "dynamics/continuous/immovable_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
 #include "dynamics/contacts/separation.hpp"
-#include "dynamics/stages/shape_core.hpp"
-#include "dynamics/stages/swept_bodies.hpp"
+#include "dynamics/continuous/shape_core.hpp"
+#include "dynamics/continuous/swept_bodies.hpp"
 #include "dynamics/state/collision_rules.hpp"
 #include "tumble/chain_manifold.hpp"
 #include "tumble/distance.hpp"

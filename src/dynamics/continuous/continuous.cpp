@@ -1,4 +1,4 @@
-#include "dynamics/stages/continuous.hpp"
+#include "dynamics/continuous/continuous.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/final_poses.hpp"
 #include "dynamics/bodies/sweeps.hpp"
-#include "dynamics/stages/swept_bodies.hpp"
-#include "dynamics/stages/swept_pair.hpp"
+#include "dynamics/continuous/swept_bodies.hpp"
+#include "dynamics/continuous/swept_pair.hpp"
 #include "dynamics/state/collision_rules.hpp"
 
 namespace tumble {

@@ -1,4 +1,4 @@
-#include "dynamics/stages/shape_core.hpp"
+#include "dynamics/continuous/shape_core.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "dynamics/stages/impact_response.hpp"
+#include "dynamics/continuous/impact_response.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include "dynamics/contacts/collide_posed.hpp"
 #include "dynamics/contacts/make_contact.hpp"
 #include "dynamics/contacts/separation.hpp"
-#include "dynamics/stages/bounces.hpp"
-#include "dynamics/stages/contact_lists.hpp"
-#include "dynamics/stages/swept_bodies.hpp"
+#include "dynamics/continuous/bounces.hpp"
+#include "dynamics/continuous/contact_lists.hpp"
+#include "dynamics/continuous/swept_bodies.hpp"
 
 namespace tumble {
 

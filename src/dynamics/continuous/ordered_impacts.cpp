@@ -1,12 +1,12 @@
-#include "dynamics/stages/ordered_impacts.hpp"
+#include "dynamics/continuous/ordered_impacts.hpp"
 
 #include <algorithm>
 #include <functional>
 
 #include "debug/check.hpp"
-#include "dynamics/stages/impact_response.hpp"
-#include "dynamics/stages/impact_search.hpp"
-#include "dynamics/stages/swept_bodies.hpp"
+#include "dynamics/continuous/impact_response.hpp"
+#include "dynamics/continuous/impact_search.hpp"
+#include "dynamics/continuous/swept_bodies.hpp"
 
 namespace tumble {
 

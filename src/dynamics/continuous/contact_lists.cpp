@@ -1,4 +1,4 @@
-#include "dynamics/stages/contact_lists.hpp"
+#include "dynamics/continuous/contact_lists.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "dynamics/stages/swept_pair.hpp"
+#include "dynamics/continuous/swept_pair.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/constants.hpp"
-#include "dynamics/stages/shape_core.hpp"
+#include "dynamics/continuous/shape_core.hpp"
 #include "tumble/chain_manifold.hpp"
 
 namespace tumble {

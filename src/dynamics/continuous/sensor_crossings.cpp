@@ -1,4 +1,4 @@
-#include "dynamics/stages/sensor_crossings.hpp"
+#include "dynamics/continuous/sensor_crossings.hpp"
 
 #include <algorithm>
 
