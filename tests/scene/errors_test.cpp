@@ -297,6 +297,8 @@ TEST_CASE("hints write a value of another kind as this format does") {
     const std::string joint = R"("bodies": ["a", "b"], "anchor": [0, 0], )";
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "limits": {"min": -10, "max": 10})")) == "[-10, 10]");
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "motor": true)")).starts_with("\"motor\": {"));
+    CHECK(hint_of(test::with_joint(joint + R"("type": "mouse", "target": [0, 1])"))
+              .starts_with("\"anchor\" is the first"));
     CHECK(hint_of(test::with_joint(joint + R"("type": "rope")")) ==
           R"(this format calls it 'distance', with "limits": [0, length])");
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kJpegSignature = "\xff\xd8\xff";
 
 // The first scan has at least one bit for each block of 8 by 8 pixels: a file that claims more pixels is not complete.
-constexpr std::size_t kMostPixelsOfByte = 8 * 8 * 8;
+constexpr std::size_t kMostPixelsOfByte = std::size_t{8} * 8 * 8;
 
 using JpegDecoder = std::unique_ptr<std::remove_pointer_t<tjhandle>, int (*)(tjhandle)>;
 

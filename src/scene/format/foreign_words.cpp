@@ -84,6 +84,8 @@ constexpr ForeignKey kKeys[] = {
     {"fps", "steps_per_second", R"("steps_per_second"; that of the frames is the option --fps of `tumble run`)"},
     {"dt", "steps_per_second", R"("steps_per_second": 60)"},
     {"time_step", "steps_per_second", R"("steps_per_second": 60)"},
+    {"target", "break_force",
+     R"("anchor" is the first target; an event moves it: {"at": 1, "joint": "j", "target": [0, 1]})"},
     {"revolute", "bodies", R"("type": "revolute")"},
     {"prismatic", "bodies", R"("type": "prismatic")"},
     {"distance", "bodies", R"("type": "distance")"},
