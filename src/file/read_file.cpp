@@ -9,7 +9,11 @@
 namespace tumble {
 
 std::string read_file(const std::filesystem::path& file, std::size_t limit) {
-    const auto fail = [&file] { throw FileError(file, std::generic_category().message(errno)); };
+    const auto fail = [&file] {
+        const int reason = errno;
+        throw FileError(file,
+                        std::generic_category().message(reason) + (reason == EISDIR ? "; name a file in it" : ""));
+    };
     errno = 0;
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> handle(std::fopen(file.c_str(), "rb"), &std::fclose);
     if (!handle) fail();

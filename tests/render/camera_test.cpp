@@ -187,6 +187,26 @@ TEST_CASE("the camera follows a vehicle that drives away, and stays if most bodi
     CHECK(make_camera(scene, built, kAspect).follows == BodyId{});
 }
 
+TEST_CASE("the frame shows the room in which a body stays, and the camera does not follow it there") {
+    // A puck of 0.4 m crosses a rink of 8 m by 4 m, or of 20 m by 10 m, which is more than 24 times as large.
+    const auto camera_on_rink = [](const std::string& points, SceneWorld& built) {
+        const Scene scene = parse_scene(
+            R"({"format": 1, "world": {"gravity": [0, 0], "duration": 3}, "bodies": [
+                {"name": "rink", "type": "static", "shapes": [{"chain": {"loop": true, "points": )" +
+                points + R"(}}]},
+                {"name": "puck", "position": [-3, 0], "velocity": [3, 0.4], "shapes": [{"circle": {"radius": 0.2}}]}]})",
+            "scene.json");
+        built = build_world(scene);
+        return make_camera(scene, built, kAspect);
+    };
+    SceneWorld built = build_world({});
+    const Camera camera = camera_on_rink("[[-4, -2], [-4, 2], [4, 2], [4, -2]]", built);
+    CHECK(camera.follows == BodyId{});
+    CHECK(Framing(camera, kAspect).contains({-4.0, -2.0}, {4.0, 2.0}));
+    const Camera on_large_rink = camera_on_rink("[[-10, -5], [-10, 5], [10, 5], [10, -5]]", built);
+    CHECK(on_large_rink.follows == built.bodies.at(1).id);
+}
+
 TEST_CASE("a sensor does not count as ground, and a small static body nearby is shown whole") {
     HandMadeScene s;
     s.add_static("ground", {0.0, -0.5}, make_box({200.0f, 1.0f}));

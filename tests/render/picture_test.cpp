@@ -97,3 +97,27 @@ TEST_CASE("a picture that claims more pixels than its bytes can hold is refused 
     CHECK_THROWS_WITH_AS(read_picture(with_sides({"\x01\x00\x00\x00\x00\x00\x00\x80", 8})),
                          doctest::Contains("is not 1 to 8192 pixels"), PictureError);
 }
+
+TEST_CASE("a JPEG file with arithmetic coding and a compressed BMP file are refused with a remedy") {
+    const TemporaryFolder folder;
+    const auto with_bytes = [&](const std::string& name, std::size_t at, const std::string& changed) {
+        std::ofstream(folder.path / name, std::ios::binary)
+            << read_file(seed(name)).replace(at, changed.size(), changed);
+        return folder.path / name;
+    };
+    for (const char* const name : {"picture_baseline.jpg", "picture_progressive.jpg"}) {
+        CAPTURE(name);
+        const std::string bytes = read_file(seed(name));
+        const bool is_baseline = bytes.find("\xff\xc0") != std::string::npos;
+        const std::size_t frame = is_baseline ? bytes.find("\xff\xc0") : bytes.find("\xff\xc2");
+        REQUIRE(frame != std::string::npos);
+        // The kinds 9 and 10 are the sequential and the progressive frame with arithmetic coding.
+        CHECK_THROWS_WITH_AS(read_picture(with_bytes(name, frame + 1, is_baseline ? "\xc9" : "\xca")),
+                             doctest::Contains("has arithmetic coding; save it with Huffman coding, or as PNG"),
+                             PictureError);
+    }
+    constexpr std::size_t kCompression = 30;  // its offset
+    for (const char compression : {'\1', '\2', '\4', '\5'})
+        CHECK_THROWS_WITH_AS(read_picture(with_bytes("picture_24.bmp", kCompression, {compression})),
+                             doctest::Contains("the BMP file is compressed; save it as PNG"), PictureError);
+}

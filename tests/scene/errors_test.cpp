@@ -73,6 +73,14 @@ TEST_CASE("syntax errors state the location, and some of them a hint") {
              Case{"{\"format\": 1} x", 1, 15, "invalid literal", ""},
              Case{"{\"format\": \"\xFF\"}", 1, 13, "ill-formed UTF-8", ""},
              Case{"{\"format\" 1}", 1, 11, "expected ':'", ""},
+             Case{"{format: 1}", 1, 3, "expected string literal", "keys take double quotes"},
+             Case{"# mine\n{\"format\": 1}", 1, 1, "invalid literal", "a comment begins with //"},
+             Case{"{\"format\": +1}", 1, 12, "invalid literal", "no + before it"},
+             Case{"{\"format\": .5}", 1, 12, "invalid literal", "begins with a digit"},
+             Case{"{\"format\": 0x1}", 1, 13, "invalid literal", "in decimal"},
+             Case{"{\"format\": 1, \"bodies\": [{}", 1, 28, "unexpected end", "the last '[' is not closed"},
+             Case{"\xff\xfe{", 1, 1, "invalid literal", "save the file as UTF-8, not UTF-16"},
+             Case{"{\"format\": \"gr\xfcn\"}", 1, 15, "ill-formed UTF-8", "save the file as UTF-8"},
              Case{"{\"format\": 1 \"bodies\": []}", 1, 21, "unexpected string literal", "a comma is missing"},
              Case{"{\"format\": 1, \"bodies\": [{} {}]}", 1, 29, "unexpected '{'", "a comma is missing"},
          }) {
@@ -244,6 +252,57 @@ TEST_CASE("hints answer what newcomers write") {
           R"("at": seconds)");
 }
 
+TEST_CASE("hints write a value of another kind as this format does") {
+    const auto hint_of = [](const std::string& text) {
+        for (const Diagnostic& error : errors_of(text))
+            if (!error.hint.empty()) return error.hint;
+        return std::string();
+    };
+    const std::string body = R"({"format": 1, "bodies": [{"name": "ball", )";
+    CHECK(hint_of(body + R"("mass": "5kg"}]})") == R"("mass": {"mass": 1})");
+    CHECK(hint_of(body + R"("position": ["3m", 0]}]})") == "a number without quotes and without a unit");
+    CHECK(hint_of(body + R"("position": ["left", 0]}]})").empty());
+    CHECK(hint_of(body + R"("position": {"uniform": [[0, 0], [1, 1]]}}]})") ==
+          R"(each number is drawn by itself: [{"uniform": [0, 1]}, {"uniform": [0, 1]}])");
+    CHECK(hint_of(body + R"("bullet": "true"}]})") == "without quotes");
+    CHECK(hint_of(body + R"("type": "fixed"}]})") == "this format calls it 'static'");
+    CHECK(hint_of(body + R"("repeat": {"count": 5}}]})") == R"("grid": {"columns": 5})");
+    CHECK(hint_of(body + R"("repeat": {"grid": [3, 2]}}]})") == R"("grid": {"columns": 3, "rows": 2})");
+    CHECK(hint_of(body + R"("circle": {"radius": 1}}]})") == R"("shapes": [{"circle": {"radius": 1}}])");
+    CHECK(hint_of(body + R"("shapes": {"circle": {"radius": 1}}}]})") == "in brackets, as a list: [{...}]");
+    CHECK(hint_of(test::with_shape(R"({"rect": {"size": [1, 1]}})")) == R"({"box": {"size": [2, 1]}})");
+    CHECK(hint_of(test::with_shape(R"({"circle": {"diameter": 1}})")) == R"("radius", half of the diameter)");
+    CHECK(
+        hint_of(test::with_shape(R"({"polygon": {"points": [[0, 0], [1, 0], [0, 1]]}})")).starts_with("\"vertices\""));
+    const auto hint_of_material = [&](const std::string& keys) {
+        return hint_of(R"({"format": 1, "materials": {"m": {)" + keys + "}}}");
+    };
+    CHECK(hint_of_material(R"("color": [255, 16, 0])") == R"("#ff1000")");
+    CHECK(hint_of_material(R"("color": [0.5, 0, 0])") == R"(for example "#d33")");
+    CHECK(hint_of_material(R"("bounce": 1)") == R"("restitution", 0 to 1)");
+    CHECK(hint_of(R"({"format": 1, "world": {"time": 3}})") == R"("duration": seconds)");
+    CHECK(hint_of(R"({"format": 1, "objects": []})") == R"(bodies are listed under "bodies")");
+    CHECK(hint_of(R"({"format": 1, "camera": {"zoom": 2}})").starts_with("\"height\""));
+    CHECK(hint_of(R"({"format": 1, "include": ["car.json"]})") == R"({"file": "part.json"})");
+    CHECK(hint_of(R"({"format": 1, "expect": ["energy < 1"]})") == R"({"that": "ball.x > 1"})");
+    CHECK(hint_of(R"({"format": 1, "expect": [{"state_hash": 1}]})").starts_with("16 digits in quotes"));
+    CHECK(hint_of(R"({"format": 1, "expect": [{"frame": "golden.png"}]})").starts_with("\"picture\""));
+    CHECK(hint_of(R"({"format": 1, "timeline": [{"at": 1, "remove": "a"}]})").starts_with("\"despawn\""));
+    CHECK(hint_of(R"~({"format": 1, "timeline": [{"when": "contact(a, b)", "stop": true}]})~") ==
+          "write touching(a, b)");
+    CHECK(hint_of(R"({"format": 1, "timeline": [{"when": {"contact": 1}, "stop": true}]})")
+              .starts_with("an expression in quotes"));
+    CHECK(error_of(R"({"format": 1, "expect": [{"picture": "golden.jpg"}]})").message ==
+          "must be the name of a .png file");
+    const std::string joint = R"("bodies": ["a", "b"], "anchor": [0, 0], )";
+    CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "limits": {"min": -10, "max": 10})")) == "[-10, 10]");
+    CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "motor": true)")).starts_with("\"motor\": {"));
+    CHECK(hint_of(test::with_joint(joint + R"("type": "mouse", "target": [0, 1])"))
+              .starts_with("\"anchor\" is the first"));
+    CHECK(hint_of(test::with_joint(joint + R"("type": "rope")")) ==
+          R"(this format calls it 'distance', with "limits": [0, length])");
+}
+
 TEST_CASE("hints translate the habits of other engines") {
     const auto hint_of = [](const std::string& text) { return error_of(text).hint; };
     const std::string before = R"({"format": 1, "bodies": [{)", after = "}]}";
@@ -272,7 +331,7 @@ TEST_CASE("hints translate the habits of other engines") {
 
 TEST_CASE("an unreadable file is a FileError with path and reason") {
     CHECK_THROWS_WITH_AS(load_scene("no/such/scene.json"), "no/such/scene.json: No such file or directory", FileError);
-    CHECK_THROWS_AS(load_scene("/"), FileError);
+    CHECK_THROWS_WITH_AS(load_scene("/"), "/: Is a directory; name a file in it", FileError);
 }
 
 TEST_CASE("hulls that drop vertices are warnings") {

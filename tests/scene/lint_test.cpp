@@ -25,6 +25,13 @@ TEST_CASE("slivers and sizes out of range cause a warning, on dynamic bodies onl
     CHECK(thin.pointer == "/bodies/0/shapes/0");
     CHECK(says(thin, "sliver"));
     CHECK(warnings_of(R"({"shapes": [{"box": {"size": [3, 0.04]}}]})").empty());
+    // A block with a thin ledge is cut into a thick and a thin part, and is no sliver; a thin corner of two parts is
+    // one.
+    const auto outline = [](const std::string& points) {
+        return warnings_of(R"({"position": [0, 5], "shapes": [{"outline": {"points": )" + points + "}}]}");
+    };
+    CHECK(outline("[[0, 0], [3, 0], [3, 0.02], [1, 0.02], [1, 1], [0, 1]]").empty());
+    CHECK(outline("[[0, 0], [3, 0], [3, 0.01], [0.01, 0.01], [0.01, 3], [0, 3]]").size() == 1);
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 0.002}}]})"), "is 0.004 m large"));
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 60}}]})"), "is 120 m large"));
     CHECK(warnings_of(R"({"type": "static", "shapes": [{"box": {"size": [500, 0.1]}}]})").empty());

@@ -120,6 +120,15 @@ TEST_CASE("diff compares two summaries without their times") {
         if (value["pointer"] == "/steps") has_steps = value["a"] == "30" && value["b"] == "60";
     }
     CHECK(has_steps);
+    // One more table differs by itself, and a summary may be long.
+    const std::string out = (folder / "tables").string();
+    const std::string table = out + "/contacts.csv";
+    REQUIRE(run_tumble({"run", scene, "--no-frames", "-o", out, "--duration", "0.5", "--contacts", table}).code == 0);
+    for (const json& value : compare(run_tumble({"diff", a, out + "/summary.json", "--json"}))["different"])
+        CHECK(value["pointer"].get<std::string>().starts_with("/files/contacts/"));
+    json padded = json::parse(tumble::test::read_text(a));
+    padded["padding"] = std::string(std::size_t{3} << 20, 'x');
+    CHECK(run_tumble({"diff", a, folder.write("padded.json", padded.dump())}).code == 7);
     CHECK(found["timings"].size() >= 4);
     CHECK(run_tumble({"diff", a, folder.write("not.json", "{")}).code == 2);
 }

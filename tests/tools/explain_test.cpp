@@ -51,6 +51,18 @@ TEST_CASE("an option that a page names is one of a command that the page names")
     }
 }
 
+TEST_CASE("explain takes a code as messages and shells show it") {
+    const auto page = [](const std::string& code) { return run_tumble({"explain", code}).out; };
+    CHECK(page("7") == page("exit-7"));
+    CHECK(page("143") == page("exit-143"));
+    CHECK(page("[stiff-spring]") == page("stiff-spring"));
+    CHECK(page("Stiff-Spring") == page("stiff-spring"));
+    CHECK(run_tumble({"explain", "99"}).err.find("there is no code '99'") != std::string::npos);
+    // What else the table of exit codes names.
+    for (const char* const cause : {"sweep", "--fail-on-findings"})
+        CHECK_MESSAGE(page("exit-7").find(cause) != std::string::npos, cause);
+}
+
 TEST_CASE("explain refuses an unknown code and names the nearest") {
     const Answer answer = run_tumble({"explain", "stiff-sprng"});
     CHECK(answer.code == 2);

@@ -68,6 +68,8 @@ TEST_CASE("a gallery shows what fails, and text of scenes is no markup") {
     const std::string out = (folder / "gallery").string();
     const Answer answer = run_tumble({"gallery", wrong, failing, "-o", out, "--size", "160x90"});
     CHECK(answer.code == 3);
+    const std::size_t named = answer.err.find("wrong.json");  // once in a message
+    CHECK(answer.err.find("wrong.json", named + 1) == std::string::npos);
     const std::string page = read_text(folder / "gallery/index.html");
     CHECK(page.find("<img src=x>") == std::string::npos);
     CHECK(page.find("&lt;/script&gt;") != std::string::npos);

@@ -94,6 +94,7 @@ TEST_CASE("check --update draws the pictures that are missing, and leaves the ot
     folder.write("end.png", half);
     const Answer text = run_tumble({"check", scene, "--update"});
     CHECK(text.out.find("/expect/1 failed: expected that") != std::string::npos);
+    CHECK(text.out.find("to accept the new frame, delete the file and update again") != std::string::npos);
     CHECK(read_text(folder / "end.png") == half);
     std::filesystem::remove(folder / "end.png");
     CHECK(run_tumble({"check", scene, "--update"})

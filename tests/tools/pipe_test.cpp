@@ -67,7 +67,10 @@ TEST_CASE("a table on standard output has the bytes of its file, and the report 
     CHECK(piped.out == read_text(file));
     CHECK(piped.err.find("180 steps") != std::string::npos);
     CHECK(with({"--trajectory", "/dev/stdout"}).out == read_text(file));  // a redirected file needs no --force
-    CHECK(with({"--trajectory", "-", "--hashes", "/dev/stdout"}).code == 2);
+    const Answer twice = with({"--trajectory", "-", "--hashes", "/dev/stdout"});
+    CHECK(twice.code == 2);
+    CHECK(twice.err.find("error: --hashes: names standard output, which another option names too") !=
+          std::string::npos);
     CHECK(with({"--trajectory", "-", "--json"}).code == 2);
     const json summary = json::parse(read_text(folder / "out/summary.json"));
     CHECK(summary["files"][1]["bytes"] == fs::file_size(file));

@@ -72,6 +72,16 @@ TEST_CASE("the checks of a new project pass, and fail after a scene has changed 
     CHECK(run({"make", "schema", "frames", binary}, project).code == 0);
     CHECK(fs::exists(project / "out/tower.png"));
 
+    // A scene with an error is in the report, which all services publish.
+    std::ofstream(project / "scenes/broken.json") << R"({"format": 1, )";
+    CHECK(run({"make", "check", binary}, project).code != 0);
+    CHECK(read_text(project / "out/report.xml").find("scenes/broken.json") != std::string::npos);
+    fs::remove(project / "scenes/broken.json");
+    for (const char* const workflow : {".github/workflows/physics.yml", ".gitlab-ci.yml", "azure-pipelines.yml"})
+        CHECK(read_text(project / workflow).find("${TUMBLE_PACKAGE:?is not set}") != std::string::npos);
+    CHECK(read_text(project / "azure-pipelines.yml").find("publish: out") != std::string::npos);  // the pictures
+    CHECK(read_text(project / "Jenkinsfile").find("allowEmptyResults: true") != std::string::npos);
+
     const std::string tower = read_text(project / "scenes/tower.json");
     const std::size_t at = tower.find("\"velocity\": [6, 0]");
     REQUIRE(at != std::string::npos);

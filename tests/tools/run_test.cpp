@@ -189,6 +189,18 @@ TEST_CASE("a trajectory has one line per body and step") {
     CHECK(lines[4].starts_with("1,0.016666666666666666,ground,"));
 }
 
+TEST_CASE("a table whose name promises another format than CSV is refused") {
+    const Folder folder;
+    const std::string scene = small_scene_file(folder);
+    for (const char* const name : {"run.h5", "run.npy", "run.json"}) {
+        const Answer answer = run_tumble(
+            {"run", scene, "--no-frames", "-o", (folder / "out").string(), "--trajectory", (folder / name).string()});
+        CHECK(answer.code == 2);
+        CHECK(answer.err.find("tables are CSV") != std::string::npos);
+    }
+    CHECK(!fs::exists(folder / "out"));
+}
+
 TEST_CASE("a run without -o writes to out/<scene name>") {
     const Folder folder;
     small_scene_file(folder);

@@ -14,10 +14,9 @@ namespace fs = std::filesystem;
 bool is_standard_output(const fs::path& file) { return file == "/dev/stdout"; }
 
 CLI::Option& allow_standard_output(CLI::Option& option) {
-    option.transform([name = option.get_name()](const std::string& file) {
+    option.transform([](const std::string& file) {  // the name of the option precedes the message
         if (file != "-" && !is_standard_output(file)) return file;
-        if (!give_output_to_file())
-            throw CLI::ValidationError(name, "names standard output, which another option names too");
+        if (!give_output_to_file()) throw CLI::ValidationError("names standard output, which another option names too");
         return std::string("/dev/stdout");
     });
     return option;

@@ -104,7 +104,7 @@ ExitCode run_diff(const Command& command, const DiffArguments& options) {
                                                   std::string(name_of(kind)) + ", " + options.b + " is " +
                                                   std::string(name_of(kind_b)));
     if (kind != InputKind::frames && !options.heat_map.empty())
-        report_warning("--heat-map has no effect: A and B are no frames");
+        report_warning("--heat-map has no effect: A and B are no frames; name folders of frames, such as RUN/frames");
     switch (kind) {
         case InputKind::hashes: return diff_hashes(command, options);
         case InputKind::events: return diff_events(command, options);

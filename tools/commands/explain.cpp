@@ -65,15 +65,25 @@ ExitCode list_codes(const Command& command) {
     return ExitCode::ok;
 }
 
-ExitCode explain_code(const Command& command, const std::string& code) {
-    if (code.empty()) return list_codes(command);
+// The code as messages and shells show it: without the brackets of a message, in lower case, exit-7 for 7.
+std::string code_of(std::string text) {
+    if (text.size() > 1 && text.front() == '[' && text.back() == ']') text = text.substr(1, text.size() - 2);
+    for (char& letter : text)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    const bool is_number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    return is_number ? "exit-" + text : text;
+}
+
+ExitCode explain_code(const Command& command, const std::string& asked) {
+    if (asked.empty()) return list_codes(command);
+    const std::string code = code_of(asked);
     const ProblemPage* const page = find_problem(code);
     if (page == nullptr) {
         std::vector<std::string_view> codes;
         for (const ProblemPage& known : problems()) codes.push_back(known.code);
         const std::string_view nearest = nearest_word(code, codes);
         throw CLI::ValidationError("CODE",
-                                   "there is no code '" + code + "'; " +
+                                   "there is no code '" + asked + "'; " +
                                        (nearest.empty() ? "" : "did you mean '" + std::string(nearest) + "'? ") +
                                        "'tumble explain' lists all");
     }
@@ -88,7 +98,9 @@ ExitCode explain_code(const Command& command, const std::string& code) {
 void add_explain(CLI::App& app, Command& command) {
     const auto code = std::make_shared<std::string>();
     CLI::App& explain = add_subcommand(app, command, "explain", "Tell what a warning, an error or an exit code means");
-    explain.add_option("CODE", *code, "Code of the warning or error, such as stiff-spring; without it, list all");
+    explain.add_option(
+        "CODE", *code,
+        "Code of the warning or error, such as stiff-spring, or number of the exit code; without it, list all");
     explain.callback([&command, code] { command.action = [&command, code] { return explain_code(command, *code); }; });
 }
 

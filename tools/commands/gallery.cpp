@@ -71,7 +71,8 @@ ExitCode show(const Command& command, const GalleryArguments& options) {
     }
     for (const GalleryEntry& entry : entries)
         for (const std::string* const text : {&entry.check.error, &entry.picture_error})
-            if (!text->empty()) report_warning(entry.check.file + ": " + *text);
+            if (!text->empty())
+                report_warning(text->starts_with(entry.check.file) ? *text : entry.check.file + ": " + *text);
     if (command.json) {
         write_output(json_report(entries, files));
     } else {

@@ -60,6 +60,18 @@ void set_parts(Overlay& overlay, const std::string& option, std::span<const Over
     }
 }
 
+// A table is CSV: a name that promises another format is refused.
+CLI::Validator is_table_name() {
+    const auto check = [](const std::string& text) {
+        const std::string extension = std::filesystem::path(text).extension().string();
+        const bool is_text = extension.empty() || extension == ".csv" || extension == ".txt";
+        return is_text ? ""
+                       : "tables are CSV, and their names end in .csv, got " + text +
+                             "; a sweep writes trajectories as HDF5 and npy";
+    };
+    return {check, ""};
+}
+
 }  // namespace
 
 void add_size_option(CLI::App& subcommand, FrameSize& size, const std::string& shown_default) {
@@ -123,7 +135,8 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     add_overlay_option(subcommand, options.overlay);
     add_renderer_option(subcommand, options.renderer);
     const auto add_table = [&](const char* name, std::filesystem::path& file, const char* description) {
-        allow_standard_output(*subcommand.add_option(name, file, description)->type_name("F.csv"));
+        allow_standard_output(*subcommand.add_option(name, file, description)->type_name("F.csv"))
+            .check(is_table_name());
     };
     add_table("--trajectory", options.trajectory, "Write the pose and velocity of each body after each step");
     add_table("--contacts", options.contacts, "Write every contact point after each step");

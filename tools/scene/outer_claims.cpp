@@ -76,6 +76,8 @@ bool decide_picture(const EndedRun& run, const SceneExpectation& claim, bool wri
     const Image golden = read_png(file);
     compare(golden, draw_at(run.scene, result.step, golden.width, golden.height), claim.tolerance.value_or(0.0),
             result);
+    if (write_missing && !result.passed)
+        result.finding += "; to accept the new frame, delete the file and update again";
     return false;
 }
 

@@ -15,12 +15,34 @@ namespace {
 constexpr std::string_view kJpegSignature = "\xff\xd8\xff";
 
 // The first scan has at least one bit for each block of 8 by 8 pixels: a file that claims more pixels is not complete.
-constexpr std::size_t kMostPixelsOfByte = 8 * 8 * 8;
+constexpr std::size_t kMostPixelsOfByte = std::size_t{8} * 8 * 8;
 
 using JpegDecoder = std::unique_ptr<std::remove_pointer_t<tjhandle>, int (*)(tjhandle)>;
 
 const unsigned char* jpeg_data_of(std::string_view bytes) {
     return reinterpret_cast<const unsigned char*>(bytes.data());
+}
+
+// Whether the frame header says that arithmetic coding packs the pixels. The segments before it begin with 0xff, their
+// kind, and their length without these two bytes. False for a file that ends or is damaged before its frame header.
+bool has_arithmetic_coding(std::string_view bytes) {
+    constexpr int kFirstFrame = 0xc0, kLastFrame = 0xcf, kFirstArithmeticFrame = 0xc9;
+    constexpr int kTables = 0xc4, kExtension = 0xc8,
+                  kArithmeticTables = 0xcc;  // no frames, in the range of their kinds
+    const auto byte_at = [&](std::size_t at) { return int{static_cast<unsigned char>(bytes[at])}; };
+    std::size_t at = 2;  // after the mark of the start
+    while (at + 4 <= bytes.size() && byte_at(at) == 0xff) {
+        const int kind = byte_at(at + 1);
+        if (kind == 0xff) {  // a filling byte
+            ++at;
+            continue;
+        }
+        const bool is_frame = kind >= kFirstFrame && kind <= kLastFrame && kind != kTables && kind != kExtension &&
+                              kind != kArithmeticTables;
+        if (is_frame) return kind >= kFirstArithmeticFrame;
+        at += 2 + static_cast<std::size_t>(256 * byte_at(at + 2) + byte_at(at + 3));
+    }
+    return false;
 }
 
 // An image of the size that the file claims, with no pixels yet.
@@ -40,9 +62,12 @@ Image read_jpeg_header(tjhandle decoder, std::string_view bytes) {
 
 bool is_jpeg(std::string_view bytes) { return bytes.starts_with(kJpegSignature); }
 
-// A warning is an error, as a file that is cut off gives one. libjpeg-turbo refuses more than 500 scans, each of which
-// would go through all pixels.
+// A file with arithmetic coding is refused, because it may hold any number of pixels in a byte. A warning is an error,
+// as a file that is cut off gives one. libjpeg-turbo refuses more than 500 scans, each of which would go through all
+// pixels.
 Image decode_jpeg(std::string_view bytes) {
+    if (has_arithmetic_coding(bytes))
+        throw PictureError("the JPEG file has arithmetic coding; save it with Huffman coding, or as PNG");
     const JpegDecoder decoder(tjInitDecompress(), &tjDestroy);
     if (!decoder) throw PictureError(tjGetErrorStr2(nullptr));
     Image image = read_jpeg_header(decoder.get(), bytes);

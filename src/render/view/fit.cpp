@@ -17,6 +17,7 @@ constexpr double kCut = 0.1;            // longer static shapes are shown this f
 constexpr double kGroundShown = 0.06;   // thick ground is shown this far below its top
 constexpr double kSunk = 0.02;          // ground may overlap the box by this and still counts as below it
 constexpr double kFarthestFall = 40.0;  // ground is searched this far below
+constexpr double kLargestRoom = 24.0;   // a static body of at most this size is a room for what stays in its box
 
 // Factors on the height of the frame.
 constexpr double kGrowthForStatics = 1.75;  // at most, to show all static shapes
@@ -124,6 +125,19 @@ Box box_at_start(const World& world, Box moving, const std::vector<MotionBounds>
     return shown_box(moving, fixtures_of(world), world.def().gravity.y < 0.0f, aspect_ratio);
 }
 
+// The static bodies that are small enough to be shown with what moves in them, such as a rink with its puck.
+std::vector<Box> rooms_of(const World& world) {
+    const double largest = kLargestRoom * moving_box(world).larger_side();
+    std::vector<Box> rooms;
+    for (const Fixture& fixture : fixtures_of(world))
+        if (fixture.body.larger_side() <= largest) rooms.push_back(fixture.body);
+    return rooms;
+}
+
+bool stays_in(const std::vector<Box>& rooms, const MotionBounds& motion) {
+    return std::ranges::any_of(rooms, [&](const Box& room) { return room.contains(motion.whole); });
+}
+
 // The largest frame that motions may ask for.
 Box farthest_frame(const Box& start, double aspect_ratio) {
     const double reach = 0.5 * kGrowthForMotion * height_for(start.size(), aspect_ratio);
@@ -139,9 +153,10 @@ Box fitted_box(const World& world, const std::vector<MotionBounds>& motions, dou
     const Box start = box_at_start(world, moving, motions, aspect_ratio);
     if (start.is_empty() || motions.empty()) return start;
     const Box farthest = farthest_frame(start, aspect_ratio);
+    const std::vector<Box> rooms = rooms_of(world);
     for (const MotionBounds& motion : motions) {
         moving.add(motion.start);
-        if (farthest.contains(motion.whole)) moving.add(motion.whole);
+        if (farthest.contains(motion.whole) || stays_in(rooms, motion)) moving.add(motion.whole);
     }
     return shown_box(moving, fixtures_of(world), world.def().gravity.y < 0.0f, aspect_ratio);
 }
@@ -150,11 +165,12 @@ std::optional<MotionBounds> leading_motion(const World& world, const std::vector
                                            double aspect_ratio) {
     if (motions.empty()) return std::nullopt;
     const Box farthest = farthest_frame(box_at_start(world, moving_box(world), motions, aspect_ratio), aspect_ratio);
+    const std::vector<Box> rooms = rooms_of(world);
     std::optional<MotionBounds> leader;
     std::size_t driven = 0;
     for (const MotionBounds& motion : motions) {
         const DVec2 path = motion.whole.size() - motion.start.size();
-        if (farthest.contains(motion.whole) || path.x <= path.y) continue;
+        if (farthest.contains(motion.whole) || path.x <= path.y || stays_in(rooms, motion)) continue;
         ++driven;
         if (!leader || motion.start.larger_side() > leader->start.larger_side()) leader = motion;
     }

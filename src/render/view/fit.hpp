@@ -11,12 +11,13 @@ namespace tumble::render {
 
 // A box around all bodies that are not static and the ground below them. Static shapes are included whole if the frame
 // becomes at most 1.75 times as high by that, else only near the moving bodies. The motions are included too, except of
-// bodies that leave a frame three times as high as one fitted to the start: a body that falls off the level does not
-// shrink the rest. Empty for a world without shapes.
+// bodies that leave a frame three times as high as one fitted to the start and the room around them: a body that falls
+// off the level does not shrink the rest. A room is a static body whose box contains the whole motion, at most 24 times
+// as large as the box around all moving bodies. Empty for a world without shapes.
 Box fitted_box(const World& world, const std::vector<MotionBounds>& motions, double aspect_ratio);
 
 // The motion of the largest body of those that drive away: they leave a frame three times as high as one fitted to the
-// start, further sideways than up or down. None if fewer than half of the bodies do so, for a frame that moves with one
+// start and the room around them, further sideways than up or down. None if fewer than half of the bodies do so, for a frame that moves with one
 // of them would not show the rest.
 std::optional<MotionBounds> leading_motion(const World& world, const std::vector<MotionBounds>& motions,
                                            double aspect_ratio);

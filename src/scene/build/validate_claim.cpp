@@ -37,6 +37,7 @@ void validate_claim(const SceneExpectation& claim, const std::string& pointer, c
     if (claim.max_time_ratio && claim.reference.empty())
         diagnostics.error(pointer, "the key 'reference' is missing: the scene file that is compared with");
     refuse(claim.tolerance && claim.picture.empty(), "tolerance", "belongs to 'picture'");
+    refuse(!claim.picture.empty() && !claim.picture.ends_with(".png"), "picture", "must be the name of a .png file");
     if (claim.event_count && !claim.event)
         diagnostics.error(pointer, "the key 'event' is missing: the kind of event that is counted");
     refuse(claim.event && !claim.event_count, "event", "belongs to 'event_count'");

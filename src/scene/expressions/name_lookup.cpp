@@ -166,6 +166,7 @@ void NameLookup::refuse_alone(const Token& name) const {
     std::string hint = hint_for_quotes(name.text, known_->scene);
     std::vector<std::string_view> words = names_of(world_words());
     words.insert(words.end(), known_->values.begin(), known_->values.end());
+    if (name.text == "t") hint = "did you mean 'time'?";
     if (hint.empty()) hint = suggestion(name.text, words);
     throw ExpressionError(name.begin, "unknown name '" + name.text + "'", hint);
 }
@@ -174,7 +175,8 @@ void NameLookup::refuse_unknown(const Token& name, const std::string& what) cons
     std::string hint = hint_for_quotes(name.text, known_->scene);
     if (hint.empty()) hint = known_->bodies.hint(name.text);
     if (!hint.starts_with("did you mean") && what != "body")
-        if (const std::string of_joint = known_->joints.hint(name.text); of_joint.starts_with("did you mean"))
+        if (const std::string of_joint = known_->joints.hint(name.text);
+            of_joint.starts_with("did you mean") || of_joint.starts_with("the copies are called"))
             hint = of_joint;
     throw ExpressionError(name.begin, "there is no " + what + " '" + name.text + "'", hint);
 }

@@ -58,6 +58,8 @@ std::string_view own_word(std::string_view sign) {
 std::string own_function(const std::string& name) {
     if (name == "where") return "write if(condition, a, b)";
     if (name == "clip") return "write clamp(a, low, high)";
+    for (const std::string_view touch : {"contact", "contacts", "collides", "collision", "hit", "hits", "overlaps"})
+        if (name == touch) return "write touching(a, b)";
     return suggestion(name, names_of(function_words()));
 }
 
@@ -290,7 +292,7 @@ private:
         const bool may_lack_copies = lookup_.is_unchecked() || arguments != 1;
         if (!copies && !may_lack_copies)
             throw ExpressionError(node.begin, "'" + std::string(word.name) + "' needs the common name of copies",
-                                  std::string(word.form) + ", if there is a body 'crate' with a \"repeat\"");
+                                  "a body without a \"repeat\" has no copies: leave the function out");
     }
 
     std::string_view text_;

@@ -37,7 +37,9 @@ public:
     }
 
     void wrong(const Location& location, const std::string& wanted, const Json& got, const std::string& hint = "") {
-        error(location, "must be " + wanted + ", got " + describe(got), hint);
+        const std::string_view key = location.key.data() || !location.parent ? location.key : location.parent->key;
+        error(location, "must be " + wanted + ", got " + describe(got),
+              hint.empty() ? hint_for_wrong_value(key, wanted, got) : hint);
     }
 
     void read(const Json& value, const Location& location, const Field& field, double& out) {
@@ -94,17 +96,11 @@ public:
     }
 
     void read(const Json& value, const Location& location, const Field& field, DVec2& out) {
-        const bool is_object = value.is_object() && value.contains("x") && value.contains("y");
-        read_two(value, location, field, out.x, out.y, "a vector [x, y]",
-                 is_object           ? "[" + compact_text(value["x"]) + ", " + compact_text(value["y"]) + "]"
-                 : value.is_number() ? "a number for x and one for y: [0, " + compact_text(value) + "]"
-                                     : "");
+        read_two(value, location, field, out.x, out.y, "a vector [x, y]");
     }
 
     void read(const Json& value, const Location& location, const Field& field, SceneInterval& out) {
-        const std::string number = value.is_number() ? compact_text(value) : "";
-        read_two(value, location, field, out.lower, out.upper, "[lower, upper]",
-                 number.empty() ? "" : "[" + number + ", " + number + "] for exactly " + number);
+        read_two(value, location, field, out.lower, out.upper, "[lower, upper]");
         if (out.lower > out.upper)
             error(location, "must be [lower, upper] with lower <= upper, got " + compact_text(value));
     }
@@ -139,8 +135,8 @@ public:
 
     template <class First, class Second>
     void read_two(const Json& value, const Location& location, const Field& field, First& first, Second& second,
-                  const std::string& wanted, const std::string& hint = "") {
-        if (!value.is_array() || value.size() != 2) return wrong(location, wanted, value, hint);
+                  const std::string& wanted) {
+        if (!value.is_array() || value.size() != 2) return wrong(location, wanted, value);
         read(value[0], child(location, 0), field, first);
         read(value[1], child(location, 1), field, second);
     }
@@ -337,14 +333,14 @@ private:
 
 template <class... T>
 void Reader::read(const Json& value, const Location& location, const Field&, std::variant<T...>& out) {
-    if (!value.is_object()) return wrong(location, "an object", value, hint_for_plain_value(location.key, value));
+    if (!value.is_object()) return wrong(location, "an object", value);
     ObjectReader<Scene>::read_variant(*this, value, location, out);
 }
 
 template <class T>
 requires std::is_class_v<T>
 void Reader::read(const Json& value, const Location& location, const Field&, T& out) {
-    if (!value.is_object()) return wrong(location, "an object", value, hint_for_plain_value(location.key, value));
+    if (!value.is_object()) return wrong(location, "an object", value);
     ObjectReader<T> object(*this, value, location, out);
     visit_fields(object, Type<T>{});
     object.finish();

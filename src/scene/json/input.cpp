@@ -107,15 +107,26 @@ private:
         return text.substr(0, read) + (expected != std::string::npos && expected > read ? text.substr(expected) : "");
     }
 
+    static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
     std::string hint(std::size_t offset, const std::string& why) const {
         const bool wants_end = why.ends_with("expected '}'") || why.ends_with("expected ']'");
         const bool begins_value = why.find("literal; expected") != std::string::npos ||
                                   why.find("unexpected '{'") != std::string::npos ||
                                   why.find("unexpected '['") != std::string::npos;
-        if (wants_end && begins_value) return "a comma is missing before it";
         const char c = offset < text_.size() ? text_[offset] : '\0';
-        if (c == 'N' || c == 'I') return "JSON has no NaN and no Infinity";
+        if (offset > 0 && text_[offset - 1] == '0' && (c == 'x' || c == 'b')) return "numbers are written in decimal";
+        if (wants_end && begins_value) return "a comma is missing before it";
+        if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff")) return "save the file as UTF-8, not UTF-16";
+        if (why.find("UTF-8") != std::string::npos) return "save the file as UTF-8";
+        if (why.find("unexpected end") != std::string::npos && !levels_.empty())
+            return std::string("the last '") + (levels_.back().is_object ? "{" : "[") + "' is not closed";
         if (c == '\'') return "strings and keys take double quotes";
+        if (why.find("expected string literal") != std::string::npos && is_letter(c)) return "keys take double quotes";
+        if (c == 'N' || c == 'I') return "JSON has no NaN and no Infinity";
+        if (c == '#') return "a comment begins with //";
+        if (c == '+') return "a number has no + before it";
+        if (c == '.') return "a number begins with a digit: 0.5";
         if ((c == '}' || c == ']') && text_.substr(0, offset).find_last_not_of(" \t\r\n") != std::string_view::npos &&
             text_[text_.substr(0, offset).find_last_not_of(" \t\r\n")] == ',')
             return "remove the comma before it";

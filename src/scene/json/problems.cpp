@@ -209,9 +209,10 @@ constexpr ProblemPage kPages[] = {
      R"(warns of them. Use more "substeps".)"},
     {kExitCode, "exit-7", "a claim does not hold or a comparison differs",
      R"("check" found a claim that does not hold, or "diff", "parity", "physics" or "import --check" found a )"
-     "difference.",
+     R"(difference, or "run --fail-on-findings" a fault, or shards of a "sweep" are missing or damaged.)",
      "tumble check scene.json",
-     R"("tumble check" states the time and the distance by which the claim failed, and --shots draws the state.)"},
+     R"("tumble check" states the time and the distance by which the claim failed, and --shots draws the state. )"
+     "The other commands list what they found."},
     {kExitCode, "exit-130", "interrupted",
      "The command was ended by SIGINT (Ctrl-C) or SIGHUP. What was complete is kept.", "tumble watch scene.json",
      R"(None is needed. "run --resume" continues a run that has a checkpoint.)"},

@@ -22,9 +22,9 @@ public:
     void lint_shapes(const SceneBody& body, const std::string& pointer) {
         if (body.type != BodyType::dynamic_body) return;
         for (std::size_t i = 0; i < body.shapes.size(); ++i) {
-            double width = HUGE_VAL, size = 0.0;
+            double width = 0.0, size = 0.0;  // of the widest and of the longest part: others may be thin
             for (const Shape& part : make_shapes(body.shapes[i].geometry)) {
-                width = std::min(width, width_of(part));
+                width = std::max(width, width_of(part));
                 size = std::max(size, double{extent(part).larger});
             }
             lint_size(pointer + "/shapes/" + std::to_string(i), width, size);

@@ -18,7 +18,10 @@ constexpr std::size_t kMostValues = 100000;  // of a list
 
 PlanObject::PlanObject(const scene::Json& value, std::string pointer, scene::Diagnostics& diagnostics)
     : value_(value), pointer_(std::move(pointer)), diagnostics_(diagnostics) {
-    if (!value.is_object()) diagnostics_.error(pointer_, "must be an object, got " + scene::describe(value));
+    if (!value.is_object())
+        diagnostics_.error(
+            pointer_, "must be an object, got " + scene::describe(value),
+            value.is_boolean() ? "{} asks for it with all defaults; without the key it is left out" : "");
 }
 
 void PlanObject::finish() {

@@ -169,7 +169,11 @@ void read_settings(PlanObject& plan, Plan& result) {
 void read_scenes(PlanObject& object, Plan& plan) {
     const std::vector<std::string> scenes = object.texts("scenes");
     const std::string scene = object.text("scene");
-    if (scene.empty() == scenes.empty()) object.error("", "needs one of the keys scene, scenes");
+    if (scene.empty() == scenes.empty()) {
+        const bool is_scene = object.has("bodies") || object.has("world");
+        object.error("", "needs one of the keys scene, scenes",
+                     is_scene ? R"(this is a scene; a plan names it: {"format": 1, "scene": "FILE", "runs": 10})" : "");
+    }
     plan.scenes.assign(scenes.begin(), scenes.end());
     if (!scene.empty()) plan.scenes.emplace_back(scene);
 }

@@ -27,6 +27,8 @@ TEST_CASE("errors of a plan are located in it, and a folder of something else is
     };
     check(R"({"format": 1, "scene": "scene.json", "rnus": 3})", "1:38: /rnus", "did you mean 'runs'?");
     check(R"({"format": 1})", "1:1: ", "needs one of the keys scene, scenes");
+    check(R"({"format": 1, "bodies": []})", "1:1: ", "hint: this is a scene; a plan names it");
+    check(R"({"format": 1, "scene": "scene.json", "write": {"masks": true}})", "1:57: /write/masks", "hint: {} asks");
     check(R"({"format": 1, "scene": "gone.json"})", "1:24: /scene", "gone.json");
     check(
         R"({"format": 1, "scene": "scene.json", "parameters": [{"name": "a", "set": "/bodies/bal/angle", "range": [0, 1]}]})",
