@@ -17,8 +17,8 @@ destroyed = 0
 for _ in range(60 * 60):
     world.step()
     for touch in world.events.contact_begins:
-        for shape in (world.shape(touch["shape_a"]), world.shape(touch["shape_b"])):
-            if shape.is_alive and shape.user_data == BRICK:
+        for shape in (world.find_shape(touch["shape_a"]), world.find_shape(touch["shape_b"])):
+            if shape is not None and shape.user_data == BRICK:
                 shape.body.destroy()
                 destroyed += 1
     if destroyed == 25:

@@ -19,6 +19,7 @@ from tumble.queries import BodyDistance, Closest, Hit
 from tumble.rendering import fitted_camera, png_bytes, render, write_png
 from tumble.scene import Claim, Run, Scene
 from tumble.shapes import Shape, box, capsule, circle, polygon, segment
+from tumble.vectors import Vec2
 from tumble.video import Video
 from tumble.world import World, step_all
 
@@ -27,7 +28,7 @@ __version__ = "0.2.0"
 __all__ = [
     "STATUS", "Body", "BodyDistance", "BodyShape", "Certificate", "Claim", "Closest", "Diagnostic", "Distance",
     "FileError", "Filter", "Hit", "InUseError", "Joint", "Locks", "RenderError", "Run", "Scene", "SceneError",
-    "Shape", "SimulationDiverged", "SnapshotError", "Trace", "Video", "World", "box", "capsule", "circle", "distance",
+    "Shape", "SimulationDiverged", "SnapshotError", "Trace", "Vec2", "Video", "World", "box", "capsule", "circle", "distance",
     "distances", "fitted_camera", "png_bytes", "polygon", "render", "segment", "step_all", "trace_distance",
     "write_png",
 ]  # fmt: skip

@@ -11,7 +11,8 @@ import numpy.typing as npt
 
 from tumble.body_shapes import BodyShape
 from tumble.parts import Part, index_of
-from tumble.shapes import Shape, Vector, points_array, vector
+from tumble.shapes import Shape, Vector, finite, number, points_array, shape_of, user_data_of, vector
+from tumble.vectors import Vec2, VectorProperty
 
 if TYPE_CHECKING:
     from tumble.joints import Joint
@@ -57,15 +58,15 @@ class Body(Part):
     def type(self, value: str) -> None:
         self._box.set_type(self._id, index_of(BODY_TYPES, value, "type"))
 
-    @property
-    def position(self) -> tuple[float, float]:
+    def _position(self) -> Vec2:
         """Of the origin, world, m. Setting it moves the body at once, without collisions on the way."""
         x, y, *_ = self._box.state(self._id)
-        return x, y
+        return Vec2(x, y)
 
-    @position.setter
-    def position(self, value: Vector) -> None:
+    def _set_position(self, value: Vector) -> None:
         self._box.set_pose(self._id, vector(value, "position"), self.angle)
+
+    position = VectorProperty(_position, _set_position)
 
     @property
     def angle(self) -> float:
@@ -74,17 +75,17 @@ class Body(Part):
 
     @angle.setter
     def angle(self, value: float) -> None:
-        self._box.set_pose(self._id, self.position, value)
+        self._box.set_pose(self._id, self.position, finite(value, "angle"))
 
-    @property
-    def velocity(self) -> tuple[float, float]:
+    def _velocity(self) -> Vec2:
         """Of the centre of mass, m/s."""
         _, _, _, x, y, _ = self._box.state(self._id)
-        return x, y
+        return Vec2(x, y)
 
-    @velocity.setter
-    def velocity(self, value: Vector) -> None:
+    def _set_velocity(self, value: Vector) -> None:
         self._box.set_velocity(self._id, vector(value, "velocity"), self.angular_velocity)
+
+    velocity = VectorProperty(_velocity, _set_velocity)
 
     @property
     def angular_velocity(self) -> float:
@@ -93,15 +94,15 @@ class Body(Part):
 
     @angular_velocity.setter
     def angular_velocity(self, value: float) -> None:
-        self._box.set_velocity(self._id, self.velocity, value)
+        self._box.set_velocity(self._id, self.velocity, number(value, "angular_velocity"))
 
-    def velocity_at(self, point: Vector) -> tuple[float, float]:
+    def velocity_at(self, point: Vector) -> Vec2:
         """The velocity (m/s) of the point of the body that is at a world point."""
-        return self._box.velocity_at(self._id, vector(point, "point"))
+        return Vec2(*self._box.velocity_at(self._id, vector(point, "point")))
 
     def move_towards(self, position: Vector, angle: float = 0.0) -> None:
         """Sets the velocity that reaches a pose in the next step: for kinematic bodies."""
-        self._box.move_towards(self._id, vector(position, "position"), angle)
+        self._box.move_towards(self._id, vector(position, "position"), finite(angle, "angle"))
 
     @property
     def mass(self) -> float:
@@ -111,6 +112,7 @@ class Body(Part):
     @mass.setter
     def mass(self, value: float) -> None:
         mass, center, inertia = self._box.mass(self._id)
+        value = number(value, "mass")
         self._box.set_mass(self._id, (value, center, inertia * value / mass if mass > 0.0 else 0.0))
 
     @property
@@ -119,13 +121,18 @@ class Body(Part):
         return self._box.mass(self._id)[2]
 
     @property
-    def center_of_mass(self) -> tuple[float, float]:
+    def center_of_mass(self) -> Vec2:
         """In coordinates of the body, m."""
-        return self._box.mass(self._id)[1]
+        return Vec2(*self._box.mass(self._id)[1])
 
     def set_mass(self, mass: float, center: Vector = (0.0, 0.0), inertia: float = 0.0) -> None:
-        """Replaces mass (kg), centre (body coordinates, m) and inertia (kg m^2) of the shapes."""
-        self._box.set_mass(self._id, (mass, vector(center, "center"), inertia))
+        """Replaces mass (kg), centre (body coordinates, m) and inertia (kg m^2) of the shapes.
+
+        Without `inertia` the body does not turn. To keep the centre and the form of the inertia set `mass`.
+        """
+        self._box.set_mass(
+            self._id, (number(mass, "mass"), vector(center, "center"), number(inertia, "inertia"))
+        )
 
     def reset_mass(self) -> None:
         """Takes the mass of the shapes again."""
@@ -141,11 +148,11 @@ class Body(Part):
 
     def apply_torque(self, torque: float) -> None:
         """A torque (N m) during the next step."""
-        self._box.apply_torque(self._id, torque)
+        self._box.apply_torque(self._id, number(torque, "torque"))
 
     def apply_angular_impulse(self, impulse: float) -> None:
         """An angular impulse (N m s) at once."""
-        self._box.apply_angular_impulse(self._id, impulse)
+        self._box.apply_angular_impulse(self._id, number(impulse, "impulse"))
 
     @property
     def awake(self) -> bool:
@@ -202,7 +209,7 @@ class Body(Part):
 
     @gravity_scale.setter
     def gravity_scale(self, value: float) -> None:
-        self._box.set_gravity_scale(self._id, value)
+        self._box.set_gravity_scale(self._id, number(value, "gravity_scale"))
 
     @property
     def linear_damping(self) -> float:
@@ -211,7 +218,7 @@ class Body(Part):
 
     @linear_damping.setter
     def linear_damping(self, value: float) -> None:
-        self._box.set_damping(self._id, value, self.angular_damping)
+        self._box.set_damping(self._id, number(value, "linear_damping"), self.angular_damping)
 
     @property
     def angular_damping(self) -> float:
@@ -220,7 +227,7 @@ class Body(Part):
 
     @angular_damping.setter
     def angular_damping(self, value: float) -> None:
-        self._box.set_damping(self._id, self.linear_damping, value)
+        self._box.set_damping(self._id, self.linear_damping, number(value, "angular_damping"))
 
     @property
     def locks(self) -> Locks:
@@ -238,7 +245,7 @@ class Body(Part):
 
     @user_data.setter
     def user_data(self, value: int) -> None:
-        self._box.set_body_user_data(self._id, value)
+        self._box.set_body_user_data(self._id, user_data_of(value))
 
     @property
     def shapes(self) -> list[BodyShape]:
@@ -273,7 +280,7 @@ class Body(Part):
         """Adds a shape. Density is in kg/m^2; a sensor reports what touches it and has no mass."""
         id = self._box.add_shape(
             self._id,
-            shape,
+            shape_of(shape, "shape"),
             {
                 "material": {
                     "density": density,
@@ -284,7 +291,7 @@ class Body(Part):
                 },
                 "filter": {"category": category, "mask": mask, "group": group},
                 "sensor": sensor,
-                "user_data": user_data,
+                "user_data": user_data_of(user_data),
             },
         )
         return BodyShape(self._world, id)
@@ -292,7 +299,11 @@ class Body(Part):
     def add_chain(
         self, points: Any, *, loop: bool = False, two_sided: bool = False, friction: float = 0.6, restitution: float = 0.0
     ) -> list[BodyShape]:
-        """Adds segments through `points` [n, 2] over which shapes slide smoothly, solid on the left of their direction."""
+        """Adds segments through `points` [n, 2] over which shapes slide smoothly, solid on the left of their direction.
+
+        So the points of a ground go from right to left, and those of a room clockwise: what comes from the other side
+        passes through. `two_sided` makes it solid on both sides. `loop` joins the last point to the first.
+        """
         material = {"friction": friction, "restitution": restitution}
         ids = self._box.add_chain(self._id, points_array(points, "points"), loop, two_sided, {"material": material})
         return [BodyShape(self._world, id) for id in ids]

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from tumble.parts import Part
-from tumble.shapes import Shape
+from tumble.shapes import Shape, user_data_of
 
 if TYPE_CHECKING:
     from tumble.bodies import Body
@@ -66,7 +66,7 @@ class BodyShape(Part):
 
     @user_data.setter
     def user_data(self, value: int) -> None:
-        self._box.set_shape_user_data(self._id, value)
+        self._box.set_shape_user_data(self._id, user_data_of(value))
 
     @property
     def friction(self) -> float:

@@ -9,7 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from tumble import _tumble
-from tumble.shapes import Shape, Vector, array_of, vector
+from tumble.shapes import Shape, Vector, array_of, number, shape_of, vector
+from tumble.vectors import Vec2
 
 STATUS = ("separated", "touching", "overlapping", "invalid")
 
@@ -30,9 +31,9 @@ class Distance:
     distance: float
     lower: float
     upper: float
-    point_a: tuple[float, float]  #: on the surface of a, world, m
-    point_b: tuple[float, float]
-    normal: tuple[float, float]  #: unit, from a to b
+    point_a: Vec2  #: on the surface of a, world, m
+    point_b: Vec2  #: on the surface of b
+    normal: Vec2  #: unit, from a to b
     status: str  #: "separated", "touching" (the sign is not decided), "overlapping" or "invalid"
     iterations: int
     certificate: Certificate = field(repr=False)
@@ -54,9 +55,14 @@ class Trace:
 
 
 def _result(members: dict[str, Any]) -> Distance:
-    certificate = Certificate(**members["certificate"])
-    others: dict[str, Any] = {name: value for name, value in members.items() if name != "certificate"}
-    return Distance(certificate=certificate, **others)
+    parts: dict[str, Any] = {name: Vec2(*members[name]) for name in ("point_a", "point_b", "normal")}
+    parts["certificate"] = Certificate(**members["certificate"])
+    return Distance(**{**members, **parts})
+
+
+def _posed(shape: Shape, position: Vector, angle: float, name: str) -> tuple[Shape, tuple[float, float], float]:
+    checked = shape_of(shape, name, ": World.distance takes bodies")
+    return checked, vector(position, f"position_{name}"), number(angle, f"angle_{name}")
 
 
 def distance(
@@ -73,10 +79,10 @@ def distance(
     >>> import tumble
     >>> tumble.distance(tumble.circle(1), tumble.box(2, 2), position_b=(4, 0)).distance
     2.0
+
+    A pose that is not finite has the status "invalid" and the distance NaN.
     """
-    return _result(
-        _tumble.distance(a, vector(position_a, "position_a"), angle_a, b, vector(position_b, "position_b"), angle_b)
-    )
+    return _result(_tumble.distance(*_posed(a, position_a, angle_a, "a"), *_posed(b, position_b, angle_b, "b")))
 
 
 def trace_distance(
@@ -89,9 +95,7 @@ def trace_distance(
     angle_b: float = 0.0,
 ) -> Trace:
     """The same by GJK alone, with every iteration."""
-    members = _tumble.trace_distance(
-        a, vector(position_a, "position_a"), angle_a, b, vector(position_b, "position_b"), angle_b
-    )
+    members = _tumble.trace_distance(*_posed(a, position_a, angle_a, "a"), *_posed(b, position_b, angle_b, "b"))
     return Trace(members["steps"], _result(members["result"]), members["svg"])
 
 
@@ -100,7 +104,8 @@ def distances(a: Any, poses_a: Any, b: Any, poses_b: Any) -> npt.NDArray[Any]:
 
     `a` and `b` are a shape each, or lists of n shapes. Poses are arrays [n, 3] of x, y, angle or [n, 4] of x, y, cosine,
     sine (faster); an array of one row serves all pairs. The answer is an array [n] with the members distance, lower,
-    upper, point_a, point_b, normal, status (an index into STATUS) and iterations: the same bits as `distance`.
+    upper, point_a, point_b, normal, status (an index into STATUS) and iterations: the same bits as `distance`. A row
+    with a pose that is not finite has the status "invalid" and the distance NaN; the other rows are answered.
     """
     counts = [len(shapes) for shapes in (a, b) if not isinstance(shapes, Shape)]
     arrays = []

@@ -167,6 +167,9 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
         self._ended = True
         self._camera: tuple[tuple[float, float], float] | None = None
 
+    def __repr__(self) -> str:
+        return f"<TumbleEnv of {self.scene!r}>"
+
     @staticmethod
     def _own(observations: Observations) -> Observations:
         """A copy of the only world's."""
@@ -184,7 +187,7 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
     def step(self, action: Any) -> tuple[Observations, float, bool, bool, dict[str, Any]]:
         """Returns observation, reward, terminated, truncated, info."""
         if self._ended:
-            raise RuntimeError("the episode has ended: call reset()")
+            raise RuntimeError("no episode is going on: call reset()")
         observations, rewards, terminated, truncated, infos = self._envs.step(np.asarray([action]))
         self._ended = bool(terminated[0] or truncated[0])
         shown = infos["final_obs"] if self._ended else observations

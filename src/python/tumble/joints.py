@@ -13,7 +13,8 @@ import numpy as np
 from tumble import _tumble
 from tumble.bodies import Body
 from tumble.parts import Part, id_in
-from tumble.shapes import Vector, vector
+from tumble.shapes import Vector, number, user_data_of, vector
+from tumble.vectors import Vec2
 
 
 class Joint(Part):
@@ -61,12 +62,12 @@ class Joint(Part):
 
     @property
     def position(self) -> float:
-        """The present angle (rad), displacement or length (m) of the free motion."""
+        """The present angle (rad), displacement or length (m) of the free motion; of a wheel joint, along its axis (m)."""
         return self._box.joint_motion(self._id)[0]
 
     @property
     def speed(self) -> float:
-        """The present speed of the free motion, rad/s or m/s."""
+        """The present speed of `position`, rad/s or m/s. A wheel turns by wheel.angular_velocity - car.angular_velocity."""
         return self._box.joint_motion(self._id)[1]
 
     @property
@@ -79,7 +80,7 @@ class Joint(Part):
 
     @motor_speed.setter
     def motor_speed(self, value: float) -> None:
-        self._box.set_motor_speed(self._id, value)
+        self._box.set_motor_speed(self._id, number(value, "motor_speed"))
 
     @property
     def motor(self) -> tuple[float, float] | None:
@@ -113,9 +114,9 @@ class Joint(Part):
         self._box.set_target(self._id, vector(point, "point"))
 
     @property
-    def force(self) -> tuple[float, float]:
+    def force(self) -> Vec2:
         """On body B in the last step, N, world axes."""
-        return self._box.reaction(self._id)[0]
+        return Vec2(*self._box.reaction(self._id)[0])
 
     @property
     def torque(self) -> float:
@@ -123,9 +124,10 @@ class Joint(Part):
         return self._box.reaction(self._id)[1]
 
     @property
-    def anchors(self) -> tuple[tuple[float, float], tuple[float, float]] | None:
+    def anchors(self) -> tuple[Vec2, Vec2] | None:
         """The points on A and B at which it acts, world, m."""
-        return self._box.joint_anchors(self._id)
+        anchors = self._box.joint_anchors(self._id)
+        return None if anchors is None else (Vec2(*anchors[0]), Vec2(*anchors[1]))
 
     @property
     def user_data(self) -> int:
@@ -134,10 +136,15 @@ class Joint(Part):
 
     @user_data.setter
     def user_data(self, value: int) -> None:
-        self._box.set_joint_user_data(self._id, value)
+        self._box.set_joint_user_data(self._id, user_data_of(value))
 
 
 _PARTS: dict[str, type[Part]] = {"body_a": Body, "body_b": Body, "joint_a": Joint, "joint_b": Joint}
+
+# Members of two numbers, and what these are.
+_PAIRS = {"limits": "lower, upper", "motor": "speed, largest torque or force", "spring": "hertz, damping ratio"}
+
+KINDS = ("revolute", "prismatic", "distance", "weld", "wheel", "motor", "mouse", "filter", "pulley", "gear")
 
 
 def plain_members(box: _tumble.World, members: Mapping[str, Any]) -> dict[str, Any]:
@@ -146,6 +153,8 @@ def plain_members(box: _tumble.World, members: Mapping[str, Any]) -> dict[str, A
     for name, value in members.items():
         if name in _PARTS:
             value = id_in(box, value, _PARTS[name], name)
+        elif name in _PAIRS:
+            value = None if value is None else vector(value, f"{name} ({_PAIRS[name]})")
         elif isinstance(value, (list, np.ndarray)):
             value = vector(value, name)
         plain[name] = value

@@ -14,7 +14,8 @@ from tumble import _tumble
 from tumble.bodies import Body
 from tumble.body_shapes import BodyShape
 from tumble.parts import id_in
-from tumble.shapes import Shape, Vector, array_of, points_array, vector
+from tumble.shapes import Shape, Vector, array_of, finite, number, points_array, shape_of, vector
+from tumble.vectors import Vec2
 
 
 class Hit(NamedTuple):
@@ -23,8 +24,8 @@ class Hit(NamedTuple):
     body: Body
     shape: BodyShape
     fraction: float  #: of the translation, 0 to 1
-    point: tuple[float, float]  #: on the surface, world, m
-    normal: tuple[float, float]  #: unit, out of the shape that is hit
+    point: Vec2  #: on the surface, world, m
+    normal: Vec2  #: unit, out of the shape that is hit
     starts_inside: bool
 
 
@@ -34,21 +35,23 @@ class Closest(NamedTuple):
     body: Body
     shape: BodyShape
     distance: float  #: m, negative inside
-    point: tuple[float, float]  #: on the surface, world, m
-    normal: tuple[float, float]
+    point: Vec2  #: on the surface, world, m
+    normal: Vec2
 
 
 class BodyDistance(NamedTuple):
     """The distance of two bodies, and the two nearest points."""
 
     distance: float  #: m, negative if they overlap
-    point_a: tuple[float, float]
-    point_b: tuple[float, float]
-    normal: tuple[float, float]  #: unit, from a to b
+    point_a: Vec2
+    point_b: Vec2
+    normal: Vec2  #: unit, from a to b
 
 
 class Queries:
     """The questions that a world answers about the shapes in it."""
+
+    __slots__ = ()
 
     _box: _tumble.World
 
@@ -94,14 +97,14 @@ class Queries:
         """The first shape that `shape` touches when it moves by `translation` without rotation."""
         return self._hit(
             self._box.cast_shape(
-                shape, vector(position, "position"), angle, vector(translation, "translation"), self._filter(exclude, mask, sensors)
+                shape_of(shape, "shape"), vector(position, "position"), finite(angle, "angle"), vector(translation, "translation"), self._filter(exclude, mask, sensors)
             )
         )
 
     def overlap(self, shape: Shape, position: Vector = (0.0, 0.0), angle: float = 0.0, *, exclude: Body | None = None,
                 mask: int | None = None, sensors: bool = False) -> list[BodyShape]:  # fmt: skip
         """The shapes that `shape` at a pose overlaps."""
-        ids = self._box.overlap_shape(shape, vector(position, "position"), angle, self._filter(exclude, mask, sensors))
+        ids = self._box.overlap_shape(shape_of(shape, "shape"), vector(position, "position"), finite(angle, "angle"), self._filter(exclude, mask, sensors))
         return [self.shape(id) for id in ids]
 
     def overlap_box(self, lower: Vector, upper: Vector, *, exclude: Body | None = None, mask: int | None = None,
@@ -113,21 +116,24 @@ class Queries:
     def closest(self, point: Vector, max_distance: float = float("inf"), *, exclude: Body | None = None,
                 mask: int | None = None, sensors: bool = False) -> Closest | None:  # fmt: skip
         """The shape nearest to a point, if one is at most `max_distance` m away."""
-        found = self._box.closest(vector(point, "point"), max_distance, self._filter(exclude, mask, sensors))
+        furthest = number(max_distance, "max_distance")
+        found = self._box.closest(vector(point, "point"), furthest, self._filter(exclude, mask, sensors))
         if found is None:
             return None
         body, shape, distance, at, normal = found
-        return Closest(self.body(body), self.shape(shape), distance, at, normal)
+        return Closest(self.body(body), self.shape(shape), distance, Vec2(*at), Vec2(*normal))
 
     def distance(self, a: Body, b: Body) -> BodyDistance:
         """The signed distance of two bodies."""
-        return BodyDistance(*self._box.distance(id_in(self._box, a, Body, "a"), id_in(self._box, b, Body, "b")))
+        ids = id_in(self._box, a, Body, "a"), id_in(self._box, b, Body, "b")
+        distance, point_a, point_b, normal = self._box.distance(*ids)
+        return BodyDistance(distance, Vec2(*point_a), Vec2(*point_b), Vec2(*normal))
 
     def _hit(self, found: tuple[Any, ...] | None) -> Hit | None:
         if found is None:
             return None
         body, shape, fraction, point, normal, inside = found
-        return Hit(self.body(body), self.shape(shape), fraction, point, normal, inside)
+        return Hit(self.body(body), self.shape(shape), fraction, Vec2(*point), Vec2(*normal), inside)
 
     def _filter(self, exclude: Body | None, mask: int | None, sensors: bool) -> dict[str, Any]:
         members: dict[str, Any] = {"sensors": sensors}

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tumble import _tumble
-from tumble.shapes import Vector, vector
+from tumble.shapes import Vector, number, vector, whole
 
 if TYPE_CHECKING:
     from tumble.scene import Run
@@ -36,10 +36,12 @@ def render(
     pixels on one machine.
     """
     world = what if not hasattr(what, "world") else what.world
+    size = whole(width, "width", 16, 8192), whole(height, "height", 16, 8192)
     if isinstance(overlay, str):
         raise TypeError("overlay must be a list of names, not a string")
     middle = None if center is None else vector(center, "center")
-    return _tumble.render(world._box, world._has_scene, width, height, middle, view_height, list(overlay))
+    shown = None if view_height is None else number(view_height, "view_height")
+    return _tumble.render(world._box, world._has_scene, *size, middle, shown, list(overlay))
 
 
 def fitted_camera(what: World | Run, aspect_ratio: float = 16.0 / 9.0) -> tuple[tuple[float, float], float]:

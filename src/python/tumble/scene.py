@@ -17,7 +17,7 @@ from tumble.bodies import Body
 from tumble.errors import Diagnostic
 from tumble.joints import Joint
 from tumble.shapes import Vector
-from tumble.world import World
+from tumble.world import World, steps_of
 
 
 class Claim(NamedTuple):
@@ -39,8 +39,15 @@ class Source(NamedTuple):
     custom: Any  #: the custom data that it has
 
 
+def plain_value(value: Any) -> Any:
+    """A number or an array of numpy as JSON has it."""
+    if isinstance(value, (np.generic, np.ndarray)):
+        return value.tolist()
+    raise TypeError(f"{value!r} is a {type(value).__name__}")
+
+
 class Scene:
-    """A scene as plain data: `scene.data` is the content of its file, to be read and edited.
+    """A scene as plain data: `scene.data` is the content of its file, to be read and edited. It may have numpy's numbers.
 
     >>> scene = Scene.load("scenes/pyramid.json")
     >>> scene.data["world"] = {"gravity": [0, -1.6]}
@@ -50,6 +57,8 @@ class Scene:
 
     def __init__(self, data: Mapping[str, Any] | None = None, *, name: str = "scene") -> None:
         """Takes a copy of the data. SceneError names what is wrong in it when it runs, or by `validate`."""
+        if data is not None and not isinstance(data, Mapping):
+            raise TypeError(f"data must be a dictionary, got {data!r}; Scene.load reads a file and Scene.parse a text")
         self.data: dict[str, Any] = copy.deepcopy(dict(data)) if data is not None else {"format": 1}
         self.data.setdefault("format", 1)
         self._name = name
@@ -133,7 +142,7 @@ class Scene:
 
     def _text(self) -> str:
         try:
-            return json.dumps(self.data, allow_nan=False)
+            return json.dumps(self.data, allow_nan=False, default=plain_value)
         except (TypeError, ValueError) as error:
             raise ValueError(f"the data of a scene must be JSON: {error}") from None
 
@@ -168,7 +177,7 @@ class Run:
 
     def step(self, count: int = 1) -> None:
         """Makes steps with the timeline, and observes the claims. A run that has stopped keeps its state."""
-        self._box.step(count)
+        self._box.step(steps_of(count))
 
     def finish(self) -> None:
         """Steps to the end of the scene's duration."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Sequence
 from typing import Any
 
@@ -19,6 +20,8 @@ __all__ = ["Shape", "Vector", "box", "capsule", "circle", "polygon", "segment"]
 def number(value: float, name: str) -> float:
     """A number, or the right exception."""
     try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
         return float(value)
     except (TypeError, ValueError):
         raise TypeError(f"{name} must be a number, got {value!r}") from None
@@ -26,10 +29,44 @@ def number(value: float, name: str) -> float:
         raise ValueError(f"{name} is too large") from None
 
 
+def finite(value: float, name: str) -> float:
+    """A finite number, or the right exception."""
+    checked = number(value, name)
+    if not np.isfinite(checked):
+        raise ValueError(f"{name} must be finite, got {value!r}")
+    return checked
+
+
+def whole(value: int, name: str, least: int, most: int, hint: str = "") -> int:
+    """A whole number from `least` to `most`, or the right exception."""
+    wanted = f"{name} must be a whole number from {least} to {most}, got {value!r}{hint}"
+    try:
+        checked = operator.index(value)
+    except TypeError:
+        raise TypeError(wanted) from None
+    if not least <= checked <= most:
+        raise ValueError(wanted)
+    return checked
+
+
+def user_data_of(value: int) -> int:
+    """A number that a body, a shape or a joint keeps for its user, or the right exception."""
+    return whole(value, "user_data", 0, 2**64 - 1, "; keep objects in a dictionary with the body, shape or joint as key")
+
+
+def shape_of(value: Shape, name: str, hint: str = "") -> Shape:
+    """A shape, or the right exception."""
+    if not isinstance(value, Shape):
+        raise TypeError(f"{name} must be a Shape, as tumble.circle makes it, got {value!r}{hint}")
+    return value
+
+
 def vector(value: Vector, name: str) -> tuple[float, float]:
     """A pair of numbers, or the right exception."""
     try:
         x, y = value
+        if isinstance(x, str) or isinstance(y, str):
+            raise TypeError
         return float(x), float(y)
     except (TypeError, ValueError):
         raise TypeError(f"{name} must be two numbers, got {value!r}") from None
@@ -48,19 +85,24 @@ def points_array(points: Any, name: str) -> npt.NDArray[np.float64]:
 def array_of(values: Any, name: str, type: Any = np.float64) -> npt.NDArray[Any]:
     """An array of numbers, or the right exception."""
     try:
-        return np.ascontiguousarray(values, dtype=type)
+        array = np.asarray(values)
+        if array.dtype.kind == "c":
+            raise TypeError("they are complex")
+        return np.ascontiguousarray(array, dtype=type)
     except OverflowError:
         raise ValueError(f"{name} has a number that is too large") from None
+    except (TypeError, ValueError) as error:
+        raise error.__class__(f"{name} must be an array of numbers: {error}") from None
 
 
 def circle(radius: float, center: Vector = (0.0, 0.0)) -> Shape:
     """A disc. `radius` >= 0 m."""
-    return _tumble.circle(radius, vector(center, "center"))
+    return _tumble.circle(number(radius, "radius"), vector(center, "center"))
 
 
 def capsule(start: Vector, end: Vector, radius: float) -> Shape:
     """The points within `radius` (m) of a segment."""
-    return _tumble.capsule(vector(start, "start"), vector(end, "end"), radius)
+    return _tumble.capsule(vector(start, "start"), vector(end, "end"), number(radius, "radius"))
 
 
 def segment(start: Vector, end: Vector) -> Shape:
@@ -70,7 +112,8 @@ def segment(start: Vector, end: Vector) -> Shape:
 
 def box(width: float, height: float, *, radius: float = 0.0, center: Vector = (0.0, 0.0), angle: float = 0.0) -> Shape:
     """A box of outer size `width` x `height` m with corners rounded by `radius`, turned by `angle` (rad)."""
-    return _tumble.box(vector((width, height), "width and height"), radius, vector(center, "center"), angle)
+    size = number(width, "width"), number(height, "height")
+    return _tumble.box(size, number(radius, "radius"), vector(center, "center"), finite(angle, "angle"))
 
 
 def polygon(points: Any, *, radius: float = 0.0, exact: bool = False) -> Shape:
@@ -79,4 +122,4 @@ def polygon(points: Any, *, radius: float = 0.0, exact: bool = False) -> Shape:
     Vertices within a few ulp of an edge are dropped, which suits bodies; `exact` keeps all of them, for distances whose
     bounds must hold for the points as given.
     """
-    return _tumble.polygon(points_array(points, "points"), radius, exact)
+    return _tumble.polygon(points_array(points, "points"), number(radius, "radius"), exact)

@@ -28,6 +28,8 @@ class Video:
     def __init__(self, path: str | os.PathLike[str], fps: float = 60.0) -> None:
         """`fps` is the number of frames a second. The size is that of the first frame, even for .mp4 and .webm."""
         self._path, self._fps = os.fspath(path), number(fps, "fps")
+        if not 0.0 < self._fps < float("inf"):
+            raise ValueError(f"fps must be finite and above 0, got {fps!r}")
         _tumble.require_video_name(self._path)
         self._writer: _tumble.VideoWriter | None = None
         self._is_closed = False

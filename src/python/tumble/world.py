@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import operator
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
@@ -17,16 +17,23 @@ import numpy.typing as npt
 from tumble import _tumble
 from tumble.bodies import BODY_TYPES, DYNAMIC, Body
 from tumble.body_shapes import BodyShape
-from tumble.joints import Joint, plain_members, to_local, to_world, wrapped
+from tumble.joints import KINDS, Joint, plain_members, to_local, to_world, wrapped
 from tumble.parts import index_of
 from tumble.queries import Queries
-from tumble.shapes import Shape, Vector, number, vector
+from tumble.shapes import Shape, Vector, finite, number, shape_of, user_data_of, vector, whole
+from tumble.vectors import Vec2, VectorProperty
 
 if TYPE_CHECKING:
     from tumble.scene import Run
 
 _SOLVERS = ("iterative", "direct")
 _IMPACTS = ("at_step_end", "in_order")
+_MOST_STEPS = 2**53
+
+
+def steps_of(count: int) -> int:
+    """A number of steps, or the right exception."""
+    return whole(count, "count", 0, _MOST_STEPS, ": a step lasts 1 / steps_per_second, which World(...) takes")
 
 
 class World(Queries):
@@ -46,6 +53,8 @@ class World(Queries):
     "iterative", or "direct", which solves all joints at once, so that chains do not open under load. `impacts`: "in_order",
     or "at_step_end", which is faster. `scale`: the size of a typical body, m.
     """
+
+    __slots__ = ("__weakref__", "_box", "_has_scene")
 
     def __init__(
         self,
@@ -96,7 +105,7 @@ class World(Queries):
 
         Raises SimulationDiverged if a pose is not finite any more.
         """
-        self._box.step(count)
+        self._box.step(steps_of(count))
 
     @property
     def time(self) -> float:
@@ -122,15 +131,14 @@ class World(Queries):
         """The duration of a step, s."""
         return 1.0 / float(self._box.definition()["steps_per_second"])
 
-    @property
-    def gravity(self) -> tuple[float, float]:
+    def _gravity(self) -> Vec2:
         """m/s^2."""
-        x, y = self._box.definition()["gravity"]
-        return x, y
+        return Vec2(*self._box.definition()["gravity"])
 
-    @gravity.setter
-    def gravity(self, value: Vector) -> None:
+    def _set_gravity(self, value: Vector) -> None:
         self._box.set_gravity(vector(value, "gravity"))
+
+    gravity = VectorProperty(_gravity, _set_gravity)
 
     @property
     def state_hash(self) -> str:
@@ -179,6 +187,7 @@ class World(Queries):
         velocity: Vector = (0.0, 0.0),
         angular_velocity: float = 0.0,
         shapes: Sequence[Shape] = (),
+        mass: float | None = None,
         density: float = 1.0,
         friction: float = 0.6,
         restitution: float = 0.0,
@@ -191,13 +200,21 @@ class World(Queries):
         awake: bool = True,
         user_data: int = 0,
     ) -> Body:
-        """Creates a body, with shapes of one material. `Body.add_shape` adds others."""
+        """Creates a body, with shapes of one material. `Body.add_shape` adds others.
+
+        `type`: "static", "kinematic" or "dynamic". `position` of its origin (m), `angle` (rad), `velocity` of its centre of
+        mass (m/s), `angular_velocity` (rad/s). Its mass is that of the shapes by their `density` (kg/m^2), unless `mass`
+        (kg) is given. `friction` and `restitution` are those of `BodyShape`, the other members those of `Body`.
+        """
+        if isinstance(shapes, Shape) or not isinstance(shapes, Iterable):
+            raise TypeError(f"shapes must be a list of shapes, got {shapes!r}")
+        outlines = [shape_of(shape, "shapes") for shape in shapes]
         x, y = vector(position, "position")
         moves = vector(velocity, "velocity") != (0.0, 0.0) or angular_velocity != 0.0
         id = self._box.create_body(
             {
                 "type": index_of(BODY_TYPES, type, "type"),
-                "pose": (x, y, number(angle, "angle")),
+                "pose": (x, y, finite(angle, "angle")),
                 "linear_damping": linear_damping,
                 "angular_damping": angular_damping,
                 "gravity_scale": gravity_scale,
@@ -205,13 +222,15 @@ class World(Queries):
                 "allow_sleep": allow_sleep,
                 "allow_fast_rotation": allow_fast_rotation,
                 "awake": awake,
-                "user_data": user_data,
+                "user_data": user_data_of(user_data),
             }
         )
         body = Body(self, id)
         try:
-            for shape in shapes:
-                body.add_shape(shape, density=density, friction=friction, restitution=restitution)
+            for outline in outlines:
+                body.add_shape(outline, density=density, friction=friction, restitution=restitution)
+            if mass is not None:
+                body.mass = mass
             if awake and moves:
                 self._box.set_velocity(id, vector(velocity, "velocity"), angular_velocity)
         except BaseException:
@@ -225,12 +244,20 @@ class World(Queries):
         return [Body(self, int(id)) for id in self._box.ids()]
 
     def body(self, id: int) -> Body:
-        """The body of an id, as contacts have it."""
+        """The body of an id, as contacts have it. ValueError if it is destroyed: see `find_body`."""
         return Body(self, self._known(id, self._box.is_body, "body"))
 
     def shape(self, id: int) -> BodyShape:
-        """The shape of an id, as contacts and events have it."""
+        """The shape of an id, as contacts and events have it. ValueError if it is removed: see `find_shape`."""
         return BodyShape(self, self._known(id, self._box.is_shape, "shape"))
+
+    def find_body(self, id: int) -> Body | None:
+        """The body of an id, or None if it is destroyed."""
+        return Body(self, int(id)) if self._box.is_body(whole(id, "id", 0, 2**64 - 1)) else None
+
+    def find_shape(self, id: int) -> BodyShape | None:
+        """The shape of an id, or None if it is removed or its body destroyed."""
+        return BodyShape(self, int(id)) if self._box.is_shape(whole(id, "id", 0, 2**64 - 1)) else None
 
     @staticmethod
     def _known(id: int, is_alive: Callable[[int], bool], what: str) -> int:
@@ -248,8 +275,15 @@ class World(Queries):
         ratio), `length`, `reference_angle`, `max_force`, `break_force`, `collide_connected`... An angle is measured from
         the poses at creation unless `reference_angle` is given; a rod without `length` keeps the present one.
         """
+        index_of(KINDS, kind, "kind")
+        if kind == "gear" and not {"joint_a", "joint_b"} <= members.keys():
+            raise TypeError("a gear joint needs joint_a and joint_b")
         if (body_a is None or body_b is None) and kind != "gear":
             raise TypeError(f"a {kind} joint needs two bodies")
+        if kind == "mouse" and "max_force" not in members:
+            raise TypeError("a mouse joint needs max_force (N), without which it does not pull")
+        if kind == "motor" and not {"max_force", "max_torque"} & members.keys():
+            raise TypeError("a motor joint needs max_force (N) or max_torque (N m), without which it does not push")
         plain = plain_members(self._box, members)
         if body_a is not None and body_b is not None:
             plain.update(plain_members(self._box, {"body_a": body_a, "body_b": body_b}))
@@ -285,10 +319,11 @@ class World(Queries):
 
     @property
     def events(self) -> SimpleNamespace:
-        """What happened in the last step, as arrays of ids:
+        """What happened in the last step, as arrays of ids; after step(count), in the last of these steps:
 
         contact_begins and contact_hits (shape_a, shape_b, point, normal, approach_speed), contact_ends (shape_a, shape_b),
-        sensor_begins and sensor_ends (sensor, visitor), broken_joints and fell_asleep.
+        sensor_begins and sensor_ends (sensor, visitor), broken_joints and fell_asleep. What ended may be destroyed:
+        `find_body` and `find_shape` are None then.
         """
         return SimpleNamespace(**self._box.events())
 
@@ -300,7 +335,9 @@ class World(Queries):
 
     @staticmethod
     def load(snapshot: bytes) -> World:
-        """The world of a snapshot. Raises SnapshotError."""
+        """The world of a snapshot, as `save` makes it. Raises SnapshotError."""
+        if not isinstance(snapshot, bytes):
+            raise TypeError(f"snapshot must be bytes, as save() makes them, got {type(snapshot).__name__}")
         return World._of(_tumble.World.load(snapshot), False)
 
     def copy(self) -> World:
@@ -350,9 +387,13 @@ def step_all(worlds: Sequence[World | Run], count: int = 1, *, threads: int | No
     Each world is stepped by one thread: this uses processors better than threads within a step. If steps raise, the other
     worlds still make theirs, and the exception of the first is raised.
     """
+    from tumble.scene import Run
+
+    if isinstance(worlds, (World, Run)):
+        raise TypeError(f"worlds must be a list of worlds or runs, got {worlds!r}")
     boxes = []
     for world in worlds:
-        if not isinstance(getattr(world, "_box", None), _tumble.World):
+        if not isinstance(world, (World, Run)):
             raise TypeError(f"worlds must be worlds or runs, got {world!r}")
         boxes.append(world._box)
-    _tumble.step_all(boxes, count, threads if threads is not None else len(os.sched_getaffinity(0)))
+    _tumble.step_all(boxes, steps_of(count), threads if threads is not None else len(os.sched_getaffinity(0)))
