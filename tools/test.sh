@@ -14,9 +14,9 @@
 #   aarch64   g++ for aarch64, run by qemu: the golden hashes, and the answers to all families of pairs (tools/aarch64.sh)
 #   package   the Debian package: its contents, its program and a project that uses its library (tools/package.sh)
 # tools/test.sh STAGE... runs these stages alone, with what they build on.
-# tools/test.sh --full [STAGE...] does the same with clang-tidy for all sources, a million pairs of each parity family,
-# ten minutes for each fuzz target, the tests of the world and ten thousand random worlds with sanitizers, a thousand on
-# several threads, long searches and a hundred thousand random sequences of calls in Python, and its API reference.
+# tools/test.sh --full [STAGE...] does the same with a million pairs of each parity family, ten minutes for each fuzz
+# target, the tests of the world and ten thousand random worlds with sanitizers, a thousand on several threads, long
+# searches and a hundred thousand random sequences of calls in Python, and its API reference.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -24,10 +24,8 @@ cd -- "$project"
 jobs=${TUMBLE_JOBS:-2}
 sanitized_rooms=(broad dynamics golden tools)
 all_stages=(sources release python sanitize threads sets slurm aarch64 package)
-lint_arguments=()
 if [[ ${1-} == --full ]]; then
     shift
-    lint_arguments=(--all)
     export TUMBLE_PAIRS=1000000 TUMBLE_FUZZ_SECONDS=600 TUMBLE_FUZZ_SEED=0 TUMBLE_THREADED_WORLDS=1000 TUMBLE_LONG=1
 fi
 stages=("$@")
@@ -101,7 +99,7 @@ build_release() {
 
 test_sources() {
     say "checking the sources"
-    tools/lint.sh "${lint_arguments[@]}"
+    tools/lint.sh
 }
 
 test_release() {
