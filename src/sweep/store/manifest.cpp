@@ -49,14 +49,14 @@ StoredFile to_file(const LineJson& json) {
 }
 
 StoredFile to_file(const LineJson& json, const std::set<std::string>& names) {
-    const StoredFile file = to_file(json);
+    StoredFile file = to_file(json);
     if (!names.contains(file.name)) throw std::invalid_argument("not a file of a sweep");
     return file;
 }
 
 // A file below DIR/plan.
 StoredFile to_copy(const LineJson& json) {
-    const StoredFile file = to_file(json);
+    StoredFile file = to_file(json);
     const fs::path path(file.name);
     if (!file.name.starts_with("plan/") || !path.has_filename() || path.lexically_normal() != path)
         throw std::invalid_argument("not a copy of a sweep");
