@@ -10,15 +10,17 @@
 #include "scene/bad_scenes.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene_file.hpp"
+#include "tumble/scene_import.hpp"
 
 using namespace tumble;
 
 namespace {
 
-// Warnings, or errors if there are any.
+// Warnings, or errors if there are any, of a scene or a drawing.
 std::vector<Diagnostic> diagnostics_of(const std::string& text) {
     std::vector<Diagnostic> found;
     try {
+        if (text.starts_with('<')) parse_svg(text, "drawing.svg");
         parse_scene(text, "scene.json", {.overrides = {}, .seed = {}, .lint = true}, &found);
     } catch (const SceneError& error) {
         found = error.diagnostics;

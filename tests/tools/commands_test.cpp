@@ -145,6 +145,7 @@ TEST_CASE("import writes a valid scene and refuses to replace one") {
     CHECK(json::parse(answer.out)["bodies"] == 1);
     CHECK(run_tumble({"validate", scene}).code == 0);
     CHECK(run_tumble({"import", source, "-o", scene}).code == 4);
+    CHECK(run_tumble({"import", source, "-o", source, "--force"}).code == 2);  // it would replace the export
     CHECK(run_tumble({"import", folder.write("no.json", "{"), "-o", (folder / "b.json").string()}).code == 3);
     CHECK_FALSE(fs::exists(folder / "b.json"));
 }

@@ -179,6 +179,9 @@ ExitCode import_scene(const Command& command, const ImportArguments& options) {
             "compares R.U.B.E. exports with Box2D; it has no meaning for a drawing: " + options.source.string());
     if (options.check && is_standard_input(options.source))
         throw CLI::ValidationError("--check", "reads the export a second time: it needs a file, not standard input");
+    std::error_code ignored;
+    if (std::filesystem::equivalent(options.source, options.scene, ignored))
+        throw CLI::ValidationError("--output", "names the file that is imported: " + options.scene.string());
     refuse_to_overwrite(options.scene, options.force);
     ImportedScene imported = read_source(options);
     place_images(options, imported);

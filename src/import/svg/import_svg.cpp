@@ -14,6 +14,7 @@
 #include "scene/json/diagnostics.hpp"
 #include "scene/json/input.hpp"
 #include "scene/json/json_text.hpp"
+#include "scene/json/problem_codes.hpp"
 #include "tumble/file.hpp"
 #include "tumble/scene_import.hpp"
 
@@ -45,13 +46,13 @@ public:
         : options_(options), diagnostics_(file_name, text) {
         result_.scene.name = as_utf8(std::filesystem::path(file_name).stem().string());
         const pugi::xml_parse_result parsed = document_.load_buffer(text.data(), text.size());
-        if (!parsed) diagnostics_.error_at_offset(offset_of(parsed.offset), parsed.description());
+        if (!parsed) error(parsed.offset, parsed.description());
     }
 
     ImportedScene run() {
         const pugi::xml_node root = document_.document_element();
         if (!diagnostics_.has_errors() && std::string_view(root.name()) != "svg")
-            diagnostics_.error_at_offset(0, "expected an <svg> element, got " + quoted(root.name()));
+            error(0, "expected an <svg> element, got " + quoted(root.name()));
         diagnostics_.finish(nullptr);
         index(root, 0);
         at_element(root, [&] { read_page(root); });
@@ -65,14 +66,17 @@ public:
     }
 
 private:
+    void error(std::ptrdiff_t offset, const std::string& message) {
+        diagnostics_.error_at_offset(offset_of(offset), message, "", codes::drawing);
+    }
+
     // Runs `action` and reports an SvgError as an error at the element.
     template <class Action>
     void at_element(const pugi::xml_node& element, const Action& action) {
         try {
             action();
-        } catch (const SvgError& error) {
-            diagnostics_.error_at_offset(offset_of(element.offset_debug()),
-                                         '<' + std::string(element.name()) + ">: " + error.what());
+        } catch (const SvgError& found) {
+            error(element.offset_debug(), '<' + std::string(element.name()) + ">: " + found.what());
             if (++errors_ == static_cast<int>(kMaxDiagnostics)) diagnostics_.finish(nullptr);
         }
     }
@@ -80,8 +84,7 @@ private:
     // Collects the elements by id, and the style sheets.
     void index(const pugi::xml_node& element, int depth) {
         if (depth > kMostDepth) {
-            diagnostics_.error_at_offset(offset_of(element.offset_debug()),
-                                         "elements are nested deeper than " + std::to_string(kMostDepth));
+            error(element.offset_debug(), "elements are nested deeper than " + std::to_string(kMostDepth));
             diagnostics_.finish(nullptr);
         }
         if (const std::string_view id = element.attribute("id").value(); !id.empty()) by_id_.emplace(id, element);

@@ -57,8 +57,7 @@ bool is_bmp(std::string_view bytes) { return bytes.starts_with(kBmpSignature); }
 Image decode_bmp(std::string_view bytes) {
     if (bytes.size() < kShortestFile) throw PictureError("the BMP file is not complete");
     const BmpHeader header = bmp_header_of(bytes);
-    if (is_compressed(header))
-        throw PictureError("the BMP file is compressed; save it as PNG, or as BMP without compression (RLE)");
+    if (is_compressed(header)) throw PictureError("the BMP file is compressed; save it as PNG, or as uncompressed BMP");
     if (std::min(header.width, header.height) < 1 || std::max(header.width, header.height) > kLargestFrame)
         throw PictureError("a side of the BMP file is not 1 to " + std::to_string(kLargestFrame) + " pixels");
     const std::int64_t row = (header.width * header.bits + 31) / 32 * 4;  // bytes, a multiple of four

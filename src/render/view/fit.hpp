@@ -17,8 +17,8 @@ namespace tumble::render {
 Box fitted_box(const World& world, const std::vector<MotionBounds>& motions, double aspect_ratio);
 
 // The motion of the largest body of those that drive away: they leave a frame three times as high as one fitted to the
-// start and the room around them, further sideways than up or down. None if fewer than half of the bodies do so, for a frame that moves with one
-// of them would not show the rest.
+// start and the room around them, further sideways than up or down. None if fewer than half of the bodies do so, for a
+// frame that moves with one of them would not show the rest.
 std::optional<MotionBounds> leading_motion(const World& world, const std::vector<MotionBounds>& motions,
                                            double aspect_ratio);
 

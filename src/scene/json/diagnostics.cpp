@@ -106,9 +106,8 @@ void Diagnostics::error_in_text(std::string pointer, std::size_t inside, std::st
     if (!overflowed_) errors_.back().inside = inside;
 }
 
-void Diagnostics::error_at_offset(std::size_t offset, std::string message, std::string hint) {
-    errors_.push_back(
-        {"", std::move(message), std::move(hint), At::value, offset, std::string_view::npos, codes::json});
+void Diagnostics::error_at_offset(std::size_t offset, std::string message, std::string hint, std::string_view code) {
+    errors_.push_back({"", std::move(message), std::move(hint), At::value, offset, std::string_view::npos, code});
 }
 
 bool Diagnostics::has_errors_in(std::string_view pointer) const {

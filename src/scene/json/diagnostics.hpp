@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/json/included_parts.hpp"
+#include "scene/json/problem_codes.hpp"
 #include "tumble/scene_file.hpp"
 
 namespace tumble::scene {
@@ -36,7 +37,9 @@ public:
     void warning(std::string_view code, std::string pointer, std::string message, std::string hint = "");
     // An error in the text of the string at the pointer, `inside` bytes from its start.
     void error_in_text(std::string pointer, std::size_t inside, std::string message, std::string hint = "");
-    void error_at_offset(std::size_t offset, std::string message, std::string hint = "");
+    // A text that is not JSON; `code` is that of another problem.
+    void error_at_offset(std::size_t offset, std::string message, std::string hint = "",
+                         std::string_view code = codes::json);
 
     bool has_errors() const { return !errors_.empty() || !adopted_errors_.empty(); }
 

@@ -29,6 +29,7 @@ inline constexpr std::string_view useless_force = "useless-force";
 inline constexpr std::string_view event_after_removal = "event-after-removal";
 
 inline constexpr std::string_view json = "json";
+inline constexpr std::string_view drawing = "drawing";
 inline constexpr std::string_view scene = "scene";
 inline constexpr std::string_view world = "world";
 inline constexpr std::string_view camera = "camera";

@@ -143,6 +143,10 @@ constexpr ProblemPage kPages[] = {
      "allowed.",
      R"({"format": 1,, "bodies": []})",
      "Correct the text at the caret. An editor with JSON support shows the place while you type."},
+    {kError, codes::drawing, "a drawing that cannot be imported",
+     "The file is not XML, has no <svg> element, or an element of it is not valid SVG.",
+     R"(<svg xmlns="http://www.w3.org/2000/svg"><circle r="-1"/></svg>)",
+     "Correct the element at the caret, or save the drawing again as plain SVG."},
     {kError, codes::scene, "an error outside of all lists",
      "A key of the scene itself is missing, unknown, there twice, or of another type. Every scene states "
      R"("format": 1.)",
