@@ -12,7 +12,7 @@ import numpy as np
 
 from tumble import _tumble
 from tumble.bodies import Body
-from tumble.parts import Part, id_in
+from tumble.parts import Part, id_in, index_of
 from tumble.shapes import Vector, number, user_data_of, vector
 from tumble.vectors import Vec2
 
@@ -158,6 +158,35 @@ def plain_members(box: _tumble.World, members: Mapping[str, Any]) -> dict[str, A
         elif isinstance(value, (list, np.ndarray)):
             value = vector(value, name)
         plain[name] = value
+    return plain
+
+
+def new_members(
+    box: _tumble.World, kind: str, body_a: Body | None, body_b: Body | None, members: Mapping[str, Any]
+) -> dict[str, Any]:
+    """The members of a new joint: points in coordinates of the bodies, and what follows from the present poses."""
+    index_of(KINDS, kind, "kind")
+    if kind == "gear" and not {"joint_a", "joint_b"} <= members.keys():
+        raise TypeError("a gear joint needs joint_a and joint_b")
+    if (body_a is None or body_b is None) and kind != "gear":
+        raise TypeError(f"a {kind} joint needs two bodies")
+    if kind == "mouse" and "max_force" not in members:
+        raise TypeError("a mouse joint needs max_force (N), without which it does not pull")
+    if kind == "motor" and not {"max_force", "max_torque"} & members.keys():
+        raise TypeError("a motor joint needs max_force (N) or max_torque (N m), without which it does not push")
+    plain = plain_members(box, members)
+    if body_a is None or body_b is None:
+        return plain
+    plain.update(plain_members(box, {"body_a": body_a, "body_b": body_b}))
+    if "anchor" in plain:
+        point = vector(plain.pop("anchor"), "anchor")
+        plain.update(anchor_a=to_local(body_a, point), anchor_b=to_local(body_b, point))
+    if kind in ("revolute", "prismatic", "weld", "motor"):
+        plain.setdefault("reference_angle", wrapped(body_b.angle - body_a.angle))
+    if kind == "distance" and "length" not in plain:
+        a = to_world(body_a, plain.get("anchor_a", (0.0, 0.0)))
+        b = to_world(body_b, plain.get("anchor_b", (0.0, 0.0)))
+        plain["length"] = float(np.hypot(b[0] - a[0], b[1] - a[1]))
     return plain
 
 

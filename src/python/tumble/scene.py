@@ -16,8 +16,8 @@ from tumble import _tumble
 from tumble.bodies import Body
 from tumble.errors import Diagnostic
 from tumble.joints import Joint
-from tumble.shapes import Vector
-from tumble.world import World, steps_of
+from tumble.shapes import Vector, steps_of
+from tumble.world import World
 
 
 class Claim(NamedTuple):

@@ -49,6 +49,11 @@ def whole(value: int, name: str, least: int, most: int, hint: str = "") -> int:
     return checked
 
 
+def steps_of(count: int) -> int:
+    """A number of steps, or the right exception."""
+    return whole(count, "count", 0, 2**53, ": a step lasts 1 / steps_per_second, which World(...) takes")
+
+
 def user_data_of(value: int) -> int:
     """A number that a body, a shape or a joint keeps for its user, or the right exception."""
     return whole(value, "user_data", 0, 2**64 - 1, "; keep objects in a dictionary with the body, shape or joint as key")
