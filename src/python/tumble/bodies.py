@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
 import numpy.typing as npt
 
 from tumble.body_shapes import BodyShape
@@ -95,6 +96,18 @@ class Body(Part):
     @angular_velocity.setter
     def angular_velocity(self, value: float) -> None:
         self._box.set_velocity(self._id, self.velocity, number(value, "angular_velocity"))
+
+    def local_to_world(self, point: Vector) -> Vec2:
+        """The world point (m) of a point in coordinates of the body."""
+        x, y = vector(point, "point")
+        c, s = np.cos(self.angle), np.sin(self.angle)
+        return self.position + (float(c * x - s * y), float(s * x + c * y))
+
+    def world_to_local(self, point: Vector) -> Vec2:
+        """The coordinates (m) of a world point in the body."""
+        dx, dy = Vec2(*vector(point, "point")) - self.position
+        c, s = np.cos(self.angle), np.sin(self.angle)
+        return Vec2(float(c * dx + s * dy), float(c * dy - s * dx))
 
     def velocity_at(self, point: Vector) -> Vec2:
         """The velocity (m/s) of the point of the body that is at a world point."""

@@ -180,31 +180,16 @@ def new_members(
     plain.update(plain_members(box, {"body_a": body_a, "body_b": body_b}))
     if "anchor" in plain:
         point = vector(plain.pop("anchor"), "anchor")
-        plain.update(anchor_a=to_local(body_a, point), anchor_b=to_local(body_b, point))
+        plain.update(anchor_a=body_a.world_to_local(point), anchor_b=body_b.world_to_local(point))
     if kind in ("revolute", "prismatic", "weld", "motor"):
         plain.setdefault("reference_angle", wrapped(body_b.angle - body_a.angle))
     if kind == "distance" and "length" not in plain:
-        a = to_world(body_a, plain.get("anchor_a", (0.0, 0.0)))
-        b = to_world(body_b, plain.get("anchor_b", (0.0, 0.0)))
-        plain["length"] = float(np.hypot(b[0] - a[0], b[1] - a[1]))
+        a = body_a.local_to_world(plain.get("anchor_a", (0.0, 0.0)))
+        b = body_b.local_to_world(plain.get("anchor_b", (0.0, 0.0)))
+        plain["length"] = (b - a).length
     return plain
 
 
 def wrapped(angle: float) -> float:
     """The same angle in [-pi, pi)."""
     return float((angle + np.pi) % (2.0 * np.pi) - np.pi)
-
-
-def to_local(body: Body, point: tuple[float, float]) -> tuple[float, float]:
-    """A world point in coordinates of the body."""
-    x, y = body.position
-    c, s = np.cos(body.angle), np.sin(body.angle)
-    dx, dy = point[0] - x, point[1] - y
-    return float(c * dx + s * dy), float(c * dy - s * dx)
-
-
-def to_world(body: Body, point: tuple[float, float]) -> tuple[float, float]:
-    """A point in coordinates of the body as a world point."""
-    x, y = body.position
-    c, s = np.cos(body.angle), np.sin(body.angle)
-    return float(x + c * point[0] - s * point[1]), float(y + s * point[0] + c * point[1])

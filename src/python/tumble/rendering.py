@@ -30,8 +30,9 @@ def render(
 ) -> npt.NDArray[np.uint8]:
     """Draws the present state as an array [height, width, 4] of red, green, blue and alpha, top row first.
 
-    The camera is fitted to the world, or has its middle at `center` (world, m) and shows `view_height` m. Pass both to
-    keep it still from frame to frame: see `fitted_camera`. `overlay` names what to show over the bodies: contacts,
+    The camera has its middle at `center` (world, m) and shows `view_height` m. Pass both to keep it still from frame to
+    frame. What is left out is fitted, as by `fitted_camera`: to the bodies that are not static and the ground below them,
+    and to all static shapes if these do not make the frame much larger. `overlay` names what to show over the bodies: contacts,
     normals, aabbs, islands, velocity, joints. Width and height are 16 to 8192 pixels. The same state gives the same
     pixels on one machine.
     """

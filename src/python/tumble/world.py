@@ -274,7 +274,7 @@ class World(Queries):
 
         `anchor` is a world point (m) for both bodies, or `anchor_a` and `anchor_b` are points in coordinates of each.
         Pairs are `limits` (lower, upper), `motor` (speed, largest torque or force) and `spring` (hertz, damping ratio).
-        `axis` is in coordinates of A. All but gear and filter have `break_force`, `break_torque` and `collide_connected`.
+        `axis` is in coordinates of A. All but filter have `break_force`, `break_torque` and `collide_connected`.
         An angle is measured from the poses at creation unless `reference_angle` is given; a rod without `length` keeps
         the present one.
         """
