@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from tumble.body_shapes import BodyShape
 from tumble.parts import Part, index_of
-from tumble.shapes import Shape, Vector, finite, number, points_array, shape_of, user_data_of, vector
+from tumble.shapes import Shape, Vector, finite, number, points_array, shape_of, truth, user_data_of, vector
 from tumble.vectors import Vec2, VectorProperty
 
 if TYPE_CHECKING:
@@ -174,7 +174,7 @@ class Body(Part):
 
     @awake.setter
     def awake(self, value: bool) -> None:
-        self._box.set_awake(self._id, value)
+        self._box.set_awake(self._id, truth(value, "awake"))
 
     def _member(self, name: str) -> Any:
         return self._box.body_definition(self._id)[name]
@@ -186,7 +186,7 @@ class Body(Part):
 
     @enabled.setter
     def enabled(self, value: bool) -> None:
-        self._box.set_enabled(self._id, value)
+        self._box.set_enabled(self._id, truth(value, "enabled"))
 
     @property
     def bullet(self) -> bool:
@@ -195,7 +195,7 @@ class Body(Part):
 
     @bullet.setter
     def bullet(self, value: bool) -> None:
-        self._box.set_bullet(self._id, value)
+        self._box.set_bullet(self._id, truth(value, "bullet"))
 
     @property
     def allow_sleep(self) -> bool:
@@ -204,7 +204,7 @@ class Body(Part):
 
     @allow_sleep.setter
     def allow_sleep(self, value: bool) -> None:
-        self._box.set_allow_sleep(self._id, value)
+        self._box.set_allow_sleep(self._id, truth(value, "allow_sleep"))
 
     @property
     def allow_fast_rotation(self) -> bool:
@@ -213,7 +213,7 @@ class Body(Part):
 
     @allow_fast_rotation.setter
     def allow_fast_rotation(self, value: bool) -> None:
-        self._box.set_allow_fast_rotation(self._id, value)
+        self._box.set_allow_fast_rotation(self._id, truth(value, "allow_fast_rotation"))
 
     @property
     def gravity_scale(self) -> float:
@@ -249,7 +249,7 @@ class Body(Part):
 
     def lock(self, *, x: bool = False, y: bool = False, rotation: bool = False) -> None:
         """Locks motions along the world axes and the rotation; those left out are free."""
-        self._box.set_locks(self._id, x, y, rotation)
+        self._box.set_locks(self._id, truth(x, "x"), truth(y, "y"), truth(rotation, "rotation"))
 
     @property
     def user_data(self) -> int:

@@ -6,7 +6,7 @@ import os
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +17,14 @@ from tumble.shapes import Vector, number, vector, whole
 if TYPE_CHECKING:
     from tumble.scene import Run
     from tumble.world import World
+
+
+def world_of(what: World | Run) -> World:
+    """A world, or that of a run, or the right exception."""
+    world: Any = getattr(what, "world", what)
+    if not isinstance(getattr(world, "_box", None), _tumble.World) or not hasattr(world, "_has_scene"):
+        raise TypeError(f"what is drawn must be a world or a run, got {what!r}")
+    return cast("World", world)
 
 
 def render(
@@ -36,7 +44,7 @@ def render(
     normals, aabbs, islands, velocity, joints. Width and height are 16 to 8192 pixels. The same state gives the same
     pixels on one machine.
     """
-    world = what if not hasattr(what, "world") else what.world
+    world = world_of(what)
     size = whole(width, "width", 16, 8192), whole(height, "height", 16, 8192)
     if isinstance(overlay, str):
         raise TypeError("overlay must be a list of names, not a string")
@@ -50,7 +58,7 @@ def fitted_camera(what: World | Run, aspect_ratio: float = 16.0 / 9.0) -> tuple[
 
     Of a run: the camera of its first frame, moved with the body that the scene follows. `aspect_ratio` is width / height.
     """
-    world = what if not hasattr(what, "world") else what.world
+    world = world_of(what)
     return _tumble.fitted_camera(world._box, world._has_scene, aspect_ratio)
 
 

@@ -114,7 +114,7 @@ class World(Queries):
 
     @threads.setter
     def threads(self, value: int) -> None:
-        self._box.set_threads(value)
+        self._box.set_threads(whole(value, "threads", 0, 2**31 - 1))
 
     @property
     def dt(self) -> float:
