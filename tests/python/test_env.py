@@ -125,6 +125,7 @@ def test_one_environment_has_the_interface_of_gymnasium():
         ("choices", [[1, 2]], "choices must have the shape"),
         ("choices", [["left"]], "choices must have the shape"),
         ("prize", 1, "env has no 'prize'"),
+        ("observations", [{"name": "x", "value": "1"}, {"name": "x", "value": "2"}], "an observation 'x' already"),
     ],
 )
 def test_a_wrong_declaration_is_explained(member, value, message):
@@ -173,6 +174,24 @@ def test_an_error_of_an_override_has_its_place_in_the_new_data(tmp_path):
     with pytest.raises(tumble.SceneError, match="wrong") as caught:
         tumble.env.TumbleEnv(tumble.Scene.load(file, set=["/world/gravity=[0, 0]"]))
     assert (caught.value.line, caught.value.column, caught.value.file) == (2, 36, str(file))
+
+
+def test_observations_and_ranges_are_rad_and_expressions_degrees():
+    scene = tumble.Scene({
+        "world": {"gravity": [0, 0]},
+        "bodies": [{"name": "base", "type": "static"}, {"name": "arm", "shapes": [{"box": {"size": [2, 1]}}]}],
+        "joints": [{"name": "hinge", "type": "revolute", "bodies": ["base", "arm"], "anchor": [0, 0],
+                    "motor": {"speed": 0, "max_torque": 1e5}}],
+        "custom": {"env": {
+            "actions": [{"motor_speed": "hinge", "range": [-2, 2]}],
+            "observations": [{"name": "angle", "body": "arm", "of": "angle"}, {"name": "speed", "joint": "hinge", "of": "speed"},
+                             {"name": "angle_deg", "value": "arm.angle"}, {"name": "speed_deg", "value": "arm.spin"}],
+            "random": [{"body": "arm", "of": "angle", "range": [0.5, 0.5]}]}}})  # fmt: skip
+    env = tumble.env.TumbleEnv(scene)
+    env.reset(seed=1)
+    angle, speed, angle_deg, speed_deg = env.step([9])[0]  # beyond 1, which counts as 1
+    assert speed == pytest.approx(2, rel=1e-3) and angle == pytest.approx(0.5 + 2 / 60, rel=1e-3)
+    assert np.allclose([angle_deg, speed_deg], np.degrees([angle, speed]), rtol=1e-5)
 
 
 def test_an_error_in_an_expression_points_into_its_text():

@@ -7,10 +7,19 @@ import pytest
 
 import tumble
 import tumble.env
+from tumble.joints import KINDS
 
 WORLD = tumble.World()
 GROUND = WORLD.add_body("static", shapes=[tumble.box(20, 1)], position=(0, -0.5))
 BALL = WORLD.add_body(shapes=[tumble.circle(0.5)], position=(0, 3))
+
+
+
+def started(name):
+    env = tumble.env.make(name)
+    env.reset(seed=1)
+    return env
+
 
 CALLS = [
     (lambda: WORLD.step(1 / 60), TypeError, "count must be a whole number .* a step lasts 1 / steps_per_second"),
@@ -40,11 +49,24 @@ CALLS = [
     (lambda: WORLD.add_joint("mouse", GROUND, BALL), TypeError, "a mouse joint needs max_force"),
     (lambda: WORLD.add_joint("motor", GROUND, BALL), TypeError, "a motor joint needs max_force .* or max_torque"),
     (lambda: WORLD.render("640"), TypeError, "width must be a whole number from 16 to 8192, got '640'"),
+    (lambda: setattr(WORLD, "threads", 1.5), TypeError, "threads must be a whole number"),
+    (lambda: setattr(BALL, "awake", "no"), TypeError, "awake must be True or False, got 'no'"),
+    (lambda: BALL.lock(x="a"), TypeError, "x must be True or False"),
+    (lambda: tumble.render(3), TypeError, "must be a world or a run, got 3"),
+    (lambda: tumble.fitted_camera(BALL.shapes), TypeError, "must be a world or a run"),
+    (lambda: tumble.Scene().start().value(3), TypeError, "expression must be a string, got 3"),
+    (lambda: tumble.Scene.parse({"bodies": []}), TypeError, "text must be a string"),
+    (lambda: tumble.Scene.load("tray.json", set="/world/duration=3"), TypeError, "set must be a list of overrides"),
+    (lambda: tumble.Scene.load("tray.json", seed="a"), TypeError, "seed must be a whole number"),
     (lambda: tumble.World.load("abc"), TypeError, "snapshot must be bytes"),
     (lambda: tumble.step_all(WORLD), TypeError, "worlds must be a list of worlds or runs"),
     (lambda: tumble.step_all([BALL]), TypeError, "worlds must be worlds or runs"),
     (lambda: tumble.Scene("tray.json"), TypeError, "Scene.load reads a file"),
     (lambda: tumble.Video("ball.mp4", fps=0), ValueError, "fps must be finite and above 0"),
+    (lambda: tumble.env.make("cart_pole").reset(seed="a"), TypeError, "seed must be a whole number .* got 'a'"),
+    (lambda: tumble.env.make_vector("cart_pole", 2.5), TypeError, "count must be a whole number from 1 .* got 2.5"),
+    (lambda: started("cart_pole").step(0.5), ValueError, "action must be an index of 2 choices, got 0.5"),
+    (lambda: started("pusher").step(0), ValueError, r"action must have the shape \(2,\), got 0"),
     (lambda: tumble.env.make("cart_pole").step(0), RuntimeError, r"no episode is going on: call reset\(\)"),
 ]  # fmt: skip
 
@@ -82,3 +104,18 @@ def test_scenes_take_numbers_of_numpy():
     scene = tumble.Scene({"bodies": [{"name": "ball", "position": np.array([1.5, 2]), "angle": np.float32(90)}]})
     assert scene.start().bodies["ball"].position == (1.5, 2)
     assert scene.copy().to_json() == tumble.Scene({"bodies": [{"name": "ball", "position": [1.5, 2], "angle": 90}]}).to_json()
+
+
+def test_help_lists_the_members_that_each_kind_of_joint_has():
+    world = tumble.World()
+    a, b = (world.add_body(shapes=[tumble.circle(1)]) for _ in range(2))
+    listed = dict(re.findall(r"^ *- (\w+): (.*)$", tumble.World.add_joint.__doc__, re.MULTILINE))
+    assert set(listed) == set(KINDS)
+    hinges = [world.add_joint("revolute", world.add_body("static"), body) for body in (a, b)]
+    shared = {"body_a", "body_b", "anchor_a", "anchor_b", "break_force", "break_torque", "collide_connected", "user_data"}
+    for kind in KINDS:
+        bodies = {"joint_a": hinges[0], "joint_b": hinges[1]} if kind == "gear" else {"body_a": a, "body_b": b}
+        force = {"max_force": 1} if kind in ("mouse", "motor") else {}
+        joint = world.add_joint(kind, anchor_a=(0, 0), anchor_b=(2, 0), **bodies, **force) if kind == "distance" else (
+            world.add_joint(kind, **bodies, **force))  # fmt: skip
+        assert set(re.findall(r"`(\w+)`", listed[kind])) == joint.definition.keys() - shared, kind

@@ -365,3 +365,10 @@ def test_a_circle_larger_than_all_frames_fills_the_frame():
         return world.render(64, 48, center=(0, 0), view_height=4)
 
     assert np.array_equal(pixels(1e5), pixels(1e16))
+
+
+def test_points_of_a_body_are_turned_and_moved():
+    body = tumble.World().add_body(shapes=[tumble.circle(1)], position=(3, 1), angle=np.pi / 2)
+    assert body.local_to_world((2, 0)) == pytest.approx((3, 3), abs=1e-6)  # rotations are float
+    assert body.world_to_local((3, 3)) == pytest.approx((2, 0), abs=1e-6)
+    assert body.world_to_local(body.local_to_world((0.5, -0.25))) == pytest.approx((0.5, -0.25), abs=1e-6)

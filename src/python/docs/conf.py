@@ -7,6 +7,7 @@ release = tumble.__version__
 extensions = ["sphinx.ext.autodoc"]
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
+autodoc_type_aliases = {"Vector": "Vector"}
 autodoc_default_options = {"members": True, "undoc-members": True, "show-inheritance": True, "inherited-members": "tuple, Exception, OSError"}
 add_module_names = False
 html_theme = "alabaster"

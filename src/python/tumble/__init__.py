@@ -19,9 +19,10 @@ from tumble.queries import BodyDistance, Closest, Hit
 from tumble.rendering import fitted_camera, png_bytes, render, write_png
 from tumble.scene import Claim, Run, Scene
 from tumble.shapes import Shape, box, capsule, circle, polygon, segment
+from tumble.stepping import step_all
 from tumble.vectors import Vec2
 from tumble.video import Video
-from tumble.world import World, step_all
+from tumble.world import World
 
 __version__ = "0.2.0"
 

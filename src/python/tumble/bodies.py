@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
 import numpy.typing as npt
 
 from tumble.body_shapes import BodyShape
 from tumble.parts import Part, index_of
-from tumble.shapes import Shape, Vector, finite, number, points_array, shape_of, user_data_of, vector
+from tumble.shapes import Shape, Vector, finite, number, points_array, shape_of, truth, user_data_of, vector
 from tumble.vectors import Vec2, VectorProperty
 
 if TYPE_CHECKING:
@@ -96,6 +97,18 @@ class Body(Part):
     def angular_velocity(self, value: float) -> None:
         self._box.set_velocity(self._id, self.velocity, number(value, "angular_velocity"))
 
+    def local_to_world(self, point: Vector) -> Vec2:
+        """The world point (m) of a point in coordinates of the body."""
+        x, y = vector(point, "point")
+        c, s = np.cos(self.angle), np.sin(self.angle)
+        return self.position + (float(c * x - s * y), float(s * x + c * y))
+
+    def world_to_local(self, point: Vector) -> Vec2:
+        """The coordinates (m) of a world point in the body."""
+        dx, dy = Vec2(*vector(point, "point")) - self.position
+        c, s = np.cos(self.angle), np.sin(self.angle)
+        return Vec2(float(c * dx + s * dy), float(c * dy - s * dx))
+
     def velocity_at(self, point: Vector) -> Vec2:
         """The velocity (m/s) of the point of the body that is at a world point."""
         return Vec2(*self._box.velocity_at(self._id, vector(point, "point")))
@@ -161,7 +174,7 @@ class Body(Part):
 
     @awake.setter
     def awake(self, value: bool) -> None:
-        self._box.set_awake(self._id, value)
+        self._box.set_awake(self._id, truth(value, "awake"))
 
     def _member(self, name: str) -> Any:
         return self._box.body_definition(self._id)[name]
@@ -173,7 +186,7 @@ class Body(Part):
 
     @enabled.setter
     def enabled(self, value: bool) -> None:
-        self._box.set_enabled(self._id, value)
+        self._box.set_enabled(self._id, truth(value, "enabled"))
 
     @property
     def bullet(self) -> bool:
@@ -182,7 +195,7 @@ class Body(Part):
 
     @bullet.setter
     def bullet(self, value: bool) -> None:
-        self._box.set_bullet(self._id, value)
+        self._box.set_bullet(self._id, truth(value, "bullet"))
 
     @property
     def allow_sleep(self) -> bool:
@@ -191,7 +204,7 @@ class Body(Part):
 
     @allow_sleep.setter
     def allow_sleep(self, value: bool) -> None:
-        self._box.set_allow_sleep(self._id, value)
+        self._box.set_allow_sleep(self._id, truth(value, "allow_sleep"))
 
     @property
     def allow_fast_rotation(self) -> bool:
@@ -200,7 +213,7 @@ class Body(Part):
 
     @allow_fast_rotation.setter
     def allow_fast_rotation(self, value: bool) -> None:
-        self._box.set_allow_fast_rotation(self._id, value)
+        self._box.set_allow_fast_rotation(self._id, truth(value, "allow_fast_rotation"))
 
     @property
     def gravity_scale(self) -> float:
@@ -236,7 +249,7 @@ class Body(Part):
 
     def lock(self, *, x: bool = False, y: bool = False, rotation: bool = False) -> None:
         """Locks motions along the world axes and the rotation; those left out are free."""
-        self._box.set_locks(self._id, x, y, rotation)
+        self._box.set_locks(self._id, truth(x, "x"), truth(y, "y"), truth(rotation, "rotation"))
 
     @property
     def user_data(self) -> int:

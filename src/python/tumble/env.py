@@ -29,11 +29,15 @@ from tumble import _tumble
 from tumble.env_plan import Plan, Rows
 from tumble.env_spaces import EnvBase, VectorEnvBase, action_space, autoreset_mode, gymnasium, observation_space
 from tumble.scene import Scene
-from tumble.shapes import array_of
+from tumble.shapes import array_of, whole
 from tumble.world import World
 
 #: Rows [n, k], or a dictionary if the scene declares images: "state" with the rows, and an array for each image.
 Observations = Any
+
+
+def _seed_of(value: int) -> int:
+    return whole(value, "seed", 0, 2**64 - 1)
 
 
 class VectorEnv(VectorEnvBase):  # type: ignore[misc]
@@ -54,14 +58,12 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
         """`count` worlds from the scene or its file. `threads` is by default one for each processor."""
         self.scene = scene if isinstance(scene, Scene) else Scene.load(scene)
         self.plan = Plan(self.scene)
-        self.count = self.num_envs = count
-        if count < 1:
-            raise ValueError(f"count must be at least 1, got {count}")
+        self.count = self.num_envs = count = whole(count, "count", 1, 2**31 - 1)
         threads = threads if threads is not None else min(count, len(os.sched_getaffinity(0)))
         if threads < 1:
             raise ValueError(f"threads must be at least 1, got {threads}")
         plan = self.plan
-        self._worlds = _tumble.EnvWorlds(plan.start._box, plan.resolved(), count, threads, seed)
+        self._worlds = _tumble.EnvWorlds(plan.start._box, plan.resolved(), count, threads, _seed_of(seed))
         shape = (count, len(plan.observations))
         self.observations: Rows = np.zeros(shape, np.float32)
         self.final_observations: Rows = np.zeros(shape, np.float32)
@@ -89,7 +91,7 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
         """Starts a new episode in all worlds; a seed starts from episode 0 again. Returns observations and infos."""
         super().reset(seed=seed)
         if seed is not None:
-            self._worlds.seed(seed)
+            self._worlds.seed(_seed_of(seed))
         self._worlds.reset(self.observations, list(self.images.values()))
         self.steps[:] = 0
         return self._shown(self.observations, self.images), {}
@@ -188,10 +190,19 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
         """Returns observation, reward, terminated, truncated, info."""
         if self._ended:
             raise RuntimeError("no episode is going on: call reset()")
-        observations, rewards, terminated, truncated, infos = self._envs.step(np.asarray([action]))
+        observations, rewards, terminated, truncated, infos = self._envs.step(np.asarray([self._checked(action)]))
         self._ended = bool(terminated[0] or truncated[0])
         shown = infos["final_obs"] if self._ended else observations
         return self._own(shown), float(rewards[0]), bool(terminated[0]), bool(truncated[0]), {}
+
+    def _checked(self, action: Any) -> Any:
+        """An index of a choice, or a row of numbers, or the right exception."""
+        choices, given = self.plan.choices, np.asarray(action)
+        if choices is not None and (given.shape != () or given.dtype.kind not in "iu"):
+            raise ValueError(f"action must be an index of {len(choices)} choices, got {action!r}")
+        if choices is None and given.shape != (len(self.plan.actions),):
+            raise ValueError(f"action must have the shape ({len(self.plan.actions)},), got {action!r}")
+        return given
 
     def render(self) -> npt.NDArray[np.uint8]:
         """A frame [height, width, 3].

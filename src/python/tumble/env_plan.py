@@ -131,6 +131,8 @@ class Plan:
         kind = kinds[0]
         entry.allow(("name", "offset", "scale", kind, *_OBSERVATIONS[kind]))
         name = entry.text("name", f"observation_{len(self.names)}")
+        if name in self.names:
+            entry.refuse(f"there is an observation '{name}' already", "name")
         scaled = {"scale": entry.number("scale", 1.0), "offset": entry.number("offset", 0.0), "pointer": entry.place}
         if kind == "rays":
             rays = self._rays(entry)

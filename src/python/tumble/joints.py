@@ -12,7 +12,7 @@ import numpy as np
 
 from tumble import _tumble
 from tumble.bodies import Body
-from tumble.parts import Part, id_in
+from tumble.parts import Part, id_in, index_of
 from tumble.shapes import Vector, number, user_data_of, vector
 from tumble.vectors import Vec2
 
@@ -161,21 +161,35 @@ def plain_members(box: _tumble.World, members: Mapping[str, Any]) -> dict[str, A
     return plain
 
 
+def new_members(
+    box: _tumble.World, kind: str, body_a: Body | None, body_b: Body | None, members: Mapping[str, Any]
+) -> dict[str, Any]:
+    """The members of a new joint: points in coordinates of the bodies, and what follows from the present poses."""
+    index_of(KINDS, kind, "kind")
+    if kind == "gear" and not {"joint_a", "joint_b"} <= members.keys():
+        raise TypeError("a gear joint needs joint_a and joint_b")
+    if (body_a is None or body_b is None) and kind != "gear":
+        raise TypeError(f"a {kind} joint needs two bodies")
+    if kind == "mouse" and "max_force" not in members:
+        raise TypeError("a mouse joint needs max_force (N), without which it does not pull")
+    if kind == "motor" and not {"max_force", "max_torque"} & members.keys():
+        raise TypeError("a motor joint needs max_force (N) or max_torque (N m), without which it does not push")
+    plain = plain_members(box, members)
+    if body_a is None or body_b is None:
+        return plain
+    plain.update(plain_members(box, {"body_a": body_a, "body_b": body_b}))
+    if "anchor" in plain:
+        point = vector(plain.pop("anchor"), "anchor")
+        plain.update(anchor_a=body_a.world_to_local(point), anchor_b=body_b.world_to_local(point))
+    if kind in ("revolute", "prismatic", "weld", "motor"):
+        plain.setdefault("reference_angle", wrapped(body_b.angle - body_a.angle))
+    if kind == "distance" and "length" not in plain:
+        a = body_a.local_to_world(plain.get("anchor_a", (0.0, 0.0)))
+        b = body_b.local_to_world(plain.get("anchor_b", (0.0, 0.0)))
+        plain["length"] = (b - a).length
+    return plain
+
+
 def wrapped(angle: float) -> float:
     """The same angle in [-pi, pi)."""
     return float((angle + np.pi) % (2.0 * np.pi) - np.pi)
-
-
-def to_local(body: Body, point: tuple[float, float]) -> tuple[float, float]:
-    """A world point in coordinates of the body."""
-    x, y = body.position
-    c, s = np.cos(body.angle), np.sin(body.angle)
-    dx, dy = point[0] - x, point[1] - y
-    return float(c * dx + s * dy), float(c * dy - s * dx)
-
-
-def to_world(body: Body, point: tuple[float, float]) -> tuple[float, float]:
-    """A point in coordinates of the body as a world point."""
-    x, y = body.position
-    c, s = np.cos(body.angle), np.sin(body.angle)
-    return float(x + c * point[0] - s * point[1]), float(y + s * point[0] + c * point[1])

@@ -6,7 +6,7 @@ import os
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +17,14 @@ from tumble.shapes import Vector, number, vector, whole
 if TYPE_CHECKING:
     from tumble.scene import Run
     from tumble.world import World
+
+
+def world_of(what: World | Run) -> World:
+    """A world, or that of a run, or the right exception."""
+    world: Any = getattr(what, "world", what)
+    if not isinstance(getattr(world, "_box", None), _tumble.World) or not hasattr(world, "_has_scene"):
+        raise TypeError(f"what is drawn must be a world or a run, got {what!r}")
+    return cast("World", world)
 
 
 def render(
@@ -30,12 +38,13 @@ def render(
 ) -> npt.NDArray[np.uint8]:
     """Draws the present state as an array [height, width, 4] of red, green, blue and alpha, top row first.
 
-    The camera is fitted to the world, or has its middle at `center` (world, m) and shows `view_height` m. Pass both to
-    keep it still from frame to frame: see `fitted_camera`. `overlay` names what to show over the bodies: contacts,
+    The camera has its middle at `center` (world, m) and shows `view_height` m. Pass both to keep it still from frame to
+    frame. What is left out is fitted, as by `fitted_camera`: to the bodies that are not static and the ground below them,
+    and to all static shapes if these do not make the frame much larger. `overlay` names what to show over the bodies: contacts,
     normals, aabbs, islands, velocity, joints. Width and height are 16 to 8192 pixels. The same state gives the same
     pixels on one machine.
     """
-    world = what if not hasattr(what, "world") else what.world
+    world = world_of(what)
     size = whole(width, "width", 16, 8192), whole(height, "height", 16, 8192)
     if isinstance(overlay, str):
         raise TypeError("overlay must be a list of names, not a string")
@@ -49,7 +58,7 @@ def fitted_camera(what: World | Run, aspect_ratio: float = 16.0 / 9.0) -> tuple[
 
     Of a run: the camera of its first frame, moved with the body that the scene follows. `aspect_ratio` is width / height.
     """
-    world = what if not hasattr(what, "world") else what.world
+    world = world_of(what)
     return _tumble.fitted_camera(world._box, world._has_scene, aspect_ratio)
 
 

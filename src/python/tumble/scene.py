@@ -16,8 +16,8 @@ from tumble import _tumble
 from tumble.bodies import Body
 from tumble.errors import Diagnostic
 from tumble.joints import Joint
-from tumble.shapes import Vector
-from tumble.world import World, steps_of
+from tumble.shapes import Vector, steps_of, text_of, whole
+from tumble.world import World
 
 
 class Claim(NamedTuple):
@@ -73,6 +73,9 @@ class Scene:
         out of the folder of their file. Raises SceneError with file, line and column, or
         FileError.
         """
+        if isinstance(set, str):
+            raise TypeError(f"set must be a list of overrides, got {set!r}")
+        seed = None if seed is None else whole(seed, "seed", 0, 2**64 - 1)
         text = _tumble.load_scene(os.fspath(path), list(set), seed, allow_outside)
         scene = cls(json.loads(text), name=Path(path).name)
         if not any(override.startswith("/custom") for override in set):
@@ -82,7 +85,7 @@ class Scene:
     @classmethod
     def parse(cls, text: str, name: str = "scene") -> Scene:
         """Reads the text of a scene file, which may have comments. Raises SceneError with line and column."""
-        scene = cls(json.loads(_tumble.canonical_text(text, name)), name=name)
+        scene = cls(json.loads(_tumble.canonical_text(text_of(text, "text"), name)), name=name)
         scene._read_from(text, name)
         return scene
 
@@ -193,7 +196,7 @@ class Run:
 
         Lengths are m and angles degrees, as in scene files. NaN or None if it is unknown. Raises ValueError.
         """
-        return _tumble.run_value(self._box, expression)
+        return _tumble.run_value(self._box, text_of(expression, "expression"))
 
     @property
     def time(self) -> float:

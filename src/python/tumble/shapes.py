@@ -49,6 +49,25 @@ def whole(value: int, name: str, least: int, most: int, hint: str = "") -> int:
     return checked
 
 
+def text_of(value: str, name: str) -> str:
+    """A string, or the right exception."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be a string, got {value!r}")
+    return value
+
+
+def truth(value: bool, name: str) -> bool:
+    """True or False, or the right exception."""
+    if not isinstance(value, (bool, np.bool_, int)):
+        raise TypeError(f"{name} must be True or False, got {value!r}")
+    return bool(value)
+
+
+def steps_of(count: int) -> int:
+    """A number of steps, or the right exception."""
+    return whole(count, "count", 0, 2**53, ": a step lasts 1 / steps_per_second, which World(...) takes")
+
+
 def user_data_of(value: int) -> int:
     """A number that a body, a shape or a joint keeps for its user, or the right exception."""
     return whole(value, "user_data", 0, 2**64 - 1, "; keep objects in a dictionary with the body, shape or joint as key")

@@ -6,10 +6,9 @@ Units are m, kg, s and rad; y is up and counter-clockwise is positive.
 from __future__ import annotations
 
 import operator
-import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -17,23 +16,14 @@ import numpy.typing as npt
 from tumble import _tumble
 from tumble.bodies import BODY_TYPES, DYNAMIC, Body
 from tumble.body_shapes import BodyShape
-from tumble.joints import KINDS, Joint, plain_members, to_local, to_world, wrapped
+from tumble.joints import Joint, new_members
 from tumble.parts import index_of
 from tumble.queries import Queries
-from tumble.shapes import Shape, Vector, finite, number, shape_of, user_data_of, vector, whole
+from tumble.shapes import Shape, Vector, finite, shape_of, steps_of, user_data_of, vector, whole
 from tumble.vectors import Vec2, VectorProperty
-
-if TYPE_CHECKING:
-    from tumble.scene import Run
 
 _SOLVERS = ("iterative", "direct")
 _IMPACTS = ("at_step_end", "in_order")
-_MOST_STEPS = 2**53
-
-
-def steps_of(count: int) -> int:
-    """A number of steps, or the right exception."""
-    return whole(count, "count", 0, _MOST_STEPS, ": a step lasts 1 / steps_per_second, which World(...) takes")
 
 
 class World(Queries):
@@ -124,7 +114,7 @@ class World(Queries):
 
     @threads.setter
     def threads(self, value: int) -> None:
-        self._box.set_threads(value)
+        self._box.set_threads(whole(value, "threads", 0, 2**31 - 1))
 
     @property
     def dt(self) -> float:
@@ -269,34 +259,26 @@ class World(Queries):
     def add_joint(self, kind: str, body_a: Body | None = None, body_b: Body | None = None, **members: Any) -> Joint:
         """Creates a joint.
 
-        Kinds: revolute, prismatic, distance, weld, wheel, motor, mouse, filter, pulley, gear. `anchor` is a world point
-        (m) for both bodies, or `anchor_a` and `anchor_b` are points in coordinates of each. Other members: `axis` (in
-        A's coordinates), `limits` (lower, upper), `motor` (speed, largest torque or force), `spring` (hertz, damping
-        ratio), `length`, `reference_angle`, `max_force`, `break_force`, `collide_connected`... An angle is measured from
-        the poses at creation unless `reference_angle` is given; a rod without `length` keeps the present one.
+        Kinds, and the members that each has:
+
+        - revolute: `limits` (rad), `motor` (rad/s, N m), `spring`, `reference_angle`
+        - prismatic: `axis`, `limits` (m), `motor` (m/s, N), `spring`, `reference_angle`
+        - distance: `length`, `limits` (m), `motor` (m/s, N), `spring`
+        - weld: `linear_spring`, `angular_spring`, `reference_angle`
+        - wheel: `axis` (of the suspension), `limits` (m), `motor` (rad/s, N m: it turns the wheel), `spring`
+        - motor: `velocity` and `angular_velocity` of B in A, `max_force`, `max_torque`, `spring`, `reference_angle`
+        - mouse: `max_force`, `spring`; `Joint.set_target` moves it
+        - pulley: `ground_anchor_a` and `ground_anchor_b` (world), `length`, `ratio`
+        - gear: `joint_a` and `joint_b` (revolute or prismatic), `ratio`; no bodies
+        - filter: the two bodies do not collide
+
+        `anchor` is a world point (m) for both bodies, or `anchor_a` and `anchor_b` are points in coordinates of each.
+        Pairs are `limits` (lower, upper), `motor` (speed, largest torque or force) and `spring` (hertz, damping ratio).
+        `axis` is in coordinates of A. All but filter have `break_force`, `break_torque` and `collide_connected`.
+        An angle is measured from the poses at creation unless `reference_angle` is given; a rod without `length` keeps
+        the present one.
         """
-        index_of(KINDS, kind, "kind")
-        if kind == "gear" and not {"joint_a", "joint_b"} <= members.keys():
-            raise TypeError("a gear joint needs joint_a and joint_b")
-        if (body_a is None or body_b is None) and kind != "gear":
-            raise TypeError(f"a {kind} joint needs two bodies")
-        if kind == "mouse" and "max_force" not in members:
-            raise TypeError("a mouse joint needs max_force (N), without which it does not pull")
-        if kind == "motor" and not {"max_force", "max_torque"} & members.keys():
-            raise TypeError("a motor joint needs max_force (N) or max_torque (N m), without which it does not push")
-        plain = plain_members(self._box, members)
-        if body_a is not None and body_b is not None:
-            plain.update(plain_members(self._box, {"body_a": body_a, "body_b": body_b}))
-            if "anchor" in plain:
-                point = vector(plain.pop("anchor"), "anchor")
-                plain.update(anchor_a=to_local(body_a, point), anchor_b=to_local(body_b, point))
-            if kind in ("revolute", "prismatic", "weld", "motor"):
-                plain.setdefault("reference_angle", wrapped(body_b.angle - body_a.angle))
-            if kind == "distance" and "length" not in plain:
-                a = to_world(body_a, plain.get("anchor_a", (0.0, 0.0)))
-                b = to_world(body_b, plain.get("anchor_b", (0.0, 0.0)))
-                plain["length"] = float(np.hypot(b[0] - a[0], b[1] - a[1]))
-        return Joint(self, self._box.create_joint(kind, plain))
+        return Joint(self, self._box.create_joint(kind, new_members(self._box, kind, body_a, body_b, members)))
 
     @property
     def joints(self) -> list[Joint]:
@@ -379,21 +361,3 @@ class World(Queries):
 
     def __bool__(self) -> bool:
         return True
-
-
-def step_all(worlds: Sequence[World | Run], count: int = 1, *, threads: int | None = None) -> None:
-    """Steps many worlds or runs at once, each `count` times, without the GIL. `threads` is by default one a processor.
-
-    Each world is stepped by one thread: this uses processors better than threads within a step. If steps raise, the other
-    worlds still make theirs, and the exception of the first is raised.
-    """
-    from tumble.scene import Run
-
-    if isinstance(worlds, (World, Run)):
-        raise TypeError(f"worlds must be a list of worlds or runs, got {worlds!r}")
-    boxes = []
-    for world in worlds:
-        if not isinstance(world, (World, Run)):
-            raise TypeError(f"worlds must be worlds or runs, got {world!r}")
-        boxes.append(world._box)
-    _tumble.step_all(boxes, steps_of(count), threads if threads is not None else len(os.sched_getaffinity(0)))
