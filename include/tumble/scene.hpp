@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "tumble/body.hpp"
-#include "tumble/impacts.hpp"
 #include "tumble/joint.hpp"
 #include "tumble/math.hpp"
+#include "tumble/world_def.hpp"
 
 namespace tumble {
 

@@ -18,38 +18,21 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "tumble/body.hpp"
 #include "tumble/counters.hpp"
 #include "tumble/events.hpp"
 #include "tumble/id.hpp"
-#include "tumble/impacts.hpp"
 #include "tumble/joint.hpp"
 #include "tumble/math.hpp"
 #include "tumble/query.hpp"
 #include "tumble/step_memory.hpp"
 #include "tumble/threads.hpp"
-#include "tumble/world_errors.hpp"
+#include "tumble/world_def.hpp"
 
 namespace tumble {
-
-struct WorldDef {
-    Vec2 gravity{0.0f, -10.0f};      // m/s^2
-    float steps_per_second = 60.0f;  // > 0
-    int substeps = 4;                // in each step, >= 1; more make joints and stacks stiffer
-    bool sleeping = true;            // islands at rest fall asleep
-    bool continuous = true;          // continuous collision keeps fast bodies from passing through thin ones
-    JointSolver joints = JointSolver::iterative;
-    ImpactModel impacts = ImpactModel::in_order;
-
-    // The size of a typical body, m, > 0. The solver's own constants are for bodies of 1 m. For a scale s its lengths
-    // are multiplied by s, its speeds by sqrt(s) and its frequencies by 1 / sqrt(s), as under equal gravity. A world of
-    // marbles (0.02) then behaves like one of boulders, if it also makes 1 / sqrt(s) times the steps per second.
-    float scale = 1.0f;
-
-    Threads threads{};  // that make a step; not saved in snapshots
-};
 
 // A world of rigid bodies. It owns bodies, shapes and joints, and refers to them by ids.
 //
@@ -61,7 +44,7 @@ struct WorldDef {
 //
 // Speed limits. A step clamps the speed of dynamic bodies to 400 m/s times the square root of WorldDef::scale, and
 // their rotation to 1/8 turn in a step (1/2 turn in a sub-step with BodyDef::allow_fast_rotation), whatever forces and
-// joints act on them. world_limits.hpp computes these limits.
+// joints act on them. world_limits() computes these limits.
 //
 // Errors. A call with an id of a destroyed object, with a value that is not finite, or with a value out of its range
 // throws std::invalid_argument; the message names the argument and prints its value, and the world does not change. An
@@ -363,5 +346,19 @@ private:
 // threads if there are more worlds than threads. A world whose own WorldDef::threads are more than one uses these too.
 // If steps throw, the other worlds still make theirs, and the exception of the first world is thrown.
 void step_all(std::span<World* const> worlds, const Threads& threads = {.count = 0});
+
+// A snapshot that cannot be loaded: incomplete, damaged, or of another version.
+class SnapshotError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// A pose or a velocity is not finite. The world can be read, but not stepped.
+class SimulationDiverged : public std::runtime_error {
+public:
+    // The message has the name of the body, by default its index.
+    SimulationDiverged(BodyId body, std::uint64_t step, const std::string& name = {});
+    BodyId body;             // the one with the lowest id that is not finite
+    std::uint64_t step = 0;  // step_count() after the step
+};
 
 }  // namespace tumble

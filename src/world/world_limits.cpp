@@ -1,4 +1,4 @@
-#include "tumble/world_limits.hpp"
+#include "tumble/world_def.hpp"
 
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/bodies/softness.hpp"

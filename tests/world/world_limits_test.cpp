@@ -1,5 +1,5 @@
 // The limits of world_limits() are those of the step.
-#include "tumble/world_limits.hpp"
+#include "tumble/world_def.hpp"
 
 #include <doctest/doctest.h>
 

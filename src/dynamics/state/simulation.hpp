@@ -11,13 +11,13 @@
 #include "dynamics/bodies/speed_limits.hpp"
 #include "dynamics/contacts/contact_store.hpp"
 #include "dynamics/joints/joint_store.hpp"
-#include "dynamics/state/sleeping_islands.hpp"
 #include "dynamics/state/scratch_pointer.hpp"
+#include "dynamics/state/sleeping_islands.hpp"
 #include "tasks/crew.hpp"
 #include "tumble/counters.hpp"
 #include "tumble/events.hpp"
-#include "tumble/impacts.hpp"
 #include "tumble/joint.hpp"
+#include "tumble/world_def.hpp"
 
 namespace tumble {
 

@@ -11,7 +11,7 @@
 #include "scene/model/display.hpp"
 #include "scene/model/joint_gap.hpp"
 #include "scene/model/names.hpp"
-#include "tumble/world_limits.hpp"
+#include "tumble/world_def.hpp"
 
 namespace tumble::scene {
 

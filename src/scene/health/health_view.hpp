@@ -8,7 +8,7 @@
 
 #include "tumble/scene.hpp"
 #include "tumble/scene_world.hpp"
-#include "tumble/world_limits.hpp"
+#include "tumble/world_def.hpp"
 
 namespace tumble::scene {
 

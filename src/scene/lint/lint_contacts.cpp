@@ -10,7 +10,7 @@
 #include "scene/lint/lint.hpp"
 #include "scene/lint/measures.hpp"
 #include "scene/model/display.hpp"
-#include "tumble/world_limits.hpp"
+#include "tumble/world_def.hpp"
 
 namespace tumble::scene {
 

@@ -13,7 +13,7 @@
 #include "scene/model/display.hpp"
 #include "scene/model/joint_gap.hpp"
 #include "tumble/distance.hpp"
-#include "tumble/world_limits.hpp"
+#include "tumble/world_def.hpp"
 
 namespace tumble::scene {
 

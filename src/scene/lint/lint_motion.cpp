@@ -16,7 +16,7 @@
 #include "scene/model/degrees.hpp"
 #include "scene/model/display.hpp"
 #include "scene/model/names.hpp"
-#include "tumble/world_limits.hpp"
+#include "tumble/world_def.hpp"
 
 namespace tumble::scene {
 
