@@ -47,7 +47,8 @@ public:
     void run() {
         const Sweep whole = sweep_of(simulation_.bodies, body_);
         const std::uint32_t index = find_swept(simulation_, body_);
-        const SweptBody* const swept = index == kNotSwept ? nullptr : &simulation_.scratch->ordered_impacts.swept[index];
+        const SweptBody* const swept =
+            index == kNotSwept ? nullptr : &simulation_.scratch->ordered_impacts.swept[index];
         if (!swept || swept->impact_count == 0) {
             bound(whole, 0.0, 1.0);
             return;

@@ -197,18 +197,18 @@ void find_changed_contacts(Simulation& simulation) {
     std::vector<ContactCounts>& counts = simulation.scratch->chunks.contact_counts;
     counts.assign(simulation.crew.chunk_count(contacts.size(), kLeastReported), {});
     simulation.scratch->chunks.found.fill_by_chunk(simulation.crew, contacts.size(), kLeastReported,
-                                                  [&](const Chunk& chunk, std::vector<std::uint32_t>& changed) {
-                                                      ContactCounts own;
-                                                      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-                                                          const int shown = shown_points(contacts[i]);
-                                                          own.contacts += shown > 0;
-                                                          own.points += static_cast<std::size_t>(shown);
-                                                          if (has_changed(simulation, contacts[i]))
-                                                              changed.push_back(static_cast<std::uint32_t>(i));
-                                                      }
-                                                      TUMBLE_CHECK(chunk.index < counts.size());
-                                                      counts[chunk.index] = own;
-                                                  });
+                                                   [&](const Chunk& chunk, std::vector<std::uint32_t>& changed) {
+                                                       ContactCounts own;
+                                                       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+                                                           const int shown = shown_points(contacts[i]);
+                                                           own.contacts += shown > 0;
+                                                           own.points += static_cast<std::size_t>(shown);
+                                                           if (has_changed(simulation, contacts[i]))
+                                                               changed.push_back(static_cast<std::uint32_t>(i));
+                                                       }
+                                                       TUMBLE_CHECK(chunk.index < counts.size());
+                                                       counts[chunk.index] = own;
+                                                   });
     simulation.contact_counts = {simulation.sleeping.contact_count(), simulation.sleeping.point_count()};
     for (const ContactCounts& own : counts) {
         simulation.contact_counts.contacts += own.contacts;
