@@ -124,7 +124,7 @@ void put_to_sleep(Simulation& simulation, IsChosen&& is_chosen) {
         simulation.sleeping[island].bodies.push_back(sleeper.body);
         bodies.put_to_sleep(sleeper.body);
         simulation.scratch->sleeping_joints.insert(simulation.scratch->sleeping_joints.end(), record.joints.begin(),
-                                                  record.joints.end());
+                                                   record.joints.end());
     }
     simulation.joints.put_to_sleep(simulation.scratch->sleeping_joints);
     set_contacts_aside(simulation);
