@@ -16,6 +16,7 @@ def test_the_page_has_examples():
 def test_a_custom_environment_takes_thirty_lines():
     (example,) = [example for example in EXAMPLES if '"custom"' in example and "Scene({" in example]
     assert sum(bool(line.strip()) for line in example.splitlines()) <= 30
+    assert '"format": 1' in example  # so that the scene may be pasted into a file
 
 
 @pytest.mark.parametrize("example", range(len(EXAMPLES)))
