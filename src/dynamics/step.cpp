@@ -266,11 +266,11 @@ void collide_woken(Simulation& simulation) {
 void prepare_constraints(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
     simulation.scratch->contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
-                                              settings.gravity, settings.substep_duration(), simulation.crew);
+                                               settings.gravity, settings.substep_duration(), simulation.crew);
     simulation.joints.prepare(simulation.bodies, simulation.crew);
     if (settings.joints == JointSolver::direct)
         simulation.scratch->joint_system.prepare(simulation.joints, simulation.bodies.solver_bodies,
-                                                settings.substep_duration(), settings.tuning.push_out_speed);
+                                                 settings.substep_duration(), settings.tuning.push_out_speed);
 }
 
 void run_substep(Simulation& simulation) {
@@ -296,13 +296,13 @@ void run_substep(Simulation& simulation) {
 void bounce(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
     simulation.scratch->contact_solver.apply_restitution(simulation.bodies.solver_bodies,
-                                                        settings.tuning.restitution_threshold,
-                                                        settings.substep_duration(), simulation.crew);
+                                                         settings.tuning.restitution_threshold,
+                                                         settings.substep_duration(), simulation.crew);
 }
 
 void store_results(Simulation& simulation) {
     simulation.scratch->contact_solver.store_impulses(simulation.contacts.all(), simulation.bodies.solver_bodies,
-                                                     simulation.crew);
+                                                      simulation.crew);
     simulation.joints.store(joint_context(simulation));
     simulation.events.broken_joints = simulation.joints.broken();
 }

@@ -13,8 +13,8 @@ using namespace tumble::test;
 
 namespace {
 
-// Piles, fast bodies, a sensor that one of them crosses and a pendulum, under each kind of solver: what a step leaves in
-// its memory differs as much as it can.
+// Piles, fast bodies, a sensor that one of them crosses and a pendulum, under each kind of solver: what a step leaves
+// in its memory differs as much as it can.
 World make_world(int kind) {
     WorldDef def;
     def.joints = kind % 2 == 0 ? JointSolver::iterative : JointSolver::direct;

@@ -1,7 +1,7 @@
-// Ray casts: the cast of a point, with fast paths for circles and for sharp segments and polygons of up to eight vertices. They
-// decide clear cases only: the start is outside by more than the error bound, and the entry, if any, is not near a
-// vertex or a tangent. All others go through the general clipping, so that only one piece of code decides doubtful
-// cases.
+// Ray casts: the cast of a point, with fast paths for circles and for sharp segments and polygons of up to eight
+// vertices. They decide clear cases only: the start is outside by more than the error bound, and the entry, if any, is
+// not near a vertex or a tangent. All others go through the general clipping, so that only one piece of code decides
+// doubtful cases.
 #include <algorithm>
 #include <bit>
 
