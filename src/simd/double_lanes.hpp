@@ -22,7 +22,12 @@ struct DoubleLanes {
 
     DoubleLanes() = default;
     TUMBLE_LANE_FUNCTION explicit DoubleLanes(double all) {
-        for (int i = 0; i < kParts; ++i) part[i] = Part{} + all;
+        for (int i = 0; i < kParts; ++i) {
+            if constexpr (kWidth == 8)
+                part[i] = Part{all, all, all, all, all, all, all, all};
+            else
+                part[i] = Part{all, all, all, all};
+        }
     }
 
     [[gnu::always_inline]] double operator[](int lane) const {
@@ -215,24 +220,55 @@ TUMBLE_LANE_FUNCTION DoubleLanes<8> next_lanes(const DoubleLanes<8>& lanes) {
     return result;
 }
 
-// The largest of all lanes. No lane may be NaN.
+// The first lane, without a detour through memory.
 template <int N>
-TUMBLE_LANE_FUNCTION double largest(const DoubleLanes<N>& lanes) {
+TUMBLE_LANE_FUNCTION double first_lane(const DoubleLanes<N>& lanes) {
+    return lanes.part[0][0];
+}
+
+namespace simd {
+
+// Copies four lanes to all.
+template <int N>
+TUMBLE_LANE_FUNCTION DoubleLanes<N> spread(const Double4& four) {
+    DoubleLanes<N> result;
+    if constexpr (DoubleLanes<N>::kWidth == 8)
+        result.part[0] = __builtin_shufflevector(four, four, 0, 1, 2, 3, 0, 1, 2, 3);
+    else
+        for (int i = 0; i < DoubleLanes<N>::kParts; ++i) result.part[i] = four;
+    return result;
+}
+
+}  // namespace simd
+
+// The largest of all lanes, in all lanes. No lane may be NaN.
+template <int N>
+TUMBLE_LANE_FUNCTION DoubleLanes<N> spread_largest(const DoubleLanes<N>& lanes) {
     simd::Double4 four = simd::larger_halves(lanes.part[0]);
     for (int i = 1; i < DoubleLanes<N>::kParts; ++i) simd::take_larger(four, simd::larger_halves(lanes.part[i]));
     simd::take_larger(four, __builtin_shufflevector(four, four, 2, 3, 0, 1));
     simd::take_larger(four, __builtin_shufflevector(four, four, 1, 0, 3, 2));
-    return four[0];
+    return simd::spread<N>(four);
 }
 
-// The smallest of all lanes. No lane may be NaN.
+// The smallest of all lanes, in all lanes. No lane may be NaN.
 template <int N>
-TUMBLE_LANE_FUNCTION double smallest(const DoubleLanes<N>& lanes) {
+TUMBLE_LANE_FUNCTION DoubleLanes<N> spread_smallest(const DoubleLanes<N>& lanes) {
     simd::Double4 four = simd::smaller_halves(lanes.part[0]);
     for (int i = 1; i < DoubleLanes<N>::kParts; ++i) simd::take_smaller(four, simd::smaller_halves(lanes.part[i]));
     simd::take_smaller(four, __builtin_shufflevector(four, four, 2, 3, 0, 1));
     simd::take_smaller(four, __builtin_shufflevector(four, four, 1, 0, 3, 2));
-    return four[0];
+    return simd::spread<N>(four);
+}
+
+template <int N>
+TUMBLE_LANE_FUNCTION double largest(const DoubleLanes<N>& lanes) {
+    return first_lane(spread_largest(lanes));
+}
+
+template <int N>
+TUMBLE_LANE_FUNCTION double smallest(const DoubleLanes<N>& lanes) {
+    return first_lane(spread_smallest(lanes));
 }
 
 }  // namespace tumble

@@ -27,9 +27,36 @@ struct Ray {
 };
 
 // False if the case is not clear. Products of four lengths must not overflow or vanish.
-[[gnu::always_inline]] inline bool is_moderate(const Ray& ray) {
+[[gnu::always_inline]] inline bool is_moderate(double motion_sq, double scale) {
     constexpr double kLarge = 0x1p200, kSmall = 0x1p-200;
-    return ray.motion_sq < kLarge && ray.motion_sq > kSmall && ray.scale < kLarge && ray.scale > kSmall;
+    return motion_sq < kLarge && motion_sq > kSmall && scale < kLarge && scale > kSmall;
+}
+
+[[gnu::always_inline]] inline Ray make_ray(const Shape& shape, const Pose& world_from_shape, DVec2 origin,
+                                           DVec2 translation) {
+    const DVec2 offset = origin - world_from_shape.position;
+    const double radius = shape.radius();
+    const double scale = turned_radius(shape, world_from_shape.rotation) + (std::abs(offset.x) + std::abs(offset.y));
+    return {make_core(shape, world_from_shape.rotation),
+            world_from_shape.position,
+            offset,
+            translation,
+            length_sq(translation),
+            std::abs(translation.x) + std::abs(translation.y),
+            radius,
+            scale,
+            16.0 * kUnitRoundoff * (scale + radius)};
+}
+
+// Makes the ray again: as an argument it would pass through memory in the clear cases as well.
+[[gnu::noinline]] CastResult cast_in_general(const Shape& shape, const Pose& world_from_shape, DVec2 origin,
+                                             DVec2 translation) {
+    static constexpr float kPoint = 0.0f;
+    const Ray ray = make_ray(shape, world_from_shape, origin, translation);
+    const CorePair pair{ray.core, {&kPoint, &kPoint, 1, 1.0, 0.0, nullptr, true}, ray.offset, ray.scale};
+    if (!is_valid(pair, shape, shape) || !is_valid_motion(ray.motion)) return invalid_cast();
+    const CastPath path = make_path(pair, ray.motion, ray.radius);
+    return cast_result(clip_path(pair, path), path, pair.a, ray.radius, ray.position);
 }
 
 void miss(CastResult& result, int vertices) {
@@ -57,24 +84,35 @@ void miss(CastResult& result, int vertices) {
 }
 
 // The quadratic |m - t v|^2 = r^2 for the centre m, and the radius r known to 2 E: with (r + 2 E)^2 - r^2 <= D the root
-// of the discriminant h is known to D |v|^2 / h, as sqrt(1 - x) >= 1 - x.
-[[gnu::always_inline]] inline bool cast_at_circle(const Ray& ray, CastResult& result) {
-    TUMBLE_CHECK(ray.core.count == 1);
-    const DVec2 on_core = ray.core.point(0), center = on_core - ray.offset, v = ray.motion;
-    const double radius_sq = ray.radius * ray.radius, doubt_sq = 4.0 * ray.error * (ray.radius + ray.error);
+// of the discriminant h is known to D |v|^2 / h, as sqrt(1 - x) >= 1 - x. A function of its own, which needs no memory
+// but the result.
+[[gnu::noinline]] CastResult cast_at_circle(const Shape& shape, const Pose& world_from_shape, DVec2 origin, DVec2 v) {
+    TUMBLE_CHECK(shape.vertex_count() == 1);
+    const Ray ray = make_ray(shape, world_from_shape, origin, v);
+    const DVec2 on_core = ray.core.point(0), center = on_core - ray.offset;
+    const double radius = ray.radius, radius_sq = radius * radius, doubt_sq = 4.0 * ray.error * (radius + ray.error);
     const double ahead = dot(v, center), aside = cross(v, center), margin = doubt_sq * ray.motion_sq;
     const double discriminant = radius_sq * ray.motion_sq - aside * aside;
-    if (!(length_sq(center) - radius_sq > doubt_sq && ray.radius > 16.0 * ray.error)) return false;
-    if (ahead <= 0.0 || discriminant < -margin) {
-        miss(result, 1);
-        return true;
-    }
-    if (!(discriminant > 4.0 * margin)) return false;
-    const double root = std::sqrt(discriminant), both = 1.0 / (ray.radius * ray.motion_sq), inverse = both * ray.radius;
+    const bool is_outside = length_sq(center) - radius_sq > doubt_sq && radius > 16.0 * ray.error;
+    if (!is_moderate(ray.motion_sq, ray.scale) || !is_outside)
+        return cast_in_general(shape, world_from_shape, origin, v);
+    if (ahead <= 0.0 || discriminant < -margin) return missed(1);
+    if (!(discriminant > 4.0 * margin)) return cast_in_general(shape, world_from_shape, origin, v);
+    const double root = std::sqrt(discriminant), both = 1.0 / (radius * ray.motion_sq), inverse = both * radius;
+    const double fraction = (ahead - root) * inverse, doubt = doubt_sq / root + ray.error * ray.path * inverse;
+    TUMBLE_CHECK(fraction >= 0.0);
+    TUMBLE_CHECK(doubt >= 0.0);
+    if (fraction - doubt > 1.0) return missed(1);
     const DVec2 normal = -both * (root * v + aside * perp(v));
-    enter(result, 1, (ahead - root) * inverse, doubt_sq / root + ray.error * ray.path * inverse, normal,
-          ray.position + (on_core + ray.radius * normal));
-    return true;
+    const DVec2 point = ray.position + (on_core + radius * normal);
+    return {CastStatus::hit,
+            std::min(fraction, 1.0),
+            std::max(0.0, fraction - doubt),
+            fraction + doubt,
+            point,
+            normal,
+            1,
+            false};
 }
 
 // The coordinates of each vertex across and along the ray, a vertex a lane; both times |v| |q|^2. In the shape's own
@@ -155,47 +193,25 @@ template <int N>
 
 [[gnu::always_inline]] inline bool cast_at_clear(const Ray& ray, CastResult& result) {
     const int count = ray.core.count;
-    if (!is_moderate(ray)) return false;
-    if (count == 1) return cast_at_circle(ray, result);
-    if (ray.radius != 0.0 || count > Shape::kInlineVertices) return false;
+    if (!is_moderate(ray.motion_sq, ray.scale)) return false;
+    if (ray.radius != 0.0 || count < 2 || count > Shape::kInlineVertices) return false;
     return count <= 4 ? cast_at_sharp_polygon<4>(ray, result) : cast_at_sharp_polygon<8>(ray, result);
 }
 
-[[gnu::always_inline]] inline Ray make_ray(const Shape& shape, const Pose& world_from_shape, DVec2 origin,
+[[gnu::noinline]] CastResult cast_at_cores(const Shape& shape, const Pose& world_from_shape, DVec2 origin,
                                            DVec2 translation) {
-    const DVec2 offset = origin - world_from_shape.position;
-    const double radius = shape.radius();
-    const double scale = turned_radius(shape, world_from_shape.rotation) + (std::abs(offset.x) + std::abs(offset.y));
-    return {make_core(shape, world_from_shape.rotation),
-            world_from_shape.position,
-            offset,
-            translation,
-            length_sq(translation),
-            std::abs(translation.x) + std::abs(translation.y),
-            radius,
-            scale,
-            16.0 * kUnitRoundoff * (scale + radius)};
-}
-
-// Makes the ray again: as an argument it would pass through memory in the clear cases as well.
-[[gnu::noinline]] CastResult cast_in_general(const Shape& shape, const Pose& world_from_shape, DVec2 origin,
-                                             DVec2 translation) {
-    static constexpr float kPoint = 0.0f;
-    const Ray ray = make_ray(shape, world_from_shape, origin, translation);
-    const CorePair pair{ray.core, {&kPoint, &kPoint, 1, 1.0, 0.0, nullptr, true}, ray.offset, ray.scale};
-    if (!is_valid(pair, shape, shape) || !is_valid_motion(ray.motion)) return invalid_cast();
-    const CastPath path = make_path(pair, ray.motion, ray.radius);
-    return cast_result(clip_path(pair, path), path, pair.a, ray.radius, ray.position);
-}
-
-}  // namespace
-
-CastResult cast_ray(const Shape& shape, const Pose& world_from_shape, DVec2 origin, DVec2 translation) noexcept {
     // One result for all returns: a second one would be copied.
     CastResult result;
     const bool is_clear = cast_at_clear(make_ray(shape, world_from_shape, origin, translation), result);
     if (!is_clear) result = cast_in_general(shape, world_from_shape, origin, translation);
     return result;
+}
+
+}  // namespace
+
+CastResult cast_ray(const Shape& shape, const Pose& world_from_shape, DVec2 origin, DVec2 translation) noexcept {
+    return shape.vertex_count() == 1 ? cast_at_circle(shape, world_from_shape, origin, translation)
+                                     : cast_at_cores(shape, world_from_shape, origin, translation);
 }
 
 }  // namespace tumble

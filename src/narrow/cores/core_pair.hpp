@@ -14,7 +14,8 @@
 
 namespace tumble {
 
-// A core's vertices and its rotation, widened to double.
+// A core's vertices and its rotation, widened to double. What turns vectors is always inlined: a call would move the
+// core, and all that is in registers around it, through memory.
 struct Core {
     const float* x;
     const float* y;
@@ -25,12 +26,12 @@ struct Core {
     bool is_convex;
 
     // A vector of the shape's coordinates in world axes, and back.
-    DVec2 turned(DVec2 v) const { return {c * v.x - s * v.y, s * v.x + c * v.y}; }
+    [[gnu::always_inline]] DVec2 turned(DVec2 v) const { return {c * v.x - s * v.y, s * v.x + c * v.y}; }
     [[gnu::always_inline]] DVec2 turned_back(DVec2 v) const { return {c * v.x + s * v.y, c * v.y - s * v.x}; }
 
     // A vertex in world axes, relative to the body's position. Products of two floats are exact in double: each
     // coordinate carries one rounding.
-    DVec2 point(int index) const {
+    [[gnu::always_inline]] DVec2 point(int index) const {
         TUMBLE_CHECK(index >= 0);
         TUMBLE_CHECK(index < count);
         return turned({x[index], y[index]});
@@ -38,17 +39,17 @@ struct Core {
 
     // The edge from one vertex to another: as a difference of local coordinates it keeps its relative accuracy however
     // short it is.
-    DVec2 edge(int from, int to) const {
+    [[gnu::always_inline]] DVec2 edge(int from, int to) const {
         TUMBLE_CHECK(to < count);
         return turned(local_edge(from, to));
     }
-    DVec2 local_edge(int from, int to) const {
+    [[gnu::always_inline]] DVec2 local_edge(int from, int to) const {
         return {static_cast<double>(x[to]) - x[from], static_cast<double>(y[to]) - y[from]};
     }
 
-    // The neighbours of a vertex. next() has no branch, since a processor could not predict it.
+    // The neighbours of a vertex, without branches, since a processor could not predict them.
     int next(int index) const { return (index + 1) & -static_cast<int>(index + 1 != count); }
-    int previous(int index) const { return index > 0 ? index - 1 : count - 1; }
+    int previous(int index) const { return index - 1 + (count & -static_cast<int>(index == 0)); }
 };
 
 struct CorePair {

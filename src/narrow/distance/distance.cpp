@@ -1,6 +1,7 @@
 // distance(): validity, the distance of the cores, then the radii.
 #include "tumble/distance.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "narrow/distance/distance_result.hpp"
@@ -35,18 +36,66 @@ namespace {
     return make_result(result, a, b, world_from_a.position, world_from_b.position);
 }
 
-}  // namespace
-
-DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
-                        SimplexCache* cache) noexcept {
-    if (a.vertex_count() == 1 && b.vertex_count() == 1)
-        return distance_of_circles(a, world_from_a, b, world_from_b, cache);
+[[gnu::noinline]] DistanceResult distance_of_any(const Shape& a, const Pose& world_from_a, const Shape& b,
+                                                 const Pose& world_from_b, SimplexCache* cache) {
     const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
     if (!is_valid(pair, a, b)) return invalid_result();
     return measure_cores(
         pair, cache, [&](const CoreDistance& core) __attribute__((always_inline)) {
             return make_result(core, a, b, world_from_a.position, world_from_b.position);
         });
+}
+
+// By the face that the cache holds, if it is still the closest; the same bits as measure_by_ends(). It chooses the
+// shape that owns the face's edge, and computes in that shape's terms: cores chosen by index would pass through memory.
+template <int N>
+[[gnu::noinline]] DistanceResult distance_by_kept_face(const Shape& a, const Pose& world_from_a, const Shape& b,
+                                                       const Pose& world_from_b, SimplexCache* cache) {
+    const CorePair pair = make_core_pair(a, world_from_a, b, world_from_b);
+    const VertexPair first = cache->pairs[0], second = cache->pairs[1];
+    const unsigned is_b = first.a == second.a;
+    const Shape* const shapes[2] = {&a, &b};
+    const Pose* const poses[2] = {&world_from_a, &world_from_b};
+    const Shape &own = *shapes[is_b], &other = *shapes[1 - is_b];
+    const Pose &world_from_own = *poses[is_b], &world_from_other = *poses[1 - is_b];
+    const Core owner = make_core(own, world_from_own.rotation),
+               other_core = make_core(other, world_from_other.rotation);
+    if (is_valid(pair, a, b) && are_ends(owner, is_b, first, second)) {
+        const double sign = kSign[is_b], offset_x = sign * pair.offset.x, offset_y = sign * pair.offset.y;
+        const OwnedFace face = find_face<N>(owner, other_core, offset_x, offset_y, is_b, own_vertex(is_b, first));
+        const FaceMeasure<double> measured = measure(face.numbers, offset_x, offset_y);
+        CoreDistance core;
+        const Foot foot = write_face(core, face, measured, error_bound(pair));
+        if (foot == Foot::inside && core.lower > 0.0) {
+            core.iterations = 1;
+            store(core, *cache);
+            DistanceResult result;
+            DVec2* const points[2] = {&result.point_a, &result.point_b};
+            const DVec2 outward{measured.normal_x, measured.normal_y};
+            write_numbers(result, core, double{a.radius()} + double{b.radius()});
+            write_surface_point(*points[is_b], world_from_own.position, {measured.own_x, measured.own_y}, own.radius(),
+                                outward);
+            write_surface_point(*points[1 - is_b], world_from_other.position,
+                                {face.numbers.other_x, face.numbers.other_y}, other.radius(), -outward);
+            return result;
+        }
+    }
+    return distance_of_any(a, world_from_a, b, world_from_b, cache);
+}
+
+bool is_small(const Shape& shape) { return shape.vertex_count() <= Shape::kInlineVertices && shape.is_convex(); }
+
+}  // namespace
+
+DistanceResult distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                        SimplexCache* cache) noexcept {
+    if (a.vertex_count() == 1 && b.vertex_count() == 1)
+        return distance_of_circles(a, world_from_a, b, world_from_b, cache);
+    if (cache && cache->count == 2 && is_small(a) && is_small(b))
+        return std::max(a.vertex_count(), b.vertex_count()) <= 4
+                   ? distance_by_kept_face<4>(a, world_from_a, b, world_from_b, cache)
+                   : distance_by_kept_face<8>(a, world_from_a, b, world_from_b, cache);
+    return distance_of_any(a, world_from_a, b, world_from_b, cache);
 }
 
 }  // namespace tumble

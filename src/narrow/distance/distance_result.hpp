@@ -13,20 +13,15 @@ DistanceResult invalid_result();
     return upper < 0.0 ? DistanceStatus::overlapping : DistanceStatus::touching;
 }
 
-[[gnu::always_inline]] inline void write_result(DistanceResult& result, const CoreDistance& core, const Shape& a,
-                                                const Shape& b, DVec2 position_a, DVec2 position_b) {
-    const double radius_a = a.radius(), radius_b = b.radius(), radii = radius_a + radius_b;
+// Number by number, here and below: g++ 12 copies a struct as a whole that it has just written in halves, and stalls
+// for 20 ns.
+[[gnu::always_inline]] inline void write_numbers(DistanceResult& result, const CoreDistance& core, double radii) {
     const double rounding = radii > 0.0 ? 4.0 * kUnitRoundoff * (radii + std::abs(core.distance)) : 0.0;
-    // Number by number: g++ 12 copies a struct as a whole that it has just written in halves, and stalls for 20 ns.
     TUMBLE_CHECK(radii >= 0.0);
     TUMBLE_CHECK(core.lower <= core.upper);
     result.distance = core.distance - radii;
     result.lower = (core.lower - radii) - rounding;
     result.upper = (core.upper - radii) + rounding;
-    result.point_a.x = position_a.x + (core.on_a.x + radius_a * core.normal.x);
-    result.point_a.y = position_a.y + (core.on_a.y + radius_a * core.normal.y);
-    result.point_b.x = position_b.x + (core.on_b.x - radius_b * core.normal.x);
-    result.point_b.y = position_b.y + (core.on_b.y - radius_b * core.normal.y);
     result.normal.x = core.normal.x;
     result.normal.y = core.normal.y;
     result.certificate.direction.x = core.direction.x;
@@ -40,6 +35,21 @@ DistanceResult invalid_result();
     result.status = status_of(result.lower, result.upper);
     result.iterations = static_cast<std::uint16_t>(core.iterations);
     result.reached_cap = core.reached_cap;
+}
+
+// The point on a surface beyond a point of its core.
+[[gnu::always_inline]] inline void write_surface_point(DVec2& point, DVec2 position, DVec2 on_core, double radius,
+                                                       DVec2 outward) {
+    point.x = position.x + (on_core.x + radius * outward.x);
+    point.y = position.y + (on_core.y + radius * outward.y);
+}
+
+[[gnu::always_inline]] inline void write_result(DistanceResult& result, const CoreDistance& core, const Shape& a,
+                                                const Shape& b, DVec2 position_a, DVec2 position_b) {
+    const double radius_a = a.radius(), radius_b = b.radius();
+    write_numbers(result, core, radius_a + radius_b);
+    write_surface_point(result.point_a, position_a, core.on_a, radius_a, core.normal);
+    write_surface_point(result.point_b, position_b, core.on_b, radius_b, -core.normal);
 }
 
 [[gnu::always_inline]] inline DistanceResult make_result(const CoreDistance& core, const Shape& a, const Shape& b,

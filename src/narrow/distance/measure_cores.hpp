@@ -49,19 +49,24 @@ enum class Decision { face, vertex, none };
     return pair_of_owner(face.is_b, foot == Foot::beyond_first ? face.from : face.to, face.nearest);
 }
 
-// The distance by the face between two pairs, if they are the ends of one and the nearest point lies inside it. Any
-// pairs are safe.
+// Whether two pairs are the ends of a face of A - B: of an edge of `owner` and a vertex of the other core. Any pairs
+// are safe.
+[[gnu::always_inline]] inline bool are_ends(const Core& owner, unsigned is_b, VertexPair first, VertexPair second) {
+    const int from = own_vertex(is_b, first), to = own_vertex(is_b, second);
+    const bool is_edge = (from < owner.count) & (owner.next(from) == to) & (from != to);
+    return is_edge & (own_vertex(1 - is_b, first) == own_vertex(1 - is_b, second));
+}
+
+// The distance by the face between two pairs, if they are the ends of one and the nearest point lies inside it.
 template <int N>
 TUMBLE_LANE_FUNCTION bool measure_by_ends(const CorePair& pair, VertexPair first, VertexPair second,
                                           CoreDistance& result) {
     const unsigned is_b = first.a == second.a;
     const Core* const cores[2] = {&pair.a, &pair.b};
-    const Core& owner = *cores[is_b];
-    const int from = own_vertex(is_b, first), to = own_vertex(is_b, second);
-    const bool is_edge = (from < owner.count) & (owner.next(from) == to) & (from != to);
-    const bool is_face = is_edge & (own_vertex(1 - is_b, first) == own_vertex(1 - is_b, second));
-    return is_face && measure_by_face(pair, find_face<N>(pair, is_b, from), result) == Foot::inside &&
-           result.lower > 0.0;
+    if (!are_ends(*cores[is_b], is_b, first, second)) return false;
+    const OwnedFace face = find_face<N>(*cores[is_b], *cores[1 - is_b], kSign[is_b] * pair.offset.x,
+                                        kSign[is_b] * pair.offset.y, is_b, own_vertex(is_b, first));
+    return measure_by_face(pair, face, result) == Foot::inside && result.lower > 0.0;
 }
 
 [[gnu::always_inline]] inline void store(const CoreDistance& core, SimplexCache& cache) {

@@ -40,27 +40,19 @@ TUMBLE_LANE_FUNCTION bool measure_by_vertex(const CorePair& pair, const TurnedPa
 // Where the foot of the origin lies on a face: between its ends, or beyond one of them.
 enum class Foot { inside, beyond_first, beyond_second };
 
-// The face's separation is a lower bound, and the distance if the foot is inside.
-[[gnu::always_inline]] inline Foot measure_by_face(const CorePair& pair, const OwnedFace& face, CoreDistance& result) {
+// A measured face as a core distance, but for the witness points. The face's separation is a lower bound, and the
+// distance if the foot is inside.
+[[gnu::always_inline]] inline Foot write_face(CoreDistance& result, const OwnedFace& face,
+                                              const FaceMeasure<double>& measured, double error) {
     const double sign = kSign[face.is_b];
     const FaceNumbers<double>& numbers = face.numbers;
-    const FaceMeasure<double> measured = measure(numbers, sign * pair.offset.x, sign * pair.offset.y);
     result.distance = numbers.separation;
-    result.lower = numbers.separation - error_bound(pair);
-    result.upper = numbers.separation + error_bound(pair);
+    result.lower = numbers.separation - error;
+    result.upper = numbers.separation + error;
     result.direction.x = sign * numbers.outward_x;
     result.direction.y = sign * numbers.outward_y;
     result.normal.x = sign * measured.normal_x;
     result.normal.y = sign * measured.normal_y;
-    double on_x[2], on_y[2];
-    on_x[face.is_b] = measured.own_x;
-    on_y[face.is_b] = measured.own_y;
-    on_x[1 - face.is_b] = numbers.other_x;
-    on_y[1 - face.is_b] = numbers.other_y;
-    result.on_a.x = on_x[0];
-    result.on_a.y = on_y[0];
-    result.on_b.x = on_x[1];
-    result.on_b.y = on_y[1];
     result.pairs[0] = pair_of_owner(face.is_b, face.from, face.nearest);
     result.pairs[1] = pair_of_owner(face.is_b, face.to, face.nearest);
     result.pair_count = 2;
@@ -68,6 +60,21 @@ enum class Foot { inside, beyond_first, beyond_second };
     TUMBLE_CHECK(!(result.upper < result.lower));
     if (measured.before >= 0.0) return Foot::beyond_first;
     return measured.behind <= 0.0 ? Foot::beyond_second : Foot::inside;
+}
+
+[[gnu::always_inline]] inline Foot measure_by_face(const CorePair& pair, const OwnedFace& face, CoreDistance& result) {
+    const double sign = kSign[face.is_b];
+    const FaceMeasure<double> measured = measure(face.numbers, sign * pair.offset.x, sign * pair.offset.y);
+    double on_x[2], on_y[2];
+    on_x[face.is_b] = measured.own_x;
+    on_y[face.is_b] = measured.own_y;
+    on_x[1 - face.is_b] = face.numbers.other_x;
+    on_y[1 - face.is_b] = face.numbers.other_y;
+    result.on_a.x = on_x[0];
+    result.on_a.y = on_y[0];
+    result.on_b.x = on_x[1];
+    result.on_b.y = on_y[1];
+    return write_face(result, face, measured, error_bound(pair));
 }
 
 }  // namespace tumble

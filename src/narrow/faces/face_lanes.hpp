@@ -42,15 +42,17 @@ TUMBLE_LANE_FUNCTION DoubleLanes<N> outward_y_of(const Rotations& c, const Rotat
 }
 
 // The separation along the outward normal (x, y), from the other core's lowest height and the edge's first end; minus
-// infinity for an edge without length.
+// infinity for an edge without length. That is decided by the square of the length, which is known long before the
+// root.
 template <int N, typename Offset>
 TUMBLE_LANE_FUNCTION DoubleLanes<N> separation_along(const DoubleLanes<N>& x, const DoubleLanes<N>& y,
-                                                     const DoubleLanes<N>& length, const DoubleLanes<N>& lowest,
-                                                     const DoubleLanes<N>& own_x, const DoubleLanes<N>& own_y,
-                                                     const Offset& offset_x, const Offset& offset_y) {
+                                                     const DoubleLanes<N>& length_sq, const DoubleLanes<N>& length,
+                                                     const DoubleLanes<N>& lowest, const DoubleLanes<N>& own_x,
+                                                     const DoubleLanes<N>& own_y, const Offset& offset_x,
+                                                     const Offset& offset_y) {
     const DoubleLanes<N> none(-std::numeric_limits<double>::infinity());
     const DoubleLanes<N> gap = (lowest - (x * own_x + y * own_y)) + (offset_x * x + offset_y * y);
-    return select(DoubleLanes<N>(0.0) < length, gap / length, none);
+    return select(DoubleLanes<N>(0.0) < length_sq, gap / length, none);
 }
 
 // The offset is from the owner's position to the other core's. A circle has no faces: returning at once saves 5 of 47
@@ -67,8 +69,9 @@ TUMBLE_LANE_FUNCTION FaceLanes<N> faces_of(const Core& owner, const TurnedCore<N
     const DoubleLanes<N> x = outward_x_of(owner.c, owner.s, edge_x, edge_y),
                          y = outward_y_of(owner.c, owner.s, edge_x, edge_y);
     const LowestLanes<N> lowest = lowest_heights(x, y, other, std::make_index_sequence<N - 1>());
-    const DoubleLanes<N> length = square_root(x * x + y * y);
-    return {x, y, length, separation_along(x, y, length, lowest.value, own.x, own.y, offset_x, offset_y), lowest.index};
+    const DoubleLanes<N> length_sq = x * x + y * y, length = square_root(length_sq);
+    return {x, y, length, separation_along(x, y, length_sq, length, lowest.value, own.x, own.y, offset_x, offset_y),
+            lowest.index};
 }
 
 }  // namespace tumble

@@ -111,9 +111,9 @@ private:
         const PairLanes x = outward_x_of(own.c, own.s, edge_x, edge_y), y = outward_y_of(own.c, own.s, edge_x, edge_y);
         LowestLanes<kPairs> lowest{x * other.x[0] + y * other.y[0]};
         (take_lower(lowest, x * other.x[Vertex + 1] + y * other.y[Vertex + 1], Vertex + 1), ...);
-        const PairLanes length = square_root(x * x + y * y);
+        const PairLanes length_sq = x * x + y * y, length = square_root(length_sq);
         const PairLanes separation =
-            separation_along(x, y, length, lowest.value, own.x[Edge], own.y[Edge], offset_x, offset_y);
+            separation_along(x, y, length_sq, length, lowest.value, own.x[Edge], own.y[Edge], offset_x, offset_y);
         const PairMask is_larger = face.separation < separation;
         is_tied = (face.separation == separation) | (is_tied & ~is_larger);
         replace(face.separation, is_larger, separation);

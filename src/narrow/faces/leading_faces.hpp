@@ -25,22 +25,22 @@ struct OwnedFace {
     FaceNumbers<double> numbers;
 };
 
-// One face by its owner and its edge's first vertex, with the same bits as faces_of().
+// One face by its edge's first vertex, with the same bits as faces_of(). The offset is from the owner's position to the
+// other core's; `is_b` names the owner.
 template <int N>
-TUMBLE_LANE_FUNCTION OwnedFace find_face(const CorePair& pair, unsigned is_b, int from) {
-    const Core* const cores[2] = {&pair.a, &pair.b};
-    const Core& owner = *cores[is_b];
+TUMBLE_LANE_FUNCTION OwnedFace find_face(const Core& owner, const Core& other_core, double offset_x, double offset_y,
+                                         unsigned is_b, int from) {
     TUMBLE_CHECK(from >= 0);
     TUMBLE_CHECK(from < owner.count);
-    const TurnedCore<N> other = turn<N>(*cores[1 - is_b]);
-    const double sign = kSign[is_b], offset_x = sign * pair.offset.x, offset_y = sign * pair.offset.y;
+    const TurnedCore<N> other = turn<N>(other_core);
     const int to = owner.next(from);
     const DVec2 edge = owner.edge(from, to), first = owner.point(from), second = owner.point(to);
     const double x = edge.y, y = -edge.x;
     const DoubleLanes<N> of_other = heights(other, x, y);
-    const double lowest = smallest(of_other);
-    const int nearest = std::countr_zero(bits_of(of_other == DoubleLanes<N>(lowest)));
-    TUMBLE_CHECK(nearest < cores[1 - is_b]->count);
+    const DoubleLanes<N> all_lowest = spread_smallest(of_other);
+    const double lowest = first_lane(all_lowest);
+    const int nearest = std::countr_zero(bits_of(of_other == all_lowest));
+    TUMBLE_CHECK(nearest < other_core.count);
     const double own_height = x * first.x + y * first.y;
     const double gap = (lowest - own_height) + (offset_x * x + offset_y * y);
     const double length = std::sqrt(x * x + y * y);
@@ -70,10 +70,10 @@ LeadingFaces<N>::LeadingFaces(const CorePair& cores, const TurnedPair<N>& turned
     : pair(cores),
       turned(turned_cores),
       of_a(faces_of(cores.a, turned_cores[0], turned_cores[1], cores.offset.x, cores.offset.y)),
-      of_b(faces_of(cores.b, turned_cores[1], turned_cores[0], -cores.offset.x, -cores.offset.y)),
-      separation(largest(larger(of_a.separation, of_b.separation))),
-      bits(bits_of(of_a.separation == DoubleLanes<N>(separation)) |
-           bits_of(of_b.separation == DoubleLanes<N>(separation)) << N) {
+      of_b(faces_of(cores.b, turned_cores[1], turned_cores[0], -cores.offset.x, -cores.offset.y)) {
+    const DoubleLanes<N> all_largest = spread_largest(larger(of_a.separation, of_b.separation));
+    separation = first_lane(all_largest);
+    bits = bits_of(of_a.separation == all_largest) | bits_of(of_b.separation == all_largest) << N;
     if (!(separation > -std::numeric_limits<double>::infinity())) bits = 0;
 }
 

@@ -22,8 +22,8 @@ struct Skins {
     double incident;
 };
 
-inline Manifold edge_manifold(const CorePair& pair, ReferenceEdge reference, Skins skins, double speculative_distance,
-                              double tolerance) {
+[[gnu::always_inline]] inline Manifold edge_manifold(const CorePair& pair, ReferenceEdge reference, Skins skins,
+                                                     double speculative_distance, double tolerance) {
     // By index: a branch on the owner of the edge would be mispredicted half the time.
     const Core* const cores[2] = {&pair.a, &pair.b};
     const bool is_on_a = reference.side == Side::a;

@@ -25,8 +25,8 @@ Manifold corner_manifold(const CorePair& pair, const ContactFeature& core, doubl
 }
 
 // Out of line, with the core distance by reference and its numbers written and read one by one.
-[[gnu::noinline]] Manifold manifold_of(const CorePair& pair, const ContactFeature& core, double radius_a,
-                                       double radius_b, double speculative_distance, SimplexCache& cache) {
+[[gnu::always_inline]] inline Manifold manifold_of(const CorePair& pair, const ContactFeature& core, double radius_a,
+                                                   double radius_b, double speculative_distance, SimplexCache& cache) {
     TUMBLE_CHECK(core.pair_count >= 1);
     TUMBLE_CHECK(core.pair_count <= 2);
     if (core.distance - (radius_a + radius_b) > speculative_distance) return {};

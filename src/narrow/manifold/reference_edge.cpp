@@ -96,7 +96,7 @@ bool is_usable(const CorePair& pair, ReferenceEdge reference) {
 }  // namespace
 
 // One result, written number by number: a copy of a structure that was just stored in parts would stall.
-ReferenceEdge choose_reference_edge(const CorePair& pair, const ContactFeature& core, const SimplexCache& cache,
+ReferenceEdge search_reference_edge(const CorePair& pair, const ContactFeature& core, const SimplexCache& cache,
                                     double tolerance) {
     ReferenceEdge best;
     if (pair.a.count == 1 && pair.b.count == 1) return best;
