@@ -1,9 +1,10 @@
 // The limits of world_limits() are those of the step.
-#include "tumble/world_def.hpp"
-
 #include <doctest/doctest.h>
 
 #include "support/near.hpp"
+#include "tumble/shape.hpp"
+#include "tumble/world.hpp"
+#include "tumble/world_def.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
