@@ -139,7 +139,7 @@ TEST_CASE("reading stops one byte after the limit, and an error names the file")
     CHECK(read_file(folder.path / "data.txt", 10) == "0123456789");
     CHECK(read_file(folder.path / "data.txt", 4) == "01234");
     CHECK_THROWS_WITH_AS(read_file("no/such/file", 10), "no/such/file: No such file or directory", FileError);
-    CHECK_THROWS_WITH_AS(read_file("/", 10), "/: Is a directory", FileError);
+    CHECK_THROWS_WITH_AS(read_file("/", 10), "/: Is a directory; name a file in it", FileError);
 }
 
 TEST_CASE("a file continues with a part of another, and is an error if that is too short") {

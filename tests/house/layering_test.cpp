@@ -76,7 +76,7 @@ const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"broad", {"math.hpp", "threads.hpp"}},
     {"dynamics",
      {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
-      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "impacts.hpp", "events.hpp", "counters.hpp",
+      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "world_def.hpp", "events.hpp", "counters.hpp",
       "threads.hpp"}},
 };
 
