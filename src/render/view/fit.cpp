@@ -125,12 +125,13 @@ Box box_at_start(const World& world, Box moving, const std::vector<MotionBounds>
     return shown_box(moving, fixtures_of(world), world.def().gravity.y < 0.0f, aspect_ratio);
 }
 
-// The static bodies that are small enough to be shown with what moves in them, such as a rink with its puck.
+// The static bodies that are small enough to be shown with what moves in them, such as a rink with its puck. Sensors
+// alone are no room.
 std::vector<Box> rooms_of(const World& world) {
     const double largest = kLargestRoom * moving_box(world).larger_side();
     std::vector<Box> rooms;
     for (const Fixture& fixture : fixtures_of(world))
-        if (fixture.body.larger_side() <= largest) rooms.push_back(fixture.body);
+        if (fixture.is_solid && fixture.body.larger_side() <= largest) rooms.push_back(fixture.body);
     return rooms;
 }
 
