@@ -205,6 +205,15 @@ TEST_CASE("the frame shows the room in which a body stays, and the camera does n
     CHECK(Framing(camera, kAspect).contains({-4.0, -2.0}, {4.0, 2.0}));
     const Camera on_large_rink = camera_on_rink("[[-10, -5], [-10, 5], [10, 5], [10, -5]]", built);
     CHECK(on_large_rink.follows == built.bodies.at(1).id);
+    // A ball that rolls on the floor of a room sinks into it by the slop.
+    const Scene rolling = parse_scene(
+        R"({"format": 1, "world": {"duration": 1.5}, "bodies": [
+            {"name": "room", "type": "static",
+             "shapes": [{"chain": {"loop": true, "points": [[-4, -2], [-4, 2], [4, 2], [4, -2]]}}]},
+            {"name": "ball", "position": [-3, -1.8], "velocity": [3, 0], "shapes": [{"circle": {"radius": 0.2}}]}]})",
+        "scene.json");
+    built = build_world(rolling);
+    CHECK(make_camera(rolling, built, kAspect).follows == BodyId{});
 }
 
 TEST_CASE("a sensor does not count as ground, and a small static body nearby is shown whole") {

@@ -44,6 +44,14 @@ TEST_CASE("a BMP file gives its pixels exactly, with colours or a palette, from 
         CAPTURE(name);
         check_halves(read_picture(seed(name)), 0);
     }
+    // The shortest: 26 bytes of headers, and a blue pixel in a row of 4 bytes.
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "pixel.bmp", std::ios::binary)
+        << std::string("BM\x1e\0\0\0\0\0\0\0\x1a\0\0\0\x0c\0\0\0\x01\0\x01\0\x01\0\x18\0\xff\0\0\0", 30);
+    const Image image = read_picture(folder.path / "pixel.bmp");
+    REQUIRE(image.width == 1);
+    CHECK(render::pixel(image, 0, 0).b == 255);
+    CHECK(render::pixel(image, 0, 0).r == 0);
 }
 
 TEST_CASE("a JPEG file gives its pixels, baseline or progressive") {
@@ -112,9 +120,15 @@ TEST_CASE("a JPEG file with arithmetic coding and a compressed BMP file are refu
         const std::size_t frame = is_baseline ? bytes.find("\xff\xc0") : bytes.find("\xff\xc2");
         REQUIRE(frame != std::string::npos);
         // The kinds 9 and 10 are the sequential and the progressive frame with arithmetic coding.
-        CHECK_THROWS_WITH_AS(read_picture(with_bytes(name, frame + 1, is_baseline ? "\xc9" : "\xca")),
+        const std::string arithmetic = is_baseline ? "\xc9" : "\xca";
+        CHECK_THROWS_WITH_AS(read_picture(with_bytes(name, frame + 1, arithmetic)),
                              doctest::Contains("has arithmetic coding; save it with Huffman coding, or as PNG"),
                              PictureError);
+        // The mark of the start, then marks that have no length: temporary, restart 3, and a filling byte.
+        const fs::path marked = folder.path / "marked.jpg";
+        std::ofstream(marked, std::ios::binary) << std::string("\xff\xd8\xff\x01\xff\xd3\xff", 7)
+                                                << read_file(with_bytes(name, frame + 1, arithmetic)).substr(2);
+        CHECK_THROWS_WITH_AS(read_picture(marked), doctest::Contains("has arithmetic coding"), PictureError);
     }
     constexpr std::size_t kCompression = 30;  // its offset
     for (const char compression : {'\1', '\2', '\4', '\5'})

@@ -75,6 +75,8 @@ TEST_CASE("syntax errors state the location, and some of them a hint") {
              Case{"{\"format\" 1}", 1, 11, "expected ':'", ""},
              Case{"{format: 1}", 1, 3, "expected string literal", "keys take double quotes"},
              Case{"# mine\n{\"format\": 1}", 1, 1, "invalid literal", "a comment begins with //"},
+             Case{"{\"format\": 1 # mine\n}", 1, 14, "invalid literal", "a comment begins with //"},
+             Case{"{\"color\": #d33}", 1, 11, "invalid literal", "a colour takes double quotes"},
              Case{"{\"format\": +1}", 1, 12, "invalid literal", "no + before it"},
              Case{"{\"format\": .5}", 1, 12, "invalid literal", "begins with a digit"},
              Case{"{\"format\": 0x1}", 1, 13, "invalid literal", "in decimal"},
@@ -265,6 +267,7 @@ TEST_CASE("hints write a value of another kind as this format does") {
     CHECK(hint_of(body + R"("position": {"uniform": [[0, 0], [1, 1]]}}]})") ==
           R"(each number is drawn by itself: [{"uniform": [0, 1]}, {"uniform": [0, 1]}])");
     CHECK(hint_of(body + R"("bullet": "true"}]})") == "without quotes");
+    CHECK(hint_of(body + R"("bullet": "yes"}]})").empty());
     CHECK(hint_of(body + R"("type": "fixed"}]})") == "this format calls it 'static'");
     CHECK(hint_of(body + R"("repeat": {"count": 5}}]})") == R"("grid": {"columns": 5})");
     CHECK(hint_of(body + R"("repeat": {"grid": [3, 2]}}]})") == R"("grid": {"columns": 3, "rows": 2})");
@@ -279,6 +282,7 @@ TEST_CASE("hints write a value of another kind as this format does") {
     };
     CHECK(hint_of_material(R"("color": [255, 16, 0])") == R"("#ff1000")");
     CHECK(hint_of_material(R"("color": [0.5, 0, 0])") == R"(for example "#d33")");
+    CHECK(hint_of_material(R"("color": [4294967296, 0, 0])") == R"(for example "#d33")");
     CHECK(hint_of_material(R"("bounce": 1)") == R"("restitution", 0 to 1)");
     CHECK(hint_of(R"({"format": 1, "world": {"time": 3}})") == R"("duration": seconds)");
     CHECK(hint_of(R"({"format": 1, "objects": []})") == R"(bodies are listed under "bodies")");
@@ -286,7 +290,7 @@ TEST_CASE("hints write a value of another kind as this format does") {
     CHECK(hint_of(R"({"format": 1, "include": ["car.json"]})") == R"({"file": "part.json"})");
     CHECK(hint_of(R"({"format": 1, "expect": ["energy < 1"]})") == R"({"that": "ball.x > 1"})");
     CHECK(hint_of(R"({"format": 1, "expect": [{"state_hash": 1}]})").starts_with("16 digits in quotes"));
-    CHECK(hint_of(R"({"format": 1, "expect": [{"frame": "golden.png"}]})").starts_with("\"picture\""));
+    CHECK(hint_of(R"({"format": 1, "expect": [{"frame": "golden.png"}]})").ends_with("\"picture\": \"golden.png\""));
     CHECK(hint_of(R"({"format": 1, "timeline": [{"at": 1, "remove": "a"}]})").starts_with("\"despawn\""));
     CHECK(hint_of(R"~({"format": 1, "timeline": [{"when": "contact(a, b)", "stop": true}]})~") ==
           "write touching(a, b)");
@@ -298,7 +302,7 @@ TEST_CASE("hints write a value of another kind as this format does") {
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "limits": {"min": -10, "max": 10})")) == "[-10, 10]");
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "motor": true)")).starts_with("\"motor\": {"));
     CHECK(hint_of(test::with_joint(joint + R"("type": "mouse", "target": [0, 1])"))
-              .starts_with("\"anchor\" is the first"));
+              .starts_with("of a mouse joint, \"anchor\" is the first"));
     CHECK(hint_of(test::with_joint(joint + R"("type": "rope")")) ==
           R"(this format calls it 'distance', with "limits": [0, length])");
 }

@@ -255,6 +255,7 @@ TEST_CASE("an error has its place in the text, a reason and a hint") {
     CHECK(refused("distance(a, 1)").offset == 12);
     CHECK(refused("all(a.x > 1)").message == "'all' needs the common name of copies");
     CHECK(refused("max(a.x)").hint == "a body without a \"repeat\" has no copies: leave the function out");
+    CHECK(refused("count(a.x > 1) > 0").hint == "a body without a \"repeat\" has no copies: write if(condition, 1, 0)");
     CHECK(refused("t > 1").hint == "did you mean 'time'?");
     CHECK(refused("all(any(crate.x > 1))").offset == 4);
     CHECK(refused("max(crate.x, 1)").message == "'crate' stands for several copies");

@@ -199,6 +199,9 @@ TEST_CASE("a table whose name promises another format than CSV is refused") {
         CHECK(answer.err.find("tables are CSV") != std::string::npos);
     }
     CHECK(!fs::exists(folder / "out"));
+    const std::string temporary = (folder / "tmp.Xy12Zb").string();
+    CHECK(run_tumble({"run", scene, "--no-frames", "-o", (folder / "out").string(), "--trajectory", temporary}).code ==
+          0);
 }
 
 TEST_CASE("a run without -o writes to out/<scene name>") {

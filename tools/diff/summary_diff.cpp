@@ -35,27 +35,33 @@ bool is_timing(std::string_view pointer) {
     return pointer.starts_with("/wall_s/") || pointer.starts_with("/ms_per_step/");
 }
 
-// The files of a run by their kinds, so that one more file does not shift the others. Of their paths only the name is
-// kept.
+// The files of a run by their kinds, so that one more file does not shift the others; as a list if a file has no kind
+// of its own.
 Json files_by_kind(const Json& files) {
     Json by_kind = Json::object();
     for (const Json& written : files) {
         if (!written.is_object() || !written.contains("kind") || !written["kind"].is_string()) return files;
         Json file = written;
         file.erase("kind");
-        if (file.contains("path") && file["path"].is_string())
-            file["path"] = std::filesystem::path(file["path"].get<std::string>()).filename().string();
         if (!by_kind.emplace(written["kind"].get<std::string>(), file).second) return files;
     }
     return by_kind;
 }
 
-// All values by their pointers.
+void keep_names_of_paths(Json& files) {
+    for (Json& written : files)
+        if (written.is_object() && written.contains("path") && written["path"].is_string())
+            written["path"] = std::filesystem::path(written["path"].get<std::string>()).filename().string();
+}
+
+// All values by their pointers. Of the paths of files only the names are kept.
 Json values_of(const std::filesystem::path& file) {
     Json found = parsed(file);
     if (!is_summary(found)) throw InputError(file.string() + ": is not a summary of a run");
-    if (const auto files = found.find("files"); files != found.end() && files->is_array())
+    if (const auto files = found.find("files"); files != found.end() && files->is_array()) {
+        keep_names_of_paths(*files);
         *files = files_by_kind(*files);
+    }
     return found.flatten();
 }
 

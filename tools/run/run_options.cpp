@@ -60,14 +60,16 @@ void set_parts(Overlay& overlay, const std::string& option, std::span<const Over
     }
 }
 
-// A table is CSV: a name that promises another format is refused.
+// A table is CSV: a name that promises another format is refused. Other names, as of temporary files, are not.
 CLI::Validator is_table_name() {
     const auto check = [](const std::string& text) {
+        constexpr std::string_view kOtherFormats[] = {".h5",   ".hdf5",  ".npy",     ".npz",
+                                                      ".json", ".jsonl", ".parquet", ".xlsx"};
         const std::string extension = std::filesystem::path(text).extension().string();
-        const bool is_text = extension.empty() || extension == ".csv" || extension == ".txt";
-        return is_text ? ""
-                       : "tables are CSV, and their names end in .csv, got " + text +
-                             "; a sweep writes trajectories as HDF5 and npy";
+        return std::ranges::find(kOtherFormats, extension) == std::end(kOtherFormats)
+                   ? ""
+                   : "tables are CSV: choose a name that ends in .csv, not " + text +
+                         "; a sweep writes trajectories as HDF5 and npy";
     };
     return {check, ""};
 }

@@ -46,7 +46,7 @@ void add_part(const fs::path& folder, const fs::path& from, sweep::Manifest& man
         manifest.header = part.header;
     }
     if (!(*manifest.header == *part.header)) throw FileError(from, "is of another sweep than " + folder.string());
-    merge_copies(from, folder);
+    merge_copies(from, part.copies, folder);
     for (const auto& [shard, entry] : part.shards) {
         if (is_stored(folder, manifest, shard) || !is_stored(from, part, shard)) continue;
         for (const sweep::StoredFile& file : entry.files) copy_file(from, folder, file);

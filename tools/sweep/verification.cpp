@@ -12,6 +12,7 @@
 #include "sweep/store/stored_file.hpp"
 #include "tools/cli/interrupt.hpp"
 #include "tools/sweep/runs/run_record.hpp"
+#include "tools/sweep/runs/scene_texts.hpp"
 #include "tools/sweep/sweep_folder.hpp"
 #include "tools/sweep/table_reader.hpp"
 #include "tumble/file.hpp"
@@ -110,6 +111,7 @@ void remove_damaged_files(const fs::path& folder) {
     for (const sweep::StoredFile& file : files) {
         if (is_interrupted()) return;
         std::error_code error;
+        if (is_behind_link(folder, file.name)) continue;
         if (!fs::is_regular_file(folder / file.name) || sweep::read_stored_file(folder, file.name).hash == file.hash)
             continue;
         if (!fs::remove(folder / file.name, error)) throw FileError(folder / file.name, "cannot remove the file");

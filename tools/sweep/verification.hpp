@@ -22,7 +22,7 @@ struct Verification {
 Verification verify_files(const std::filesystem::path& folder);
 
 // Removes the files of complete shards, the table, and the copies of scenes, whose checksums are not those of the
-// manifest, so that the sweep makes them again.
+// manifest, so that the sweep makes them again. What a link in the place of a folder names is not removed.
 void remove_damaged_files(const std::filesystem::path& folder);
 
 // Simulates a part of the stored runs again, drawn from the seed, at least one, and compares the lines of the table,

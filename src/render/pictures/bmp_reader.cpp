@@ -13,7 +13,8 @@ namespace tumble::render {
 namespace {
 
 constexpr std::string_view kBmpSignature = "BM";
-constexpr std::size_t kShortestFile = 34;  // up to the compression, which the longer kind of headers has
+constexpr std::size_t kShortestFile = 30;     // a pixel after the shortest header
+constexpr std::size_t kCompressionEnds = 34;  // in the longer headers
 
 // `count` bytes, the lowest first.
 std::uint32_t little_endian_at(std::string_view bytes, std::size_t at, std::size_t count) {
@@ -38,6 +39,7 @@ BmpHeader bmp_header_of(std::string_view bytes) {
     if (little_endian_at(bytes, 14, 4) == 12)
         return {pixels_at, little_endian_at(bytes, 18, 2), little_endian_at(bytes, 20, 2),
                 little_endian_at(bytes, 24, 2), kNoCompression};
+    if (bytes.size() < kCompressionEnds) throw PictureError("the BMP file is not complete");
     const auto signed_at = [&](std::size_t at) {
         return std::int64_t{static_cast<std::int32_t>(little_endian_at(bytes, at, 4))};
     };

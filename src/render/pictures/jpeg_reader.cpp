@@ -23,12 +23,14 @@ const unsigned char* jpeg_data_of(std::string_view bytes) {
     return reinterpret_cast<const unsigned char*>(bytes.data());
 }
 
-// Whether the frame header says that arithmetic coding packs the pixels. The segments before it begin with 0xff, their
-// kind, and their length without these two bytes. False for a file that ends or is damaged before its frame header.
+// Whether the frame header says that arithmetic coding packs the pixels. A segment before it begins with 0xff, its
+// kind, and its length without these two bytes; a segment without content has no length. False for a file that ends or
+// is damaged before its frame header.
 bool has_arithmetic_coding(std::string_view bytes) {
     constexpr int kFirstFrame = 0xc0, kLastFrame = 0xcf, kFirstArithmeticFrame = 0xc9;
     constexpr int kTables = 0xc4, kExtension = 0xc8,
                   kArithmeticTables = 0xcc;  // no frames, in the range of their kinds
+    constexpr int kTemporary = 0x01, kFirstRestart = 0xd0, kLastRestart = 0xd7;  // without content
     const auto byte_at = [&](std::size_t at) { return int{static_cast<unsigned char>(bytes[at])}; };
     std::size_t at = 2;  // after the mark of the start
     while (at + 4 <= bytes.size() && byte_at(at) == 0xff) {
@@ -40,7 +42,8 @@ bool has_arithmetic_coding(std::string_view bytes) {
         const bool is_frame = kind >= kFirstFrame && kind <= kLastFrame && kind != kTables && kind != kExtension &&
                               kind != kArithmeticTables;
         if (is_frame) return kind >= kFirstArithmeticFrame;
-        at += 2 + static_cast<std::size_t>(256 * byte_at(at + 2) + byte_at(at + 3));
+        const bool is_empty = kind == kTemporary || (kind >= kFirstRestart && kind <= kLastRestart);
+        at += 2 + (is_empty ? 0 : static_cast<std::size_t>(256 * byte_at(at + 2) + byte_at(at + 3)));
     }
     return false;
 }

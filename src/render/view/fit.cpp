@@ -15,7 +15,7 @@ constexpr double kNear = 1.0;           // a static shape that ends within this 
 constexpr double kSmall = 1.0;          // so is a static body of at most this size that begins within kNear
 constexpr double kCut = 0.1;            // longer static shapes are shown this far beyond the box
 constexpr double kGroundShown = 0.06;   // thick ground is shown this far below its top
-constexpr double kSunk = 0.02;          // ground may overlap the box by this and still counts as below it
+constexpr double kSunk = 0.02;          // a body may overlap its ground or its room by this
 constexpr double kFarthestFall = 40.0;  // ground is searched this far below
 constexpr double kLargestRoom = 24.0;   // a static body of at most this size is a room for what stays in its box
 
@@ -125,12 +125,15 @@ Box box_at_start(const World& world, Box moving, const std::vector<MotionBounds>
     return shown_box(moving, fixtures_of(world), world.def().gravity.y < 0.0f, aspect_ratio);
 }
 
-// The static bodies that are small enough to be shown with what moves in them, such as a rink with its puck.
+// The static bodies that are small enough to be shown with what moves in them, such as a rink with its puck. Sensors
+// alone are no room. What rests on the floor or hits a wall overlaps it a little.
 std::vector<Box> rooms_of(const World& world) {
-    const double largest = kLargestRoom * moving_box(world).larger_side();
+    const double size = moving_box(world).larger_side();
+    const DVec2 overlap{kSunk * size, kSunk * size};
     std::vector<Box> rooms;
-    for (const Fixture& fixture : fixtures_of(world))
-        if (fixture.body.larger_side() <= largest) rooms.push_back(fixture.body);
+    for (const auto& [shape, body, is_solid] : fixtures_of(world))
+        if (is_solid && body.larger_side() <= kLargestRoom * size)
+            rooms.push_back({body.lower - overlap, body.upper + overlap});
     return rooms;
 }
 

@@ -291,8 +291,10 @@ private:
         if (copies) node.names.push_back(*copies);
         const bool may_lack_copies = lookup_.is_unchecked() || arguments != 1;
         if (!copies && !may_lack_copies)
-            throw ExpressionError(node.begin, "'" + std::string(word.name) + "' needs the common name of copies",
-                                  "a body without a \"repeat\" has no copies: leave the function out");
+            throw ExpressionError(
+                node.begin, "'" + std::string(word.name) + "' needs the common name of copies",
+                std::string("a body without a \"repeat\" has no copies: ") +
+                    (word.code == Function::count ? "write if(condition, 1, 0)" : "leave the function out"));
     }
 
     std::string_view text_;

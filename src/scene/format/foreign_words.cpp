@@ -1,6 +1,7 @@
 #include "scene/format/foreign_words.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -85,7 +86,8 @@ constexpr ForeignKey kKeys[] = {
     {"dt", "steps_per_second", R"("steps_per_second": 60)"},
     {"time_step", "steps_per_second", R"("steps_per_second": 60)"},
     {"target", "break_force",
-     R"("anchor" is the first target; an event moves it: {"at": 1, "joint": "j", "target": [0, 1]})"},
+     R"(of a mouse joint, "anchor" is the first target; an event moves it: )"
+     R"({"at": 1, "joint": "j", "target": [0, 1]})"},
     {"revolute", "bodies", R"("type": "revolute")"},
     {"prismatic", "bodies", R"("type": "prismatic")"},
     {"distance", "bodies", R"("type": "distance")"},
@@ -108,7 +110,8 @@ constexpr PlainValue kPlainValues[] = {
     {"grid", R"("grid": {"columns": 3, "rows": 2})", ""},
     {"include", R"({"file": "part.json"})", ""},
     {"expect", R"({"that": "ball.x > 1"})", ""},
-    {"frame", R"("picture": "golden.png" is the claim about a frame)", ""},
+    {"frame", R"("frame": {"position": [0, 0], "angle": 30}; the claim about a picture is "picture": "golden.png")",
+     ""},
 };
 
 // Values of other kinds.
@@ -185,8 +188,9 @@ std::string hint_for_color_levels(const Json& value) {
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string color = "\"#";
     for (const Json& level : value) {
-        if (!level.is_number_unsigned() || level.get<unsigned>() > 255) return R"(for example "#d33")";
-        color += {kDigits[level.get<unsigned>() / 16], kDigits[level.get<unsigned>() % 16]};
+        if (!level.is_number_unsigned() || level.get<std::uint64_t>() > 255) return R"(for example "#d33")";
+        const auto number = level.get<std::size_t>();
+        color += {kDigits[number / 16], kDigits[number % 16]};
     }
     return value.size() == 3 ? color + '"' : R"(for example "#d33")";
 }
@@ -205,7 +209,7 @@ std::string hint_for_wrong_value(std::string_view key, std::string_view wanted, 
     if (key == "color" && value.is_array()) return hint_for_color_levels(value);
     if (wanted == "an object") return hint_for_plain_value(key, value);
     if (wanted == "an array" && value.is_object()) return "in brackets, as a list: [{...}]";
-    if (wanted == "true or false" && value.is_string()) return "without quotes";
+    if (wanted == "true or false" && (value == "true" || value == "false")) return "without quotes";
     if (wanted.ends_with(" number") && value.is_string()) return hint_for_text_number(value.get<std::string>());
     if (value.is_object() && wanted.ends_with(']')) return hint_for_pair(value);
     if (value.is_number() && wanted == "[lower, upper]") {

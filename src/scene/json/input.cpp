@@ -109,6 +109,13 @@ private:
 
     static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
+    // After a colon it begins a colour without quotes.
+    std::string hint_for_number_sign(std::size_t offset) const {
+        const std::size_t before = text_.substr(0, offset).find_last_not_of(" \t\r\n");
+        const bool is_value = before != std::string_view::npos && text_[before] == ':';
+        return is_value ? R"(a colour takes double quotes: "#d33")" : "a comment begins with //";
+    }
+
     std::string hint(std::size_t offset, const std::string& why) const {
         const bool wants_end = why.ends_with("expected '}'") || why.ends_with("expected ']'");
         const bool begins_value = why.find("literal; expected") != std::string::npos ||
@@ -116,6 +123,7 @@ private:
                                   why.find("unexpected '['") != std::string::npos;
         const char c = offset < text_.size() ? text_[offset] : '\0';
         if (offset > 0 && text_[offset - 1] == '0' && (c == 'x' || c == 'b')) return "numbers are written in decimal";
+        if (c == '#') return hint_for_number_sign(offset);
         if (wants_end && begins_value) return "a comma is missing before it";
         if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff")) return "save the file as UTF-8, not UTF-16";
         if (why.find("UTF-8") != std::string::npos) return "save the file as UTF-8";
@@ -123,8 +131,7 @@ private:
             return std::string("the last '") + (levels_.back().is_object ? "{" : "[") + "' is not closed";
         if (c == '\'') return "strings and keys take double quotes";
         if (why.find("expected string literal") != std::string::npos && is_letter(c)) return "keys take double quotes";
-        if (c == 'N' || c == 'I') return "JSON has no NaN and no Infinity";
-        if (c == '#') return "a comment begins with //";
+        if (c == 'I' || (c == 'N' && text_.substr(offset).starts_with("NaN"))) return "JSON has no NaN and no Infinity";
         if (c == '+') return "a number has no + before it";
         if (c == '.') return "a number begins with a digit: 0.5";
         if ((c == '}' || c == ']') && text_.substr(0, offset).find_last_not_of(" \t\r\n") != std::string_view::npos &&

@@ -1,6 +1,5 @@
 // Lints of single bodies: slivers, sizes, weight, static bodies with a velocity.
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "scene/json/problem_codes.hpp"

@@ -116,3 +116,13 @@ TEST_CASE("merge refuses the lines of a complete part that are not those of its 
     CHECK(answer.err.find(sweeps.at("part/runs.csv") + ": the checksum") != std::string::npos);
     CHECK_FALSE(fs::exists(sweeps.folder / "whole/shard-000019.csv"));
 }
+
+TEST_CASE("merge refuses a damaged copy of a scene of a complete part") {
+    const Sweeps sweeps;
+    REQUIRE(sweeps.sweep("part", {"--runs", "20"}).code == 0);
+    flip_byte(sweeps.folder / "part/plan/scene.json", 1);
+    const Answer answer = run_tumble({"sweep", "merge", sweeps.at("whole"), sweeps.at("part")});
+    CHECK(answer.code == 3);
+    CHECK(answer.err.find(sweeps.at("part/plan/scene.json") + ": the checksum") != std::string::npos);
+    CHECK_FALSE(fs::exists(sweeps.folder / "whole/plan/scene.json"));
+}

@@ -100,6 +100,13 @@ TEST_CASE("what a link in the place of the copies names is neither searched nor 
     CHECK_FALSE(fs::exists(sweeps.folder / "merged/plan"));
     CHECK(run_tumble({"sweep", "merge", sweeps.at("out")}).code == 0);  // completes the folder again
     CHECK(fs::exists(left));
+    // The manifest has another checksum of plan/scene.json, and the copy of the plan is missing.
+    sweeps.folder.write("private/scene.json", "mine");
+    const Answer answer = sweeps.sweep("out", {"--runs", "20", "--check"});
+    CHECK(answer.code == 4);
+    CHECK_MESSAGE(answer.err.find("plan.json: is reached through a link") != std::string::npos, answer.err);
+    CHECK(read_text(sweeps.folder / "private/scene.json") == "mine");
+    CHECK_FALSE(fs::exists(sweeps.folder / "private/plan.json"));
 }
 
 TEST_CASE("verify finds a run that is not the one of the table") {

@@ -5,6 +5,7 @@
 
 #include "sweep/store/durable.hpp"
 #include "sweep/store/stored_file.hpp"
+#include "tools/output/input_error.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -13,9 +14,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kCopies = "plan";
 constexpr std::size_t kMostBytesOfCopy = std::size_t{1} << 29;  // of a file, as of a picture that is drawn
 
-void write_copy(const fs::path& to, const std::string& text) {
+void write_copy(const fs::path& sweep_folder, const fs::path& name, const std::string& text) {
+    const fs::path to = sweep_folder / name;
+    if (is_behind_link(sweep_folder, name)) throw FileError(to, "is reached through a link, and is not written");
     std::error_code error;
     fs::create_directories(to.parent_path(), error);
     if (error) throw FileError(to.parent_path(), "cannot create the folder: " + error.message());
@@ -38,14 +42,20 @@ fs::path plain_path(const fs::path& file) { return fs::absolute(file).lexically_
 
 }  // namespace
 
-fs::path copies_in(const fs::path& sweep_folder) { return sweep_folder / "plan"; }
+fs::path copies_in(const fs::path& sweep_folder) { return sweep_folder / kCopies; }
 
 bool has_copies(const fs::path& sweep_folder) { return fs::is_directory(fs::symlink_status(copies_in(sweep_folder))); }
+
+bool is_behind_link(const fs::path& sweep_folder, const fs::path& name) {
+    for (fs::path folder = name.parent_path(); !folder.empty(); folder = folder.parent_path())
+        if (fs::is_symlink(sweep_folder / folder)) return true;
+    return false;
+}
 
 SceneTexts::SceneTexts(const sweep::Plan& plan, const fs::path& sweep_folder) {
     if (plan.allow_outside) return;
     folder_ = plain_path(plan.file).parent_path();
-    copies_ = copies_in(sweep_folder);
+    sweep_folder_ = sweep_folder;
     copy(plan.file, plan.text);
 }
 
@@ -65,28 +75,27 @@ void SceneTexts::copy_new() {
 }
 
 void SceneTexts::restore(const std::vector<sweep::StoredFile>& copies) {
-    if (copies_.empty()) return;
+    if (sweep_folder_.empty()) return;
     for (const sweep::StoredFile& copy : copies) {
-        const fs::path to = copies_.parent_path() / copy.name;
         std::error_code error;
-        if (fs::file_size(to, error) == copy.bytes && !error) continue;
-        const fs::path from = folder_ / to.lexically_relative(copies_);
+        if (fs::file_size(sweep_folder_ / copy.name, error) == copy.bytes && !error) continue;
+        const fs::path from = folder_ / fs::path(copy.name).lexically_relative(kCopies);
         const std::string text = read_within_limit(from);
         if (sweep::hash_of(text) != copy.hash) throw FileError(from, "has changed since the sweep was made");
-        write_copy(to, text);
+        write_copy(sweep_folder_, copy.name, text);
     }
 }
 
 // Two processes that copy a file at once write the same.
 void SceneTexts::copy(const fs::path& file, const std::string& text) const {
-    if (copies_.empty()) return;
-    const fs::path to = copies_ / plain_path(file).lexically_relative(folder_);
-    if (fs::exists(to)) {
+    if (sweep_folder_.empty()) return;
+    const fs::path name = kCopies / plain_path(file).lexically_relative(folder_);
+    if (const fs::path to = sweep_folder_ / name; fs::exists(to)) {
         if (read_file(to) != text)
             throw FileError(file, "has changed since the sweep began: " + to.string() + " is its copy");
         return;
     }
-    write_copy(to, text);
+    write_copy(sweep_folder_, name, text);
 }
 
 std::vector<sweep::StoredFile> stored_copies(const fs::path& sweep_folder) {
@@ -100,12 +109,17 @@ std::vector<sweep::StoredFile> stored_copies(const fs::path& sweep_folder) {
     return copies;
 }
 
-void merge_copies(const fs::path& from_sweep, const fs::path& to_sweep) {
+void merge_copies(const fs::path& from_sweep, const std::vector<sweep::StoredFile>& checksums,
+                  const fs::path& to_sweep) {
     if (!has_copies(from_sweep)) return;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copies_in(from_sweep))) {
-        const fs::path to = copies_in(to_sweep) / entry.path().lexically_relative(copies_in(from_sweep));
-        if (entry.is_regular_file() && !entry.is_symlink() && !fs::exists(to))
-            write_copy(to, read_within_limit(entry.path()));
+        const std::string name = entry.path().lexically_relative(from_sweep).generic_string();
+        if (!entry.is_regular_file() || entry.is_symlink() || fs::exists(to_sweep / name)) continue;
+        const std::string text = read_within_limit(entry.path());
+        const auto known = std::ranges::find(checksums, name, &sweep::StoredFile::name);
+        if (known != checksums.end() && known->hash != sweep::hash_of(text))
+            throw InputError(entry.path().string() + ": the checksum of its bytes is not that of its manifest");
+        write_copy(to_sweep, name, text);
     }
 }
 

@@ -20,6 +20,10 @@ std::filesystem::path copies_in(const std::filesystem::path& sweep_folder);
 // Whether DIR/plan is a folder, and no link to one elsewhere.
 bool has_copies(const std::filesystem::path& sweep_folder);
 
+// Whether a folder on the path of the copy `name` ("plan/parts/car.json") is a link, which may lead out of DIR. What is
+// there is neither written nor removed.
+bool is_behind_link(const std::filesystem::path& sweep_folder, const std::filesystem::path& name);
+
 // The bytes of scene files, of their includes and of images, read once for all runs and threads.
 class SceneTexts {
 public:
@@ -41,7 +45,7 @@ public:
 private:
     void copy(const std::filesystem::path& file, const std::string& text) const;
 
-    std::filesystem::path folder_{}, copies_{};  // empty: nothing is copied
+    std::filesystem::path folder_{}, sweep_folder_{};  // of the plan, and DIR; empty: nothing is copied
     std::mutex mutex_;
     std::map<std::filesystem::path, std::string> texts_;
     std::vector<std::filesystem::path> new_;  // read, and not yet copied
@@ -50,7 +54,9 @@ private:
 // The files in DIR/plan with their checksums, by their names. Throws FileError.
 std::vector<sweep::StoredFile> stored_copies(const std::filesystem::path& sweep_folder);
 
-// Copies to DIR/plan of one sweep what that of another has more. Throws FileError.
-void merge_copies(const std::filesystem::path& from_sweep, const std::filesystem::path& to_sweep);
+// Copies to DIR/plan of one sweep what that of another has more. `checksums` are those that the manifest of the other
+// has. Throws FileError, and InputError if a checksum is another.
+void merge_copies(const std::filesystem::path& from_sweep, const std::vector<sweep::StoredFile>& checksums,
+                  const std::filesystem::path& to_sweep);
 
 }  // namespace tumble::tools
