@@ -12,7 +12,8 @@ struct Simulation;
 // skipped, and the simulation cannot go on.
 void step(Simulation& simulation);
 
-// Stages of step(), in order; those of dynamics/stages come between. README.md has the whole list.
+// Stages of step(), in order; those of dynamics/stages and dynamics/continuous come between. README.md has the whole
+// list.
 void cover_free_motions(Simulation& simulation);
 void find_pairs(Simulation& simulation);
 void end_contacts(Simulation& simulation);

@@ -43,8 +43,8 @@ BodyId body_id(const Simulation& simulation, std::uint32_t shape) {
 // size; the path is clipped to one slab per axis.
 class SweptBox {
 public:
-    // The margin covers the rounding of what is as near as the path. A side of a box that is more than twice as far
-    // away decides by more than its own rounding.
+    // The margin is far above the rounding of sides up to twice as far from the origin as any point of the path. A side
+    // beyond that is out of reach by more than its own rounding.
     SweptBox(DVec2 from, DVec2 translation, DVec2 half)
         : from_(from), inverse_{1.0 / translation.x, 1.0 / translation.y} {
         const double margin = 2.0 * kBoxTolerance * (size(from) + size(translation) + size(half));

@@ -105,9 +105,34 @@ TEST_CASE("single ulps to either side do not make rays at a vertex miss, nor inw
 TEST_CASE("a segment is hit from both sides") {
     const Shape post = make_segment({0, -1}, {0, 1});
     CHECK(cast_ray(post, {}, {-3, 0.5}, {6, 0}).fraction == 0.5);
+    CHECK(cast_ray(post, {}, {-3, 0.5}, {6, 0}).normal == DVec2{-1, 0});
     CHECK(cast_ray(post, {}, {3, 0.5}, {-6, 0}).fraction == 0.5);
+    CHECK(cast_ray(post, {}, {3, 0.5}, {-6, 0}).normal == DVec2{1, 0});
     CHECK(cast_ray(post, {}, {0, 4}, {0, -6}).fraction == 0.5);
     CHECK(cast_ray(post, {}, {3, 1.5}, {-6, 0}).status == CastStatus::miss);
+}
+
+TEST_CASE("a segment behind the start is not hit after it, also if it is nearer than rounding") {
+    int near_starts = 0;
+    for (std::uint64_t index = 0; index < 100000; ++index) {
+        Random random(2, index);
+        const auto offset = [&] { return std::exp2(random.uniform(-60.0, 0.0)) * random.point(1.0); };
+        const Shape segment = make_segment(to_float(random.point(1.0)), to_float(random.point(1.0)));
+        const DVec2 a(segment.vertex(0)), along = DVec2(segment.vertex(1)) - a;
+        const DVec2 origin = a + random.uniform(-1.0, 2.0) * along + offset();
+        const DVec2 motion = a + random.uniform(-1.0, 2.0) * along + offset() - origin;
+        const CastResult ray = cast_ray(segment, {}, origin, motion);
+        if (ray.status != CastStatus::hit || ray.lower < 0.0) continue;
+        // The lines cross at a + part * along and at origin + fraction * motion. A hit elsewhere is a graze of an end.
+        const Real x = Real(a.x) - origin.x, y = Real(a.y) - origin.y;
+        const Real rate = Real(motion.x) * along.y - Real(motion.y) * along.x;
+        const Real part = (x * motion.y - y * motion.x) / rate, fraction = (x * along.y - y * along.x) / rate;
+        if (!(part >= 0 && part <= 1)) continue;
+        INFO("ray ", index);
+        REQUIRE(fraction >= 0);
+        near_starts += ray.lower < 1e-6;
+    }
+    CHECK(near_starts > 100);
 }
 
 TEST_CASE("scaling the rotation away from 1 scales the shape, as for distances") {

@@ -194,6 +194,23 @@ def test_observations_and_ranges_are_rad_and_expressions_degrees():
     assert np.allclose([angle_deg, speed_deg], np.degrees([angle, speed]), rtol=1e-5)
 
 
+def test_a_declaration_takes_numbers_of_numpy():
+    def first(change):
+        scene = tumble.env.scene_of("cart_pole")
+        change(scene.data["custom"]["env"])
+        env = tumble.env.TumbleEnv(scene)
+        env.reset(seed=1)
+        return env.step(1)[0].tolist()
+
+    def ranges(of):
+        def change(declared):
+            declared["actions"][0]["range"], declared["steps"] = of([-5.0, 5.0]), 50
+        return change
+
+    assert first(ranges(np.array)) == first(ranges(list)) != first(lambda declared: None)
+    assert first(lambda declared: declared.update(steps=np.int64(50))) == first(lambda declared: None)
+
+
 def test_an_error_in_an_expression_points_into_its_text():
     scene = tumble.Scene.parse('{"format": 1,\n "custom": {"env": {"reward": "1 + wrong"}}}', "made.json")
     with pytest.raises(tumble.SceneError) as caught:

@@ -14,7 +14,6 @@ GROUND = WORLD.add_body("static", shapes=[tumble.box(20, 1)], position=(0, -0.5)
 BALL = WORLD.add_body(shapes=[tumble.circle(0.5)], position=(0, 3))
 
 
-
 def started(name):
     env = tumble.env.make(name)
     env.reset(seed=1)
@@ -35,6 +34,9 @@ CALLS = [
     (lambda: setattr(BALL, "user_data", None), TypeError, "user_data must be a whole number"),
     (lambda: setattr(BALL.shapes[0], "user_data", -1), ValueError, "user_data must be a whole number"),
     (lambda: setattr(WORLD, "gravtiy", (0, 0)), AttributeError, "gravtiy"),
+    (lambda: WORLD.add_body(angular_velocity="3"), TypeError, "angular_velocity must be a number"),
+    (lambda: WORLD.add_body(mass="3"), TypeError, "mass must be a number"),
+    (lambda: GROUND.add_chain([(0, 0), (1, 0)], loop="no"), TypeError, "loop must be True or False"),
     (lambda: BALL.add_shape("circle"), TypeError, "shape must be a Shape, .* got 'circle'"),
     (lambda: BALL.apply_torque("3"), TypeError, "torque must be a number"),
     (lambda: tumble.circle("1"), TypeError, "radius must be a number, got '1'"),
@@ -45,6 +47,7 @@ CALLS = [
     (lambda: WORLD.add_joint("hinge", GROUND, BALL), ValueError, "kind must be one of revolute, .* got 'hinge'"),
     (lambda: WORLD.add_joint("revolute", GROUND, BALL, limits=1), TypeError, r"limits \(lower, upper\) must be two numbers"),
     (lambda: WORLD.add_joint("revolute", GROUND, BALL, motor=3), TypeError, r"motor \(speed, largest torque or force\)"),
+    (lambda: WORLD.add_joint("distance", GROUND, BALL, anchor_a=("a", 0)), TypeError, "anchor_a must be two numbers"),
     (lambda: WORLD.add_joint("gear", GROUND, BALL), TypeError, "a gear joint needs joint_a and joint_b"),
     (lambda: WORLD.add_joint("mouse", GROUND, BALL), TypeError, "a mouse joint needs max_force"),
     (lambda: WORLD.add_joint("motor", GROUND, BALL), TypeError, "a motor joint needs max_force .* or max_torque"),
@@ -54,17 +57,21 @@ CALLS = [
     (lambda: BALL.lock(x="a"), TypeError, "x must be True or False"),
     (lambda: tumble.render(3), TypeError, "must be a world or a run, got 3"),
     (lambda: tumble.fitted_camera(BALL.shapes), TypeError, "must be a world or a run"),
+    (lambda: tumble.fitted_camera(WORLD, "wide"), TypeError, "aspect_ratio must be a number"),
     (lambda: tumble.Scene().start().value(3), TypeError, "expression must be a string, got 3"),
     (lambda: tumble.Scene.parse({"bodies": []}), TypeError, "text must be a string"),
     (lambda: tumble.Scene.load("tray.json", set="/world/duration=3"), TypeError, "set must be a list of overrides"),
     (lambda: tumble.Scene.load("tray.json", seed="a"), TypeError, "seed must be a whole number"),
     (lambda: tumble.World.load("abc"), TypeError, "snapshot must be bytes"),
     (lambda: tumble.step_all(WORLD), TypeError, "worlds must be a list of worlds or runs"),
+    (lambda: tumble.step_all(3), TypeError, "worlds must be a list of worlds or runs"),
+    (lambda: tumble.step_all([WORLD], threads=1.5), TypeError, "threads must be a whole number"),
     (lambda: tumble.step_all([BALL]), TypeError, "worlds must be worlds or runs"),
     (lambda: tumble.Scene("tray.json"), TypeError, "Scene.load reads a file"),
     (lambda: tumble.Video("ball.mp4", fps=0), ValueError, "fps must be finite and above 0"),
     (lambda: tumble.env.make("cart_pole").reset(seed="a"), TypeError, "seed must be a whole number .* got 'a'"),
     (lambda: tumble.env.make_vector("cart_pole", 2.5), TypeError, "count must be a whole number from 1 .* got 2.5"),
+    (lambda: tumble.env.make_vector("cart_pole", 2, threads="all"), TypeError, "threads must be a whole number from 1"),
     (lambda: started("cart_pole").step(0.5), ValueError, "action must be an index of 2 choices, got 0.5"),
     (lambda: started("pusher").step(0), ValueError, r"action must have the shape \(2,\), got 0"),
     (lambda: tumble.env.make("cart_pole").step(0), RuntimeError, r"no episode is going on: call reset\(\)"),
@@ -103,6 +110,7 @@ def test_a_body_takes_a_mass_and_turns():
 def test_scenes_take_numbers_of_numpy():
     scene = tumble.Scene({"bodies": [{"name": "ball", "position": np.array([1.5, 2]), "angle": np.float32(90)}]})
     assert scene.start().bodies["ball"].position == (1.5, 2)
+    assert scene == scene.copy()
     assert scene.copy().to_json() == tumble.Scene({"bodies": [{"name": "ball", "position": [1.5, 2], "angle": 90}]}).to_json()
 
 

@@ -16,8 +16,8 @@ def test_vectors_add_and_scale():
     assert A - (1, 2) == (2, 2) and (1, 2) - A == (-2, -2)
     assert 2 * A == A * 2 == (6, 8) and A / 2 == (1.5, 2) and -A == (-3, -4)
     assert A.length == 5 and A.x == 3 and A.y == 4
-    for result in (A + (1, 2), (1, 2) + A, A - A, 2 * A, A / np.float32(2), -A):
-        assert isinstance(result, tumble.Vec2)
+    for result in (A + (1, 2), (1, 2) + A, A - A, 2 * A, A / np.float32(2), np.float64(2) * A, np.int64(2) * A, -A):
+        assert isinstance(result, tumble.Vec2) and json.loads(json.dumps(result)) == [*result]
 
 
 def test_vectors_are_tuples():

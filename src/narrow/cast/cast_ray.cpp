@@ -181,12 +181,14 @@ template <int N>
         miss(result, core.count);
         return true;
     }
-    if (!(entry.ahead > margin)) return false;
     const DVec2 edge = core.edge(from, to);
     const double edge_length = length(edge), inverse_length = 1.0 / edge_length;
-    // The ends lie |e| s |q|^2 apart across the line where the face closes at the rate s.
+    // The ends lie |e| s |q|^2 apart across the line where the face closes at the rate s. The start is then
+    // fraction / doubt times E outside of the face.
+    const double fraction = entry.ahead / (vertices.scale * ray.motion_sq);
     const double doubt = ray.error * edge_length * vertices.scale * entry.inverse;
-    enter(result, core.count, entry.ahead / (vertices.scale * ray.motion_sq), doubt, inverse_length * -perp(edge),
+    if (!(fraction > 2.0 * doubt)) return false;
+    enter(result, core.count, fraction, doubt, inverse_length * -perp(edge),
           ray.position + (core.point(from) + entry.along * edge));
     return true;
 }

@@ -318,5 +318,6 @@ class Body(Part):
         passes through. `two_sided` makes it solid on both sides. `loop` joins the last point to the first.
         """
         material = {"friction": friction, "restitution": restitution}
-        ids = self._box.add_chain(self._id, points_array(points, "points"), loop, two_sided, {"material": material})
+        line = points_array(points, "points"), truth(loop, "loop"), truth(two_sided, "two_sided")
+        ids = self._box.add_chain(self._id, *line, {"material": material})
         return [BodyShape(self._world, id) for id in ids]

@@ -29,7 +29,7 @@ from tumble import _tumble
 from tumble.env_plan import Plan, Rows
 from tumble.env_spaces import EnvBase, VectorEnvBase, action_space, autoreset_mode, gymnasium, observation_space
 from tumble.scene import Scene
-from tumble.shapes import array_of, whole
+from tumble.shapes import array_of, threads_of, whole
 from tumble.world import World
 
 #: Rows [n, k], or a dictionary if the scene declares images: "state" with the rows, and an array for each image.
@@ -59,11 +59,8 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
         self.scene = scene if isinstance(scene, Scene) else Scene.load(scene)
         self.plan = Plan(self.scene)
         self.count = self.num_envs = count = whole(count, "count", 1, 2**31 - 1)
-        threads = threads if threads is not None else min(count, len(os.sched_getaffinity(0)))
-        if threads < 1:
-            raise ValueError(f"threads must be at least 1, got {threads}")
-        plan = self.plan
-        self._worlds = _tumble.EnvWorlds(plan.start._box, plan.resolved(), count, threads, _seed_of(seed))
+        plan, crew = self.plan, min(count, threads_of(threads))
+        self._worlds = _tumble.EnvWorlds(plan.start._box, plan.resolved(), count, crew, _seed_of(seed))
         shape = (count, len(plan.observations))
         self.observations: Rows = np.zeros(shape, np.float32)
         self.final_observations: Rows = np.zeros(shape, np.float32)
@@ -89,9 +86,10 @@ class VectorEnv(VectorEnvBase):  # type: ignore[misc]
 
     def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[Observations, dict[str, Any]]:
         """Starts a new episode in all worlds; a seed starts from episode 0 again. Returns observations and infos."""
+        seed = None if seed is None else _seed_of(seed)
         super().reset(seed=seed)
         if seed is not None:
-            self._worlds.seed(_seed_of(seed))
+            self._worlds.seed(seed)
         self._worlds.reset(self.observations, list(self.images.values()))
         self.steps[:] = 0
         return self._shown(self.observations, self.images), {}
@@ -181,6 +179,7 @@ class TumbleEnv(EnvBase):  # type: ignore[misc]
 
     def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[Observations, dict[str, Any]]:
         """Starts an episode. The same seed gives the same episode, bit for bit. Returns observation and info."""
+        seed = None if seed is None else _seed_of(seed)
         super().reset(seed=seed)
         observations, info = self._envs.reset(seed=seed)
         self._ended = False

@@ -43,7 +43,7 @@ class Plan:
     """The environment that a scene declares, with its names resolved to ids. Raises SceneError with the wrong line."""
 
     def __init__(self, scene: Scene) -> None:
-        custom = scene.data.get("custom")
+        custom = scene._plain().get("custom")
         if not isinstance(custom, dict) or "env" not in custom:
             raise ValueError(f"{scene!r} declares no environment: it needs custom.env")
         self._declared = declared = Entry(scene, custom["env"], "", "env")

@@ -184,8 +184,8 @@ def new_members(
     if kind in ("revolute", "prismatic", "weld", "motor"):
         plain.setdefault("reference_angle", wrapped(body_b.angle - body_a.angle))
     if kind == "distance" and "length" not in plain:
-        a = body_a.local_to_world(plain.get("anchor_a", (0.0, 0.0)))
-        b = body_b.local_to_world(plain.get("anchor_b", (0.0, 0.0)))
+        a = body_a.local_to_world(vector(plain.get("anchor_a", (0.0, 0.0)), "anchor_a"))
+        b = body_b.local_to_world(vector(plain.get("anchor_b", (0.0, 0.0)), "anchor_b"))
         plain["length"] = (b - a).length
     return plain
 

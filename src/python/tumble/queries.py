@@ -97,14 +97,16 @@ class Queries:
         """The first shape that `shape` touches when it moves by `translation` without rotation."""
         return self._hit(
             self._box.cast_shape(
-                shape_of(shape, "shape"), vector(position, "position"), finite(angle, "angle"), vector(translation, "translation"), self._filter(exclude, mask, sensors)
+                shape_of(shape, "shape"), vector(position, "position"), finite(angle, "angle"),
+                vector(translation, "translation"), self._filter(exclude, mask, sensors)
             )
         )
 
     def overlap(self, shape: Shape, position: Vector = (0.0, 0.0), angle: float = 0.0, *, exclude: Body | None = None,
                 mask: int | None = None, sensors: bool = False) -> list[BodyShape]:  # fmt: skip
         """The shapes that `shape` at a pose overlaps."""
-        ids = self._box.overlap_shape(shape_of(shape, "shape"), vector(position, "position"), finite(angle, "angle"), self._filter(exclude, mask, sensors))
+        pose = vector(position, "position"), finite(angle, "angle")
+        ids = self._box.overlap_shape(shape_of(shape, "shape"), *pose, self._filter(exclude, mask, sensors))
         return [self.shape(id) for id in ids]
 
     def overlap_box(self, lower: Vector, upper: Vector, *, exclude: Body | None = None, mask: int | None = None,

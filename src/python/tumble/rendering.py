@@ -59,7 +59,7 @@ def fitted_camera(what: World | Run, aspect_ratio: float = 16.0 / 9.0) -> tuple[
     Of a run: the camera of its first frame, moved with the body that the scene follows. `aspect_ratio` is width / height.
     """
     world = world_of(what)
-    return _tumble.fitted_camera(world._box, world._has_scene, aspect_ratio)
+    return _tumble.fitted_camera(world._box, world._has_scene, number(aspect_ratio, "aspect_ratio"))
 
 
 def checked_pixels(pixels: npt.NDArray[Any]) -> npt.NDArray[np.uint8]:

@@ -139,7 +139,7 @@ class Scene:
 
     def _places(self) -> tuple[str, str]:
         """A text that has the custom data, and the name of its file: for errors in it."""
-        if self._source is not None and self._source.custom == self.data.get("custom"):
+        if self._source is not None and self._source.custom == self._plain().get("custom"):
             return self._source.text, self._source.file
         return self._text(), self._name
 
@@ -149,12 +149,17 @@ class Scene:
         except (TypeError, ValueError) as error:
             raise ValueError(f"the data of a scene must be JSON: {error}") from None
 
+    def _plain(self) -> dict[str, Any]:
+        """The data with lists and numbers of Python in place of arrays and numbers of numpy."""
+        plain: dict[str, Any] = json.loads(self._text())
+        return plain
+
     def __repr__(self) -> str:
         name = self.data.get("name") or self._name
         return f"<Scene {name!r}: {len(self.data.get('bodies', []))} bodies, {len(self.data.get('joints', []))} joints>"
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Scene) and self.data == other.data
+        return isinstance(other, Scene) and self._plain() == other._plain()
 
     __hash__ = None  # type: ignore[assignment]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+import os
 from collections.abc import Sequence
 from typing import Any
 
@@ -61,6 +62,11 @@ def truth(value: bool, name: str) -> bool:
     if not isinstance(value, (bool, np.bool_, int)):
         raise TypeError(f"{name} must be True or False, got {value!r}")
     return bool(value)
+
+
+def threads_of(count: int | None) -> int:
+    """A number of threads, by default one for each processor, or the right exception."""
+    return len(os.sched_getaffinity(0)) if count is None else whole(count, "threads", 1, 2**31 - 1)
 
 
 def steps_of(count: int) -> int:

@@ -17,6 +17,13 @@ def _pair(value: Any) -> tuple[float, float] | None:
     return value[0], value[1]
 
 
+def _scale(value: Any) -> Any:
+    """A number of Python to multiply by; None leaves the operation to the other operand."""
+    if isinstance(value, (np.integer, np.floating)):
+        return value.item()
+    return value if isinstance(value, (int, float)) else None
+
+
 class Vec2(NamedTuple):
     """A position, a velocity or a force: a tuple with `x`, `y` and arithmetic.
 
@@ -26,11 +33,17 @@ class Vec2(NamedTuple):
     >>> a.length
     5.0
 
-    With a numpy array it makes an array. Every call that takes a vector takes a Vec2, a tuple, a list or an array.
+    With a numpy array it makes an array, with a numpy number a Vec2. Every call that takes a vector takes a Vec2, a tuple,
+    a list or an array.
     """
 
     x: float
     y: float
+
+    @property
+    def __array_priority__(self) -> float:
+        """Above that of numpy's numbers, which leave an operation to this class, and below that of its arrays, 0."""
+        return -1.0
 
     @property
     def length(self) -> float:
@@ -56,18 +69,18 @@ class Vec2(NamedTuple):
         return (-self).__add__(other)
 
     def __mul__(self, factor: Any) -> Vec2:
-        if not isinstance(factor, (int, float, np.number)):
+        scale = _scale(factor)
+        if scale is None:
             return NotImplemented
-        scale: Any = factor
         return Vec2(self.x * scale, self.y * scale)
 
     def __rmul__(self, factor: Any) -> Vec2:
         return self.__mul__(factor)
 
     def __truediv__(self, divisor: Any) -> Vec2:
-        if not isinstance(divisor, (int, float, np.number)):
+        scale = _scale(divisor)
+        if scale is None:
             return NotImplemented
-        scale: Any = divisor
         return Vec2(self.x / scale, self.y / scale)
 
     def __neg__(self) -> Vec2:

@@ -19,7 +19,7 @@ from tumble.body_shapes import BodyShape
 from tumble.joints import Joint, new_members
 from tumble.parts import index_of
 from tumble.queries import Queries
-from tumble.shapes import Shape, Vector, finite, shape_of, steps_of, user_data_of, vector, whole
+from tumble.shapes import Shape, Vector, finite, number, shape_of, steps_of, user_data_of, vector, whole
 from tumble.vectors import Vec2, VectorProperty
 
 _SOLVERS = ("iterative", "direct")
@@ -194,13 +194,15 @@ class World(Queries):
 
         `type`: "static", "kinematic" or "dynamic". `position` of its origin (m), `angle` (rad), `velocity` of its centre of
         mass (m/s), `angular_velocity` (rad/s). Its mass is that of the shapes by their `density` (kg/m^2), unless `mass`
-        (kg) is given. `friction` and `restitution` are those of `BodyShape`, the other members those of `Body`.
+        (kg) is given, with which a body without shapes does not turn. `friction` and `restitution` are those of
+        `BodyShape`, the other members those of `Body`.
         """
         if isinstance(shapes, Shape) or not isinstance(shapes, Iterable):
             raise TypeError(f"shapes must be a list of shapes, got {shapes!r}")
         outlines = [shape_of(shape, "shapes") for shape in shapes]
         x, y = vector(position, "position")
-        moves = vector(velocity, "velocity") != (0.0, 0.0) or angular_velocity != 0.0
+        twist = vector(velocity, "velocity"), number(angular_velocity, "angular_velocity")
+        own_mass = None if mass is None else number(mass, "mass")
         id = self._box.create_body(
             {
                 "type": index_of(BODY_TYPES, type, "type"),
@@ -219,10 +221,10 @@ class World(Queries):
         try:
             for outline in outlines:
                 body.add_shape(outline, density=density, friction=friction, restitution=restitution)
-            if mass is not None:
-                body.mass = mass
-            if awake and moves:
-                self._box.set_velocity(id, vector(velocity, "velocity"), angular_velocity)
+            if own_mass is not None:
+                body.mass = own_mass
+            if awake and twist != ((0.0, 0.0), 0.0):
+                self._box.set_velocity(id, *twist)
         except BaseException:
             body.destroy()
             raise
