@@ -11,6 +11,10 @@ namespace tumble {
 
 class ScratchPointer {
 public:
+    ScratchPointer() = default;
+    ScratchPointer(const ScratchPointer&) = delete;
+    ScratchPointer& operator=(const ScratchPointer&) = delete;
+
     StepScratch* operator->() {
         if (!used_) use_own();
         return used_;
