@@ -249,3 +249,11 @@ TEST_CASE("a body that is stopped begins to touch in that step, with its approac
     }
     CHECK(begins == 2);
 }
+
+TEST_CASE("a body that reaches farther than the largest float is swept") {
+    World world;
+    const BodyId body = add_body(world, BodyType::dynamic_body, {0.8, -4.0}, make_box({1.5f, 1.4f}));
+    world.add_shape(body, {.shape = make_segment({0.0f, 0.0f}, {3e38f, 3e38f})});
+    add_body(world, BodyType::dynamic_body, {2.5, 3.7}, make_box({1.2f, 500.0f}));
+    CHECK_NOTHROW(run(world, 5));
+}

@@ -74,7 +74,7 @@ private:
         for (int stops = 0; stops < kMaxStops; ++stops) {
             first_ = {};
             for (const ShapeId own : simulation_.bodies.records[body_].shapes) search(own.index);
-            if (!(first_.fraction < 1.0)) return stops > 0;
+            if (!(first_.fraction < 1.0) || (stops > 0 && is_carried())) return stops > 0;
             stop(stops + 1 == kMaxStops);
         }
         return true;
@@ -136,6 +136,14 @@ private:
     void take(const CastResult& hit, std::uint32_t other) {
         if (hit.status == CastStatus::hit && std::tie(hit.fraction, other) < std::tie(first_.fraction, first_.other))
             first_ = {hit.fraction, hit.point, hit.normal, other};
+    }
+
+    // True if the body moves as the shape that it meets, up to rounding: it touches that all the time.
+    bool is_carried() const {
+        const double time = from_ + first_.fraction * (to_ - from_);
+        const DVec2 path = sweep_.end - sweep_.start - (to_ - from_) * surface_path(time);
+        const float extent = simulation_.bodies.records[body_].motion.smallest_extent;
+        return std::abs(dot(path, first_.normal)) <= kCoreTolerance * static_cast<double>(extent);
     }
 
     // The body stays where it stops, but is taken along the normal by a kinematic body.

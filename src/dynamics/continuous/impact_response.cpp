@@ -12,6 +12,7 @@
 #include "dynamics/continuous/bounces.hpp"
 #include "dynamics/continuous/contact_lists.hpp"
 #include "dynamics/continuous/swept_bodies.hpp"
+#include "dynamics/impacts/impact_rows.hpp"
 
 namespace tumble {
 
@@ -83,17 +84,8 @@ private:
     }
 
     ImpactBody make_body(SweptBody& swept) {
-        const BodyFrame& frame = simulation_.bodies.frames[swept.body];
         swept.advance(impact_.time, duration_);
-        const float reach = simulation_.bodies.records[swept.body].motion.reach;
-        return {DVec2(frame.inv_masses()),
-                frame.inv_inertia,
-                swept.velocity,
-                swept.mean_velocity(duration_),
-                swept.acceleration.linear,
-                static_cast<double>(reach),
-                {},
-                {}};
+        return make_impact_body(simulation_, swept);
     }
 
     Pose pose(std::uint32_t body, std::size_t index) const {

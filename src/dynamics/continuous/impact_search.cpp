@@ -69,6 +69,9 @@ bool come_near(DVec2 offset, DVec2 path, double distance) {
 // A pair that needs longer than this part of a step from its chords to its parabolas only grazes.
 constexpr double kLongestDelay = 0.1;
 
+// Of the smaller extent of two shapes that are left alone after an impact. Beyond a half they may pass through.
+constexpr double kDeepestSink = 0.1;
+
 // One of the two bodies of a pair, from the time at which both have their motion ahead.
 struct Side {
     const ShapeRecord& shape;
@@ -183,11 +186,15 @@ private:
 
     // For how long two shapes that touch after an impact are left alone, as a fraction of the step: until they may have
     // sunk in by the inset. The weight of the body's impacts makes it longer, so that a ball driven by a turning paddle
-    // has few of them. Two segments have no thickness to sink in by: they are left alone for the longest time.
+    // has few of them, but the shapes cannot pass through each other: they sink in by the smaller extent at most. Half
+    // of it makes fast bodies stop sooner, so that others pass through them. Two segments have no thickness to sink in
+    // by: they are left alone for the longest time.
     double rest_after_impact(const Side& a, const Side& b, DVec2 path) const {
         const double moved = length(path) + std::abs(a.sweep.turn) * a.reach + std::abs(b.sweep.turn) * b.reach;
         const double ahead = 1.0 - self().time;
-        const double sink = static_cast<double>(inset(a, b)) * (1 << std::min(self().impact_weight / 4, 16));
+        const double deepest = static_cast<double>(smaller_extent(a.shape, b.shape));
+        const double sink =
+            std::min(static_cast<double>(inset(a, b)) * (1 << std::min(self().impact_weight / 4, 16)), deepest);
         return moved > 0.0 && sink > 0.0 ? std::min(kLongestRest, ahead * sink / moved) : kLongestRest;
     }
 

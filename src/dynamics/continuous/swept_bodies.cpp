@@ -1,6 +1,7 @@
 #include "dynamics/continuous/swept_bodies.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/sweeps.hpp"
@@ -65,7 +66,8 @@ void wake_for_impact(Simulation& simulation, std::uint32_t body) {
 }  // namespace
 
 Aabb box_of_sweep(const Shape& shape, const Sweep& sweep) {
-    const Shape disc = make_circle(farthest_distance(shape, sweep.local_center));
+    const float reach = farthest_distance(shape, sweep.local_center);
+    const Shape disc = make_circle(std::min(reach, std::numeric_limits<float>::max()));
     return merge(bounds(disc, {sweep.start, {}}), bounds(disc, {sweep.end, {}}));
 }
 
@@ -108,6 +110,18 @@ std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body) {
     scratch.next.emplace_back();
     scratch.leaves.push_back(scratch.tree.insert(box_of(simulation, scratch.swept.back()), index));
     return index;
+}
+
+ImpactBody make_impact_body(const Simulation& simulation, const SweptBody& swept) {
+    const BodyFrame& frame = simulation.bodies.frames[swept.body];
+    ImpactBody body;
+    body.inv_mass = DVec2(frame.inv_masses());
+    body.inv_inertia = frame.inv_inertia;
+    body.velocity = swept.velocity;
+    body.mean_velocity = swept.mean_velocity(simulation.settings.duration);
+    body.acceleration = swept.acceleration.linear;
+    body.reach = simulation.bodies.records[swept.body].motion.reach;
+    return body;
 }
 
 void update_box(Simulation& simulation, std::uint32_t swept) {

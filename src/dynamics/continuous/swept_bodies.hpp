@@ -18,6 +18,9 @@ Twist present_velocity(const Simulation& simulation, std::uint32_t body);
 // if it sleeps.
 std::uint32_t sweep_body(Simulation& simulation, std::uint32_t body);
 
+// A swept body as a member of a group of impacts that happen at its time.
+ImpactBody make_impact_body(const Simulation& simulation, const SweptBody& swept);
+
 // Gives a swept body the box of its motion ahead.
 void update_box(Simulation& simulation, std::uint32_t swept);
 

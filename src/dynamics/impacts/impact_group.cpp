@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "debug/check.hpp"
+#include "dynamics/impacts/impact_rows.hpp"
+#include "dynamics/impacts/point_impulse.hpp"
 
 namespace tumble {
 
@@ -21,6 +23,13 @@ double tolerance(double restitution) {
     return kElasticTolerance + (kInelasticTolerance - kElasticTolerance) * square * square;
 }
 
+// The passes of n layers after which their changes must have halved: k (n + 1). The slowest of IMPACTS.md, step 8,
+// halve in 0.25 n + 1.
+constexpr int kPassesPerLayer = 8;
+
+// A pass that changes a speed by this part of the fastest approach is one of many that each change it more.
+constexpr double kRunawayChange = 1e9;
+
 // A hold that is not complete leaves an overlap to the next step.
 constexpr int kMaxHoldPasses = 50;
 
@@ -28,91 +37,6 @@ constexpr int kMaxHoldPasses = 50;
 // (IMPACTS.md, step 8). Without it a pile of n layers needs about n times as many passes.
 double best_relaxation(int contacts) {
     return contacts > 1 ? 2.0 / (1.0 + sin_cos(kPi / (2.0 * contacts + 1.0)).sin) : 1.0;
-}
-
-double speed_along(DVec2 axis, double across_a, double across_b, const Twist& a, const Twist& b) {
-    return dot(b.linear - a.linear, axis) + b.angular * across_b - a.angular * across_a;
-}
-double normal_speed(const ImpactPoint& point, const Twist& a, const Twist& b) {
-    return speed_along(point.normal, cross(point.arm_a, point.normal), cross(point.arm_b, point.normal), a, b);
-}
-
-// What a unit impulse adds to the velocity of a body.
-Twist push(const ImpactBody& body, DVec2 axis, double across) {
-    return {{body.inv_mass.x * axis.x, body.inv_mass.y * axis.y}, body.inv_inertia * across};
-}
-
-ImpactDirection make_direction(const ImpactPoint& point, DVec2 axis, const ImpactBody& a, const ImpactBody& b) {
-    ImpactDirection d;
-    d.axis = axis;
-    d.across_a = cross(point.arm_a, axis);
-    d.across_b = cross(point.arm_b, axis);
-    d.push_a = -1.0 * push(a, axis, d.across_a);
-    d.push_b = push(b, axis, d.across_b);
-    const double response = speed_along(axis, d.across_a, d.across_b, d.push_a, d.push_b);
-    d.mass = response > point.least_response ? 1.0 / response : 0.0;
-    return d;
-}
-
-double speed_along(const ImpactDirection& d, const Twist& a, const Twist& b) {
-    return speed_along(d.axis, d.across_a, d.across_b, a, b);
-}
-
-bool can_bounce(const ImpactPoint& point) { return point.restitution > 0.0 && point.bounce_count < kMaxBounces; }
-
-bool bounces(const ImpactGroup& group, const ImpactPoint& point) {
-    return can_bounce(point) && approach_at_impact(group, point) < -point.threshold;
-}
-
-// The part of its approach speed v with which a point leaves. Newton's law holds at the surface. A point that is found
-// at another separation s leaves with the speed v' that a body which has bounced at the surface has there: under the
-// relative acceleration a, v'^2 = e^2 (v^2 - 2 a s) + 2 a s.
-double effective_restitution(const ImpactGroup& group, const ImpactPoint& point) {
-    const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
-    const double speed = approach_at_impact(group, point), e = point.restitution;
-    const double work = 2.0 * dot(b.acceleration - a.acceleration, point.normal) * point.separation;
-    const double square = e * e * (speed * speed - work) + work;
-    return std::clamp(std::sqrt(std::max(square, 0.0)) / -speed, 0.0, 1.0);
-}
-
-ImpactRow make_row(const ImpactGroup& group, std::size_t index) {
-    const ImpactPoint& point = group.points[index];
-    const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
-    ImpactRow row;
-    row.point = index;
-    row.normal = make_direction(point, point.normal, a, b);
-    row.normal.speed = speed_along(row.normal, a.velocity, b.velocity);
-    row.tangent = make_direction(point, -perp(point.normal), a, b);
-    row.tangent.speed = speed_along(row.tangent, a.velocity, b.velocity) + point.tangent_speed;
-    row.friction = point.friction;
-    row.restitution = bounces(group, point) ? effective_restitution(group, point) : 0.0;
-    return row;
-}
-
-// Of the motion ahead, after the impacts.
-ImpactRow make_hold_row(const ImpactGroup& group, std::size_t index) {
-    const ImpactPoint& point = group.points[index];
-    const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
-    ImpactRow row;
-    row.point = index;
-    row.normal = make_direction(point, point.normal, a, b);
-    row.normal.speed = speed_along(row.normal, a.mean_velocity + a.change, b.mean_velocity + b.change);
-    return row;
-}
-
-// Two rows whose normals hardly differ in effect are solved one after the other.
-constexpr double kLeastDeterminant = 1e-9;
-
-void pair_up(std::vector<ImpactRow>& rows, const std::vector<ImpactPoint>& points) {
-    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-        const ImpactPoint &first = points[rows[i].point], &second = points[rows[i + 1].point];
-        if (first.a != second.a || first.b != second.b || first.normal != second.normal) continue;
-        const ImpactDirection &d1 = rows[i].normal, &d2 = rows[i + 1].normal;
-        if (d1.mass == 0.0 || d2.mass == 0.0) continue;
-        rows[i].coupling = speed_along(d2, d1.push_a, d1.push_b);
-        rows[i].is_paired = 1.0 - d1.mass * d2.mass * rows[i].coupling * rows[i].coupling > kLeastDeterminant;
-        if (rows[i].is_paired) ++i;
-    }
 }
 
 class ImpactRounds {
@@ -125,12 +49,16 @@ public:
     }
 
     void run() {
+        bool is_settled = true;
         do {
             begin_round();
-            while (pass() > tolerance_ * fastest_ && group_.work < kMaxImpactWork) {
+            is_settled = settle();
+            if (!is_settled && work() > 0.0) {
+                begin_again_without_friction();
+                is_settled = settle();
             }
             bounce();
-        } while (group_.work < kMaxImpactWork && has_impact());
+        } while (is_settled && group_.work < kMaxImpactWork && has_impact());
         hold();
         for (ImpactBody& body : group_.bodies) drop_rounding(body);
     }
@@ -150,6 +78,30 @@ private:
         for (ImpactRow& row : group_.rows)
             for (ImpactDirection* const d : {&row.normal, &row.tangent})
                 d->speed_at_start = speed(row, *d, &ImpactBody::change);
+        for (ImpactBody& body : group_.bodies) body.earlier_change = body.change;
+    }
+
+    void begin_again_without_friction() {
+        for (ImpactRow& row : group_.rows) {
+            row.friction = 0.0;
+            row.normal.impulse = row.tangent.impulse = 0.0;
+        }
+        for (ImpactBody& body : group_.bodies) body.change = body.earlier_change;
+    }
+
+    // Passes until they hardly change a speed. Returns false if the changes do not fade (IMPACTS.md, step 10).
+    bool settle() {
+        const int passes = kPassesPerLayer * (group_.depth + 1);
+        for (double before = std::numeric_limits<double>::infinity();;) {
+            double largest = 0.0;
+            for (int i = 0; i < passes; ++i) {
+                largest = pass();
+                if (!(largest > tolerance_ * fastest_) || group_.work >= kMaxImpactWork) return true;
+                if (!(largest < kRunawayChange * fastest_)) return false;
+            }
+            if (largest > 0.5 * before) return false;
+            before = largest;
+        }
     }
 
     bool has_impact() const {
@@ -160,7 +112,6 @@ private:
     // One pass of projected Gauss-Seidel over the rows. Returns the largest change of a relative speed, m/s.
     double pass() {
         group_.work += static_cast<int>(group_.rows.size());
-        if (group_.work > kMaxImpactWork / 2) relaxation_ = 1.0;
         double largest = 0.0;
         for (std::size_t i = 0; i < group_.rows.size(); ++i) {
             ImpactRow& row = group_.rows[i];
@@ -194,8 +145,14 @@ private:
         return change(row, d, std::clamp(d.impulse - d.mass * speed(row, d, target), lower, upper), target);
     }
 
-    // An over-relaxed impulse along a normal.
-    double relaxed(double old, double solved) const { return std::max(old + relaxation_ * (solved - old), 0.0); }
+    // The over-relaxation under which an impulse along a normal does not pull.
+    double feasible_relaxation(double old, double solved) const {
+        return solved < old ? std::min(relaxation_, old / (old - solved)) : relaxation_;
+    }
+
+    static double relaxed(double old, double solved, double relaxation) {
+        return std::max(old + relaxation * (solved - old), 0.0);
+    }
 
     double speed(const ImpactRow& row, const ImpactDirection& d, Twist ImpactBody::*target) {
         return d.speed + speed_along(d, group_.bodies[point(row).a].*target, group_.bodies[point(row).b].*target);
@@ -215,10 +172,12 @@ private:
         if (!first.is_paired) return solve_normal(first, target);
         ImpactRow& second = group_.rows[index + 1];
         const PairImpulses impulses = find_normals(first, second, target);
-        const double change_of_first =
-            change(first, first.normal, relaxed(first.normal.impulse, impulses.first), target);
-        return std::max(change_of_first,
-                        change(second, second.normal, relaxed(second.normal.impulse, impulses.second), target));
+        const double old1 = first.normal.impulse, old2 = second.normal.impulse;
+        const double k =
+            std::min(feasible_relaxation(old1, impulses.first), feasible_relaxation(old2, impulses.second));
+        const double change1 = change(first, first.normal, relaxed(old1, impulses.first, k), target);
+        const double change2 = change(second, second.normal, relaxed(old2, impulses.second, k), target);
+        return std::max(change1, change2);
     }
 
     struct PairImpulses {
@@ -235,32 +194,61 @@ private:
         const double scale = 1.0 / (1.0 - m1 * m2 * k * k);
         const double x1 = -scale * m1 * (w1 - m2 * k * w2), x2 = -scale * m2 * (w2 - m1 * k * w1);
         if (x1 >= 0.0 && x2 >= 0.0) return {x1, x2};
-        const double alone1 = std::max(-m1 * w1, 0.0), alone2 = std::max(-m2 * w2, 0.0);
+        const double alone1 = find_alone(first, second, target);
         if (w2 + k * alone1 >= 0.0) return {alone1, 0.0};
-        return {0.0, alone2};
+        return {0.0, find_alone(second, first, target)};
+    }
+
+    // The impulse of one of two paired rows if the other does not push.
+    double find_alone(const ImpactRow& row, const ImpactRow& other, Twist ImpactBody::*target) {
+        const auto by_other = [&](const ImpactDirection& d) {
+            return speed_along(d, other.normal.push_a, other.normal.push_b) * other.normal.impulse;
+        };
+        return find_normal(row, speed(row, row.normal, target) - by_other(row.normal),
+                           speed(row, row.tangent, target) - by_other(row.tangent));
+    }
+
+    // The impulse x >= 0 of a row at the present speeds, which contain its present impulses.
+    static double find_normal(const ImpactRow& row, double normal_speed, double tangent_speed) {
+        const ImpactDirection &normal = row.normal, &tangent = row.tangent;
+        const double c = row.tangent_coupling;
+        if (c == 0.0 || row.friction == 0.0) return std::max(normal.impulse - normal.mass * normal_speed, 0.0);
+        const PointResponse response{1.0 / normal.mass, 1.0 / tangent.mass, c};
+        return find_point_impulse(response, normal_speed - response.normal * normal.impulse - c * tangent.impulse,
+                                  tangent_speed - c * normal.impulse - response.tangent * tangent.impulse,
+                                  friction_with_bounce(row));
     }
 
     double solve_normal(ImpactRow& row, Twist ImpactBody::*target) {
         ImpactDirection& d = row.normal;
-        return change(row, d, relaxed(d.impulse, d.impulse - d.mass * speed(row, d, target)), target);
+        const double solved = find_normal(row, speed(row, d, target), speed(row, row.tangent, target));
+        return change(row, d, relaxed(d.impulse, solved, relaxation_), target);
     }
 
     // Coulomb friction against the impulse together with the bounce that follows.
+    static double friction_with_bounce(const ImpactRow& row) { return row.friction * (1.0 + row.restitution); }
+
     double solve_tangent(ImpactRow& row) {
-        const double bound = row.friction * (1.0 + row.restitution) * row.normal.impulse;
+        const double bound = friction_with_bounce(row) * row.normal.impulse;
         return solve(row, row.tangent, -bound, bound, &ImpactBody::change);
+    }
+
+    // Of the impulses of the round so far, J.
+    double work() {
+        double result = 0.0;
+        for (const ImpactRow& row : group_.rows)
+            for (const ImpactDirection* const d : {&row.normal, &row.tangent})
+                result += 0.5 * d->impulse * (d->speed_at_start + speed(row, *d, &ImpactBody::change));
+        return result;
     }
 
     // Applies e times the impulses of the round, or the largest part of that which returns no more work than the
     // contacts have taken in the round.
     void bounce() {
-        double taken = 0.0;
-        for (const ImpactRow& row : group_.rows)
-            for (const ImpactDirection* const d : {&row.normal, &row.tangent})
-                taken += 0.5 * d->impulse * (d->speed_at_start + speed(row, *d, &ImpactBody::change));
+        const double taken = -work();
         const double work_before = work_at_present_speeds();
         push_bounces(1.0);
-        const double part = affordable_part(-taken, work_before, 0.5 * (work_at_present_speeds() - work_before));
+        const double part = affordable_part(taken, work_before, 0.5 * (work_at_present_speeds() - work_before));
         push_bounces(part - 1.0);
         for (const ImpactRow& row : group_.rows) {
             point(row).normal_impulse += (1.0 + part * row.restitution) * row.normal.impulse;
@@ -288,8 +276,11 @@ private:
     // the passes have left: exactly solved, the points that push are at rest along their normals.
     static double affordable_part(double taken, double linear, double square) {
         if (!(linear + square - taken > 1e-12 * (square + taken))) return 1.0;
-        const double discriminant = linear * linear + 4.0 * square * std::max(taken, 0.0);
-        return std::clamp((std::sqrt(discriminant) - linear) / (2.0 * square), 0.0, 1.0);
+        const double root = std::sqrt(linear * linear + 4.0 * square * std::max(taken, 0.0));
+        if (!(root > 0.0)) return 0.0;
+        const double part =
+            linear > 0.0 ? 2.0 * std::max(taken, 0.0) / (linear + root) : (root - linear) / (2.0 * square);
+        return std::clamp(part, 0.0, 1.0);
     }
 
     // Keeps the points apart during the motion ahead, by the same passes and without friction.
@@ -314,18 +305,6 @@ private:
 };
 
 }  // namespace
-
-double approach_at_impact(const ImpactGroup& group, const ImpactPoint& point) {
-    TUMBLE_CHECK(point.a < group.bodies.size());
-    TUMBLE_CHECK(point.b < group.bodies.size());
-    const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
-    return normal_speed(point, a.velocity + a.change, b.velocity + b.change);
-}
-
-double approach_ahead(const ImpactGroup& group, const ImpactPoint& point) {
-    const ImpactBody &a = group.bodies[point.a], &b = group.bodies[point.b];
-    return normal_speed(point, a.mean_velocity + a.change + a.hold, b.mean_velocity + b.change + b.hold);
-}
 
 void solve_impacts(ImpactGroup& group) { ImpactRounds(group).run(); }
 

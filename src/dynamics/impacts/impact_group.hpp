@@ -15,9 +15,10 @@
 // would need hundreds.
 //
 // No round gains energy: where friction or different restitutions would, the bounce is weaker. Kinematic bodies and
-// moving surfaces do work of their own, which does not count. The number of solved points is bounded
-// for the rounds and for the holds (kMaxImpactWork each): a group that has approaching contacts when the rounds end
-// keeps these approaches.
+// moving surfaces do work of their own, which does not count. A round in which friction keeps the impulses from
+// settling is solved without friction. A body that is crushed between bodies which no impulse moves has no solution:
+// the rounds end, and the approach stays. The number of solved points is bounded for the rounds and for the holds
+// (kMaxImpactWork each): a group that has approaching contacts when the rounds end keeps these approaches.
 #pragma once
 
 #include <cstddef>
@@ -38,12 +39,13 @@ inline constexpr int kMaxBounces = 4;
 struct ImpactBody {
     DVec2 inv_mass;  // 1/kg, along each world axis; 0 for a body that no impulse moves
     double inv_inertia = 0.0;
-    Twist velocity;       // at the impact
-    Twist mean_velocity;  // of the motion ahead
-    DVec2 acceleration;   // of its free motion, m/s^2
-    double reach = 0.0;   // of its farthest point from the centre of mass, m
-    Twist change;         // of both velocities, by the impulses so far
-    Twist hold;           // of the mean velocity alone
+    Twist velocity;        // at the impact
+    Twist mean_velocity;   // of the motion ahead
+    DVec2 acceleration;    // of its free motion, m/s^2
+    double reach = 0.0;    // of its farthest point from the centre of mass, m
+    Twist change;          // of both velocities, by the impulses so far
+    Twist earlier_change;  // of both velocities, by the rounds before this one
+    Twist hold;            // of the mean velocity alone
 };
 
 // One point of a contact.
@@ -80,8 +82,9 @@ struct ImpactRow {
     double friction = 0.0;
     double restitution = 0.0;  // 0 if it does not bounce in this round
     bool is_paired = false;    // the next row is the other point of the same contact: both normals are solved at once
-    // Of a paired row: the speed that a unit impulse along one normal adds along the other, 1/kg.
-    double coupling = 0.0;
+    // The speed that a unit impulse along the normal adds along the tangent, and, of a paired row, along the other
+    // normal, 1/kg.
+    double tangent_coupling = 0.0, coupling = 0.0;
 };
 
 struct ImpactGroup {
@@ -104,11 +107,6 @@ struct ImpactGroup {
                rows.capacity() * sizeof(ImpactRow);
     }
 };
-
-// The normal velocity of B's point against A's, with the changes so far, m/s: negative if they approach. At the impact,
-// and of the motion ahead.
-double approach_at_impact(const ImpactGroup& group, const ImpactPoint& point);
-double approach_ahead(const ImpactGroup& group, const ImpactPoint& point);
 
 // Adds the impulses of all points to the changes of the bodies, and then sets their holds.
 void solve_impacts(ImpactGroup& group);

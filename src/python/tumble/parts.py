@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def index_of(names: Sequence[str], name: str, what: str) -> int:
-    if name not in names:
+    if not isinstance(name, str) or name not in names:
         raise ValueError(f"{what} must be one of {', '.join(names)}, got {name!r}")
     return names.index(name)
 

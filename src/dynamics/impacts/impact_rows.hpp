@@ -1,0 +1,32 @@
+// How the points of a group approach, and the rows of a round: the directions in which points push, with what a pass
+// needs of their bodies.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "dynamics/impacts/impact_group.hpp"
+
+namespace tumble {
+
+// The normal velocity of B's point against A's, with the changes so far, m/s: negative if they approach. At the impact,
+// and of the motion ahead.
+double approach_at_impact(const ImpactGroup& group, const ImpactPoint& point);
+double approach_ahead(const ImpactGroup& group, const ImpactPoint& point);
+
+// The velocity of B's point against A's along the direction, of two bodies that move so, m/s.
+double speed_along(const ImpactDirection& direction, const Twist& a, const Twist& b);
+
+// True if the point has a restitution, and has bounced in fewer than kMaxBounces rounds.
+bool can_bounce(const ImpactPoint& point);
+
+// A point of the group at the impact, after the rounds so far.
+ImpactRow make_row(const ImpactGroup& group, std::size_t index);
+
+// The same point in the motion ahead, after all impacts, without friction.
+ImpactRow make_hold_row(const ImpactGroup& group, std::size_t index);
+
+// Marks pairs of rows that are the two points of one contact.
+void pair_up(std::vector<ImpactRow>& rows, const std::vector<ImpactPoint>& points);
+
+}  // namespace tumble
