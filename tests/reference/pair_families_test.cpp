@@ -172,7 +172,15 @@ void check_exact(Tally& tally, const PairQuery& query, const DistanceResult& ans
             tally.note(tally.bounds_wrong, "not a tight bracket of the exact distance", query, index);
             break;
     }
-    if (!is_status_right(answer.status, exact.sign())) tally.note(tally.status_wrong, "status", query, index);
+    if (!is_status_right(answer.status, exact)) tally.note(tally.status_wrong, "status", query, index);
+}
+
+// Computes the error exactly if it is larger than all before, and than an eighth of a unit.
+void note_error(Tally& tally, const PairQuery& bare, const ExactDistance& exact, double distance) {
+    const double unit = kUnitRoundoff * error_scale(bare), largest = std::max(tally.largest_error, 0.125) * unit;
+    if (exact.compare(distance, largest) <= 0 && exact.compare(distance, -largest) >= 0) return;
+    const double error = std::abs(exact.minus(distance));
+    if (error > 0.0) tally.largest_error = std::max(tally.largest_error, error / unit);
 }
 
 void check_pair(Tally& tally, const PairFamily& family, std::uint64_t index) {
@@ -199,8 +207,7 @@ void check_pair(Tally& tally, const PairFamily& family, std::uint64_t index) {
     if (family.kind == FamilyKind::large) return;
     const ExactDistance exact(query);
     check_exact(tally, query, answer, exact, index);
-    const double error = std::abs(exact.with_radii(0.0, 0.0).minus(bare_answer.distance));
-    if (error > 0.0) tally.largest_error = std::max(tally.largest_error, error / (kUnitRoundoff * error_scale(bare)));
+    note_error(tally, bare, exact.with_radii(0.0, 0.0), bare_answer.distance);
 }
 
 Tally check_family(const PairFamily& family) {
@@ -244,8 +251,10 @@ TEST_CASE(
                             << tally.reached_cap << " at the cap");
     }
     CHECK(largest_error < 16.0);
-    CHECK(largest_error > 0.5);  // the oracle resolves rounding errors
-    CHECK(forgeries > pairs / 2);
+    if (is_every_family_selected()) {
+        CHECK(largest_error > 0.5);  // the oracle resolves rounding errors
+        CHECK(forgeries > pairs / 2);
+    }
     MESSAGE("largest error of all families: " << largest_error << " u (RA + RB + |p|)");
 }
 
@@ -282,7 +291,7 @@ TEST_CASE("the answers to the regression cases are right and certified") {
         CHECK(exact.sign() == regression.expected_sign);
         CHECK(exact.compare(answer.lower) >= 0);
         CHECK(exact.compare(answer.upper) <= 0);
-        CHECK(is_status_right(answer.status, exact.sign()));
+        CHECK(is_status_right(answer.status, exact));
         CHECK(check_certificate(q, answer) == CertificateVerdict::accepted);
         CHECK_FALSE(answer.reached_cap);
         CHECK(near(length(answer.normal), 1.0, kDouble));

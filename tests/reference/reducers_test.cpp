@@ -74,7 +74,7 @@ struct Counts {
 };
 
 bool is_right(const PairQuery& query, const DistanceResult& answer, const ExactDistance& exact) {
-    return fit_of(query, answer, exact) != BoundsFit::wrong && is_status_right(answer.status, exact.sign());
+    return fit_of(query, answer, exact) != BoundsFit::wrong && is_status_right(answer.status, exact);
 }
 
 void check_pair(Counts& counts, const PairFamily& family, std::uint64_t index) {
@@ -145,9 +145,11 @@ TEST_CASE("by every subalgorithm the bounds, status and certificates of every fa
         CHECK(counts.disagreeing == 0);
         total.merge(counts);
     }
-    CHECK(10 * total.same > 9 * total.pairs);  // equal bits wherever a single feature is closest
-    CHECK(10 * total.separated > 3 * total.pairs);
-    CHECK(10 * total.separated < 7 * total.pairs);
+    if (is_every_family_selected()) {
+        CHECK(10 * total.same > 9 * total.pairs);  // equal bits wherever a single feature is closest
+        CHECK(10 * total.separated > 3 * total.pairs);
+        CHECK(10 * total.separated < 7 * total.pairs);
+    }
     MESSAGE(total.pairs << " answers, " << total.same << " of them distance()'s bits");
 }
 

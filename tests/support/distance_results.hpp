@@ -9,6 +9,7 @@
 #include "narrow/cores/error_bound.hpp"
 #include "reference/exact/exact_distance.hpp"
 #include "reference/families/pair_families.hpp"
+#include "reference/query/random.hpp"
 #include "support/pair_count.hpp"
 #include "tumble/distance.hpp"
 
@@ -20,10 +21,26 @@ inline std::uint64_t pairs_of(const tumble::reference::PairFamily& family, std::
     return family.kind == tumble::reference::FamilyKind::large ? std::max<std::uint64_t>(all / 50, 1) : all;
 }
 
-inline bool is_status_right(tumble::DistanceStatus status, int exact_sign) {
-    return (status == tumble::DistanceStatus::separated && exact_sign > 0) ||
-           (status == tumble::DistanceStatus::overlapping && exact_sign < 0) ||
-           status == tumble::DistanceStatus::touching;
+// A vertex of each shape; 0 for a shape without vertices.
+inline tumble::VertexPair random_vertices(tumble::reference::Random& random,
+                                          const tumble::reference::PairQuery& query) {
+    const auto index = [&](const tumble::Shape& shape) {
+        return static_cast<std::uint16_t>(random.integer(0, std::max(shape.vertex_count(), 1) - 1));
+    };
+    tumble::VertexPair pair;
+    pair.a = index(query.a);
+    pair.b = index(query.b);
+    return pair;
+}
+
+inline bool is_status_right(tumble::DistanceStatus status, const tumble::reference::ExactDistance& exact) {
+    switch (status) {
+        case tumble::DistanceStatus::separated: return exact.sign() > 0;
+        case tumble::DistanceStatus::overlapping: return exact.sign() < 0;
+        case tumble::DistanceStatus::touching: return true;
+        case tumble::DistanceStatus::invalid: break;
+    }
+    return false;
 }
 
 inline double core_error_bound(const tumble::reference::PairQuery& query) {
@@ -41,15 +58,16 @@ enum class BoundsFit { near, loose, wrong };
 inline BoundsFit fit_of(const tumble::reference::PairQuery& query, const tumble::DistanceResult& answer,
                         const tumble::reference::ExactDistance& exact) {
     const bool is_between = answer.lower <= answer.distance && answer.distance <= answer.upper;
-    const double below = exact.minus(answer.lower), above = -exact.minus(answer.upper);
     if (!is_between || exact.compare(answer.lower) < 0 || exact.compare(answer.upper) > 0) return BoundsFit::wrong;
     const double radii = double{query.a.radius()} + double{query.b.radius()}, core_distance = answer.distance + radii;
     const double error = core_error_bound(query);
     const double slack = 4.0 * (error + 4.0 * tumble::kUnitRoundoff * (radii + std::abs(core_distance)));
-    if (below <= slack && above <= slack) return BoundsFit::near;
+    const auto reaches_down_by = [&](double margin) { return exact.compare(answer.lower, margin) > 0; };
+    const bool is_above = exact.compare(answer.upper, -slack) >= 0;
+    if (is_above && !reaches_down_by(slack)) return BoundsFit::near;
     const double scale = error / (16.0 * tumble::kUnitRoundoff);
     const double aside = 2.0 * scale * error / std::max(std::abs(core_distance), error);
-    return below <= slack + aside && above <= slack ? BoundsFit::loose : BoundsFit::wrong;
+    return is_above && !reaches_down_by(slack + aside) ? BoundsFit::loose : BoundsFit::wrong;
 }
 
 // Bit for bit, so that NaN equals itself and 0 is not -0.

@@ -65,26 +65,20 @@ void set(ReferenceEdge& edge, const ReferenceEdge& found) {
     edge.normal.y = found.normal.y;
 }
 
-void set_edge_of_face(const CorePair& pair, const ContactFeature& core, ReferenceEdge& edge) {
-    const VertexPair first = core.pairs[0], second = core.pairs[1];
-    const bool is_on_a = first.a != second.a;
-    const Side side = is_on_a ? Side::a : Side::b;
-    const int from = is_on_a ? first.a : first.b, to = is_on_a ? second.a : second.b;
-    const double sign = kSign[!is_on_a];
-    const DVec2 outward{sign * core.normal.x, sign * core.normal.y};
-    const Core& owner = core_of(pair, side);
-    if (owner.count > 2 && owner.next(from) == to) {
-        edge.side = side;
-        edge.edge = from;
-    } else {
-        set(edge, edge_between_vertices(owner, side, from, to, outward));
+// For ends in either order, and for segments. The deepest edge if the ends are not neighbours.
+void search_edge_of_ends(const CorePair& pair, const ContactFeature& core, ReferenceEdge& edge) {
+    if (!set_edge_of_ends(pair, core, edge)) {
+        const VertexPair last = core.pairs[1];
+        const int to = edge.side == Side::a ? last.a : last.b;
+        const ReferenceEdge found =
+            edge_between_vertices(core_of(pair, edge.side), edge.side, edge.edge, to, edge.normal);
+        if (found.side == Side::none) return set(edge, deepest_edge(pair));
+        edge.edge = found.edge;
     }
-    if (edge.side == Side::none) return set(edge, deepest_edge(pair));
-    const bool is_rigid = first.a == second.a || first.b == second.b;
-    if (!is_rigid) return;
-    edge.nearest = is_on_a ? first.b : first.a;
-    edge.normal.x = outward.x;
-    edge.normal.y = outward.y;
+    if (has_common_vertex(core)) return;
+    edge.nearest = -1;
+    edge.normal.x = 0.0;
+    edge.normal.y = 0.0;
 }
 
 bool is_usable(const CorePair& pair, ReferenceEdge reference) {
@@ -103,7 +97,7 @@ ReferenceEdge search_reference_edge(const CorePair& pair, const ContactFeature& 
     if (core.pair_count == 1) {
         set(best, edge_at_corners(pair, core, tolerance));
     } else {
-        set_edge_of_face(pair, core, best);
+        search_edge_of_ends(pair, core, best);
     }
     TUMBLE_CHECK((best.side == Side::none || best.edge < core_of(pair, best.side).count));
     const int other_side = static_cast<int>(cache.reference_side) - static_cast<int>(best.side);

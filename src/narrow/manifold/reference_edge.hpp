@@ -25,23 +25,34 @@ struct ContactFeature {
 ReferenceEdge search_reference_edge(const CorePair& pair, const ContactFeature& core, const SimplexCache& cache,
                                     double tolerance);
 
-// True if the closest feature is an edge of a polygon and a vertex, and the cache holds no other edge: most contacts.
-[[gnu::always_inline]] inline bool find_edge_of_face(const CorePair& pair, const ContactFeature& core,
-                                                     const SimplexCache& cache, ReferenceEdge& edge) {
+// Sets the edge that the ends of the closest feature span, from the first one, with the other core's vertex of the
+// first end as the nearest. False if the ends are not an edge of a polygon in its order.
+[[gnu::always_inline]] inline bool set_edge_of_ends(const CorePair& pair, const ContactFeature& core,
+                                                    ReferenceEdge& edge) {
     const VertexPair first = core.pairs[0], second = core.pairs[1];
     const unsigned is_b = first.a == second.a;
     const Core* const cores[2] = {&pair.a, &pair.b};
-    const Side side = is_b ? Side::b : Side::a;
-    edge.side = side;
+    edge.side = is_b ? Side::b : Side::a;
     edge.edge = own_vertex(is_b, first);
     edge.nearest = own_vertex(1 - is_b, first);
     edge.normal.x = kSign[is_b] * core.normal.x;
     edge.normal.y = kSign[is_b] * core.normal.y;
-    const bool is_face = core.pair_count == 2 && own_vertex(1 - is_b, second) == edge.nearest &&
-                         cores[is_b]->count > 2 && cores[is_b]->next(edge.edge) == own_vertex(is_b, second);
+    return cores[is_b]->count > 2 && cores[is_b]->next(edge.edge) == own_vertex(is_b, second);
+}
+
+// True if one vertex is at both ends of the closest feature: an edge of one core and a vertex of the other.
+[[gnu::always_inline]] inline bool has_common_vertex(const ContactFeature& core) {
+    const unsigned other_is_b = core.pairs[0].a != core.pairs[1].a;
+    return own_vertex(other_is_b, core.pairs[0]) == own_vertex(other_is_b, core.pairs[1]);
+}
+
+// True if the closest feature is an edge of a polygon and a vertex, and the cache holds no other edge: most contacts.
+[[gnu::always_inline]] inline bool find_edge_of_face(const CorePair& pair, const ContactFeature& core,
+                                                     const SimplexCache& cache, ReferenceEdge& edge) {
+    const bool is_edge = set_edge_of_ends(pair, core, edge);
     const bool is_kept =
-        cache.reference_side == Side::none || (cache.reference_side == side && cache.reference_edge == edge.edge);
-    return is_face && is_kept;
+        cache.reference_side == Side::none || (cache.reference_side == edge.side && cache.reference_edge == edge.edge);
+    return core.pair_count == 2 && is_edge && has_common_vertex(core) && is_kept;
 }
 
 [[gnu::always_inline]] inline ReferenceEdge choose_reference_edge(const CorePair& pair, const ContactFeature& core,

@@ -28,6 +28,7 @@ inline Real norm(Point a) { return std::sqrt(dot(a, a)); }
 // World vertices relative to `origin`.
 inline std::vector<Point> world_vertices(const Shape& shape, const Pose& pose, DVec2 origin) {
     std::vector<Point> vertices;
+    vertices.reserve(static_cast<std::size_t>(shape.vertex_count()));
     const Real c = pose.rotation.c, s = pose.rotation.s;
     for (int i = 0; i < shape.vertex_count(); ++i) {
         const Real x = shape.vertex(i).x, y = shape.vertex(i).y;
@@ -59,16 +60,17 @@ inline Real distance_of_boundaries(const std::vector<Point>& a, const std::vecto
     return nearest;
 }
 
-// The largest separation along an outward edge normal of `a`; -infinity for a point.
+// The largest separation along an outward edge normal of `a`, or the first that is not negative, if there is one;
+// -infinity for a point.
 inline Real face_separation(const std::vector<Point>& a, const std::vector<Point>& b) {
     Real largest = -INFINITY;
-    for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t i = 0; i < a.size() && largest < 0; ++i) {
         const Point e = a[(i + 1) % a.size()] - a[i];
         const Real length = norm(e);
         if (length == 0) continue;
-        Real separation = INFINITY;
-        for (const Point& p : b) separation = std::min(separation, cross(p - a[i], e) / length);
-        largest = std::max(largest, separation);
+        Real lowest = INFINITY;
+        for (const Point& p : b) lowest = std::min(lowest, cross(p - a[i], e));
+        largest = std::max(largest, lowest / length);
     }
     return largest;
 }
@@ -76,7 +78,8 @@ inline Real face_separation(const std::vector<Point>& a, const std::vector<Point
 // Signed core distance. The largest face separation is the answer if it is negative. Otherwise, and for two points,
 // which have no faces, the distance of the boundaries is the answer.
 inline Real core_distance(const std::vector<Point>& a, const std::vector<Point>& b) {
-    const Real separation = std::max(face_separation(a, b), face_separation(b, a));
+    Real separation = face_separation(a, b);
+    if (separation < 0) separation = std::max(separation, face_separation(b, a));
     return separation < 0 && std::isfinite(separation) ? separation : distance_of_boundaries(a, b);
 }
 

@@ -1,18 +1,15 @@
 #include "reference/exact/certificate.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
+#include "reference/exact/candidates.hpp"
 #include "reference/exact/exact_geometry.hpp"
 
 namespace tumble::reference {
 
 namespace {
-
-// The claimed bounds of the signed core distance: those of the answer plus the radii.
-struct CoreBounds {
-    ExactDyadic lower, upper;
-};
 
 bool is_well_formed(const PairQuery& query, const DistanceResult& result) {
     const Certificate& certificate = result.certificate;
@@ -35,39 +32,65 @@ bool is_status_proved(const DistanceResult& result) {
     return false;
 }
 
-ExactPoint exact_direction(DVec2 direction) {
-    const int exponent = std::min(lowest_bit_exponent(direction.x), lowest_bit_exponent(direction.y));
-    return {scaled(direction.x, exponent), scaled(direction.y, exponent)};
-}
+// The inequalities of a certificate. Each function returns the sign of a signed core distance minus a claimed bound
+// (m), to which the radii are added.
+class Inequalities {
+public:
+    Inequalities(const PairQuery& query, const Certificate& claim, Arithmetic arithmetic)
+        : query_(query), claim_(claim), intervals_(query, arithmetic) {}
 
-// The separation along that normal of the claimed face that points in the claimed direction. For a face of one point,
-// the negative distance of the point from the origin.
-SignedRoot face_separation(const ExactPair& pair, const ExactPoint& w1, const ExactPoint& w2,
-                           const ExactPoint& direction) {
-    const ExactPoint edge = w2 - w1;
-    if (is_zero(edge)) {
-        SignedRoot distance = segment_distance(pair, w1, w2);
-        distance.sign = -distance.sign;
-        return distance;
+    int compare_separation(double bound) {
+        return compare(intervals_.separation(claim_.direction), bound,
+                       [&] { return separation(pair(), exact_direction(claim_.direction)); });
     }
-    const mpz_class along = direction.x * edge.y - direction.y * edge.x;  // direction . (edge.y, -edge.x)
-    const int side = along < 0 ? -1 : 1;
-    const mpz_class value = side * (w1.y * edge.x - w1.x * edge.y);
-    return {sgn(value), value * value, edge.x * edge.x + edge.y * edge.y, pair.exponent};
-}
 
-CertificateVerdict check_overlapping_upper(const ExactPair& pair, const ExactPoint& w1, const ExactPoint& w2,
-                                           const ExactPoint& direction, const CoreBounds& bounds) {
-    const SignedRoot face = face_separation(pair, w1, w2, direction);
-    if (compare(face, bounds.lower) < 0 || compare(face, bounds.upper) > 0) return CertificateVerdict::face_not_proved;
-    SignedRoot deepest;
-    const bool has_faces = find_deepest_face(pair, deepest, false);
-    // If the largest separation is negative, it is the signed distance. Otherwise the cores are separated, by less than
-    // the rounding that the bounds allow for, and the distance of the claimed segment must be within the bound.
-    const bool overlap = has_faces && deepest.sign < 0;
-    const SignedRoot& attained = overlap ? deepest : segment_distance(pair, w1, w2);
-    return compare(attained, bounds.upper) <= 0 ? CertificateVerdict::accepted : CertificateVerdict::upper_not_proved;
-}
+    int compare_claimed_segment(double bound) {
+        return compare(intervals_.segment_distance(from(), to()), bound, [&] { return claimed_segment(); });
+    }
+
+    int compare_claimed_face(double bound) {
+        return compare(intervals_.face_separation(from(), to(), claim_.direction), bound, [&] {
+            return claimed_face_separation(pair(), minkowski_vertex(pair(), from()), minkowski_vertex(pair(), to()),
+                                           exact_direction(claim_.direction));
+        });
+    }
+
+    // Of the deepest face. If its separation is not negative, the cores are separated, by less than the rounding that
+    // the bounds allow for, and the distance of the claimed segment must be within the bound.
+    int compare_depth(double bound) {
+        const std::vector<EstimatedFace> faces = intervals_.faces();
+        const Interval deepest = faces.empty() ? Interval{} : largest_separation(faces);
+        return compare(deepest.high < 0 ? deepest : Interval{}, bound, [&] {
+            SignedRoot depth;
+            return find_deepest_face(pair(), depth) && depth.sign < 0 ? depth : claimed_segment();
+        });
+    }
+
+private:
+    VertexPair from() const { return claim_.pairs[0]; }
+    VertexPair to() const { return claim_.pairs[static_cast<std::size_t>(claim_.pair_count - 1)]; }
+
+    const ExactPair& pair() {
+        if (!exact_) exact_ = exact_pair(query_);
+        return *exact_;
+    }
+
+    SignedRoot claimed_segment() {
+        return segment_distance(pair(), minkowski_vertex(pair(), from()), minkowski_vertex(pair(), to()));
+    }
+
+    template <class Exact>
+    int compare(Interval interval, double bound, Exact exact) const {
+        const std::initializer_list<double> summands{bound, query_.a.radius(), query_.b.radius()};
+        if (const auto sign = reference::compare(interval, interval_sum(summands))) return *sign;
+        return reference::compare(exact(), exact_sum(summands));
+    }
+
+    const PairQuery& query_;
+    const Certificate& claim_;
+    IntervalPair intervals_;
+    std::optional<ExactPair> exact_;  // made when the intervals do not decide
+};
 
 }  // namespace
 
@@ -83,23 +106,17 @@ const char* to_string(CertificateVerdict verdict) {
     return "unknown";
 }
 
-CertificateVerdict check_certificate(const PairQuery& query, const DistanceResult& result) {
+CertificateVerdict check_certificate(const PairQuery& query, const DistanceResult& result, Arithmetic arithmetic) {
     if (!is_well_formed(query, result)) return CertificateVerdict::malformed;
     if (!is_status_proved(result)) return CertificateVerdict::status_not_proved;
-    const ExactPair pair = exact_pair(query);
-    const double radius_a = query.a.radius(), radius_b = query.b.radius();
-    const CoreBounds bounds{exact_sum({result.lower, radius_a, radius_b}),
-                            exact_sum({result.upper, radius_a, radius_b})};
-
-    const ExactPoint direction = exact_direction(result.certificate.direction);
-    if (compare(separation(pair, direction), bounds.lower) < 0) return CertificateVerdict::lower_not_proved;
-
-    const ExactPoint w1 = minkowski_vertex(pair, result.certificate.pairs[0]);
-    const ExactPoint w2 =
-        minkowski_vertex(pair, result.certificate.pairs[static_cast<std::size_t>(result.certificate.pair_count - 1)]);
-    if (result.certificate.cores_overlap) return check_overlapping_upper(pair, w1, w2, direction, bounds);
-    return compare(segment_distance(pair, w1, w2), bounds.upper) <= 0 ? CertificateVerdict::accepted
-                                                                      : CertificateVerdict::upper_not_proved;
+    Inequalities claim(query, result.certificate, arithmetic);
+    if (claim.compare_separation(result.lower) < 0) return CertificateVerdict::lower_not_proved;
+    if (!result.certificate.cores_overlap)
+        return claim.compare_claimed_segment(result.upper) <= 0 ? CertificateVerdict::accepted
+                                                                : CertificateVerdict::upper_not_proved;
+    if (claim.compare_claimed_face(result.lower) < 0 || claim.compare_claimed_face(result.upper) > 0)
+        return CertificateVerdict::face_not_proved;
+    return claim.compare_depth(result.upper) <= 0 ? CertificateVerdict::accepted : CertificateVerdict::upper_not_proved;
 }
 
 }  // namespace tumble::reference

@@ -7,9 +7,11 @@
 // difference from the origin. O(1).
 // Upper bound, overlapping cores: some face attains the depth, so that all faces are evaluated (find_deepest_face()
 // states the cost). The claimed pairs must also span a face whose separation is within the bounds. The radii are added
-// to the bounds exactly, and squares are compared.
+// to the bounds exactly, and squares are compared. Intervals of long double decide most of these inequalities, exact
+// arithmetic the others (INTERVALS.md).
 #pragma once
 
+#include "reference/exact/interval_pair.hpp"
 #include "reference/query/pair_query.hpp"
 #include "tumble/distance.hpp"
 
@@ -26,7 +28,8 @@ enum class CertificateVerdict {
 
 const char* to_string(CertificateVerdict verdict);
 
-// The query must be finite, and the result not `invalid`.
-CertificateVerdict check_certificate(const PairQuery& query, const DistanceResult& result);
+// The query must be finite, and the result not `invalid`. The verdict does not depend on the arithmetic.
+CertificateVerdict check_certificate(const PairQuery& query, const DistanceResult& result,
+                                     Arithmetic arithmetic = Arithmetic::intervals_first);
 
 }  // namespace tumble::reference

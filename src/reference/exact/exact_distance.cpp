@@ -1,7 +1,11 @@
 #include "reference/exact/exact_distance.hpp"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "debug/check.hpp"
+#include "reference/exact/candidates.hpp"
 #include "reference/exact/exact_geometry.hpp"
 
 namespace tumble::reference {
@@ -13,32 +17,31 @@ struct ClosestSegment {
     ExactPoint from, to;  // the segment of A - B that attains it
 };
 
-// The nearest of all segments of A - B that are the difference of a vertex of one core and an edge of the other. It is
-// 0 for cores that touch, since a vertex of one lies on the other. Cores that overlap need the faces instead.
-ClosestSegment closest_segment(const ExactPair& pair) {
+// The nearest to the origin. It is 0 for cores that touch, since a vertex of one lies on the other. Cores that overlap
+// need the faces instead.
+ClosestSegment closest_segment(const ExactPair& pair, const std::vector<EstimatedSegment>& segments) {
+    TUMBLE_CHECK(!segments.empty());
     ClosestSegment closest;
     SegmentMeter meter(pair);
     ExactPoint from, to;
-    bool first = true;
-    const auto improve = [&] {
+    for (const EstimatedSegment& segment : segments) {
+        set_difference(from, pair.a[segment.from.a], pair.b[segment.from.b]);
+        set_difference(to, pair.a[segment.to.a], pair.b[segment.to.b]);
         const SignedRoot& candidate = meter.measure(from, to);
-        if (!first && compare(candidate, closest.distance) >= 0) return;
-        closest = {candidate, from, to};
-        first = false;
-    };
-    const std::size_t n = pair.a.size(), m = pair.b.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < m; ++j) {
-            const std::size_t next_i = i + 1 == n ? 0 : i + 1, next_j = j + 1 == m ? 0 : j + 1;
-            set_difference(from, pair.a[i], pair.b[j]);
-            set_difference(to, pair.a[i], pair.b[next_j]);
-            improve();
-            if (next_i == i) continue;
-            set_difference(to, pair.a[next_i], pair.b[j]);
-            improve();
-        }
+        if (&segment == &segments[0] || compare(candidate, closest.distance) < 0) closest = {candidate, from, to};
     }
     return closest;
+}
+
+// False if there are none.
+bool find_deepest(const ExactPair& pair, const std::vector<EstimatedFace>& faces, SignedRoot& deepest) {
+    bool found = false;
+    for (const EstimatedFace& face : faces) {
+        SignedRoot candidate = separation(pair, face_normal(pair, face.is_of_a, face.edge));
+        if (!found || compare(candidate, deepest) > 0) deepest = std::move(candidate);
+        found = true;
+    }
+    return found;
 }
 
 // True if more than one point of the outline is extreme in the direction.
@@ -71,23 +74,53 @@ bool is_unique(const ExactPair& pair, const ClosestSegment& closest) {
     return !(is_face(pair.b, v) && is_face(pair.a, {-v.x, -v.y}));
 }
 
-}  // namespace
+struct ExactCores {
+    SignedRoot distance;  // signed
+    bool has_unique_pair = false;
+};
 
-ExactDistance::ExactDistance(const PairQuery& query) : radius_a_(query.a.radius()), radius_b_(query.b.radius()) {
+ExactCores exact_cores(const PairQuery& query, const Candidates& candidates) {
     const ExactPair pair = exact_pair(query);
-    SignedRoot deepest;
-    if (find_deepest_face(pair, deepest, true) && deepest.sign < 0) {
-        core_ = std::move(deepest);
-        return;
-    }
-    ClosestSegment closest = closest_segment(pair);
-    unique_pair_ = is_unique(pair, closest);
-    core_ = std::move(closest.distance);
+    ExactCores cores;
+    if (find_deepest(pair, candidates.faces, cores.distance) && cores.distance.sign < 0) return cores;
+    ClosestSegment closest = closest_segment(pair, candidates.segments);
+    cores.has_unique_pair = is_unique(pair, closest);
+    cores.distance = std::move(closest.distance);
+    return cores;
 }
 
-int ExactDistance::compare(double x) const { return reference::compare(core_, exact_sum({x, radius_a_, radius_b_})); }
+}  // namespace
 
-double ExactDistance::minus(double x) const { return rounded_difference(core_, exact_sum({x, radius_a_, radius_b_})); }
+class ExactDistance::Cores {
+public:
+    Cores(const PairQuery& query, Arithmetic arithmetic)
+        : query_(query), candidates_(find_candidates(IntervalPair(query_, arithmetic))) {}
+
+    Interval interval() const { return candidates_.distance; }
+
+    const ExactCores& exact() {
+        if (!exact_) exact_ = exact_cores(query_, candidates_);
+        return *exact_;
+    }
+
+private:
+    PairQuery query_;
+    Candidates candidates_;
+    std::optional<ExactCores> exact_;
+};
+
+ExactDistance::ExactDistance(const PairQuery& query, Arithmetic arithmetic)
+    : cores_(std::make_shared<Cores>(query, arithmetic)), radius_a_(query.a.radius()), radius_b_(query.b.radius()) {}
+
+int ExactDistance::compare(double x, double offset) const {
+    const std::initializer_list<double> summands{x, offset, radius_a_, radius_b_};
+    if (const auto sign = reference::compare(cores_->interval(), interval_sum(summands))) return *sign;
+    return reference::compare(cores_->exact().distance, exact_sum(summands));
+}
+
+double ExactDistance::minus(double x) const {
+    return rounded_difference(cores_->exact().distance, exact_sum({x, radius_a_, radius_b_}));
+}
 
 ExactDistance ExactDistance::with_radii(double radius_a, double radius_b) const {
     ExactDistance other = *this;
@@ -95,5 +128,7 @@ ExactDistance ExactDistance::with_radii(double radius_a, double radius_b) const 
     other.radius_b_ = radius_b;
     return other;
 }
+
+bool ExactDistance::has_unique_pair() const { return cores_->exact().has_unique_pair; }
 
 }  // namespace tumble::reference

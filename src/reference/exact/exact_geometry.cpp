@@ -4,12 +4,11 @@
 #include <span>
 
 #include "debug/check.hpp"
+#include "reference/exact/support_follower.hpp"
+
 namespace tumble::reference {
 
 namespace {
-
-// An outline of at most this many vertices is searched; in a larger one the support vertex is followed.
-constexpr std::size_t kSearchAll = 64;
 
 // These use the C interface of GMP, in which the target keeps its memory: twice as fast as expressions that allocate.
 void set_dot(mpz_class& target, const ExactPoint& p, const ExactPoint& q) {
@@ -61,88 +60,25 @@ std::vector<ExactPoint> rotated_vertices(const Shape& shape, Rotation q, const S
     return points;
 }
 
-// Support values of one outline for a sequence of directions that turns counter-clockwise.
-class SupportFollower {
-public:
-    explicit SupportFollower(const std::vector<ExactPoint>& vertices) : vertices_(vertices) {}
-
-    const mpz_class& maximum(const ExactPoint& direction) {
-        if (vertices_.size() <= kSearchAll || !started_) {
-            search_all(direction);
-        } else {
-            follow(direction);
-        }
-        started_ = true;
-        return value_;
-    }
-
-private:
-    void search_all(const ExactPoint& direction) {
-        set_dot(value_, vertices_[0], direction);
-        index_ = 0;
-        for (std::size_t i = 1; i < vertices_.size(); ++i) {
-            set_dot(next_value_, vertices_[i], direction);
-            if (next_value_ > value_) {
-                swap(value_, next_value_);
-                index_ = i;
-            }
-        }
-    }
-
-    void follow(const ExactPoint& direction) {
-        set_dot(value_, vertices_[index_], direction);
-        for (std::size_t step = 0; step < vertices_.size(); ++step) {
-            const std::size_t next = index_ + 1 == vertices_.size() ? 0 : index_ + 1;
-            set_dot(next_value_, vertices_[next], direction);
-            if (next_value_ < value_) return;
-            swap(value_, next_value_);
-            index_ = next;
-        }
-    }
-
-    const std::vector<ExactPoint>& vertices_;
-    mpz_class value_, next_value_;
-    std::size_t index_ = 0;
-    bool started_ = false;
-};
-
-// h for directions that turn counter-clockwise: max direction . a + max (-direction) . b.
-class MinkowskiFollower {
-public:
-    explicit MinkowskiFollower(const ExactPair& pair) : a_(pair.a), b_(pair.b) {}
-
-    mpz_class support_value(const ExactPoint& direction) {
-        opposite_.x = -direction.x;
-        opposite_.y = -direction.y;
-        return a_.maximum(direction) + b_.maximum(opposite_);
-    }
-
-private:
-    SupportFollower a_, b_;
-    ExactPoint opposite_;
-};
+using ExactFollower = MinkowskiFollower<ExactPoint, mpz_class, set_dot>;
 
 SignedRoot root_of(const mpz_class& value, const mpz_class& divisor_sq, int exponent) {
     return {sgn(value), value * value, divisor_sq, exponent};
 }
 
-// The faces with the normals of one outline's edges: outward for A, inward for B, since B enters negated.
-void add_faces(const ExactPair& pair, const std::vector<ExactPoint>& outline, int side, SignedRoot& deepest,
-               bool& found, bool stop_if_separated) {
-    MinkowskiFollower follower(pair);
-    ExactPoint edge, normal;
+// The faces with the normals of one outline's edges.
+void add_faces(const ExactPair& pair, bool is_of_a, SignedRoot& deepest, bool& found) {
+    const std::size_t count = is_of_a ? pair.a.size() : pair.b.size();
+    ExactFollower follower(pair.a, pair.b);
     mpz_class length_sq;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        edge = outline[i + 1 == outline.size() ? 0 : i + 1] - outline[i];
-        if (is_zero(edge)) continue;
-        normal.x = side * edge.y;
-        normal.y = -side * edge.x;
-        set_dot(length_sq, edge, edge);
+    for (std::size_t i = 0; i < count; ++i) {
+        const ExactPoint normal = face_normal(pair, is_of_a, i);
+        if (is_zero(normal)) continue;
+        set_dot(length_sq, normal, normal);
         const mpz_class minus_h = -follower.support_value(normal);
         SignedRoot face = root_of(minus_h, length_sq, pair.exponent);
         if (!found || compare(face, deepest) > 0) deepest = std::move(face);
         found = true;
-        if (stop_if_separated && deepest.sign > 0) return;
     }
 }
 
@@ -171,7 +107,7 @@ ExactPoint minkowski_vertex(const ExactPair& pair, VertexPair indices) {
 }
 
 mpz_class support_value(const ExactPair& pair, const ExactPoint& direction) {
-    return MinkowskiFollower(pair).support_value(direction);
+    return ExactFollower(pair.a, pair.b).support_value(direction);
 }
 
 SignedRoot separation(const ExactPair& pair, const ExactPoint& direction) {
@@ -207,11 +143,35 @@ void set_difference(ExactPoint& target, const ExactPoint& p, const ExactPoint& q
     mpz_sub(target.y.get_mpz_t(), p.y.get_mpz_t(), q.y.get_mpz_t());
 }
 
-bool find_deepest_face(const ExactPair& pair, SignedRoot& deepest, bool stop_if_separated) {
+ExactPoint exact_direction(DVec2 direction) {
+    const int exponent = std::min(lowest_bit_exponent(direction.x), lowest_bit_exponent(direction.y));
+    return {scaled(direction.x, exponent), scaled(direction.y, exponent)};
+}
+
+SignedRoot claimed_face_separation(const ExactPair& pair, const ExactPoint& w1, const ExactPoint& w2,
+                                   const ExactPoint& direction) {
+    const ExactPoint edge = w2 - w1;
+    if (is_zero(edge)) {
+        SignedRoot distance = segment_distance(pair, w1, w2);
+        distance.sign = -distance.sign;
+        return distance;
+    }
+    const mpz_class along = direction.x * edge.y - direction.y * edge.x;  // direction . (edge.y, -edge.x)
+    const int side = along < 0 ? -1 : 1;
+    const mpz_class value = side * (w1.y * edge.x - w1.x * edge.y);
+    return {sgn(value), value * value, edge.x * edge.x + edge.y * edge.y, pair.exponent};
+}
+
+ExactPoint face_normal(const ExactPair& pair, bool is_of_a, std::size_t edge) {
+    const std::vector<ExactPoint>& outline = is_of_a ? pair.a : pair.b;
+    const ExactPoint along = outline[edge + 1 == outline.size() ? 0 : edge + 1] - outline[edge];
+    return is_of_a ? ExactPoint{along.y, -along.x} : ExactPoint{-along.y, along.x};
+}
+
+bool find_deepest_face(const ExactPair& pair, SignedRoot& deepest) {
     bool found = false;
-    add_faces(pair, pair.a, 1, deepest, found, stop_if_separated);
-    if (found && stop_if_separated && deepest.sign > 0) return true;
-    add_faces(pair, pair.b, -1, deepest, found, stop_if_separated);
+    add_faces(pair, true, deepest, found);
+    add_faces(pair, false, deepest, found);
     return found;
 }
 

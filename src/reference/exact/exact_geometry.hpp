@@ -60,10 +60,21 @@ SignedRoot segment_distance(const ExactPair& pair, const ExactPoint& from, const
 
 void set_difference(ExactPoint& target, const ExactPoint& p, const ExactPoint& q);
 
+// A multiple of the direction, in its own units.
+ExactPoint exact_direction(DVec2 direction);
+
+// The separation along that normal of the segment between two vertices of A - B that points in the direction. If both
+// are the same point, its negative distance from the origin.
+SignedRoot claimed_face_separation(const ExactPair& pair, const ExactPoint& w1, const ExactPoint& w2,
+                                   const ExactPoint& direction);
+
+// Normal to an edge of A, outward, or to one of B, inward, since B enters negated. The edge is named by its first
+// vertex; its length must not be 0.
+ExactPoint face_normal(const ExactPair& pair, bool is_of_a, std::size_t edge);
+
 // The largest separation over the faces of the Minkowski difference, which is the signed core distance if it is not
 // positive. False if both cores are points, which have no face. O((n + m)^2) for outlines of up to 64 vertices. For
-// larger ones the support vertex is followed around the outline, O(n + m), which requires convexity. With
-// `stop_if_separated` the search ends at the first positive separation, which need not be the largest.
-bool find_deepest_face(const ExactPair& pair, SignedRoot& deepest, bool stop_if_separated);
+// larger ones the support vertex is followed around the outline, O(n + m), which requires convexity.
+bool find_deepest_face(const ExactPair& pair, SignedRoot& deepest);
 
 }  // namespace tumble::reference

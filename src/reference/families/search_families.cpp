@@ -37,25 +37,31 @@ PairQuery mutated(const PairQuery& query, Random& random) {
     return next;
 }
 
+// How hard a pair is. If that is certainly less than `enough`, the answer may be 0.
+using Hardness = double (*)(const PairQuery& query, double enough);
+
 // Iterations of the GJK loop. distance() answers many small pairs without that loop.
-double iterations(const PairQuery& query) {
-    return trace_distance(query.a, query.pose_a, query.b, query.pose_b).result.iterations;
+double iterations(const PairQuery& query, double) {
+    return gjk_distance(query.a, query.pose_a, query.b, query.pose_b).iterations;
 }
 
-double relative_error(const PairQuery& query) {
+double relative_error(const PairQuery& query, double enough) {
     const double answer = distance(query.a, query.pose_a, query.b, query.pose_b).distance;
-    return std::abs(ExactDistance(query).minus(answer)) / error_scale(query);
+    const ExactDistance exact(query);
+    const double scale = error_scale(query), too_small = 0.999 * enough * scale;
+    if (exact.compare(answer, too_small) < 0 && exact.compare(answer, -too_small) > 0) return 0.0;
+    return std::abs(exact.minus(answer)) / scale;
 }
 
-PairQuery climb(Random& random, double (*hardness)(const PairQuery&), int tries) {
+PairQuery climb(Random& random, Hardness hardness, int tries) {
     PairQuery worst{random_polygon(random, 8, 0),
                     random_polygon(random, 8, 0),
                     {{}, random.rotation()},
                     {random.point(2.0), random.rotation()}};
-    double hardest = hardness(worst);
+    double hardest = hardness(worst, 0.0);
     for (int i = 0; i < tries; ++i) {
         PairQuery candidate = mutated(worst, random);
-        const double value = hardness(candidate);
+        const double value = hardness(candidate, hardest);
         if (value < hardest) continue;
         hardest = value;
         worst = std::move(candidate);
