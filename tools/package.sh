@@ -3,14 +3,16 @@
 # with their headers.
 #   tools/package.sh           prints the name of the package
 #   tools/package.sh --test    also unpacks it elsewhere and tests what it contains; installs nothing
+#   tools/package.sh --bare    also installs it with apt in a bare Debian 12, which it makes for that, and runs the program
+#                              there. Needs the mirror of this machine's apt, and root or user namespaces
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project"
 jobs=${TUMBLE_JOBS:-2}
 case ${1-} in
-    --test | '') ;;
-    *) echo "usage: ${0##*/} [--test]" >&2; exit 2 ;;
+    --test | --bare | '') ;;
+    *) echo "usage: ${0##*/} [--test | --bare]" >&2; exit 2 ;;
 esac
 
 say() { echo "package: $*" >&2; }
@@ -22,10 +24,65 @@ rm -f build/ci/tumble_*.deb
 (cd build/ci && cpack > cpack.log 2>&1) || { cat build/ci/cpack.log >&2; exit 1; }
 package=$(echo build/ci/tumble_*.deb)
 echo "$package"
-[[ ${1-} == --test ]] || exit 0
+[[ -n ${1-} ]] || exit 0
 
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
+
+# This machine's addresses for the suites of Debian 12, one "deb ADDRESS SUITE main" a line.
+debian_sources() {
+    # shellcheck disable=SC2016  # the names are apt's
+    apt-get indextargets --format '$(REPO_URI) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' |
+        awk '$2 ~ /^bookworm(-updates|-security)?$/ && $3 == "main" { print "deb", $1, $2, $3 }' | sort -u
+}
+
+# mmdebstrap makes the bare Debian in a folder, runs each hook in it, and removes it: no root is left behind. A hook has
+# a clean environment, as a user of that Debian would.
+test_in_bare_debian() {
+    local log=build/ci/bare.log
+    debian_sources > "$place/sources.list"
+    [[ -s $place/sources.list ]] || die "no bare Debian: apt on this machine has no source for bookworm main"
+    apt-config dump | { grep -E '^Acquire::(https?::Proxy|Check-|Retries)' || true; } > "$place/apt.conf"
+    cat > "$place/try.sh" <<'END'
+set -eu
+echo "step: apt-get installs the package"
+apt-get install --yes --quiet --no-install-recommends /tmp/tumble.deb < /dev/null
+cd "$(mktemp -d)"
+echo "step: tumble --version"
+tumble --version
+echo "step: tumble doctor"
+tumble doctor --need frames,text
+echo "step: tumble demo"
+tumble demo
+find out -name summary.json | grep -q . && find out -name '*.png' | grep -q . || { echo "no summary or no frame"; exit 1; }
+echo "step: one frame"
+tumble shot /usr/share/tumble/scenes/see_saw.json --at 1 -o frame.png
+[ "$(head -c 4 frame.png | tail -c 3)" = PNG ] || { echo "frame.png is not a PNG file"; exit 1; }
+echo "step: none"
+END
+    say "installing it in a bare Debian"
+    # shellcheck disable=SC2016  # $1 is the folder of that Debian
+    mmdebstrap --variant=minbase --format=null --aptopt="$place/apt.conf" \
+        --customize-hook="upload $package /tmp/tumble.deb" --customize-hook="upload $place/try.sh /tmp/try.sh" \
+        --customize-hook='chroot "$1" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive sh /tmp/try.sh' \
+        bookworm /dev/null "$place/sources.list" > "$log" 2>&1 || explain_failure "$log"
+    say "it installs and runs in a bare Debian: $(grep -A 1 '^step: tumble --version' "$log" | tail -n 1)"
+}
+
+explain_failure() {
+    local step
+    step=$(sed -n 's/^step: //p' "$1" | tail -n 1)
+    tail -n 15 "$1" >&2
+    [[ -z $step ]] || die "in a bare Debian this step failed: $step. All output is in $1"
+    die "could not make a bare Debian, so that nothing was tested: that needs root or user namespaces, and the mirror of" \
+        "this machine's apt. All output is in $1"
+}
+
+if [[ $1 == --bare ]]; then
+    test_in_bare_debian
+    exit 0
+fi
+
 dpkg-deb -x "$package" "$place"
 prefix=$place/usr
 program=$prefix/bin/tumble

@@ -16,7 +16,8 @@
 # tools/test.sh STAGE... runs these stages alone, with what they build on.
 # tools/test.sh --full [STAGE...] does the same with a million pairs of each parity family, ten minutes for each fuzz
 # target, the tests of the world and ten thousand random worlds with sanitizers, a thousand on several threads, long
-# searches and a hundred thousand random sequences of calls in Python, and its API reference.
+# searches and a hundred thousand random sequences of calls in Python, and its API reference; it also installs the Debian
+# package in a bare Debian 12, with packages from the mirror of this machine's apt.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -164,6 +165,7 @@ test_aarch64() {
 test_package() {
     say "building and testing the Debian package"
     tools/package.sh --test
+    [[ -z ${TUMBLE_LONG-} ]] || tools/package.sh --bare
 }
 
 mkdir -p build

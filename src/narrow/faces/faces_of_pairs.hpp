@@ -109,11 +109,11 @@ private:
         const PairLanes edge_x = own.local_x[kNext] - own.local_x[Edge],
                         edge_y = own.local_y[kNext] - own.local_y[Edge];
         const PairLanes x = outward_x_of(own.c, own.s, edge_x, edge_y), y = outward_y_of(own.c, own.s, edge_x, edge_y);
-        LowestLanes<kPairs> lowest{x * other.x[0] + y * other.y[0]};
-        (take_lower(lowest, x * other.x[Vertex + 1] + y * other.y[Vertex + 1], Vertex + 1), ...);
+        PairLanes lowest = x * other.x[0] + y * other.y[0];
+        ((lowest = smaller(lowest, x * other.x[Vertex + 1] + y * other.y[Vertex + 1])), ...);
         const PairLanes length_sq = x * x + y * y, length = square_root(length_sq);
         const PairLanes separation =
-            separation_along(x, y, length_sq, length, lowest.value, own.x[Edge], own.y[Edge], offset_x, offset_y);
+            separation_along(x, y, length_sq, length, lowest, own.x[Edge], own.y[Edge], offset_x, offset_y);
         const PairMask is_larger = face.separation < separation;
         is_tied = (face.separation == separation) | (is_tied & ~is_larger);
         replace(face.separation, is_larger, separation);
@@ -125,16 +125,22 @@ private:
         replace(face.second_x, is_larger, own.x[kNext]);
         replace(face.second_y, is_larger, own.y[kNext]);
         replace(edge, is_larger, PairLanes(First + Edge));
-        replace(nearest, is_larger, lowest.index);
     }
 
+    // The lowest vertex of the other core, the first of equals. It is searched for the leading face only: the scan
+    // needs no more than the lowest height.
     template <std::size_t... Vertex>
     TUMBLE_LANE_FUNCTION void find_other(const CoreOfPairs<N>& a, const CoreOfPairs<N>& b,
                                          std::index_sequence<Vertex...>) {
+        PairLanes lowest(std::numeric_limits<double>::infinity());
         const auto take = [&](int vertex) __attribute__((always_inline)) {
-            const PairMask is_here = nearest == PairLanes(vertex);
-            replace(face.other_x, is_here, select(is_b, a.x[vertex], b.x[vertex]));
-            replace(face.other_y, is_here, select(is_b, a.y[vertex], b.y[vertex]));
+            const PairLanes x = select(is_b, a.x[vertex], b.x[vertex]), y = select(is_b, a.y[vertex], b.y[vertex]);
+            const PairLanes height = face.outward_x * x + face.outward_y * y;
+            const PairMask is_lower = height < lowest;
+            lowest = smaller(lowest, height);
+            replace(face.other_x, is_lower, x);
+            replace(face.other_y, is_lower, y);
+            replace(nearest, is_lower, PairLanes(vertex));
         };
         (take(Vertex), ...);
     }
