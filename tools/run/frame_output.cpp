@@ -25,7 +25,9 @@ FrameOutput::FrameOutput(const Scene& scene, const SceneWorld& world, const RunO
       camera_(make_camera(scene, world, options.size.aspect_ratio())),
       writer_(encoder_threads()),
       overlay_(options.overlay) {
-    if (!options.video.empty()) video_.emplace(start_video(options));
+    if (!options.video.empty())
+        video_.emplace(
+            start_video(options.video, video_settings(options.video, options.size, options.frames_per_second)));
     if (!options.raw_video.empty()) raw_video_.emplace(options.raw_video);
 }
 

@@ -143,7 +143,8 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     report_.seed = scene.world.seed;
     report_.draws = scene.draws;
     report_.dt = 1.0 / scene.world.steps_per_second;
-    if (!options.video.empty()) require_video(options, schedule_);
+    if (!options.video.empty())
+        require_memory(video_settings(options.video, options.size, options.frames_per_second), schedule_.frame_count());
     if (!options.replay.empty()) require_replay(run_.built(), schedule_.step_count());
     if ((options.draws() || options.labels()) && schedule_.repeats_frames())
         report_warning("--fps exceeds the steps per second of the scene: some frames repeat the previous one");
