@@ -183,6 +183,9 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         subcommand.add_flag("--resume", options.resume, "Continue the run in the folder from its checkpoint")
             ->excludes(replay, report, video, raw_video, masks, depth_order, boxes);
     add_threads_option(subcommand, options.threads);
+    subcommand.add_option("-j,--jobs", options.jobs, "Threads that draw frames. Frames do not depend on it")
+        ->capture_default_str()
+        ->check(whole_number_from_to(1, 256));
     subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
         if (subcommand.count("--video") + subcommand.count("--raw-video") > 0) return;

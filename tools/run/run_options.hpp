@@ -44,6 +44,7 @@ struct RunOptions {
     bool no_replay_contacts = false;   // leave the contact points out of the replay
     Overlay overlay;                   // drawn over the shapes
     RenderBackend renderer = RenderBackend::automatic;
+    int jobs = 1;              // threads that draw frames, 1 to 256
     bool masks = false;        // write the label of the body that each pixel shows
     bool depth_order = false;  // write the order of drawing, and what covers what
     bool boxes = false;        // write boxes, outlines and key points of bodies
@@ -66,7 +67,7 @@ void add_threads_option(CLI::App& subcommand, int& threads);
 
 // -o, --duration, --fps, --size, --no-frames, --overlay, --hide, --renderer, --trajectory, --contacts, --hashes,
 // --replay, --report, --fail-on-findings, --video, --raw-video, --masks, --depth-order, --boxes, --checkpoint,
-// --resume, --threads, --force
+// --resume, --threads, --jobs, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 
 }  // namespace tumble::tools
