@@ -15,13 +15,12 @@ using tumble::test::run_tumble;
 
 namespace {
 
+const std::string kCatapult = TUMBLE_SOURCE_DIR "/scenes/catapult.json";
+
 // A catapult has trails, and a stone that leaves it.
 std::vector<std::string> catapult(const fs::path& folder, const std::string& jobs, std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"run",    TUMBLE_SOURCE_DIR "/scenes/catapult.json",
-                                       "-o",     folder.string(),
-                                       "--size", "160x90",
-                                       "--fps",  "12",
-                                       "--jobs", jobs};
+    std::vector<std::string> arguments{"run",    kCatapult, "-o", folder.string(), "--size",
+                                       "160x90", "--fps",   "12", "--jobs",        jobs};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
