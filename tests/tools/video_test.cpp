@@ -155,6 +155,25 @@ TEST_CASE("a GIF leaves out frames above 50 a second, and keeps its duration") {
     CHECK(found["format"]["duration"] == "1.020000");
 }
 
+TEST_CASE("slow motion makes a video longer, and is repeatable, in order and without overlap") {
+    const Folder folder;
+    const std::vector<std::string> small{"--no-frames", "--duration", "1", "--fps", "30", "--size", "64x36", "--force"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.end(), small.begin(), small.end());
+        return arguments_of(folder, "run.mp4", more);
+    };
+    const Answer answer = run_tumble(with({"--slow", "0.6:0.7:0.5", "--slow", "0.2:0.3:0.25"}));
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    // 1 s, of which 0.1 s are 0.2 s on screen and 0.1 s are 0.4 s: 1.4 s, 43 frames.
+    CHECK(probe(folder / "run.mp4")["streams"][0]["nb_read_frames"] == "43");
+    CHECK(answer.err.find("too few steps per second") != std::string::npos);  // 60 x 0.25 < 30
+    for (const std::string wrong : {"1", "1:2", "1:2:0", "2:1:0.5", "1:2:3", "1:2:0.5x", "-1:2:0.5", "1:2:nan"}) {
+        CAPTURE(wrong);
+        CHECK(run_tumble(with({"--slow=" + wrong})).code == 2);
+    }
+    CHECK(run_tumble(with({"--slow", "0.2:0.5:0.5", "--slow", "0.4:0.6:0.5"})).code == 2);
+}
+
 TEST_CASE("one processor and several give the same bytes") {
     const Folder folder;
     const std::vector<std::string> more{"--duration", "1", "--size", "320x180", "--no-frames", "--force"};

@@ -5,12 +5,21 @@
 #include <utility>
 
 #include "tools/measure/stopwatch.hpp"
+#include "tools/output/json_writer.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/run/video_output.hpp"
 
 namespace tumble::tools {
 
 namespace {
+
+// Below the time: how slow a frame is.
+std::vector<std::string> caption_at(double speed) {
+    if (speed == 1.0) return {};
+    std::string text;
+    append_number(text, speed);
+    return {"slow motion, speed " + text};
+}
 
 int encoder_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
@@ -57,6 +66,7 @@ void FrameOutput::draw_due(const SceneWorld& world) {
     record_trails(marking_.trails, scene_, world);
     other_seconds_ += watch.seconds();
     while (next_frame_ < schedule_.frame_count() && schedule_.step_of_frame(next_frame_) == step) {
+        marking_.caption = caption_at(schedule_.speed_of_frame(next_frame_));
         drawers_.draw(world, camera_, marking_, image_to_draw());
         add_view(views_, view_of(camera_, options_.size, next_frame_));
         ++next_frame_;
