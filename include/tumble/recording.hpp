@@ -94,6 +94,9 @@ public:
     // recorded.
     void record(const SceneWorld& built, const Camera& camera);
 
+    // The same for a world that another engine moves: it has made `step` steps, whatever World::step_count() says.
+    void record_as(std::uint64_t step, const SceneWorld& built, const Camera& camera);
+
     // True if every state so far is recorded.
     bool is_whole() const noexcept;
 
@@ -102,9 +105,27 @@ public:
     std::string page(std::span<const ReplayClaim> claims, bool complete) const;
 
 private:
+    friend std::string pair_page(const struct ReplayPair& pair);
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+// Two recorded runs with the same steps, and how far they are apart. The references must be valid until the page is
+// made. Texts never become markup.
+struct ReplayPair {
+    const ReplayRecorder& a;
+    const ReplayRecorder& b;
+    std::string title;
+    std::string name_a, name_b;
+    std::optional<std::uint64_t> first_difference{};  // its step
+    std::vector<double> distances{};                  // [step], m: the largest of a body in both runs
+    std::vector<double> energies_a{}, energies_b{};   // [step], J; NaN where they are not known
+};
+
+// One HTML page that plays both runs side by side or over each other, with the view of A, above plots of their distance
+// and their energies. It has no contact points. Each recorder must have a state.
+std::string pair_page(const ReplayPair& pair);
 
 // ---- Labels ----
 //

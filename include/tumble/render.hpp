@@ -94,6 +94,7 @@ struct Overlay {
     bool islands = false;   // one colour per island, pale if the island sleeps
     bool velocity = false;  // of each centre of mass
     bool joints = false;    // lines from the centres of mass to the anchors
+    bool forces = false;    // of contacts on bodies that are not static, the mean over a step
 
     // Parts of every frame, which can be left out.
     bool title = true;
@@ -106,12 +107,13 @@ struct OverlayPart {
     std::string_view name;
     bool Overlay::*member;
 };
-inline constexpr std::array<OverlayPart, 6> kOverlayParts{{{"contacts", &Overlay::contacts},
+inline constexpr std::array<OverlayPart, 7> kOverlayParts{{{"contacts", &Overlay::contacts},
                                                            {"normals", &Overlay::normals},
                                                            {"aabbs", &Overlay::aabbs},
                                                            {"islands", &Overlay::islands},
                                                            {"velocity", &Overlay::velocity},
-                                                           {"joints", &Overlay::joints}}};
+                                                           {"joints", &Overlay::joints},
+                                                           {"forces", &Overlay::forces}}};
 
 // Those of every frame.
 inline constexpr std::array<OverlayPart, 4> kFrameParts{

@@ -93,7 +93,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"tools/physics", {"tools/output", "tools/machine", "reference"}},
     {"tools/doctor", {"tools/output", "tools/machine"}},
     {"tools/diff", {"tools/output"}},
-    {"tools/compare", {"tools/output", "tools/machine", "tools/diff", "tools/run", "reference"}},
+    {"tools/compare", {"tools/output", "tools/machine", "tools/diff", "tools/run", "tools/cli", "reference"}},
     {"tools/claims", {}},
     {"tools/plot", {"tools/output", "tools/cli"}},
     {"tools/tables", {"tools/output", "tools/cli"}},

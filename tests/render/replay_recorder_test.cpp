@@ -131,12 +131,12 @@ TEST_CASE("a body that takes the place of a destroyed one has a number of its ow
     HandMadeScene made;
     const BodyId first = made.add_dynamic("first", {0.0, 1.0}, make_circle(0.5f));
     render::BodyTracks tracks(made.scene, 1e-3);
-    tracks.record(made.built);
+    tracks.record(made.built, 0);
     made.built.world.destroy_body(first);
     const BodyId second = made.built.world.create_body({});
     made.built.bodies.push_back({second, 0, "second"});
     REQUIRE(second.index == first.index);
-    tracks.record(made.built);
+    tracks.record(made.built, 1);
     CHECK(tracks.numbers() == render::BodyNumbers{{first, 0}, {second, 1}});
 
     ReplayRecorder recorder(made.scene, {});

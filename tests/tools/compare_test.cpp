@@ -4,19 +4,27 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "process.hpp"
+#include "replay_page.hpp"
 #include "support/near.hpp"
+#include "video_probe.hpp"
 
 using nlohmann::json;
 using tumble::test::absolute;
 using tumble::test::Answer;
+using tumble::test::browse;
 using tumble::test::Folder;
 using tumble::test::near;
+using tumble::test::number_in;
+using tumble::test::probe;
 using tumble::test::read_text;
 using tumble::test::relative;
 using tumble::test::run_tumble;
@@ -96,7 +104,8 @@ TEST_CASE("the page of compare has pictures and plots, and text of the scene is 
     const std::string text = read_text(page);
     CHECK(text.find("</script>") == std::string::npos);
     CHECK(text.find("<img src=x>") == std::string::npos);
-    CHECK(text.find("http") == std::string::npos);
+    CHECK(text.find("http:") == std::string::npos);
+    CHECK(text.find("https:") == std::string::npos);
     CHECK(text.find("&lt;/script&gt;") != std::string::npos);
     CHECK(text.find("src=\"data:image/png;base64,iVBORw0KGgo") != std::string::npos);
     CHECK(text.find("Kinetic and potential energy") != std::string::npos);
@@ -120,8 +129,87 @@ TEST_CASE("the frames of compare are one for each time, side by side or over eac
             return static_cast<unsigned char>(png[at + 2]) * 256 + static_cast<unsigned char>(png[at + 3]);
         };
         CHECK(side(16) == (is_overlaid ? 400 : 804));
-        CHECK(side(20) == 280);
+        CHECK(side(20) == (is_overlaid ? 560 : 330));  // plots of 230 pixels, below each other or beside
     }
+}
+
+TEST_CASE("the page of compare plays both runs, with their own poses and the numbers of the table") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", kFall), page = (folder / "c.html").string();
+    REQUIRE(run_tumble({"compare", scene, "--engine", "box2d", "-o", page, "--size", "160x90"}).code == 0);
+    const json loaded = browse({"load", page}).at(0);
+    CHECK_MESSAGE(loaded["failure"].is_null(), loaded["failure"].dump());
+    CHECK_MESSAGE(loaded["console"].empty(), loaded["console"].dump());
+    CHECK_MESSAGE(loaded["requests"].empty(), loaded["requests"].dump());
+    const std::vector<json> found = browse(
+        {"ask", page,
+         R"({ const p = replay.player; p.seek(100); p.draw();
+              return [p.step, ...p.runs.map((run) => run.pose(0, 100).y), p.numbers.distances[100], p.numbers.first]; })",
+         R"({ return ["name", "name-a", "distance-text", "clock"].map((id) => document.getElementById(id).textContent); })",
+         R"({ const shown = (id) => { const box = document.getElementById(id).getBoundingClientRect(); return [box.left, box.width]; };
+              const apart = [shown("world-a"), shown("world-b")];
+              document.getElementById("overlaid").click();
+              return [apart, [shown("world-a"), shown("world-b")]]; })",
+         R"({ const p = replay.player;
+              p.seek(0);
+              document.body.dispatchEvent(new KeyboardEvent("keydown", { key: "d", bubbles: true }));
+              const first = p.step;
+              p.play();
+              await new Promise((done) => setTimeout(done, 600));
+              p.pause();
+              return [first, p.step]; })",
+         R"({ const p = replay.player; p.camera.fit(); p.seek(50); p.draw();
+              const pixel = (i) => {
+                const pose = p.runs[i].pose(0, 50), [x, y] = p.camera.pixels(pose.x + 0.2, pose.y + 0.2), canvas = p.canvas(i);
+                return [...canvas.getContext("2d").getImageData(x * p.painters[i].ratio, y * p.painters[i].ratio, 1, 1).data];
+              };
+              return [pixel(0), pixel(1)]; })",
+         R"({ return document.querySelectorAll("img, script").length; })"});
+    // Free fall for 1 s from 10 m; Box2D is g h t / 2 = 0.05 m below. Poses are within half a millimetre, as float.
+    CHECK(found[0][0] == 100);
+    CHECK(near(found[0][1].get<double>(), 5.0, absolute(6e-4)));
+    CHECK(near(found[0][2].get<double>(), 4.95, absolute(6e-4)));
+    CHECK(near(found[0][3].get<double>(), 0.05, absolute(2e-5)));
+    CHECK(found[0][4] == 20);  // 1 cm, the tolerance of engines, after 20 steps, within the rounding of Box2D's float
+    CHECK(found[1][0] == "</script><img src=x>");
+    CHECK(found[1][1].get<std::string>().starts_with("tumble "));
+    CHECK(found[1][2].get<std::string>().starts_with("Largest distance of a body in both: 0.05"));
+    CHECK(found[1][3] == "1.00 s step 100 of 100");
+    CHECK(found[2][0][0][0] != found[2][0][1][0]);  // beside each other
+    CHECK(found[2][1][0] == found[2][1][1]);        // over each other
+    CHECK(found[3][0] == found[0][4]);
+    CHECK(found[3][1].get<double>() > found[3][0].get<double>());
+    CHECK(found[4][0] == found[4][1]);  // the colour of the ball where each run has it
+    CHECK(found[5] == 4);
+}
+
+TEST_CASE("the video of compare has one frame for each time, and Ctrl-C completes it") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", kFall);
+    const std::filesystem::path video = folder / "c.mp4";
+    const std::vector<std::string> command{"compare",      scene,   "--engine", "box2d",  "--video",
+                                           video.string(), "--fps", "10",       "--size", "400x100"};
+    const Answer answer = run_tumble(command);
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const json stream = probe(video)["streams"].at(0);
+    CHECK(stream["nb_read_frames"] == "11");
+    CHECK(stream["r_frame_rate"] == "10/1");
+    CHECK(stream["width"] == 804);
+    CHECK(stream["height"] == 330);
+    CHECK(stream["color_space"] == "bt709");
+    CHECK(run_tumble(command).code == 4);
+
+    const std::filesystem::path long_video = folder / "long.mp4";
+    tumble::test::Process process(
+        tumble::test::tumble_command({"compare", scene, scene, "--set", "/world/duration=300", "--duration", "300",
+                                      "--video", long_video.string(), "--fps", "100", "--size", "400x100"}));
+    REQUIRE(tumble::test::wait_for_encoder(long_video, process) > 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    process.send_signal(SIGINT);
+    CHECK(process.wait().code == 130);
+    const double frames = number_in(probe(long_video)["streams"].at(0)["nb_read_frames"]);
+    CHECK(frames > 0.0);
+    CHECK(frames < 30001.0);
 }
 
 TEST_CASE("trajectories are compared without pictures, and wrong arguments of compare end with exit code 2") {
@@ -134,12 +222,14 @@ TEST_CASE("trajectories are compared without pictures, and wrong arguments of co
     REQUIRE(rows.size() == 101);
     for (const auto& row : rows) CHECK(row[2] == 0.0);
     CHECK(read_text(folder / "c.html").find("<img") == std::string::npos);
-    for (const std::vector<std::string>& wrong :
-         std::vector<std::vector<std::string>>{{"compare", scene, scene},
-                                               {"compare", scene, "--csv", csv},
-                                               {"compare", scene, scene, "--engine", "box2d", "--csv", csv},
-                                               {"compare", table, "--engine", "box2d", "--csv", csv},
-                                               {"compare", scene, "--engine", "bullet", "--csv", csv},
-                                               {"compare", scene, table, "--seed", "3", "--csv", csv}})
+    for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
+             {"compare", scene, scene},
+             {"compare", scene, "--csv", csv},
+             {"compare", scene, scene, "--engine", "box2d", "--csv", csv},
+             {"compare", table, "--engine", "box2d", "--csv", csv},
+             {"compare", scene, "--engine", "bullet", "--csv", csv},
+             {"compare", scene, scene, "--video", (folder / "c.avi").string()},
+             {"compare", scene, scene, "--video", (folder / "c.mp4").string(), "--size", "400x101"},
+             {"compare", scene, table, "--seed", "3", "--csv", csv}})
         CHECK(run_tumble(wrong).code == 2);
 }

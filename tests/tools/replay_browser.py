@@ -54,6 +54,8 @@ LOADED = """{
 
 def load(browser, page):
     browser.get(pathlib.Path(page).resolve().as_uri())
+    for frame in browser.find_elements("tag name", "iframe"):  # of a page that contains a player
+        browser.switch_to.frame(frame)
     loaded = evaluate(browser, LOADED)
     return {
         "page": page,

@@ -146,14 +146,14 @@ TEST_CASE("an overlay changes the frames, and an unknown part is refused with th
         return read_text(file);
     };
     const std::string plain = shoot("plain.png", "");
-    for (const char* part : {"contacts", "normals", "aabbs", "islands", "velocity", "joints"}) {
+    for (const char* part : {"contacts", "normals", "aabbs", "islands", "velocity", "joints", "forces"}) {
         CAPTURE(part);
         CHECK(shoot(std::string(part) + ".png", part) != plain);
     }
     CHECK(shoot("two.png", "contacts,normals") != shoot("one.png", "contacts"));
-    const Answer refused = run_tumble({"run", scene, "--overlay", "contacts,forces"});
+    const Answer refused = run_tumble({"run", scene, "--overlay", "contacts,torques"});
     CHECK(refused.code == 2);
-    CHECK(refused.err.find("contacts,normals,aabbs,islands,velocity,joints") != std::string::npos);
+    CHECK(refused.err.find("contacts,normals,aabbs,islands,velocity,joints,forces") != std::string::npos);
 }
 
 TEST_CASE("two runs give the same hash after each step") {

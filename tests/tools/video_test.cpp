@@ -15,6 +15,7 @@
 #include "process.hpp"
 #include "support/near.hpp"
 #include "support/small_disk.hpp"
+#include "video_probe.hpp"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -22,9 +23,12 @@ using tumble::test::absolute;
 using tumble::test::Answer;
 using tumble::test::Folder;
 using tumble::test::near;
+using tumble::test::number_in;
+using tumble::test::probe;
 using tumble::test::Process;
 using tumble::test::read_text;
 using tumble::test::run_tumble;
+using tumble::test::wait_for_encoder;
 
 namespace {
 
@@ -37,27 +41,17 @@ std::vector<std::string> arguments_of(const Folder& folder, const std::string& v
     return arguments;
 }
 
-// The stream of a video as ffprobe counts and describes it.
-json probe(const fs::path& file) {
-    const Answer answer = tumble::test::run(
-        {"ffprobe", "-v", "error", "-count_frames", "-show_streams", "-show_format", "-of", "json", file.string()});
-    REQUIRE_MESSAGE(answer.code == 0, answer.err);
-    REQUIRE_MESSAGE(answer.err.empty(), answer.err);
-    return json::parse(answer.out);
-}
-
-double number(const json& text) { return std::stod(text.get<std::string>()); }
-
-// The lowest signal-to-noise ratio (dB) of a frame of the video against the PNG file of that frame, of `frames` frames.
-double lowest_psnr(const Folder& folder, const std::string& video, const std::string& fps, int frames) {
+// The lowest signal-to-noise ratio (dB) of a frame of the video against the PNG file of that frame, of `frames` frames,
+// both in the form that the filters give them.
+double lowest_psnr_as(const Folder& folder, const std::string& video, const std::string& fps, int frames,
+                      const std::string& png_filter, const std::string& video_filter) {
     const fs::path statistics = folder / "psnr.txt";
-    const Answer answer = tumble::test::run(
-        {"ffmpeg", "-v", "error", "-framerate", fps, "-i", (folder / "out/frames/frame_%06d.png").string(), "-i",
-         (folder / video).string(), "-lavfi",
-         "[0]scale=out_color_matrix=bt709:out_range=tv,format=yuv420p,setpts=N/TB[a];[1]format=yuv420p,setpts=N/TB[b];"
-         "[a][b]psnr=stats_file=" +
-             statistics.string(),
-         "-f", "null", "-"});
+    const Answer answer =
+        tumble::test::run({"ffmpeg", "-v", "error", "-framerate", fps, "-i",
+                           (folder / "out/frames/frame_%06d.png").string(), "-i", (folder / video).string(), "-lavfi",
+                           "[0]" + png_filter + ",setpts=N/TB[a];[1]" + video_filter +
+                               ",setpts=N/TB[b];[a][b]psnr=stats_file=" + statistics.string(),
+                           "-f", "null", "-"});
     REQUIRE_MESSAGE(answer.code == 0, answer.err);
     double lowest = std::numeric_limits<double>::infinity();  // of equal frames
     int compared = 0;
@@ -71,30 +65,20 @@ double lowest_psnr(const Folder& folder, const std::string& video, const std::st
     return lowest;
 }
 
+double lowest_psnr(const Folder& folder, const std::string& video, const std::string& fps, int frames) {
+    return lowest_psnr_as(folder, video, fps, frames, "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+                          "format=yuv420p");
+}
+
+// Of the colours themselves, at 10 frames per second.
+double lowest_psnr_rgb(const Folder& folder, const std::string& video, int frames) {
+    return lowest_psnr_as(folder, video, "10", frames, "format=rgb24", "format=rgb24");
+}
+
 bool has_partial_file(const fs::path& folder) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
         if (entry.path().extension() == ".partial") return true;
     return false;
-}
-
-// The processes of that name with the video among their arguments.
-std::vector<int> processes_of(const std::string& name, const fs::path& video) {
-    std::vector<int> ids;
-    for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
-        const std::string command = read_text(entry.path() / "cmdline");
-        if (command.starts_with(name) && command.find(video.string()) != std::string::npos)
-            ids.push_back(std::stoi(entry.path().filename().string()));
-    }
-    return ids;
-}
-
-// Waits until ffmpeg encodes this video, and returns its id; 0 if that never happens.
-int wait_for_encoder(const fs::path& video, const Process& process) {
-    for (int tries = 0; tries < 6000 && process.is_running(); ++tries) {
-        if (const std::vector<int> ids = processes_of("ffmpeg", video); !ids.empty()) return ids.front();
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return 0;
 }
 
 const std::vector<std::string> kLong{"--no-frames", "--duration", "100000", "--size", "320x180"};
@@ -113,7 +97,7 @@ TEST_CASE("MP4 and WebM have the frames of the run, their exact duration, and ta
         CHECK(stream["nb_read_frames"] == "46");  // 1.5 x 30 + 1
         CHECK(stream["r_frame_rate"] == "30/1");
         CHECK(stream["avg_frame_rate"] == "30/1");
-        CHECK(near(number(found["format"]["duration"]), 46.0 / 30.0, absolute(1e-3)));
+        CHECK(near(number_in(found["format"]["duration"]), 46.0 / 30.0, absolute(1e-3)));
         CHECK(stream["pix_fmt"] == "yuv420p");
         CHECK(stream["color_range"] == "tv");
         for (const char* key : {"color_space", "color_transfer", "color_primaries"}) CHECK(stream[key] == "bt709");
@@ -140,6 +124,26 @@ TEST_CASE("GIF and APNG have the duration of the run, without PNG files") {
     }
 }
 
+TEST_CASE("an APNG has the pixels of the frames, and a GIF those of its palette") {
+    for (const std::string name : {"run.gif", "run.apng"}) {
+        CAPTURE(name);
+        const Folder folder;
+        const Answer answer =
+            run_tumble(arguments_of(folder, name, {"--duration", "0.4", "--fps", "10", "--size", "160x90"}));
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        const double lowest = lowest_psnr_rgb(folder, name, 5);
+        // The frames have few colours apart from smooth edges: 256 of them leave errors of a few levels. 255 / 5 is
+        // 34 dB.
+        if (name == "run.gif") CHECK(lowest > 34.0);
+        if (name == "run.apng") CHECK(lowest == std::numeric_limits<double>::infinity());
+        // Browsers repeat both: the block of Netscape with 0 repetitions, and the chunk acTL with 0 plays.
+        const std::string bytes = read_text(folder / name);
+        const std::string netscape("NETSCAPE2.0\x03\x01\0\0", 15);
+        if (name == "run.gif") CHECK(bytes.find(netscape) != std::string::npos);
+        if (name == "run.apng") CHECK(bytes.substr(bytes.find("acTL") + 4, 8) == std::string("\0\0\0\x05\0\0\0\0", 8));
+    }
+}
+
 TEST_CASE("a GIF leaves out frames above 50 a second, and keeps its duration") {
     const Folder folder;
     REQUIRE(run_tumble(
@@ -149,6 +153,25 @@ TEST_CASE("a GIF leaves out frames above 50 a second, and keeps its duration") {
     // 61 frames last 61/60 s, in which a rate of 50 has 50.8 frames: ffmpeg rounds to 51, which last 1.02 s.
     CHECK(found["streams"][0]["nb_read_frames"] == "51");
     CHECK(found["format"]["duration"] == "1.020000");
+}
+
+TEST_CASE("slow motion makes a video longer, and is repeatable, in order and without overlap") {
+    const Folder folder;
+    const std::vector<std::string> small{"--no-frames", "--duration", "1", "--fps", "30", "--size", "64x36", "--force"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.end(), small.begin(), small.end());
+        return arguments_of(folder, "run.mp4", more);
+    };
+    const Answer answer = run_tumble(with({"--slow", "0.6:0.7:0.5", "--slow", "0.2:0.3:0.25"}));
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    // 1 s, of which 0.1 s are 0.2 s on screen and 0.1 s are 0.4 s: 1.4 s, 43 frames.
+    CHECK(probe(folder / "run.mp4")["streams"][0]["nb_read_frames"] == "43");
+    CHECK(answer.err.find("too few steps per second") != std::string::npos);  // 60 x 0.25 < 30
+    for (const std::string wrong : {"1", "1:2", "1:2:0", "2:1:0.5", "1:2:3", "1:2:0.5x", "-1:2:0.5", "1:2:nan"}) {
+        CAPTURE(wrong);
+        CHECK(run_tumble(with({"--slow=" + wrong})).code == 2);
+    }
+    CHECK(run_tumble(with({"--slow", "0.2:0.5:0.5", "--slow", "0.4:0.6:0.5"})).code == 2);
 }
 
 TEST_CASE("one processor and several give the same bytes") {
@@ -174,7 +197,7 @@ TEST_CASE("Ctrl-C leaves a video of the frames done, and exit code 130") {
     CHECK_MESSAGE(answer.code == 130, answer.err);
     const json summary = json::parse(read_text(folder / "out/summary.json"));
     CHECK(summary["complete"] == false);
-    CHECK(number(probe(folder / "run.mp4")["streams"][0]["nb_read_frames"]) == summary["steps"].get<double>() + 1.0);
+    CHECK(number_in(probe(folder / "run.mp4")["streams"][0]["nb_read_frames"]) == summary["steps"].get<double>() + 1.0);
     CHECK(!has_partial_file(folder.path()));
 }
 

@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "tools/cli/console.hpp"
+#include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tools/cli/validators.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/compare/compared_frames.hpp"
 #include "tools/compare/compared_page.hpp"
+#include "tools/compare/compared_player.hpp"
 #include "tools/compare/compared_runs.hpp"
 #include "tools/diff/diff_report.hpp"
 #include "tools/diff/input_kind.hpp"
@@ -32,10 +34,11 @@ struct CompareArguments {
     LoadOptions changes;
     std::optional<double> duration;
     std::optional<double> tolerance;
-    std::filesystem::path page, csv, frames;
+    std::filesystem::path page, csv, frames, video;
     double frames_per_second = 30.0;
     FrameSize size{640, 360};
     Overlay overlay;
+    RenderBackend renderer = RenderBackend::automatic;
     bool is_overlaid = false;
     bool force = false;
 };
@@ -93,36 +96,41 @@ std::string text_report(const CompareArguments& options, const ComparedRuns& run
     std::string text = runs.name_a + " beside " + runs.name_b + "\n";
     for (const std::string& note : runs.notes) text += "  Box2D: " + note + "\n";
     text += to_text(runs.comparison, tolerance_of(options));
-    for (const std::filesystem::path& file : {options.page, options.csv})
+    for (const std::filesystem::path& file : {options.page, options.csv, options.video})
         if (!file.empty()) text += file.string() + "\n";
-    if (frames > 0) text += options.frames.string() + ": " + std::to_string(frames) + " frames\n";
+    if (frames > 0 && !options.frames.empty())
+        text += options.frames.string() + ": " + std::to_string(frames) + " frames\n";
     return text;
 }
 
 ExitCode show_comparison(const Command& command, const CompareArguments& options) {
-    if (options.page.empty() && options.csv.empty() && options.frames.empty())
+    if (options.page.empty() && options.csv.empty() && options.frames.empty() && options.video.empty())
         throw CLI::ValidationError("--output",
-                                   "is missing: name a page (-o F.html), a table (--csv) or a folder "
-                                   "(--frames); tumble diff compares without one");
+                                   "is missing: name a page (-o F.html), a table (--csv), a video (--video) or a "
+                                   "folder (--frames); tumble diff compares without one");
     const CompareInputs inputs = inputs_of(options);
-    for (const std::filesystem::path& file : {options.page, options.csv})
+    for (const std::filesystem::path& file : {options.page, options.csv, options.video})
         if (!file.empty()) refuse_to_overwrite(file, options.force);
     if (!options.frames.empty()) refuse_used_folder(options.frames, options.force);
-    const PairPictures pictures{options.size, options.is_overlaid, options.overlay};
+    const PairPictures pictures{options.size, options.is_overlaid, options.overlay, options.renderer};
+    const ComparedFrames frame_options{options.frames, options.video, options.frames_per_second, pictures};
+    if (!options.video.empty()) compared_video(frame_options);  // refuses a name or a size
     const ComparedRuns runs = compare_runs(inputs, tolerance_of(options));
     if (!options.csv.empty()) write_file(options.csv, to_csv(runs), options.force);
     if (!options.page.empty()) {
         const std::vector<Moment> moments = moments_of(runs);
         const std::vector<PairPicture> drawn = draw_moments(inputs, moments, pictures);
-        write_file(options.page, compared_page(title_of(options), runs, moments, drawn, tolerance_of(options)),
+        const std::string player = compared_player(inputs, runs, options.size);
+        write_file(options.page, compared_page(title_of(options), runs, moments, drawn, player, tolerance_of(options)),
                    options.force);
     }
     std::uint64_t frames = 0;
-    if (!options.frames.empty()) {
-        std::filesystem::create_directories(options.frames);
-        frames = write_frames(inputs, runs, {options.frames, options.frames_per_second, pictures});
-        if (frames == 0) report_warning("no frames: a table has no shapes to draw");
+    if (!options.frames.empty() || !options.video.empty()) {
+        catch_interrupts();
+        frames = write_frames(inputs, runs, frame_options);
+        if (frames == 0 && !is_interrupted()) report_warning("no frames: a table has no shapes to draw");
     }
+    if (is_interrupted()) return interruption_code();
     write_output(command.json ? to_json(runs.comparison) : text_report(options, runs, frames));
     return ExitCode::ok;
 }
@@ -149,8 +157,12 @@ void add_compare(CLI::App& app, Command& command) {
         *compare_app.add_option("--csv", options->csv, "Write the differences and both energies of each step")
              ->type_name("F.csv"));
     compare_app
-        .add_option("--frames", options->frames, "Draw frames of both into this folder, with a plot of their distance")
+        .add_option("--frames", options->frames,
+                    "Draw frames of both into this folder, with plots of their distance and energies")
         ->type_name("DIR");
+    allow_standard_output(
+        *compare_app.add_option("--video", options->video, "Write these frames as a video: .mp4, .webm, .gif or .apng")
+             ->type_name("F"));
     compare_app.add_option("--fps", options->frames_per_second, "Frames per simulated second")
         ->type_name("N")
         ->capture_default_str()
@@ -166,6 +178,7 @@ void add_compare(CLI::App& app, Command& command) {
         ->check(number_from_to(0.0, kMaxDuration));
     add_size_option(compare_app, options->size, "640x360");
     add_overlay_option(compare_app, options->overlay);
+    add_renderer_option(compare_app, options->renderer);
     compare_app.add_flag("--force", options->force, "Replace existing files");
     compare_app.callback(
         [&command, options] { command.action = [&command, options] { return show_comparison(command, *options); }; });

@@ -5,41 +5,14 @@
 #include <cstdio>
 #include <map>
 #include <optional>
-#include <utility>
-#include <vector>
 
-#include "tools/compare/compared_page.hpp"
+#include "tools/cli/console.hpp"
+#include "tools/compare/compared_strip.hpp"
 #include "tools/output/image_grid.hpp"
-#include "tools/output/plot_layout.hpp"
 
 namespace tumble::tools {
 
 namespace {
-
-constexpr int kStripHeight = 180;  // px
-constexpr Color kTimeColor{198, 40, 40, 255};
-
-// The plot below the frames, drawn once; a frame adds the line of its time.
-class Strip {
-public:
-    Strip(const ComparedRuns& runs, int width)
-        : plot_(distance_plot(runs, width, kStripHeight)),
-          layout_(plot_),
-          image_(draw_image(to_drawing(std::vector<Plot>{plot_}))) {}
-
-    Image at(double time) const {
-        Image image = image_;
-        const int x = static_cast<int>(std::lround(layout_.x(time)));
-        for (const int column : {x, x + 1})
-            paint_column(image, column, static_cast<int>(layout_.top), static_cast<int>(layout_.bottom), kTimeColor);
-        return image;
-    }
-
-private:
-    Plot plot_;
-    PlotLayout layout_;
-    Image image_;
-};
 
 // The number of frames that show each step.
 std::map<std::uint64_t, int> frames_of_steps(const ComparedRuns& runs, double frames_per_second) {
@@ -62,24 +35,73 @@ std::filesystem::path frame_in(const std::filesystem::path& folder, std::uint64_
     return folder / name.data();
 }
 
+// The sinks of the frames that are wanted.
+class FrameSinks {
+public:
+    FrameSinks(const ComparedFrames& options, std::uint64_t frames) : options_(options) {
+        if (!options.folder.empty()) {
+            std::filesystem::create_directories(options.folder);
+            writer_.emplace(kEncoders);
+        }
+        if (options.video.empty()) return;
+        const VideoSettings settings = compared_video(options);
+        require_memory(settings, frames);
+        video_.emplace(start_video(options.video, settings));
+    }
+
+    void write(const Image& image) {
+        if (video_) video_->write(image);
+        if (writer_) writer_->submit(image, frame_in(options_.folder, count_));
+        ++count_;
+    }
+
+    std::uint64_t finish() {
+        if (writer_) writer_->finish();
+        if (video_ && count_ > 0) video_->finish();
+        return count_;
+    }
+
+private:
+    static constexpr int kEncoders = 2;  // threads
+
+    const ComparedFrames& options_;
+    std::optional<FrameWriter> writer_;
+    std::optional<VideoWriter> video_;
+    std::uint64_t count_ = 0;
+};
+
+int strip_columns(const PairPictures& pictures) { return pictures.is_overlaid ? 1 : 2; }
+
+// With the plots below the pictures.
+FrameSize whole_size(const PairPictures& pictures) {
+    const FrameSize pair = pair_size(pictures);
+    return {pair.width, pair.height + ComparedStrip::height(strip_columns(pictures))};
+}
+
 }  // namespace
 
+VideoSettings compared_video(const ComparedFrames& options) {
+    return video_settings(options.video, whole_size(options.pictures), options.frames_per_second);
+}
+
 std::uint64_t write_frames(const CompareInputs& inputs, const ComparedRuns& runs, const ComparedFrames& options) {
-    if (runs.steps.empty()) return 0;
+    const ComparedSources sources = open_sources(inputs);
+    if (runs.steps.empty() || !sources.a->built() || !sources.b->built()) return 0;
     const std::map<std::uint64_t, int> wanted = frames_of_steps(runs, options.frames_per_second);
-    std::optional<Strip> strip;
-    FrameWriter writer(2);
-    std::uint64_t frame = 0;
+    std::uint64_t frames = 0;
+    for (const auto& [step, count] : wanted) frames += static_cast<std::uint64_t>(count);
+    const ComparedStrip strip(runs, pair_size(options.pictures).width, strip_columns(options.pictures));
+    FrameSinks sinks(options, frames);
+    Progress progress("frame", frames);
+    std::uint64_t drawn = 0;
     draw_pairs(
         inputs, options.pictures, [&](std::uint64_t step) { return wanted.contains(step); },
         [&](const PairPicture& picture) {
-            if (!strip) strip.emplace(runs, picture.image.width);
-            const Image whole = stacked(picture.image, strip->at(picture.time));
-            for (int copy = 0; copy < wanted.at(picture.step); ++copy)
-                writer.submit(whole, frame_in(options.folder, frame++));
+            const Image whole = stacked(picture.image, strip.at(picture.time));
+            for (int copy = 0; copy < wanted.at(picture.step); ++copy, ++drawn) sinks.write(whole);
+            progress.show(drawn);
         });
-    writer.finish();
-    return frame;
+    return sinks.finish();
 }
 
 }  // namespace tumble::tools

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/compare/compared_plots.hpp"
 #include "tools/diff/diff_report.hpp"
 #include "tools/machine/engines.hpp"
 #include "tools/output/html.hpp"
@@ -13,8 +14,6 @@
 namespace tumble::tools {
 
 namespace {
-
-constexpr std::size_t kPosition = 0;  // index into kKinds
 
 std::string exact_digits(double number) {
     std::string text;
@@ -68,40 +67,12 @@ void add_largest(HtmlPage& page, const ComparedRuns& runs) {
     page.table(header, rows);
 }
 
-PlotSeries series(const std::string& name, Ink ink, const ComparedRuns& runs, double (*value)(const ComparedStep&)) {
-    PlotSeries line{.name = name, .ink = ink, .mark = Mark::line};
-    for (const ComparedStep& step : runs.steps) line.points.push_back({step.time, value(step)});
-    return line;
-}
-
-Plot energy_plot(const ComparedRuns& runs) {
-    Plot plot{.title = "Kinetic and potential energy", .x = {.label = "time, s"}, .y = {.label = "J"}, .series = {}};
-    plot.series.push_back(
-        series(runs.name_a, Ink::tumble, runs, [](const ComparedStep& step) { return step.energy_a; }));
-    plot.series.push_back(
-        series(runs.name_b, Ink::box2d, runs, [](const ComparedStep& step) { return step.energy_b; }));
-    plot.series.back().mark = Mark::dashed;
-    return plot;
-}
-
-Plot growth_plot(const ComparedRuns& runs) {
-    Plot plot{.title = "The same, logarithmic, with the velocities",
-              .x = {.label = "time, s"},
-              .y = {.label = "m and m/s", .logarithmic = true},
-              .series = {}};
-    plot.series.push_back(
-        series("position", Ink::violet, runs, [](const ComparedStep& step) { return step.largest[kPosition].value; }));
-    plot.series.push_back(
-        series("velocity", Ink::teal, runs, [](const ComparedStep& step) { return step.largest[2].value; }));
-    return plot;
-}
-
 void add_plots(HtmlPage& page, const ComparedRuns& runs) {
     page.begin_figures();
     page.figure(distance_plot(runs, 620, 330));
-    page.figure(growth_plot(runs));
+    page.figure(growth_plot(runs, 620, 330));
     const bool has_energy = std::isfinite(runs.steps.front().energy_a) || std::isfinite(runs.steps.front().energy_b);
-    if (has_energy) page.figure(energy_plot(runs));
+    if (has_energy) page.figure(energy_plot(runs, 620, 330));
     page.end_figures();
 }
 
@@ -126,19 +97,8 @@ std::vector<Moment> moments_of(const ComparedRuns& runs) {
     return moments;
 }
 
-Plot distance_plot(const ComparedRuns& runs, int width, int height) {
-    Plot plot{.title = "Largest distance of a body in both, m",
-              .x = {.label = "time, s"},
-              .y = {},
-              .series = {series("", Ink::violet, runs,
-                                [](const ComparedStep& step) { return step.largest[kPosition].value; })},
-              .width = width,
-              .height = height};
-    return plot;
-}
-
 std::string compared_page(const std::string& title, const ComparedRuns& runs, const std::vector<Moment>& moments,
-                          const std::vector<PairPicture>& pictures, double tolerance) {
+                          const std::vector<PairPicture>& pictures, const std::string& player, double tolerance) {
     HtmlPage page(title);
     page.paragraph(runs.name_a + " beside " + runs.name_b + ".");
     if (runs.name_b.starts_with("Box2D")) {
@@ -150,6 +110,8 @@ std::string compared_page(const std::string& title, const ComparedRuns& runs, co
             "below, and see tumble physics for exact answers.");
     }
     for (const std::string& note : runs.notes) page.paragraph("Box2D: " + note + ".");
+    constexpr int kPlayerHeight = 680;  // px
+    if (!player.empty()) page.embedded("Both runs in motion", player, kPlayerHeight);
     page.preformatted(to_text(runs.comparison, tolerance));
     if (runs.steps.empty()) return page.str();
     add_plots(page, runs);

@@ -7,7 +7,6 @@
 
 #include "tools/compare/compared_pictures.hpp"
 #include "tools/compare/compared_runs.hpp"
-#include "tools/output/plot.hpp"
 
 namespace tumble::tools {
 
@@ -21,11 +20,9 @@ struct Moment {
 // the end; each step once.
 std::vector<Moment> moments_of(const ComparedRuns& runs);
 
-// The largest distance of a body in both runs over time.
-Plot distance_plot(const ComparedRuns& runs, int width, int height);
-
-// `pictures` are those of the moments, or empty. `title` names what was compared.
+// `pictures` are those of the moments, or empty; `player` is compared_player() or empty. `title` names what was
+// compared.
 std::string compared_page(const std::string& title, const ComparedRuns& runs, const std::vector<Moment>& moments,
-                          const std::vector<PairPicture>& pictures, double tolerance);
+                          const std::vector<PairPicture>& pictures, const std::string& player, double tolerance);
 
 }  // namespace tumble::tools

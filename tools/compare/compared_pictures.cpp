@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "tools/cli/interrupt.hpp"
 #include "tools/output/image_grid.hpp"
 
 namespace tumble::tools {
@@ -15,7 +16,9 @@ constexpr int kPairGap = 4;  // px between the pictures
 class PairPainter {
 public:
     PairPainter(const ComparedSources& sources, const PairPictures& pictures)
-        : sources_(sources), pictures_(pictures), renderer_(pictures.size.width, pictures.size.height) {}
+        : sources_(sources),
+          pictures_(pictures),
+          renderer_(pictures.size.width, pictures.size.height, pictures.renderer) {}
 
     Image draw(const Camera& camera, double time) {
         const std::array<Image, 2> images{draw_one(*sources_.a, sources_.name_a, camera, time),
@@ -38,6 +41,11 @@ private:
 
 }  // namespace
 
+FrameSize pair_size(const PairPictures& pictures) {
+    const auto [width, height] = pictures.size;
+    return {pictures.is_overlaid ? width : 2 * width + kPairGap, height};
+}
+
 void draw_pairs(const CompareInputs& inputs, const PairPictures& pictures,
                 const std::function<bool(std::uint64_t step)>& is_wanted,
                 const std::function<void(PairPicture)>& take) {
@@ -47,7 +55,7 @@ void draw_pairs(const CompareInputs& inputs, const PairPictures& pictures,
     PairPainter painter(sources, pictures);
     Camera camera = make_camera(scene, *sources.a->built(), pictures.size.aspect_ratio());
     StepStates a, b;
-    while (sources.a->next(a) && sources.b->next(b) && a.step == b.step) {
+    while (!is_interrupted() && sources.a->next(a) && sources.b->next(b) && a.step == b.step) {
         if (a.step > 0) camera = move_camera(camera, scene, *sources.a->built());
         if (is_wanted(a.step)) take({a.step, a.time, painter.draw(camera, a.time)});
     }

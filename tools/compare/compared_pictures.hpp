@@ -20,10 +20,15 @@ struct PairPictures {
     FrameSize size;            // of one of two pictures
     bool is_overlaid = false;  // one over the other, each half transparent
     Overlay overlay;
+    RenderBackend renderer = RenderBackend::automatic;
 };
 
+// The size of a picture of both.
+FrameSize pair_size(const PairPictures& pictures);
+
 // Simulates both runs again and draws the steps that are wanted, in their order. The camera is that of A. Draws nothing
-// if one of the runs is a table, which has no shapes. Throws as StateSource::next(), RenderError.
+// if one of the runs is a table, which has no shapes, and nothing more after an interrupt. Throws as
+// StateSource::next(), RenderError.
 void draw_pairs(const CompareInputs& inputs, const PairPictures& pictures,
                 const std::function<bool(std::uint64_t step)>& is_wanted, const std::function<void(PairPicture)>& take);
 

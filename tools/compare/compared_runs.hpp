@@ -25,6 +25,8 @@ struct ComparedSources {
 // Throws as open_states().
 ComparedSources open_sources(const CompareInputs& inputs);
 
+inline constexpr std::size_t kPosition = 0, kVelocity = 2;  // indices into kKinds and StepDifference
+
 struct ComparedStep {
     std::uint64_t step = 0;
     double time = 0.0;                      // s

@@ -25,6 +25,7 @@ th.number, td.number { text-align: right; } .alarm { color: var(--limit); font-w
 figure { margin: 1rem 0; } figure svg, figure img { max-width: 100%; height: auto; border: 1px solid var(--rule); }
 .figures { display: flex; flex-wrap: wrap; gap: 1rem; } .figures figure { margin: 0; }
 figcaption { font-size: 13px; color: var(--faint); max-width: 62rem; }
+iframe { width: 100%; border: 1px solid var(--rule); }
 pre { background: var(--code); padding: .6rem .8rem; overflow-x: auto; font-size: 12px; }
 details { margin: .6rem 0; } summary { cursor: pointer; }
 )";
@@ -88,6 +89,11 @@ void HtmlPage::picture(const Image& image, std::string_view caption) {
     body_ += "<figure style=\"max-width: " + std::to_string(image.width) + "px\">\n<img alt=\"" +
              escape_markup(caption) + "\" src=\"" + png_data_url(image) + "\">\n" + element("figcaption", caption) +
              "</figure>\n";
+}
+
+void HtmlPage::embedded(std::string_view title, std::string_view page, int height) {
+    body_ += "<iframe title=\"" + escape_markup(title) + "\" height=\"" + std::to_string(height) + "\" srcdoc=\"" +
+             escape_markup(page) + "\"></iframe>\n";
 }
 
 void HtmlPage::begin_figures() { body_ += "<div class=\"figures\">\n"; }

@@ -79,7 +79,7 @@ std::string to_svg(const Plot& plot);
 std::string to_svg(std::span<const Plot> plots);
 
 // The same picture as a drawing, for draw_image(). Texts of drawings are level: it has no labels of vertical axes, and
-// no second labels of horizontal ones.
-Drawing to_drawing(std::span<const Plot> plots);
+// no second labels of horizontal ones. The areas between the axes begin at least `least_left` px from the left.
+Drawing to_drawing(std::span<const Plot> plots, double least_left = 0.0);
 
 }  // namespace tumble::tools

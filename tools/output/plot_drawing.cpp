@@ -145,8 +145,8 @@ private:
 
 }  // namespace
 
-Drawing to_drawing(std::span<const Plot> plots) {
-    const double left = common_left(plots);
+Drawing to_drawing(std::span<const Plot> plots, double least_left) {
+    const double left = std::max(least_left, common_left(plots));
     Drawing drawing;
     for (const Plot& plot : plots) {
         DrawnPlot(drawing, plot, drawing.height, left).draw();

@@ -5,12 +5,21 @@
 #include <utility>
 
 #include "tools/measure/stopwatch.hpp"
+#include "tools/output/json_writer.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/run/video_output.hpp"
 
 namespace tumble::tools {
 
 namespace {
+
+// Below the time: how slow a frame is.
+std::vector<std::string> caption_at(double speed) {
+    if (speed == 1.0) return {};
+    std::string text;
+    append_number(text, speed);
+    return {"slow motion, speed " + text};
+}
 
 int encoder_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
@@ -21,21 +30,33 @@ FrameOutput::FrameOutput(const Scene& scene, const SceneWorld& world, const RunO
     : scene_(scene),
       options_(options),
       schedule_(schedule),
-      renderer_(options.size.width, options.size.height, options.renderer),
       camera_(make_camera(scene, world, options.size.aspect_ratio())),
       writer_(encoder_threads()),
-      overlay_(options.overlay) {
-    if (!options.video.empty()) video_.emplace(start_video(options));
+      drawers_(scene, options, [this](Image image) { write_frame(std::move(image)); }) {
+    if (!options.video.empty())
+        video_.emplace(
+            start_video(options.video, video_settings(options.video, options.size, options.frames_per_second)));
     if (!options.raw_video.empty()) raw_video_.emplace(options.raw_video);
 }
 
+Image FrameOutput::image_to_draw() {
+    if (!options_.no_frames) return writer_.take_image();
+    if (spare_.empty()) return {};
+    Image image = std::move(spare_.back());
+    spare_.pop_back();
+    return image;
+}
+
 void FrameOutput::write_frame(Image image) {
+    const Stopwatch watch;
     if (video_) video_->write(image);
     if (raw_video_) raw_video_->write(image);
     if (options_.no_frames)
-        image_ = std::move(image);
+        spare_.push_back(std::move(image));
     else
-        writer_.submit(std::move(image), frame_file(options_.folder, next_frame_));
+        writer_.submit(std::move(image), frame_file(options_.folder, next_written_));
+    ++next_written_;
+    other_seconds_ += watch.seconds();
 }
 
 void FrameOutput::draw_due(const SceneWorld& world) {
@@ -43,14 +64,13 @@ void FrameOutput::draw_due(const SceneWorld& world) {
     const std::uint64_t step = world.world.step_count();
     camera_ = move_camera(camera_, scene_, world);
     record_trails(marking_.trails, scene_, world);
+    other_seconds_ += watch.seconds();
     while (next_frame_ < schedule_.frame_count() && schedule_.step_of_frame(next_frame_) == step) {
-        Image image = options_.no_frames ? std::move(image_) : writer_.take_image();
-        renderer_.draw(scene_, world, camera_, world.world.time(), image, overlay_, marking_);
+        marking_.caption = caption_at(schedule_.speed_of_frame(next_frame_));
+        drawers_.draw(world, camera_, marking_, image_to_draw());
         add_view(views_, view_of(camera_, options_.size, next_frame_));
-        write_frame(std::move(image));
         ++next_frame_;
     }
-    render_seconds_ += watch.seconds();
 }
 
 std::vector<WrittenFiles> FrameOutput::finish() {
@@ -63,6 +83,7 @@ std::vector<WrittenFiles> FrameOutput::finish() {
 }
 
 WrittenFiles FrameOutput::finish_frames() {
+    drawers_.finish();
     const FrameWriter::Written written = writer_.finish();
     encode_seconds_ = written.encode_seconds;
     return {"frames", frame_file(options_.folder, 0), earlier_frames_ + written.files, earlier_bytes_ + written.bytes};
@@ -72,7 +93,7 @@ void FrameOutput::continue_from(State state, std::uint64_t frames, std::uint64_t
     camera_ = state.camera;
     marking_.trails = std::move(state.trails);
     views_ = std::move(state.views);
-    next_frame_ = earlier_frames_ = frames;
+    next_frame_ = next_written_ = earlier_frames_ = frames;
     earlier_bytes_ = bytes;
 }
 

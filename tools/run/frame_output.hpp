@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "tools/run/frame_drawers.hpp"
 #include "tools/run/frame_schedule.hpp"
 #include "tools/run/frame_views.hpp"
 #include "tools/run/raw_video.hpp"
@@ -44,28 +45,29 @@ public:
 
     const std::vector<FrameView>& views() const noexcept { return views_; }
     std::uint64_t drawn() const noexcept { return next_frame_; }
-    double render_seconds() const noexcept { return render_seconds_; }
+    double render_seconds() const noexcept { return drawers_.seconds() + other_seconds_; }
     double encode_seconds() const noexcept { return encode_seconds_; }
 
 private:
+    void draw(const SceneWorld& world);
     void write_frame(Image image);
+    Image image_to_draw();
 
     const Scene& scene_;
     const RunOptions& options_;
     FrameSchedule schedule_;
-    Renderer renderer_;
     Camera camera_;
     std::optional<VideoWriter> video_;
     std::optional<RawVideo> raw_video_;
     FrameWriter writer_;
-    Overlay overlay_;
+    FrameDrawers drawers_;
     Marking marking_;  // the trails
     std::vector<FrameView> views_;
-    Image image_;  // without PNG files, the one that is drawn into
-    std::uint64_t next_frame_ = 0;
+    std::vector<Image> spare_;  // without PNG files, those to draw into
+    std::uint64_t next_frame_ = 0, next_written_ = 0;
     std::uint64_t earlier_frames_ = 0, earlier_bytes_ = 0;
-    double render_seconds_ = 0.0;
     double encode_seconds_ = 0.0;
+    double other_seconds_ = 0.0;  // of cameras, trails and videos
 };
 
 }  // namespace tumble::tools

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <locale>
 #include <span>
 #include <sstream>
 #include <string_view>
@@ -18,7 +19,8 @@ namespace tumble::tools {
 
 namespace {
 
-constexpr double kMaxRate = 1e5;  // frames/s
+constexpr double kMaxRate = 1e5;      // frames/s
+constexpr double kLeastSpeed = 1e-3;  // of slow motion
 
 bool parse_side(std::string_view text, int& pixels) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), pixels);
@@ -40,6 +42,30 @@ std::string names_of(std::span<const OverlayPart> parts) {
     std::string names;
     for (const OverlayPart& part : parts) names += (names.empty() ? "" : ",") + std::string(part.name);
     return names;
+}
+
+// "2:2.5:0.1", from a time to a time at a speed.
+SlowMotion parse_slow(const std::string& text) {
+    SlowMotion part;
+    std::istringstream in(text);
+    in.imbue(std::locale::classic());
+    char first = 0, second = 0;
+    const bool is_read = static_cast<bool>(in >> part.from >> first >> part.to >> second >> part.speed);
+    const bool is_whole = is_read && first == ':' && second == ':' && in.peek() == std::char_traits<char>::eof();
+    if (is_whole && part.from >= 0.0 && part.to > part.from && part.to <= kMaxDuration && part.speed >= kLeastSpeed &&
+        part.speed <= 1.0)
+        return part;
+    throw CLI::ValidationError("--slow",
+                               "expected FROM:TO:SPEED, two times in s and a speed from 0.001 to 1, got " + text);
+}
+
+void set_slow(std::vector<SlowMotion>& slow, const std::vector<std::string>& texts) {
+    slow.clear();
+    for (const std::string& text : texts) slow.push_back(parse_slow(text));
+    std::ranges::sort(slow, {}, &SlowMotion::from);
+    for (std::size_t i = 1; i < slow.size(); ++i)
+        if (slow[i].from < slow[i - 1].to)
+            throw CLI::ValidationError("--slow", "the times of two slow motions overlap");
 }
 
 // Sets the listed parts to `shown`.
@@ -132,6 +158,13 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         ->type_name("N")
         ->capture_default_str()
         ->check(number_from_to(1e-3, kMaxRate));
+    subcommand
+        .add_option_function<std::vector<std::string>>(
+            "--slow", [&options](const std::vector<std::string>& texts) { set_slow(options.slow, texts); },
+            "Show this part of the simulated time at this speed: 2:2.5:0.1; repeatable")
+        ->type_name("FROM:TO:SPEED")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_size_option(subcommand, options.size);
     subcommand.add_flag("--no-frames", options.no_frames, "Simulate without drawing frames");
     add_overlay_option(subcommand, options.overlay);
@@ -183,13 +216,16 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
         subcommand.add_flag("--resume", options.resume, "Continue the run in the folder from its checkpoint")
             ->excludes(replay, report, video, raw_video, masks, depth_order, boxes);
     add_threads_option(subcommand, options.threads);
+    subcommand.add_option("-j,--jobs", options.jobs, "Threads that draw frames. Frames do not depend on it")
+        ->capture_default_str()
+        ->check(whole_number_from_to(1, 256));
     subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
         if (subcommand.count("--video") + subcommand.count("--raw-video") > 0) return;
         warn_of_unused(subcommand, {"--overlay", "--hide"}, "--no-frames");
         if (subcommand.count("--report") == 0) warn_of_unused(subcommand, {"--renderer"}, "--no-frames");
         if (subcommand.count("--masks") + subcommand.count("--depth-order") + subcommand.count("--boxes") > 0) return;
-        warn_of_unused(subcommand, {"--fps"}, "--no-frames");
+        warn_of_unused(subcommand, {"--fps", "--slow"}, "--no-frames");
         if (subcommand.count("--replay") == 0) warn_of_unused(subcommand, {"--size"}, "--no-frames");
     });
 }

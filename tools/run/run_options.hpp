@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "tools/run/frame_schedule.hpp"
 #include "tumble/render.hpp"
 
 namespace CLI {
@@ -27,6 +29,7 @@ struct RunOptions {
     std::filesystem::path folder;    // of frames/, summary.json and events.csv
     std::optional<double> duration;  // s; without it the scene's
     double frames_per_second = 60.0;
+    std::vector<SlowMotion> slow;  // in order of time, without overlap
     FrameSize size;
     bool no_frames = false;
     bool force = false;                // replace the results of an earlier run
@@ -44,6 +47,7 @@ struct RunOptions {
     bool no_replay_contacts = false;   // leave the contact points out of the replay
     Overlay overlay;                   // drawn over the shapes
     RenderBackend renderer = RenderBackend::automatic;
+    int jobs = 1;              // threads that draw frames, 1 to 256
     bool masks = false;        // write the label of the body that each pixel shows
     bool depth_order = false;  // write the order of drawing, and what covers what
     bool boxes = false;        // write boxes, outlines and key points of bodies
@@ -64,9 +68,10 @@ void add_renderer_option(CLI::App& subcommand, RenderBackend& renderer);
 // --threads N
 void add_threads_option(CLI::App& subcommand, int& threads);
 
-// -o, --duration, --fps, --size, --no-frames, --overlay, --hide, --renderer, --trajectory, --contacts, --hashes,
+// -o, --duration, --fps, --slow, --size, --no-frames, --overlay, --hide, --renderer, --trajectory, --contacts,
+// --hashes,
 // --replay, --report, --fail-on-findings, --video, --raw-video, --masks, --depth-order, --boxes, --checkpoint,
-// --resume, --threads, --force
+// --resume, --threads, --jobs, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 
 }  // namespace tumble::tools

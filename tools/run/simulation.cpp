@@ -14,6 +14,7 @@
 #include "tools/cli/console.hpp"
 #include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
+#include "tools/health/lost_bodies.hpp"
 #include "tools/measure/stopwatch.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/run/checkpoint.hpp"
@@ -22,7 +23,6 @@
 #include "tools/run/frame_schedule.hpp"
 #include "tools/run/health_output.hpp"
 #include "tools/run/label_output.hpp"
-#include "tools/run/lost_bodies.hpp"
 #include "tools/run/replay_output.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/run/video_output.hpp"
@@ -87,7 +87,8 @@ private:
 };
 
 FrameSchedule make_schedule(const Scene& scene, const RunOptions& options) {
-    return {options.duration.value_or(scene.world.duration), options.frames_per_second, scene.world.steps_per_second};
+    return {options.duration.value_or(scene.world.duration), options.frames_per_second, scene.world.steps_per_second,
+            options.slow};
 }
 
 // The files that options name, if they are wanted.
@@ -143,10 +144,14 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     report_.seed = scene.world.seed;
     report_.draws = scene.draws;
     report_.dt = 1.0 / scene.world.steps_per_second;
-    if (!options.video.empty()) require_video(options, schedule_);
+    if (!options.video.empty())
+        require_memory(video_settings(options.video, options.size, options.frames_per_second), schedule_.frame_count());
     if (!options.replay.empty()) require_replay(run_.built(), schedule_.step_count());
     if ((options.draws() || options.labels()) && schedule_.repeats_frames())
-        report_warning("--fps exceeds the steps per second of the scene: some frames repeat the previous one");
+        report_warning(options.slow.empty()
+                           ? "--fps exceeds the steps per second of the scene: some frames repeat the previous one"
+                           : "the scene has too few steps per second for this slow motion: some frames repeat the "
+                             "previous one");
     require_different_files(options);
     require_files_to_continue(options);
     const bool force = options.force || options.resume;

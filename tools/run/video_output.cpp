@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "tools/cli/output_path.hpp"
@@ -11,37 +12,38 @@ namespace tumble::tools {
 
 namespace {
 
-VideoFormat format_of(const RunOptions& options) {
-    if (is_standard_output(options.video)) return VideoFormat::mp4;
-    if (const std::optional<VideoFormat> format = video_format_of(options.video)) return *format;
+VideoFormat format_of(const std::filesystem::path& file) {
+    if (is_standard_output(file)) return VideoFormat::mp4;
+    if (const std::optional<VideoFormat> format = video_format_of(file)) return *format;
     throw CLI::ValidationError("--video",
-                               "the name of a video ends in .mp4, .webm, .gif or .apng, got " + options.video.string());
+                               "the name of a video ends in .mp4, .webm, .gif or .apng, got " + file.string());
 }
 
 std::string gigabytes(double bytes) { return std::to_string(std::llround(bytes / 1e9)) + " GB"; }
 
 }  // namespace
 
-void require_video(const RunOptions& options, const FrameSchedule& schedule) {
-    const VideoFormat format = format_of(options);
+VideoSettings video_settings(const std::filesystem::path& file, FrameSize size, double frames_per_second) {
+    const VideoFormat format = format_of(file);
     const bool needs_even = format == VideoFormat::mp4 || format == VideoFormat::webm;
-    if (needs_even && !options.size.is_even())
+    if (needs_even && !size.is_even())
         throw CLI::ValidationError("--size",
                                    "the width and height of a video must be even: its colours have half the "
                                    "resolution");
-    const double bytes = 4.0 * options.size.width * options.size.height * static_cast<double>(schedule.frame_count());
-    if (format == VideoFormat::gif && bytes > kMostGifBytes)
+    return {.format = format, .width = size.width, .height = size.height, .frames_per_second = frames_per_second};
+}
+
+void require_memory(const VideoSettings& settings, std::uint64_t frames) {
+    const double bytes = 4.0 * settings.width * settings.height * static_cast<double>(frames);
+    if (settings.format == VideoFormat::gif && bytes > kMostGifBytes)
         throw CLI::ValidationError("--video", "a GIF of this length and size needs " + gigabytes(bytes) +
                                                   " of memory, more than " + gigabytes(kMostGifBytes) +
                                                   ": lower --size, --fps or --duration, or write an .mp4");
 }
 
-VideoWriter start_video(const RunOptions& options) {
-    create_folder_of(options.video);
-    return VideoWriter(options.video, {.format = format_of(options),
-                                       .width = options.size.width,
-                                       .height = options.size.height,
-                                       .frames_per_second = options.frames_per_second});
+VideoWriter start_video(const std::filesystem::path& file, const VideoSettings& settings) {
+    create_folder_of(file);
+    return VideoWriter(file, settings);
 }
 
 }  // namespace tumble::tools

@@ -1,22 +1,25 @@
-// The video of a run.
+// The file of a video: what its name and its size allow.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
-#include "tools/run/frame_schedule.hpp"
 #include "tools/run/run_options.hpp"
 #include "tumble/recording.hpp"
 
 namespace tumble::tools {
 
-// Throws CLI::ValidationError if the name has no known extension, if the size is odd and the format needs an even one,
-// or if a GIF would need more memory than kMostGifBytes.
-void require_video(const RunOptions& options, const FrameSchedule& schedule);
+// The settings of a video with this name, an MP4 on standard output. Throws CLI::ValidationError if the name has no
+// known extension, or if a side of the frames is odd and the format needs even ones.
+VideoSettings video_settings(const std::filesystem::path& file, FrameSize size, double frames_per_second);
 
 // ffmpeg keeps all frames of a GIF until it knows the colours of the last one, at four bytes a pixel.
 inline constexpr double kMostGifBytes = 4e9;
 
-// Starts the encoder. The options must have passed require_video(). Throws RenderError and FileError.
-VideoWriter start_video(const RunOptions& options);
+// Throws CLI::ValidationError if a GIF would need more memory than kMostGifBytes.
+void require_memory(const VideoSettings& settings, std::uint64_t frames);
+
+// Creates the folder of the file and starts the encoder. Throws RenderError and FileError.
+VideoWriter start_video(const std::filesystem::path& file, const VideoSettings& settings);
 
 }  // namespace tumble::tools

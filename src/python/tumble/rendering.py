@@ -40,9 +40,9 @@ def render(
 
     The camera has its middle at `center` (world, m) and shows `view_height` m. Pass both to keep it still from frame to
     frame. What is left out is fitted, as by `fitted_camera`: to the bodies that are not static and the ground below them,
-    and to all static shapes if these do not make the frame much larger. `overlay` names what to show over the bodies: contacts,
-    normals, aabbs, islands, velocity, joints. Width and height are 16 to 8192 pixels. The same state gives the same
-    pixels on one machine.
+    and to all static shapes if these do not make the frame much larger. `overlay` names what to show over the bodies:
+    contacts, normals, aabbs, islands, velocity, joints, forces. Width and height are 16 to 8192 pixels. The same state
+    gives the same pixels on one machine.
     """
     world = world_of(what)
     size = whole(width, "width", 16, 8192), whole(height, "height", 16, 8192)

@@ -1,10 +1,12 @@
 #include "render/frame/overlay.hpp"
 
+#include <cstdio>
 #include <optional>
 #include <utility>
 #include <variant>
 
 #include "debug/check.hpp"
+#include "render/frame/forces.hpp"
 #include "render/frame/marks.hpp"
 #include "render/shapes/shape_primitives.hpp"
 #include "render/style/style.hpp"
@@ -19,6 +21,7 @@ constexpr Color kNormal{10, 115, 75};
 constexpr Color kBoxEdge{135, 85, 190};
 constexpr Color kVelocity{190, 85, 0};
 constexpr Color kJointLine{165, 30, 115};
+constexpr Color kForce{20, 120, 140};
 
 // Lengths in pixels at 720 rows.
 constexpr double kNormalLength = 20.0;
@@ -98,10 +101,18 @@ void add_overlay(DrawList& list, const View& view, const World& world, const Ove
     if (overlay.aabbs) add_boxes(marks, view, world);
     if (overlay.joints) add_joint_lines(marks, view, world);
     if (overlay.velocity) add_velocities(marks, view, world);
+    if (overlay.forces) add_forces(marks, view, world, kForce);
     if (overlay.contacts || overlay.normals) add_contacts(marks, view, world, overlay);
 }
 
 namespace {
+
+std::string force_legend(const View& view, const World& world) {
+    char text[80];
+    std::snprintf(text, sizeof text, "force of a contact: %.0f pixels are %g N", kForceLength * view.detail(),
+                  force_unit(world));
+    return text;
+}
 
 bool has_sensors(const World& world) {
     for (const BodyId body : world.bodies())
@@ -112,7 +123,7 @@ bool has_sensors(const World& world) {
 
 }  // namespace
 
-std::vector<LegendLine> legend_of(const Overlay& overlay, const World& world) {
+std::vector<LegendLine> legend_of(const Overlay& overlay, const View& view, const World& world) {
     using Mark = LegendLine::Mark;
     std::vector<LegendLine> lines;
     if (overlay.contacts) {
@@ -124,6 +135,7 @@ std::vector<LegendLine> legend_of(const Overlay& overlay, const World& world) {
     if (overlay.islands) lines.push_back({Mark::area, style::kBodies[0], "island: one colour each, pale if asleep"});
     if (overlay.velocity) lines.push_back({Mark::line, kVelocity, kVelocityLegend});
     if (overlay.joints) lines.push_back({Mark::line, kJointLine, "joint: lines to its bodies"});
+    if (overlay.forces) lines.push_back({Mark::line, kForce, force_legend(view, world)});
     if (!lines.empty() && has_sensors(world))
         lines.push_back({Mark::area, faded(style::kStatic, style::kSensorOpacity), "sensor"});
     return lines;

@@ -21,6 +21,6 @@ struct LegendLine {
 };
 
 // A line for each part of the overlay, and one for sensors if the world has any. Empty for an empty overlay.
-std::vector<LegendLine> legend_of(const Overlay& overlay, const World& world);
+std::vector<LegendLine> legend_of(const Overlay& overlay, const View& view, const World& world);
 
 }  // namespace tumble::render

@@ -27,7 +27,7 @@ struct Renderer::Impl {
                 const Overlay& overlay, const Marking& marking) {
         render::add_overlay(list, view, world, overlay);
         render::add_marking(list.overlay, view, world, marking);
-        text.legend = render::legend_of(overlay, world);
+        text.legend = render::legend_of(overlay, view, world);
         text.has_title = overlay.title;
         text.has_time = overlay.time;
         text.has_scale_bar = overlay.scale_bar;

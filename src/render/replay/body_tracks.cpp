@@ -31,12 +31,12 @@ std::size_t BodyTracks::shape_number(const Shape& shape) {
     return static_cast<std::size_t>(found - shapes_.begin());
 }
 
-void BodyTracks::add(const SceneWorld& built, std::size_t number) {
+void BodyTracks::add(const SceneWorld& built, std::size_t number, std::uint64_t step) {
     const SceneInstance& body = built.bodies[number];
     const World& world = built.world;
     ordinal_ = number > 0 && built.bodies[number - 1].source == body.source ? ordinal_ + 1 : 0;
     numbers_.emplace(body.id, static_cast<std::uint32_t>(number));
-    Track track{output_name(body, number), {}, {}, world.step_count(), {}, 0.0, PoseTrack(Pose{}, quantum_), {}};
+    Track track{output_name(body, number), {}, {}, step, {}, 0.0, PoseTrack(Pose{}, quantum_), {}};
     if (world.is_valid(body.id)) {
         const BodyMass mass = world.mass(body.id);
         track.type = world.type(body.id);
@@ -52,9 +52,9 @@ void BodyTracks::add(const SceneWorld& built, std::size_t number) {
     tracks_.push_back(std::move(track));
 }
 
-void BodyTracks::record(const SceneWorld& built) {
+void BodyTracks::record(const SceneWorld& built, std::uint64_t step) {
     const World& world = built.world;
-    while (tracks_.size() < built.bodies.size()) add(built, tracks_.size());
+    while (tracks_.size() < built.bodies.size()) add(built, tracks_.size(), step);
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
         const BodyId id = built.bodies[i].id;
         if (!world.is_valid(id)) continue;
@@ -63,7 +63,7 @@ void BodyTracks::record(const SceneWorld& built) {
         ++pose_count_;
         const bool was_asleep = track.asleep.size() % 2 == 1;
         const bool is_asleep = track.type == BodyType::dynamic_body && !world.is_awake(id);
-        if (is_asleep != was_asleep) track.asleep.push_back(world.step_count());
+        if (is_asleep != was_asleep) track.asleep.push_back(step);
     }
 }
 

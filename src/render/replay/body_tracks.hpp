@@ -19,7 +19,7 @@ class BodyTracks {
 public:
     BodyTracks(const Scene& scene, double pose_quantum) : palette_(scene), quantum_(pose_quantum) {}
 
-    void record(const SceneWorld& built);
+    void record(const SceneWorld& built, std::uint64_t step);
 
     std::size_t pose_count() const noexcept { return pose_count_; }
 
@@ -52,7 +52,7 @@ private:
         std::vector<std::uint64_t> asleep{};
     };
 
-    void add(const SceneWorld& built, std::size_t number);
+    void add(const SceneWorld& built, std::size_t number, std::uint64_t step);
     std::size_t shape_number(const Shape& shape);
 
     Palette palette_;

@@ -6,11 +6,12 @@
 
 namespace tumble::render {
 
-void CameraTrack::record(const Camera& camera, const World& world, const BodyNumbers& body_numbers) {
+void CameraTrack::record(const Camera& camera, const World& world, std::uint64_t step,
+                         const BodyNumbers& body_numbers) {
     View view{-1, camera.center, camera.height};
     const std::optional<std::uint32_t> followed = find_number(body_numbers, camera.follows);
     if (followed && world.is_valid(camera.follows)) view = {static_cast<int>(*followed), camera.offset, camera.height};
-    if (spans_.empty() || spans_.back().view != view) spans_.push_back({world.step_count(), view});
+    if (spans_.empty() || spans_.back().view != view) spans_.push_back({step, view});
 }
 
 nlohmann::ordered_json CameraTrack::to_json() const {

@@ -13,7 +13,7 @@ namespace tumble::render {
 class CameraTrack {
 public:
     // `camera` is that of the frame that shows the world's present state.
-    void record(const Camera& camera, const World& world, const BodyNumbers& body_numbers);
+    void record(const Camera& camera, const World& world, std::uint64_t step, const BodyNumbers& body_numbers);
 
     // For each view [from, follows, x, y, height]: the first step, the number of the body that the camera follows or
     // -1, and the center in world coordinates, or if it follows a body its offset from that body's position; m.

@@ -28,7 +28,7 @@ void JointTracks::append(Track& track, std::uint64_t step, DVec2 a, DVec2 b) con
     track.spans.back().until = step + 1;
 }
 
-void JointTracks::record(const SceneWorld& built, const BodyNumbers& body_numbers) {
+void JointTracks::record(const SceneWorld& built, std::uint64_t step, const BodyNumbers& body_numbers) {
     const World& world = built.world;
     tracks_.resize(built.joints.size());
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
@@ -44,7 +44,7 @@ void JointTracks::record(const SceneWorld& built, const BodyNumbers& body_number
             if (!number_a || !number_b) continue;
             track = {output_name(built.joints[i], i), *number_a, *number_b, wheels_of(world.joint(id))};
         }
-        append(track, world.step_count(), inverse_transform_point(world.state(a).pose, anchors->a),
+        append(track, step, inverse_transform_point(world.state(a).pose, anchors->a),
                inverse_transform_point(world.state(b).pose, anchors->b));
     }
 }

@@ -15,7 +15,7 @@ class JointTracks {
 public:
     explicit JointTracks(double pose_quantum) : tolerance_(pose_quantum) {}
 
-    void record(const SceneWorld& built, const BodyNumbers& body_numbers);
+    void record(const SceneWorld& built, std::uint64_t step, const BodyNumbers& body_numbers);
 
     // For each joint with anchors between bodies of the scene: `name`, `a` and `b` (numbers of bodies), `wheels` of a
     // pulley (world coordinates), and `spans`: [from, until, x and y of the anchor in A, in B], `until` not included.

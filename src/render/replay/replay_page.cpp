@@ -11,7 +11,7 @@
 namespace tumble::render {
 
 // Made from the files in page/ by CMake.
-extern const std::string_view kReplayPageText;
+extern const std::string_view kReplayPageText, kPairPageText;
 
 namespace {
 
@@ -37,6 +37,12 @@ std::string replaced(std::string_view text, std::string_view mark, std::string_v
 std::string replay_page(std::string_view states, std::string_view contacts) {
     const std::string with_states = replaced(kReplayPageText, "%STATES%", base64(deflated(states)));
     return replaced(with_states, "%CONTACTS%", contacts.empty() ? "" : base64(deflated(contacts)));
+}
+
+std::string pair_page(std::string_view states_a, std::string_view states_b, std::string_view numbers) {
+    std::string page = replaced(kPairPageText, "%STATES_A%", base64(deflated(states_a)));
+    page = replaced(page, "%STATES_B%", base64(deflated(states_b)));
+    return replaced(page, "%NUMBERS%", base64(deflated(numbers)));
 }
 
 }  // namespace tumble::render

@@ -10,4 +10,7 @@ namespace tumble::render {
 // they contain out of the markup.
 std::string replay_page(std::string_view states, std::string_view contacts);
 
+// The page of two runs; `numbers` is JSON, see pair_json().
+std::string pair_page(std::string_view states_a, std::string_view states_b, std::string_view numbers);
+
 }  // namespace tumble::render

@@ -9,6 +9,7 @@
 #include "render/replay/event_marks.hpp"
 #include "render/replay/header_json.hpp"
 #include "render/replay/joint_tracks.hpp"
+#include "render/replay/pair_json.hpp"
 #include "render/replay/replay_page.hpp"
 #include "render/style/style.hpp"
 #include "tumble/recording.hpp"
@@ -33,7 +34,7 @@ struct ReplayRecorder::Impl {
           joints(quantum),
           contacts(quantum) {}
 
-    void record(const SceneWorld& built, const Camera& camera) {
+    void record(const SceneWorld& built, const Camera& camera, std::uint64_t step) {
         const World& world = built.world;
         whole = whole && bodies.pose_count() + world.bodies().size() <= settings.most_poses;
         if (!whole) return;
@@ -41,16 +42,16 @@ struct ReplayRecorder::Impl {
             const std::vector<ContactPoint> points = world.contacts();
             whole = contacts.cost() + points.size() <= settings.most_contact_points;
             if (!whole) return;
-            bodies.record(built);
+            bodies.record(built, step);
             contacts.record(world, points, bodies.numbers());
         } else {
-            bodies.record(built);
+            bodies.record(built, step);
         }
-        joints.record(built, bodies.numbers());
-        views.record(camera, world, bodies.numbers());
+        joints.record(built, step, bodies.numbers());
+        views.record(camera, world, step, bodies.numbers());
         broken.record(built);
         conditions.record(built);
-        last_step = world.step_count();
+        last_step = step;
     }
 
     nlohmann::ordered_json claim_json(const ReplayClaim& claim) const {
@@ -103,6 +104,14 @@ struct ReplayRecorder::Impl {
         return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     }
 
+    // As format 2 has them.
+    std::string states(std::span<const ReplayClaim> claims, bool complete) const {
+        const std::string json = header(claims, complete);
+        std::string bytes;
+        render::append_varint(bytes, json.size());
+        return bytes + json + bodies.pose_bytes();
+    }
+
     std::string name;  // of the scene, which may be gone when the page is made
     double steps_per_second;
     std::vector<render::EventMark> timeline;
@@ -124,17 +133,25 @@ ReplayRecorder::~ReplayRecorder() = default;
 ReplayRecorder::ReplayRecorder(ReplayRecorder&&) noexcept = default;
 ReplayRecorder& ReplayRecorder::operator=(ReplayRecorder&&) noexcept = default;
 
-void ReplayRecorder::record(const SceneWorld& built, const Camera& camera) { impl_->record(built, camera); }
+void ReplayRecorder::record(const SceneWorld& built, const Camera& camera) {
+    impl_->record(built, camera, built.world.step_count());
+}
+
+void ReplayRecorder::record_as(std::uint64_t step, const SceneWorld& built, const Camera& camera) {
+    impl_->record(built, camera, step);
+}
 
 bool ReplayRecorder::is_whole() const noexcept { return impl_->whole; }
 
 std::string ReplayRecorder::page(std::span<const ReplayClaim> claims, bool complete) const {
-    const std::string header = impl_->header(claims, complete);
-    std::string states;
-    render::append_varint(states, header.size());
-    states += header;
-    states += impl_->bodies.pose_bytes();
-    return render::replay_page(states, impl_->settings.contacts ? impl_->contacts.bytes() : std::string());
+    return render::replay_page(impl_->states(claims, complete),
+                               impl_->settings.contacts ? impl_->contacts.bytes() : std::string());
+}
+
+std::string pair_page(const ReplayPair& pair) {
+    return render::pair_page(
+        pair.a.impl_->states({}, true), pair.b.impl_->states({}, true),
+        render::pair_json(pair).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 }  // namespace tumble

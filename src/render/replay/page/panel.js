@@ -3,21 +3,6 @@
 const TYPES = ["static", "kinematic", "dynamic"];
 const ROW = 30;  // px
 
-function byId(id) { return document.getElementById(id); }
-
-function element(tag, className, text) {
-  const made = document.createElement(tag);
-  if (className) made.className = className;
-  if (text !== undefined) made.textContent = text;
-  return made;
-}
-
-// Three digits after the point, without "-0.000".
-function fixed(value, digits = 3) {
-  const text = value.toFixed(digits);
-  return Number(text) === 0 ? (0).toFixed(digits) : text;
-}
-
 const degrees = (radians) => radians / TURN * 360;
 const QUANTITIES = [
   { id: "y", text: "y, m", of: (run, body, step) => run.pose(body, step).y },
@@ -45,8 +30,7 @@ class Panel {
       if (row) player.choose(Number(row.dataset.body), true);
     });
     for (const tab of document.querySelectorAll("#tabs button")) tab.addEventListener("click", () => this.show(tab.dataset.list));
-    byId("plot").addEventListener("pointerdown", (event) => this.seekInPlot(event));
-    byId("plot").addEventListener("pointermove", (event) => { if (event.buttons) this.seekInPlot(event); });
+    this.timePlot = new TimePlot(byId("plot"), this.run.last_step, (step) => player.seek(step));
     this.list("claims", this.run.claims, (claim) => this.claimItem(claim), "The scene makes no claims.");
     this.list("events", this.run.events, (event) => this.eventItem(event), "No events of a timeline, no broken joints.");
     const failed = this.run.claims.filter((claim) => !claim.passed).length;
@@ -147,48 +131,16 @@ class Panel {
     return list.length === 0 ? "nothing" : list.slice(0, most).join(", ") + (list.length > most ? ` and ${list.length - most} more` : "");
   }
 
+  // The values of the chosen quantity at the steps in which a body exists.
   series(number) {
     const quantity = QUANTITIES.find((one) => one.id === byId("quantity").value), body = this.run.bodies[number];
-    if (this.plotted?.number !== number || this.plotted.quantity !== quantity) {
-      const values = Float64Array.from({ length: body.count }, (_, i) => quantity.of(this.run, number, body.from + i));
-      const low = values.reduce((a, b) => Math.min(a, b), Infinity), high = values.reduce((a, b) => Math.max(a, b), -Infinity);
-      this.plotted = { number, quantity, values, low, high };
-    }
+    if (this.plotted?.number !== number || this.plotted.quantity !== quantity)
+      this.plotted = { number, quantity, from: body.from, values: Float64Array.from({ length: body.count }, (_, i) => quantity.of(this.run, number, body.from + i)) };
     return this.plotted;
   }
 
   plot(number, step) {
-    const canvas = byId("plot"), ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
-    canvas.width = width * ratio;
-    canvas.height = height * ratio;
-    const context = canvas.getContext("2d"), { values, low, high } = this.series(number), body = this.run.bodies[number];
-    const theme = this.player.painter.theme, pad = 16, range = high > low ? high - low : 1;
-    const toX = (k) => k / Math.max(1, this.run.last_step) * width;
-    const toY = (value) => high > low ? height - pad - (value - low) / range * (height - 2 * pad) : height / 2;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.strokeStyle = theme.rule;
-    context.strokeRect(0.5, 0.5, width - 1, height - 1);
-    if (this.curve?.of !== values || this.curve.width !== width || this.curve.height !== height) {
-      this.curve = { of: values, width, height, path: new Path2D() };
-      values.forEach((value, i) => this.curve.path.lineTo(toX(body.from + i), toY(value)));
-    }
-    context.strokeStyle = theme.accent;
-    context.lineWidth = 1.5;
-    context.stroke(this.curve.path);
-    context.fillStyle = theme.faint;
-    context.fillRect(Math.round(toX(step)), 0, 1, height);
-    context.font = "11px system-ui, sans-serif";
-    context.fillText(fixed(high, 2), 4, 12);
-    context.fillText(fixed(low, 2), 4, height - 4);
-    if (!this.run.exists(number, step)) return;
-    context.beginPath();
-    context.arc(toX(step), toY(values[step - body.from]), 3.5, 0, TURN);
-    context.fillStyle = theme.accent;
-    context.fill();
-  }
-
-  seekInPlot(event) {
-    const box = byId("plot").getBoundingClientRect();
-    this.player.seek((event.clientX - box.left) / box.width * this.run.last_step);
+    const theme = this.player.painter.theme;
+    this.timePlot.draw(theme, [{ ...this.series(number), color: theme.accent }], step);
   }
 }

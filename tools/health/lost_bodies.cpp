@@ -1,4 +1,4 @@
-#include "tools/run/lost_bodies.hpp"
+#include "tools/health/lost_bodies.hpp"
 
 #include <cstddef>
 #include <vector>
