@@ -7,7 +7,7 @@
 
 namespace tumble::render {
 
-inline constexpr double kForceLength = 40.0;  // pixels at 720 rows, of an arrow of force_unit()
+inline constexpr double kForceLength = 16.0;  // pixels at 720 rows, of an arrow of force_unit()
 
 // A round number near the mean weight of the dynamic bodies, at least 1e-9 N: it changes only if their mass does.
 double force_unit(const World& world);
