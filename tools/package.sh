@@ -4,7 +4,7 @@
 #   tools/package.sh           prints the name of the package
 #   tools/package.sh --test    also unpacks it elsewhere and tests what it contains; installs nothing
 #   tools/package.sh --bare    also installs it with apt in a bare Debian 12, which it makes for that, and runs the program
-#                              there. Needs the mirror of this machine's apt, and root or user namespaces
+#                              there. Needs Debian 12 among the sources of apt, and root or user namespaces
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
@@ -74,8 +74,8 @@ explain_failure() {
     step=$(sed -n 's/^step: //p' "$1" | tail -n 1)
     tail -n 15 "$1" >&2
     [[ -z $step ]] || die "in a bare Debian this step failed: $step. All output is in $1"
-    die "could not make a bare Debian, so that nothing was tested: that needs root or user namespaces, and the mirror of" \
-        "this machine's apt. All output is in $1"
+    die "could not make a bare Debian, so that nothing was tested: that needs root or user namespaces, and Debian" \
+        "12 among the sources of apt. All output is in $1"
 }
 
 if [[ $1 == --bare ]]; then

@@ -50,7 +50,7 @@ test_packages=(
     'dpkg-dev:finds the packages that the .deb depends on'
     'file:tells the package builder which files are programs'
     'mmdebstrap:makes a bare Debian, to install the package in'
-    'uidmap:makes it without root'
+    'uidmap:lets mmdebstrap work without root'
     'man-db:reads the manual page of the package'
     'zsh:reads the completions for zsh'
     'fish:reads the completions for fish'

@@ -17,7 +17,7 @@
 # tools/test.sh --full [STAGE...] does the same with a million pairs of each parity family, ten minutes for each fuzz
 # target, the tests of the world and ten thousand random worlds with sanitizers, a thousand on several threads, long
 # searches and a hundred thousand random sequences of calls in Python, and its API reference; it also installs the Debian
-# package in a bare Debian 12, with packages from the mirror of this machine's apt.
+# package in a bare Debian 12, with packages from the sources of apt.
 set -euo pipefail
 
 project=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)

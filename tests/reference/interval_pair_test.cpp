@@ -90,7 +90,7 @@ TEST_CASE("in every family the intervals contain the exact separations and dista
         CHECK(20 * total.undecided < total.numbers);
         largest = std::max(largest, total.largest_error);
     }
-    CHECK(largest > 0.5 / 16);
+    if (is_every_family_selected()) CHECK(largest > 1.0 / 32);  // u S: rounding errors are seen
     MESSAGE("largest error " << 32 * largest << " u S, of 16 derived");
 }
 

@@ -69,9 +69,6 @@ bool come_near(DVec2 offset, DVec2 path, double distance) {
 // A pair that needs longer than this part of a step from its chords to its parabolas only grazes.
 constexpr double kLongestDelay = 0.1;
 
-// Of the smaller extent of two shapes that are left alone after an impact. Beyond a half they may pass through.
-constexpr double kDeepestSink = 0.1;
-
 // One of the two bodies of a pair, from the time at which both have their motion ahead.
 struct Side {
     const ShapeRecord& shape;

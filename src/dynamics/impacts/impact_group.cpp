@@ -23,11 +23,11 @@ double tolerance(double restitution) {
     return kElasticTolerance + (kInelasticTolerance - kElasticTolerance) * square * square;
 }
 
-// The passes of n layers after which their changes must have halved: k (n + 1). The slowest of IMPACTS.md, step 8,
-// halve in 0.25 n + 1.
+// The changes must have halved after this many times n + 1 passes, for a group of depth n. The slowest rows of
+// IMPACTS.md, step 8, need 0.25 n + 1 passes for that.
 constexpr int kPassesPerLayer = 8;
 
-// A pass that changes a speed by this part of the fastest approach is one of many that each change it more.
+// The passes diverge if one of them changes a speed by more than this multiple of the fastest approach.
 constexpr double kRunawayChange = 1e9;
 
 // A hold that is not complete leaves an overlap to the next step.
@@ -185,7 +185,7 @@ private:
     };
 
     // The impulses x >= 0 of two paired rows after which no speed w is negative, and x w = 0: both push, or one, or
-    // none.
+    // none. For one alone its friction is taken into account.
     PairImpulses find_normals(const ImpactRow& first, const ImpactRow& second, Twist ImpactBody::*target) {
         const ImpactDirection &d1 = first.normal, &d2 = second.normal;
         const double m1 = d1.mass, m2 = d2.mass, k = first.coupling;

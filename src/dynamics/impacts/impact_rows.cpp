@@ -18,8 +18,7 @@ double speed_along(DVec2 axis, double across_a, double across_b, const Twist& a,
 
 // The velocity of B's point against A's along the normal.
 double normal_speed(const ImpactPoint& point, const Twist& a, const Twist& b) {
-    const double across_a = cross(point.arm_a, point.normal), across_b = cross(point.arm_b, point.normal);
-    return dot(b.linear - a.linear, point.normal) + b.angular * across_b - a.angular * across_a;
+    return speed_along(point.normal, cross(point.arm_a, point.normal), cross(point.arm_b, point.normal), a, b);
 }
 
 // What a unit impulse adds to the velocity of a body.

@@ -18,7 +18,8 @@ double find_point_impulse(const PointResponse& response, double normal_speed, do
     TUMBLE_CHECK(a > 0.0);
     if (normal_speed >= 0.0) return 0.0;
 
-    // The sliding goes on in its direction; a point at rest starts to slide as normal impulses push it.
+    // The sliding goes on in its direction. For a point at rest the sign only makes the last case slide as normal
+    // impulses push it.
     const bool slides_forward = tangent_speed > 0.0 || (tangent_speed == 0.0 && c < 0.0);
     const double sliding = slides_forward ? -friction : friction;
     if (const double effect = a + sliding * c; effect > 0.0) {

@@ -28,14 +28,14 @@ inline std::optional<int> compare(Interval x, Interval y) {
 }
 
 // Of the exact sum. With u the unit roundoff, n - 1 additions of n numbers x round by at most (n - 1) u sum |x|, to
-// first order.
+// first order. Two more for the terms of second order and the rounding of the ends.
 inline Interval interval_sum(std::initializer_list<double> values) {
     long double sum = 0.0L, magnitude = 0.0L;
     for (const long double value : values) {
         sum += value;
         magnitude += std::abs(value);
     }
-    return interval_about(sum, static_cast<long double>(values.size()) * kLongRoundoff * magnitude);
+    return interval_about(sum, static_cast<long double>(values.size() + 1) * kLongRoundoff * magnitude);
 }
 
 }  // namespace tumble::reference
