@@ -141,7 +141,8 @@ private:
     // True if the body moves as the shape that it meets, up to rounding: it touches that all the time.
     bool is_carried() const {
         const double time = from_ + first_.fraction * (to_ - from_);
-        const DVec2 path = sweep_.end - sweep_.start - (to_ - from_) * surface_path(time);
+        const DVec2 chord = sweep_.end - sweep_.start, arm = first_.point - (sweep_.start + first_.fraction * chord);
+        const DVec2 path = chord + sweep_.turn * perp(arm) - (to_ - from_) * surface_path(time);
         const float extent = simulation_.bodies.records[body_].motion.smallest_extent;
         return std::abs(dot(path, first_.normal)) <= kCoreTolerance * static_cast<double>(extent);
     }

@@ -30,6 +30,9 @@ constexpr int kPassesPerLayer = 8;
 // The passes diverge if one of them changes a speed by more than this multiple of the fastest approach.
 constexpr double kRunawayChange = 1e9;
 
+// Of the fastest approach: a contact that still has this part of it after the passes is jammed by friction.
+constexpr double kJammedPart = 0.1;
+
 // A hold that is not complete leaves an overlap to the next step.
 constexpr int kMaxHoldPasses = 50;
 
@@ -53,9 +56,9 @@ public:
         do {
             begin_round();
             is_settled = settle();
-            if (!is_settled && work() > 0.0) {
+            if (is_settled ? is_jammed() : work() > 0.0) {
                 begin_again_without_friction();
-                is_settled = settle();
+                is_settled = settle() && !is_jammed();
             }
             bounce();
         } while (is_settled && group_.work < kMaxImpactWork && has_impact());
@@ -96,12 +99,21 @@ private:
             double largest = 0.0;
             for (int i = 0; i < passes; ++i) {
                 largest = pass();
-                if (!(largest > tolerance_ * fastest_) || group_.work >= kMaxImpactWork) return true;
-                if (!(largest < kRunawayChange * fastest_)) return false;
+                if (!(largest > tolerance_ * fastest_)) return true;
+                if (group_.work >= kMaxImpactWork || !(largest < kRunawayChange * fastest_)) return false;
             }
             if (largest > 0.5 * before) return false;
             before = largest;
         }
+    }
+
+    // True if a contact that only keeps its bodies apart is approached although the passes have settled.
+    bool is_jammed() {
+        return std::ranges::any_of(group_.rows, [&](const ImpactRow& row) {
+            const double least = std::max(kJammedPart * fastest_, point(row).threshold);
+            return row.restitution == 0.0 && row.normal.mass > 0.0 &&
+                   speed(row, row.normal, &ImpactBody::change) < -least;
+        });
     }
 
     bool has_impact() const {
