@@ -14,10 +14,10 @@ using test::near;
 
 namespace {
 
-// A box of 2 kg at rest on a static floor at y = 1, the floor created first or last, under 10 m/s^2.
-World resting_box(bool floor_first) {
+// A box of 2 kg at rest on a static floor at y = 1, the floor created first or last, under a gravity of 10 m/s^2.
+World resting_box(bool floor_first, Vec2 gravity = {0.0f, -10.0f}) {
     WorldDef def;
-    def.gravity = {0.0f, -10.0f};
+    def.gravity = gravity;
     World world(def);
     const auto add_floor = [&] {
         BodyDef floor;
@@ -60,6 +60,28 @@ TEST_CASE("the arrows of a resting body point upwards, and add up to its weight"
         }
         // To 1 % of the weight: the box changes its velocity by less than 2 mm/s in a step.
         CHECK(near(length, render::kForceLength * 20.0 / unit, absolute(0.01 * render::kForceLength * 20.0 / unit)));
+    }
+}
+
+TEST_CASE("the arrows of a body that friction holds add up to the opposite of its weight") {
+    for (const bool floor_first : {true, false}) {
+        CAPTURE(floor_first);
+        // As on a slope: 10 m/s^2, of which 2.8 along the floor, less than the friction of 0.6 holds.
+        const World world = resting_box(floor_first, {-2.8f, -9.6f});
+        const render::View view = render::make_view({{0.0, 1.0}, 8.0}, 1280, 720);
+        render::Layer layer;
+        render::Marks marks(layer, view);
+        render::add_forces(marks, view, world, {});
+        REQUIRE(layer.boxes.size() == 6);
+        double right = 0.0, up = 0.0;  // pixels
+        for (const std::size_t i : {0u, 3u}) {
+            const render::BoxInstance& line = layer.boxes[i];
+            right += 2.0 * line.half_x * line.axis_x;
+            up += 2.0 * line.half_x * line.axis_y;
+        }
+        const double weight = render::kForceLength * 20.0 / render::force_unit(world);
+        CHECK(near(right, 0.28 * weight, absolute(0.01 * weight)));
+        CHECK(near(up, 0.96 * weight, absolute(0.01 * weight)));
     }
 }
 

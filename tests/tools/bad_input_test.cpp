@@ -152,10 +152,11 @@ TEST_CASE("an option without effect is a warning, and an existing file is refuse
     CHECK(run_tumble({"run", scene, "--no-frames", "-o", out, "--trajectory", there}).code == 4);
     CHECK_FALSE(std::filesystem::exists(out));
     const Answer idle =
-        run_tumble({"run", scene, "--no-frames", "-o", out, "--fps", "3", "--overlay", "contacts, all"});
+        run_tumble({"run", scene, "--no-frames", "-o", out, "--fps", "3", "--jobs", "2", "--overlay", "contacts, all"});
     CHECK(idle.code == 0);
     CHECK(idle.err.find("--fps has no effect with --no-frames") != std::string::npos);
     CHECK(idle.err.find("--overlay has no effect") != std::string::npos);
+    CHECK(idle.err.find("--jobs has no effect") != std::string::npos);
     CHECK(idle.err.find("--size") == std::string::npos);
 }
 

@@ -163,7 +163,8 @@ TEST_CASE("the page of compare plays both runs, with their own poses and the num
                 const pose = p.runs[i].pose(0, 50), [x, y] = p.camera.pixels(pose.x + 0.2, pose.y + 0.2), canvas = p.canvas(i);
                 return [...canvas.getContext("2d").getImageData(x * p.painters[i].ratio, y * p.painters[i].ratio, 1, 1).data];
               };
-              return [pixel(0), pixel(1)]; })",
+              const ground = [...p.canvas(0).getContext("2d").getImageData(1, 1, 1, 1).data];
+              return [pixel(0), pixel(1), ground]; })",
          R"({ return document.querySelectorAll("img, script").length; })"});
     // Free fall for 1 s from 10 m; Box2D is g h t / 2 = 0.05 m below. Poses are within half a millimetre, as float.
     CHECK(found[0][0] == 100);
@@ -180,6 +181,7 @@ TEST_CASE("the page of compare plays both runs, with their own poses and the num
     CHECK(found[3][0] == found[0][4]);
     CHECK(found[3][1].get<double>() > found[3][0].get<double>());
     CHECK(found[4][0] == found[4][1]);  // the colour of the ball where each run has it
+    CHECK(found[4][0] != found[4][2]);
     CHECK(found[5] == 4);
 }
 

@@ -1,7 +1,9 @@
 // Frames that are drawn on several threads.
 #include <doctest/doctest.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -17,10 +19,10 @@ namespace {
 
 const std::string kCatapult = TUMBLE_SOURCE_DIR "/scenes/catapult.json";
 
-// A catapult has trails, and a stone that leaves it.
+// A catapult has trails, and a stone that leaves it. The overlay shows contacts, islands and joints too.
 std::vector<std::string> catapult(const fs::path& folder, const std::string& jobs, std::vector<std::string> more = {}) {
-    std::vector<std::string> arguments{"run",    kCatapult, "-o", folder.string(), "--size",
-                                       "160x90", "--fps",   "12", "--jobs",        jobs};
+    std::vector<std::string> arguments{"run", kCatapult, "-o", folder.string(), "--size", "160x90", "--fps",
+                                       "12",  "--jobs",  jobs, "--overlay",     "all"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -58,6 +60,22 @@ TEST_CASE("a run of several drawing threads continues from its checkpoint with t
     if (code == 130) REQUIRE(run_tumble(catapult(folder / "parts", "3", {"--resume"})).code == 0);
     for (const fs::directory_entry& frame : fs::directory_iterator(folder / "whole/frames"))
         CHECK(read_text(folder / "parts/frames" / frame.path().filename()) == read_text(frame.path()));
+}
+
+TEST_CASE("a run that diverges leaves the frames before, on one drawing thread and on several") {
+    const Folder folder;
+    const std::string scene = folder.write(
+        "scene.json", R"({"format": 1, "name": "mote", "world": {"duration": 1, "gravity": [0, 0]}, "bodies": [
+            {"name": "mote", "mass": {"mass": 1e-30, "inertia": 0}, "shapes": [{"circle": {"radius": 0.5}}]}],
+            "timeline": [{"at": 0.5, "body": "mote", "impulse": [1e12, 0]}]})");
+    std::vector<std::ptrdiff_t> frames;
+    for (const std::string jobs : {"1", "5"}) {
+        const std::string out = (folder / jobs).string();
+        CHECK(run_tumble({"run", scene, "-o", out, "--size", "64x36", "--jobs", jobs}).code == 6);
+        frames.push_back(std::distance(fs::directory_iterator(folder / jobs / "frames"), {}));
+    }
+    CHECK(frames[0] > 29);
+    CHECK(frames[1] == frames[0]);
 }
 
 TEST_CASE("drawing threads that cannot draw leave the results of an earlier run") {

@@ -70,6 +70,7 @@ TEST_CASE("slow motion of several parts reaches the last step, and a part after 
         before = schedule.step_of_frame(frame);
     }
     CHECK(before == 500);
+    CHECK_FALSE(FrameSchedule{1.0, 50.0, 500.0, {{2.0, 3.0, 0.01}}}.repeats_frames());
     // A part that the end of the run cuts: 0.5 s, and 0.5 s at half the speed.
     CHECK(FrameSchedule{1.0, 50.0, 500.0, {{0.5, 2.0, 0.5}}}.frame_count() == 76);
 }

@@ -1,4 +1,4 @@
-// `tumble compare`: two runs, or a scene in tumble and in Box2D, side by side: a page, a table, frames.
+// `tumble compare`: two runs, or a scene in tumble and in Box2D, side by side: a page, a table, frames, a video.
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -96,10 +96,11 @@ std::string text_report(const CompareArguments& options, const ComparedRuns& run
     std::string text = runs.name_a + " beside " + runs.name_b + "\n";
     for (const std::string& note : runs.notes) text += "  Box2D: " + note + "\n";
     text += to_text(runs.comparison, tolerance_of(options));
-    for (const std::filesystem::path& file : {options.page, options.csv, options.video})
+    for (const std::filesystem::path& file : {options.page, options.csv})
         if (!file.empty()) text += file.string() + "\n";
-    if (frames > 0 && !options.frames.empty())
-        text += options.frames.string() + ": " + std::to_string(frames) + " frames\n";
+    if (frames == 0) return text;
+    if (!options.video.empty()) text += options.video.string() + "\n";
+    if (!options.frames.empty()) text += options.frames.string() + ": " + std::to_string(frames) + " frames\n";
     return text;
 }
 
@@ -149,10 +150,10 @@ void add_compare(CLI::App& app, Command& command) {
     compare_app.add_option("--engine", options->engine, "Simulate the scene A also in this engine: box2d")
         ->check(CLI::IsMember({"box2d"}));
     add_change_options(compare_app, options->changes, "the scene B, or of A with --engine");
-    allow_standard_output(
-        *compare_app
-             .add_option("-o,--output", options->page, "Write an HTML page with pictures, plots and differences")
-             ->type_name("F.html"));
+    allow_standard_output(*compare_app
+                               .add_option("-o,--output", options->page,
+                                           "Write an HTML page that plays both, with pictures, plots and differences")
+                               ->type_name("F.html"));
     allow_standard_output(
         *compare_app.add_option("--csv", options->csv, "Write the differences and both energies of each step")
              ->type_name("F.csv"));

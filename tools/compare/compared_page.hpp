@@ -1,4 +1,4 @@
-// The page of a comparison: where two runs part, how far they are apart, both energies, and pictures of both.
+// The page of a comparison: both runs in motion, where they part, how far they are apart, their energies, and pictures.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tumble::tools {
 
-// A step that a page shows, and why: "start", "they part".
+// A step that a page shows, and why: "start", "first difference".
 struct Moment {
     std::uint64_t step = 0;
     std::string what;

@@ -36,8 +36,8 @@ std::string compared_player(const CompareInputs& inputs, const ComparedRuns& run
         if (step.step > 0) camera = move_camera(camera, *sources.a->scene(), *a);
         recorded_a.record_as(step.step, *a, camera);
         recorded_b.record_as(step.step, *b, camera);
+        if (!recorded_a.is_whole() || !recorded_b.is_whole()) return "";
     }
-    if (!recorded_a.is_whole() || !recorded_b.is_whole()) return "";
     return pair_page(described(recorded_a, recorded_b, sources.a->scene()->name, runs));
 }
 

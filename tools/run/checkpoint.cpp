@@ -177,12 +177,12 @@ std::string settings_of(const RunOptions& options) {
     std::string text = "no frames";
     if (!options.no_frames) {
         append_number(text = "frames ", options.frames_per_second);
+        text += "/s " + std::to_string(options.size.width) + "x" + std::to_string(options.size.height);
         for (const SlowMotion& part : options.slow) {
             append_number(text += " slow ", part.from);
             append_number(text += ":", part.to);
             append_number(text += ":", part.speed);
         }
-        text += "/s " + std::to_string(options.size.width) + "x" + std::to_string(options.size.height);
         for (const OverlayPart& part : kOverlayParts)
             if (options.overlay.*part.member) text += " " + std::string(part.name);
         for (const OverlayPart& part : kFrameParts)

@@ -31,7 +31,8 @@ double FrameSchedule::speed_of_frame(std::uint64_t frame) const noexcept { retur
 
 bool FrameSchedule::repeats_frames() const noexcept {
     double slowest = 1.0;
-    for (const SlowMotion& part : slow) slowest = std::min(slowest, part.speed);
+    for (const SlowMotion& part : slow)
+        if (part.from < duration) slowest = std::min(slowest, part.speed);
     return frames_per_second > slowest * steps_per_second * (1.0 + kRounding);
 }
 

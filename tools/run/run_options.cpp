@@ -222,7 +222,7 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
         if (subcommand.count("--video") + subcommand.count("--raw-video") > 0) return;
-        warn_of_unused(subcommand, {"--overlay", "--hide"}, "--no-frames");
+        warn_of_unused(subcommand, {"--overlay", "--hide", "--jobs"}, "--no-frames");
         if (subcommand.count("--report") == 0) warn_of_unused(subcommand, {"--renderer"}, "--no-frames");
         if (subcommand.count("--masks") + subcommand.count("--depth-order") + subcommand.count("--boxes") > 0) return;
         warn_of_unused(subcommand, {"--fps", "--slow"}, "--no-frames");

@@ -69,9 +69,8 @@ void add_renderer_option(CLI::App& subcommand, RenderBackend& renderer);
 void add_threads_option(CLI::App& subcommand, int& threads);
 
 // -o, --duration, --fps, --slow, --size, --no-frames, --overlay, --hide, --renderer, --trajectory, --contacts,
-// --hashes,
-// --replay, --report, --fail-on-findings, --video, --raw-video, --masks, --depth-order, --boxes, --checkpoint,
-// --resume, --threads, --jobs, --force
+// --hashes, --replay, --report, --fail-on-findings, --video, --raw-video, --masks, --depth-order, --boxes,
+// --checkpoint, --resume, --threads, --jobs, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 
 }  // namespace tumble::tools

@@ -51,6 +51,9 @@ public:
     // After an error: writes what the report has so far.
     void write_report(const std::string& error);
 
+    // After an error of a step: waits for the frames before it. Throws what drawing or writing them throws.
+    void finish_frames();
+
     // After an error: leaves the tables as far as they are written if there is a checkpoint that refers to them.
     void leave_tables();
     const RunReport& report() const noexcept { return report_; }
@@ -277,6 +280,10 @@ void Simulation::write_report(const std::string& error) {
     if (health_ && !report_.health) finish_health("The run ended with an error: " + error);
 }
 
+void Simulation::finish_frames() {
+    if (frames_) frames_->finish_frames();
+}
+
 void Simulation::update_report() {
     report_.steps = run_.world().step_count();
     report_.timed_steps = report_.steps - first_step_;
@@ -320,11 +327,16 @@ void Simulation::write_summary() {
 // After an error. `diverged` is its message if the simulation diverged: the report then shows how it came to that.
 void save_what_is_done(Simulation& simulation, const std::string& diverged) {
     simulation.leave_tables();
+    // The first error is reported; one of these files would hide it.
     try {
         if (!diverged.empty()) simulation.write_report(diverged);
         simulation.write_summary();
     } catch (const FileError&) {
-        // The first error is reported; that of these files would hide it.
+    }
+    try {
+        if (!diverged.empty()) simulation.finish_frames();
+    } catch (const FileError&) {
+    } catch (const RenderError&) {
     }
 }
 
