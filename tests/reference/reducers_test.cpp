@@ -187,6 +187,21 @@ TEST_CASE("the answers of every subalgorithm to the regression cases are right a
     }
 }
 
+// The nearest vertex joins two edges of A - B that are in line within 2e-8 rad. |v| is the same within rounding at the
+// vertex, on either edge and on the chord over both, but the direction of one edge alone proves it.
+TEST_CASE("the lower bound is tight at the corner of two edges that are almost in line") {
+    const PairFamily* family = find_pair_family("almost_parallel");
+    REQUIRE(family);
+    for (const std::uint64_t index : {194414, 246018}) {
+        const PairQuery query = family->generate(kSeed, index);
+        const ExactDistance exact(query);
+        for (const Method& method : kMethods) {
+            INFO("pair " << index << " by " << method.name);
+            CHECK(fit_of(query, method.answer(query), exact) == BoundsFit::near);
+        }
+    }
+}
+
 TEST_CASE("the certificates of outlines of 65 532 vertices are accepted, by every subalgorithm and in a batch") {
     const Shape large = Shape::from_raw(lattice_polygon(16383), 0.0f), box = make_box({1.0f, 1.0f}, 0.1f);
     REQUIRE(large.vertex_count() == 65532);

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "debug/check.hpp"
 #include "narrow/distance/measure_cores.hpp"
 #include "narrow/distance/witness.hpp"
@@ -161,14 +163,8 @@ GjkResult exhaustive_search(const CorePair& pair, GjkResult stopped) {
     GjkResult result = stopped;
     result.simplex = nearest_simplex(pair);
     result.closest = VoronoiRegions::reduce(pair, result.simplex);
-    if (result.closest.contains_origin) return result;
-    const MinkowskiSupport found = support(pair, result.closest.direction);
-    result.height = found.height;
-    if (result.simplex.count != 1 || holds(result.simplex, found.vertex.key)) return result;
-    Simplex edge = result.simplex;
-    add(edge, found.vertex);
-    const Closest closest = VoronoiRegions::reduce(pair, edge);
-    return with_better_proof(pair, result, edge, closest);
+    result.height = std::numeric_limits<double>::infinity();  // nothing is proved yet
+    return with_better_proof<VoronoiRegions>(pair, result, result.simplex, result.closest);
 }
 
 }  // namespace tumble
