@@ -4,12 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "process.hpp"
@@ -205,8 +203,9 @@ TEST_CASE("the video of compare has one frame for each time, and Ctrl-C complete
     tumble::test::Process process(
         tumble::test::tumble_command({"compare", scene, scene, "--set", "/world/duration=300", "--duration", "300",
                                       "--video", long_video.string(), "--fps", "100", "--size", "400x100"}));
-    REQUIRE(tumble::test::wait_for_encoder(long_video, process) > 0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const int encoder = tumble::test::wait_for_encoder(long_video, process);
+    REQUIRE(encoder > 0);
+    REQUIRE(tumble::test::wait_for_frames(encoder, 3 * 804 * 330 * 5));
     process.send_signal(SIGINT);
     CHECK(process.wait().code == 130);
     const double frames = number_in(probe(long_video)["streams"].at(0)["nb_read_frames"]);

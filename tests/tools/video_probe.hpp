@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -43,6 +45,19 @@ inline int wait_for_encoder(const std::filesystem::path& video, const Process& p
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return 0;
+}
+
+// Waits until the encoder has read so much, frames that the other process has drawn, for at most 120 s.
+inline bool wait_for_frames(int encoder, std::uint64_t bytes) {
+    for (int tries = 0; tries < 24000; ++tries) {
+        std::ifstream counters("/proc/" + std::to_string(encoder) + "/io");
+        std::string name;
+        std::uint64_t read = 0;
+        if (!(counters >> name >> read)) return false;
+        if (read >= bytes) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
 }
 
 }  // namespace tumble::test

@@ -4,12 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <limits>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "process.hpp"
@@ -190,8 +188,9 @@ TEST_CASE("one processor and several give the same bytes") {
 TEST_CASE("Ctrl-C leaves a video of the frames done, and exit code 130") {
     const Folder folder;
     Process process(tumble::test::tumble_command(arguments_of(folder, "run.mp4", kLong)));
-    REQUIRE(wait_for_encoder(folder / "run.mp4", process) > 0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const int encoder = wait_for_encoder(folder / "run.mp4", process);
+    REQUIRE(encoder > 0);
+    REQUIRE(tumble::test::wait_for_frames(encoder, 1'000'000));
     process.send_signal(SIGINT);
     const Answer answer = process.wait();
     CHECK_MESSAGE(answer.code == 130, answer.err);
