@@ -29,6 +29,14 @@ class Theme {
   }
 }
 
+function systemTheme() { return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"; }
+
+function applyTheme(name, painters) {
+  document.documentElement.dataset.theme = name;
+  for (const painter of painters) painter.theme = new Theme();
+  byId("theme").textContent = name === "dark" ? "Light" : "Dark";
+}
+
 // The outline of the convex hull of a shape's points grown by its radius, as a path in body coordinates.
 function pathOf(shape) {
   const path = new Path2D(), p = shape.points, n = p.length / 2, r = shape.radius;

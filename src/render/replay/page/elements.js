@@ -9,6 +9,13 @@ function element(tag, className, text) {
   return made;
 }
 
+// Says in the place of the picture why there is none.
+function showFailure(text, error) {
+  byId("message").textContent = `${text}: ${error.message}`;
+  byId("message").className = "bad";
+  throw error;
+}
+
 // Three digits after the point, without "-0.000".
 function fixed(value, digits = 3) {
   const text = value.toFixed(digits);

@@ -44,9 +44,7 @@ class PairPlayer extends Playback {
   }
 
   setTheme(name) {
-    document.documentElement.dataset.theme = name;
-    for (const painter of this.painters) painter.theme = new Theme();
-    byId("theme").textContent = name === "dark" ? "Light" : "Dark";
+    applyTheme(name, this.painters);
     this.resize();
   }
 
@@ -101,18 +99,14 @@ async function start() {
   const runs = [];
   for (const id of ["states-a", "states-b"]) runs.push(new Run(unpackStates(await inflate(id)), null));
   const numbers = JSON.parse(new TextDecoder().decode(await inflate("numbers")));
-  document.documentElement.dataset.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  document.documentElement.dataset.theme = systemTheme();
   const player = new PairPlayer(runs, numbers);
   player.setTheme(document.documentElement.dataset.theme);
   byId("message").hidden = true;
   return player;
 }
 
-function fail(error) {
-  byId("message").textContent = `This comparison cannot be shown: ${error.message}`;
-  byId("message").className = "bad";
-  throw error;
-}
+function fail(error) { showFailure("This comparison cannot be shown", error); }
 
 // For scripts: await replay.whole, then replay.player.seek(120), replay.player.runs[1].pose(3, 120).
 const ready = start().then((player) => (window.replay.player = player)).catch(fail);

@@ -65,9 +65,7 @@ class Player extends Playback {
   }
 
   setTheme(name) {
-    document.documentElement.dataset.theme = name;
-    this.painter.theme = new Theme();
-    byId("theme").textContent = name === "dark" ? "Light" : "Dark";
+    applyTheme(name, [this.painter]);
     this.resize();
   }
 
@@ -184,7 +182,7 @@ class Player extends Playback {
 async function start() {
   const states = unpackStates(await inflate("states"));
   const wide = matchMedia("(min-width: 761px)").matches;
-  document.documentElement.dataset.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  document.documentElement.dataset.theme = systemTheme();
   byId("panel").hidden = !wide;
   const player = new Player(new Run(states, null));
   player.setTheme(document.documentElement.dataset.theme);
@@ -201,11 +199,7 @@ async function addContacts(player) {
   return player;
 }
 
-function fail(error) {
-  byId("message").textContent = `This replay cannot be shown: ${error.message}`;
-  byId("message").className = "bad";
-  throw error;
-}
+function fail(error) { showFailure("This replay cannot be shown", error); }
 
 // For scripts: await replay.whole, then replay.player.seek(120), replay.player.run.pose(3, 120). `ready` comes before
 // `whole`, without the contacts.
