@@ -139,7 +139,6 @@ TEST_CASE("a full disk ends a run with exit code 4 and leaves no partial file") 
     const Folder folder;
     const std::string scene = folder.write("small.json", tumble::test::small_scene());
     const tumble::test::SmallDisk disk(folder / "disk", 256);
-    if (!disk.is_mounted()) return;
     const fs::path out = folder / "disk/out";
     const Answer frames =
         tumble::test::run_tumble({"run", scene, "--duration", "100", "--size", "640x360", "-o", out.string()});

@@ -240,7 +240,6 @@ TEST_CASE("without ffmpeg, --video ends with exit code 5 and says what to instal
 TEST_CASE("a full disk ends a video with exit code 4 and leaves no partial file") {
     const Folder folder;
     const tumble::test::SmallDisk disk(folder / "disk", 32);
-    if (!disk.is_mounted()) return;
     for (const std::string name : {"run.mp4", "run.webm", "run.gif"}) {
         CAPTURE(name);
         const Answer answer = run_tumble(
