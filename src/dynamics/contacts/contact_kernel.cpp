@@ -95,7 +95,7 @@ TUMBLE_LANE_FUNCTION Loads find_loads(const ContactBlock& block, const Lanes& sh
 
 }  // namespace
 
-void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies) {
+TUMBLE_LANE_KERNEL void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies) {
     for (ContactBlock& block : blocks) {
         BlockState state = load(block, bodies);
         push_normals(block, block.points[0].normal_impulse, block.points[1].normal_impulse, state);
@@ -105,7 +105,7 @@ void warm_start_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> b
     }
 }
 
-void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, float push_out_speed) {
+TUMBLE_LANE_KERNEL void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, float push_out_speed) {
     TUMBLE_CHECK(inv_h > 0.0f);
     TUMBLE_CHECK(push_out_speed >= 0.0f);
     for (ContactBlock& block : blocks) {
@@ -118,7 +118,7 @@ void solve_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies
     }
 }
 
-void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, FrictionBound bound) {
+TUMBLE_LANE_KERNEL void relax_contacts(std::span<ContactBlock> blocks, std::span<SolverBody> bodies, float inv_h, FrictionBound bound) {
     TUMBLE_CHECK(inv_h > 0.0f);
     for (ContactBlock& block : blocks) {
         BlockState state = load(block, bodies);
