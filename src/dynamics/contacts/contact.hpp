@@ -33,11 +33,11 @@ struct Approach {
     float speed = 0.0f;  // m/s, positive if the shapes approach
 };
 
-struct Contact {
+// The members of each cache line belong together: most passes over all contacts read the first one or two.
+struct alignas(64) Contact {
     ProxyPair shapes;          // indices, a < b: contacts are sorted by them
     std::uint32_t body_a = 0;  // index
     std::uint32_t body_b = 0;
-    Manifold manifold;             // from A to B; anchors from the bodies' origins
     PointImpulse impulses[2];      // by manifold point, of the last sub-step: they warm start the next step
     PointImpulse applied[2];       // by manifold point, of the whole last step
     float rolling_impulse = 0.0f;  // N m s, of the last sub-step
@@ -51,18 +51,20 @@ struct Contact {
     // The manifold point that may report a hit, or -1: the deepest point of a contact that begins, or the deepest one
     // without an impulse if the shapes touched before.
     std::int8_t watched = -1;
-    bool was_hit = false;         // a hit was reported in the last step
-    Approach approach;            // of the watched point
-    ManifoldReference reference;  // the last full collision
-    SimplexCache cache;
-    // Mixed from the two shapes when the pair is found.
-    float speculative_distance = 0.0f;  // m
-    float radius_a = 0.0f;              // of the shapes' rounding, m
+    bool was_hit = false;  // a hit was reported in the last step
+
+    Manifold manifold;                  // from A to B; anchors from the bodies' origins
+    float speculative_distance = 0.0f;  // m; this and the next are mixed from the two shapes when the pair is found
+
+    float radius_a = 0.0f;  // of the shapes' rounding, m
     float radius_b = 0.0f;
     float friction = 0.0f;
     float restitution = 0.0f;
     float rolling_resistance = 0.0f;  // m
     float tangent_speed = 0.0f;       // m/s
+    SimplexCache cache;
+    Approach approach;            // of the watched point
+    ManifoldReference reference;  // the last full collision
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
