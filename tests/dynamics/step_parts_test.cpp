@@ -58,41 +58,45 @@ TEST_CASE("a recycled manifold moves with the bodies") {
     const Pose a;
 
     Pose b{{0.0, 1.0012}, {}};
-    Manifold manifold = recycled(reference, a, b);
+    Manifold manifold = recycled(reference, motion_since(reference, a, b));
     CHECK(near(manifold.points[0].separation, 0.0012, kFloat));
     CHECK(manifold.points[0].feature == 7);
 
     // B turns by 0.5 mrad about its centre: its anchor (0.5, -0.5005) rises by 0.5 sin + 0.5005 (1 - cos) of that. The
     // anchors are floats of half a metre.
     b = {{0.0, 1.001}, make_rotation(5e-4)};
-    manifold = recycled(reference, a, b);
+    manifold = recycled(reference, motion_since(reference, a, b));
     CHECK(near(manifold.points[0].separation, 0.001 + 0.5 * std::sin(5e-4) + 0.5005 * (1.0 - std::cos(5e-4)),
                absolute(1e-7)));
 
     // Both turn and travel together, far: nothing has moved between them.
     const Pose turn{{1000.0, -50.0}, make_rotation(1.0)};
     const Pose moved_b{turn.position + rotate(turn.rotation, DVec2{0.0, 1.001}), turn.rotation};
-    CHECK(displacement_since(reference, turn, moved_b, 0.7072f, 0.7072f) < 1e-6f);
-    manifold = recycled(reference, turn, moved_b);
+    const MotionSince motion = motion_since(reference, turn, moved_b);
+    CHECK(greatest_displacement(reference, motion, 0.7072f, 0.7072f) < 1e-6f);
+    manifold = recycled(reference, motion);
     CHECK(near(manifold.points[0].separation, 0.001, absolute(1e-7)));
     CHECK(near(manifold.normal.x, -std::sin(1.0), kFloat));
 }
 
 TEST_CASE("the displacement since a reference bounds that of every point") {
     ManifoldReference reference;
-    CHECK(std::isinf(displacement_since(reference, {}, {}, 1.0f, 1.0f)));
+    const auto displacement_to = [&](const Pose& b, float reach_a, float reach_b) {
+        return greatest_displacement(reference, motion_since(reference, {}, b), reach_a, reach_b);
+    };
+    CHECK(std::isinf(displacement_to({}, 1.0f, 1.0f)));
     reference.is_valid = true;
-    CHECK(near(displacement_since(reference, {}, {{0.0009, 0.0}, {}}, 1.0f, 1.0f), 0.0009, kFloat));
+    CHECK(near(displacement_to({{0.0009, 0.0}, {}}, 1.0f, 1.0f), 0.0009, kFloat));
     // A point at the reach moves along a chord. Half a turn has no sine, and is a large motion all the same.
     for (const double turn : {0.001, 0.1, 1.0, 1.5}) {
         const double chord = 2.0 * std::sin(0.5 * turn);
-        const double bound = displacement_since(reference, {}, {{}, make_rotation(turn)}, 1.0f, 1.0f);
+        const double bound = displacement_to({{}, make_rotation(turn)}, 1.0f, 1.0f);
         CHECK(bound >= chord * (1.0 - 1e-6));
         CHECK(bound <= 1.05 * chord);
     }
-    CHECK(std::isinf(displacement_since(reference, {}, {{}, {-1.0f, 0.0f}}, 1.0f, 1.0f)));
+    CHECK(std::isinf(displacement_to({{}, {-1.0f, 0.0f}}, 1.0f, 1.0f)));
     // The smaller of the two reaches bounds the displacement by a rotation.
-    CHECK(near(displacement_since(reference, {}, {{}, make_rotation(0.001)}, 1000.0f, 0.5f), 0.0005, relative(1e-5)));
+    CHECK(near(displacement_to({{}, make_rotation(0.001)}, 1000.0f, 0.5f), 0.0005, relative(1e-5)));
 }
 
 TEST_CASE("an id pool uses an index again only when it is recycled") {

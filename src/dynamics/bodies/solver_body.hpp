@@ -53,6 +53,11 @@ constexpr Rotation compose(Rotation second, Rotation first) {
     return {second.c * first.c - second.s * first.s, second.s * first.c + second.c * first.s};
 }
 
+// The rotation that leads from one orientation to another.
+constexpr Rotation rotation_between(Rotation from, Rotation to) {
+    return {to.c * from.c + to.s * from.s, to.s * from.c - to.c * from.s};
+}
+
 // The rotation by a small angle (rad) without trigonometry. With t = tan(angle / 2), c = (1 - t^2) / (1 + t^2) and
 // s = 2 t / (1 + t^2) have unit length; the series t = angle / 2 + angle^3 / 24 has the error angle^5 / 120.
 constexpr Rotation small_rotation(float angle) {

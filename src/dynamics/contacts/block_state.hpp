@@ -61,6 +61,8 @@ struct BlockState {
     Lanes tangent_velocity;
     Lanes normal_impulse;  // applied since load() and not yet in the bodies' linear velocities, N s
     Lanes tangent_impulse;
+    Lanes linear_normal;  // inverse mass of both bodies along the normal, 1/kg
+    Lanes linear_tangent;
 };
 
 TUMBLE_LANE_FUNCTION BlockState load(const ContactBlock& block, std::span<const SolverBody> bodies) {
@@ -73,16 +75,28 @@ TUMBLE_LANE_FUNCTION BlockState load(const ContactBlock& block, std::span<const 
     state.tangent_velocity = x * block.normal_y - y * block.normal_x;
     state.normal_impulse = Lanes::Zero();
     state.tangent_impulse = Lanes::Zero();
+    state.linear_normal = state.linear_tangent = block.inv_mass_a + block.inv_mass_b;
+    if (block.has_locks) {
+        state.linear_normal = block.extras->locked.normal;
+        state.linear_tangent = block.extras->locked.tangent;
+    }
     return state;
 }
 
 TUMBLE_LANE_FUNCTION void finish(const ContactBlock& block, BlockState& state, std::span<SolverBody> bodies) {
     const Lanes x = state.normal_impulse * block.normal_x + state.tangent_impulse * block.normal_y;
     const Lanes y = state.normal_impulse * block.normal_y - state.tangent_impulse * block.normal_x;
-    state.a.velocity_x -= block.inv_mass_ax * x;
-    state.a.velocity_y -= block.inv_mass_ay * y;
-    state.b.velocity_x += block.inv_mass_bx * x;
-    state.b.velocity_y += block.inv_mass_by * y;
+    if (block.has_locks) {
+        state.a.velocity_x -= block.extras->locked.ax * x;
+        state.a.velocity_y -= block.extras->locked.ay * y;
+        state.b.velocity_x += block.extras->locked.bx * x;
+        state.b.velocity_y += block.extras->locked.by * y;
+    } else {
+        state.a.velocity_x -= block.inv_mass_a * x;
+        state.a.velocity_y -= block.inv_mass_a * y;
+        state.b.velocity_x += block.inv_mass_b * x;
+        state.b.velocity_y += block.inv_mass_b * y;
+    }
     scatter_velocities(state.a, bodies, block.body_a, block.moved_a);
     scatter_velocities(state.b, bodies, block.body_b, block.moved_b);
 }
@@ -99,7 +113,7 @@ TUMBLE_LANE_FUNCTION Lanes tangent_velocity(const ContactBlockPoint& point, cons
 TUMBLE_LANE_FUNCTION void apply_normal(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
                                        BlockState& state) {
     state.normal_impulse += impulse;
-    state.normal_velocity += block.linear_normal * impulse;
+    state.normal_velocity += state.linear_normal * impulse;
     state.a.angular_velocity -= block.inv_inertia_a * point.across_a * impulse;
     state.b.angular_velocity += block.inv_inertia_b * point.across_b * impulse;
 }
@@ -107,7 +121,7 @@ TUMBLE_LANE_FUNCTION void apply_normal(const ContactBlock& block, const ContactB
 TUMBLE_LANE_FUNCTION void apply_tangent(const ContactBlock& block, const ContactBlockPoint& point, const Lanes& impulse,
                                         BlockState& state) {
     state.tangent_impulse += impulse;
-    state.tangent_velocity += block.linear_tangent * impulse;
+    state.tangent_velocity += state.linear_tangent * impulse;
     state.a.angular_velocity += block.inv_inertia_a * point.along_a * impulse;
     state.b.angular_velocity -= block.inv_inertia_b * point.along_b * impulse;
 }
@@ -134,8 +148,8 @@ TUMBLE_LANE_FUNCTION Lanes current_separation(const ContactBlock& block, const C
     const Lanes one = Lanes::Ones();
     Lanes along_a = point.along_a, along_b = point.along_b;
     if (block.has_radius) {
-        along_a -= block.radius_a;
-        along_b += block.radius_b;
+        along_a -= block.extras->radius_a;
+        along_b += block.extras->radius_b;
     }
     const Lanes turn_a = (state.a.delta_c - one) * along_a + state.a.delta_s * point.across_a;
     const Lanes turn_b = (state.b.delta_c - one) * along_b + state.b.delta_s * point.across_b;

@@ -110,14 +110,6 @@ bool look_ahead(Contact& contact, const PosedShape& a, const PosedShape& b, floa
 
 }  // namespace
 
-float approach_speed(const Contact& contact, const ManifoldPoint& point, const BodyStore& bodies) {
-    const BodyFrame& a = bodies.frames[contact.body_a];
-    const BodyFrame& b = bodies.frames[contact.body_b];
-    const Vec2 velocity_a = velocity_at(bodies.solver_bodies[a.solver_body], point.anchor_a - a.center_offset);
-    const Vec2 velocity_b = velocity_at(bodies.solver_bodies[b.solver_body], point.anchor_b - b.center_offset);
-    return dot(velocity_a - velocity_b, contact.manifold.normal);
-}
-
 bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore& shapes, const StepAhead& step) {
     TUMBLE_CHECK(contact.kind == ContactKind::solid);
     const ShapeRecord& a = shapes[contact.shapes.a];
@@ -125,11 +117,12 @@ bool collide_contact(Contact& contact, const BodyStore& bodies, const ShapeStore
     const Pose& pose_a = bodies.frames[contact.body_a].pose;
     const Pose& pose_b = bodies.frames[contact.body_b].pose;
     const PosedShape posed_a{a, pose_a}, posed_b{b, pose_b};
-    const float moved = displacement_since(contact.reference, pose_a, pose_b, a.reach, b.reach);
+    const MotionSince motion = motion_since(contact.reference, pose_a, pose_b);
+    const float moved = greatest_displacement(contact.reference, motion, a.reach, b.reach);
     const float tolerance = std::max(kRecyclingPart * contact.speculative_distance, contact.reference.gap);
     const bool is_recycled = moved <= tolerance;
     if (is_recycled) {
-        contact.manifold = recycled(contact.reference, pose_a, pose_b);
+        contact.manifold = recycled(contact.reference, motion);
     } else {
         const bool is_with_chain = a.link || b.link;
         collide_in_full(contact, posed_a, posed_b,

@@ -40,28 +40,18 @@ struct ContactBlockPoint {
 inline constexpr std::uint8_t kAllLanes = 0xff;
 static_assert(kLaneCount == 8);
 
-struct ContactBlock {
-    std::uint32_t body_a[kLaneCount];  // solver bodies
-    std::uint32_t body_b[kLaneCount];
-    Lanes normal_x, normal_y;        // from A to B
-    Lanes inv_mass_ax, inv_mass_ay;  // 1/kg, along the world axes: bodies may be locked
-    Lanes inv_mass_bx, inv_mass_by;
-    Lanes linear_normal, linear_tangent;  // inverse mass of both bodies along normal and tangent, 1/kg
-    Lanes inv_inertia_a, inv_inertia_b;
-    ContactBlockPoint points[2];
-    Lanes coupling;  // change of the normal velocity at one point per unit normal impulse at the other, 1/kg
-    Lanes friction;
-    Softness softness;
-    std::uint8_t moved_a, moved_b;  // a bit for each lane whose body the contact can move
-    // The passes read the rest only if its flag is set for one of the lanes.
-    bool has_locks;
-    Lanes least_response;  // rows of locked bodies with a smaller response are not solved, 1/kg
-    bool has_radius;
-    bool has_restitution;
-    bool has_tangent_speed;
-    bool has_rolling_resistance;
+// The inverse masses of bodies that may be locked along a world axis, 1/kg.
+struct LockedMasses {
+    Lanes ax, ay, bx, by;   // along the world axes
+    Lanes normal, tangent;  // of both bodies, along normal and tangent
+    Lanes least_response;   // a row with a smaller response is not solved
+};
+
+// What few blocks have. It is apart from the block, as a step takes as long as the transfer of the blocks' bytes.
+struct ContactExtras {
+    LockedMasses locked;
     Lanes radius_a, radius_b;  // of the shapes' rounding, m
-    // With restitution only: see RESTITUTION.md.
+    // With restitution: see RESTITUTION.md.
     Lanes restitution;
     Lanes approach_speed[2];  // of each point: its normal velocity at the impact, m/s, negative if it approaches
     Lanes absorbed;           // energy that the normal impulses of this step absorbed, J
@@ -73,13 +63,35 @@ struct ContactBlock {
     Lanes rolling_impulse;     // N m s
 };
 
+struct ContactBlock {
+    std::uint32_t body_a[kLaneCount];  // solver bodies
+    std::uint32_t body_b[kLaneCount];
+    Lanes normal_x, normal_y;      // from A to B
+    Lanes inv_mass_a, inv_mass_b;  // 1/kg, of bodies without locks
+    Lanes inv_inertia_a, inv_inertia_b;
+    ContactBlockPoint points[2];
+    Lanes coupling;  // change of the normal velocity at one point per unit normal impulse at the other, 1/kg
+    Lanes friction;
+    Softness softness;
+    std::uint8_t moved_a, moved_b;  // a bit for each lane whose body the contact can move
+    // True if one of the lanes has it. Members of `extras` are valid only if their flag is set.
+    bool has_locks;
+    bool has_radius;
+    bool has_restitution;
+    bool has_tangent_speed;
+    bool has_rolling_resistance;
+    ContactExtras* extras;
+};
+
 // The normal impulse that bounds friction in the pass without bias: that of the pass with bias, which also pushes
 // overlap out, or the one that the rigid rows ask for.
 enum class FrictionBound : std::uint8_t { biased, rigid };
 
-// Fills the blocks, one for each block of the graph, from manifolds and bodies. `h` is the sub-step, s.
+// Fills the blocks, one for each block of the graph, from manifolds and bodies. Each block refers to the extras of the
+// same index. `h` is the sub-step, s.
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
-                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks, Crew& crew);
+                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks,
+                      std::vector<ContactExtras>& extras, Crew& crew);
 
 // Writes the impulses into the contacts: those of the last sub-step, which warm start the next step, and those of the
 // whole step, which are reported.

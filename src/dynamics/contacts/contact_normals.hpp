@@ -40,10 +40,10 @@ TUMBLE_LANE_FUNCTION Lanes power(const ContactBlock& block, const Lanes& impulse
 // it would do at the mean of the velocities before and after.
 TUMBLE_LANE_FUNCTION void push_normals(ContactBlock& block, const Lanes& impulse1, const Lanes& impulse2,
                                        BlockState& state) {
-    if (block.has_restitution) block.absorbed -= 0.5f * power(block, impulse1, impulse2, state);
+    if (block.has_restitution) block.extras->absorbed -= 0.5f * power(block, impulse1, impulse2, state);
     apply_normal(block, block.points[0], impulse1, state);
     apply_normal(block, block.points[1], impulse2, state);
-    if (block.has_restitution) block.absorbed -= 0.5f * power(block, impulse1, impulse2, state);
+    if (block.has_restitution) block.extras->absorbed -= 0.5f * power(block, impulse1, impulse2, state);
 }
 
 // One point's row of the problem: its diagonal, softened, and its residual without the other point's impulse.

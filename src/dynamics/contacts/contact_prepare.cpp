@@ -1,7 +1,6 @@
 // From contacts to blocks and back: fills the lanes one by one, and reads the impulses from them.
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "debug/check.hpp"
 #include "dynamics/bodies/ballistics.hpp"
@@ -18,43 +17,21 @@ ContactBlock make_neutral_block() {
     std::fill_n(block.body_a, kLaneCount, kStaticSolverBody);
     std::fill_n(block.body_b, kLaneCount, kStaticSolverBody);
     block.moved_a = block.moved_b = 0;
-    for (Lanes* lanes :
-         {&block.normal_x,          &block.normal_y,          &block.inv_mass_ax,        &block.inv_mass_ay,
-          &block.inv_mass_bx,       &block.inv_mass_by,       &block.linear_normal,      &block.linear_tangent,
-          &block.least_response,    &block.inv_inertia_a,     &block.inv_inertia_b,      &block.coupling,
-          &block.friction,          &block.radius_a,          &block.radius_b,           &block.restitution,
-          &block.approach_speed[0], &block.approach_speed[1], &block.acceleration,       &block.absorbed,
-          &block.friction_work,     &block.tangent_speed,     &block.rolling_resistance, &block.rolling_mass,
-          &block.rolling_impulse})
+    for (Lanes* lanes : {&block.normal_x, &block.normal_y, &block.inv_mass_a, &block.inv_mass_b, &block.inv_inertia_a,
+                         &block.inv_inertia_b, &block.coupling, &block.friction})
         *lanes = zero;
-    for (ContactBlockPoint& point : block.points)
+    for (ContactBlockPoint& point : block.points) {
         for (Lanes* lanes :
              {&point.along_a, &point.across_a, &point.along_b, &point.across_b, &point.normal_impulse, &point.carried,
               &point.tangent_mass, &point.tangent_impulse, &point.applied_normal, &point.applied_tangent})
             *lanes = zero;
-    for (ContactBlockPoint& point : block.points) {
         point.separation = Lanes::Constant(kAbsentGap);
         point.inverse_mass = Lanes::Ones();
     }
     block.has_locks = block.has_radius = block.has_restitution = block.has_tangent_speed =
         block.has_rolling_resistance = false;
+    block.extras = nullptr;
     return block;
-}
-
-void fill_masses(ContactBlock& block, int lane, const BodyFrame& a, const BodyFrame& b) {
-    const Vec2 masses_a = a.inv_masses(), masses_b = b.inv_masses();
-    block.inv_mass_ax[lane] = masses_a.x;
-    block.inv_mass_ay[lane] = masses_a.y;
-    block.inv_mass_bx[lane] = masses_b.x;
-    block.inv_mass_by[lane] = masses_b.y;
-    block.linear_normal[lane] = block.linear_tangent[lane] = a.inv_mass + b.inv_mass;
-    if (!a.locks_x && !a.locks_y && !b.locks_x && !b.locks_y) return;
-    const Vec2 both = masses_a + masses_b;
-    const float xx = block.normal_x[lane] * block.normal_x[lane], yy = block.normal_y[lane] * block.normal_y[lane];
-    block.linear_normal[lane] = both.x * xx + both.y * yy;
-    block.linear_tangent[lane] = both.x * yy + both.y * xx;
-    block.least_response[lane] = kDeadPoint * (a.inv_mass + b.inv_mass);
-    block.has_locks = true;
 }
 
 // A bit for the lane if a contact can move the body.
@@ -77,16 +54,12 @@ void fill_lane(ContactBlock& block, int lane, const Contact& contact, const Body
     TUMBLE_CHECK(!(std::abs(length_sq(normal) - 1.0f) > 1e-3f));  // unit, or not finite in a world that diverges
     block.normal_x[lane] = normal.x;
     block.normal_y[lane] = normal.y;
-    fill_masses(block, lane, a, b);
+    block.inv_mass_a[lane] = a.inv_mass;
+    block.inv_mass_b[lane] = b.inv_mass;
     block.inv_inertia_a[lane] = a.inv_inertia;
     block.inv_inertia_b[lane] = b.inv_inertia;
     block.friction[lane] = contact.friction;
-    block.radius_a[lane] = contact.radius_a;
-    block.radius_b[lane] = contact.radius_b;
-    block.restitution[lane] = contact.restitution;
-    block.tangent_speed[lane] = contact.tangent_speed;
-    block.rolling_resistance[lane] = contact.rolling_resistance;
-    block.rolling_impulse[lane] = contact.rolling_impulse;
+    block.has_locks |= a.locks_x || a.locks_y || b.locks_x || b.locks_y;
     block.has_radius |= contact.radius_a > 0.0f || contact.radius_b > 0.0f;
     block.has_restitution |= contact.restitution > 0.0f;
     block.has_tangent_speed |= contact.tangent_speed != 0.0f;
@@ -118,31 +91,35 @@ Lanes response(const ContactBlock& block, const Lanes& linear, const Lanes& arm_
 // the load, and the determinant is at least 1 - 0.98^2 = 4 % of the product of the diagonal.
 constexpr float kMaxCoupling = 0.98f;
 
-void set_masses(ContactBlock& block) {
+TUMBLE_LANE_FUNCTION void set_masses(ContactBlock& block) {
     const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
+    const Lanes both = block.inv_mass_a + block.inv_mass_b;
+    const Lanes linear_normal = block.has_locks ? block.extras->locked.normal : both;
+    const Lanes linear_tangent = block.has_locks ? block.extras->locked.tangent : both;
+    const Lanes least_response = block.has_locks ? block.extras->locked.least_response : zero;
     ContactBlockPoint& first = block.points[0];
     ContactBlockPoint& second = block.points[1];
     const Lanes absent = Lanes::Constant(0.5f * kAbsentGap);
     for (ContactBlockPoint* point : {&first, &second}) {
         const Lanes normal =
-            response(block, block.linear_normal, point->across_a, point->across_a, point->across_b, point->across_b);
+            response(block, linear_normal, point->across_a, point->across_a, point->across_b, point->across_b);
         const Lanes tangent =
-            response(block, block.linear_tangent, point->along_a, point->along_a, point->along_b, point->along_b);
+            response(block, linear_tangent, point->along_a, point->along_a, point->along_b, point->along_b);
         // A row that the locks leave without response is not solved.
         if (block.has_locks)
-            point->separation =
-                select_less(block.least_response, normal, point->separation, Lanes::Constant(kAbsentGap));
+            point->separation = select_less(least_response, normal, point->separation, Lanes::Constant(kAbsentGap));
         point->inverse_mass = select_less(point->separation, absent, normal, one);
-        const Lanes tangent_mass = select_less(block.least_response, tangent, one / tangent, zero);
+        const Lanes tangent_mass = select_less(least_response, tangent, one / tangent, zero);
         point->tangent_mass = select_less(point->separation, absent, tangent_mass, zero);
     }
     const Lanes coupling =
-        response(block, block.linear_normal, first.across_a, second.across_a, first.across_b, second.across_b);
+        response(block, linear_normal, first.across_a, second.across_a, first.across_b, second.across_b);
     const Lanes product = first.inverse_mass * second.inverse_mass;
     const Lanes limited = clamp_magnitude(coupling, kMaxCoupling * product.sqrt());
     block.coupling = select_less(second.separation, absent, limited, zero);
+    if (!block.has_rolling_resistance) return;
     const Lanes inertia = block.inv_inertia_a + block.inv_inertia_b;
-    block.rolling_mass = select_less(zero, inertia, one / inertia, zero);
+    block.extras->rolling_mass = select_less(zero, inertia, one / inertia, zero);
 }
 
 // The normal velocities with which points reach separation 0, from those before the step (RESTITUTION.md, step 2).
@@ -155,14 +132,14 @@ void set_approaches(ContactBlock& block, const BodyStore& bodies, Vec2 gravity, 
         const float linear = dot(b.velocity - a.velocity, normal);
         const Vec2 acceleration = bodies.free_acceleration(body_b, gravity) - bodies.free_acceleration(body_a, gravity);
         const float along = dot(acceleration, normal);
-        block.acceleration[lane] = along;
+        block.extras->acceleration[lane] = along;
         for (int i = 0; i < 2; ++i) {
             const ContactBlockPoint& point = block.points[i];
             const float now =
                 linear + b.angular_velocity * point.across_b[lane] - a.angular_velocity * point.across_a[lane];
             const float middle = now + 0.5f * h * along;
             const float speed_sq = speed_sq_after(middle, -point.separation[lane], along);
-            block.approach_speed[i][lane] = std::copysign(std::sqrt(std::max(speed_sq, 0.0f)), middle);
+            block.extras->approach_speed[i][lane] = std::copysign(std::sqrt(std::max(speed_sq, 0.0f)), middle);
         }
     }
 }
@@ -173,9 +150,7 @@ void prefetch(std::span<const Contact> contacts, std::span<const std::uint32_t> 
     for (const std::uint32_t index : block) {
         if (index == ConstraintGraph::kNoContact) continue;
         const char* const contact = reinterpret_cast<const char*>(&contacts[index]);
-        __builtin_prefetch(contact + offsetof(Contact, manifold));
-        __builtin_prefetch(contact + offsetof(Contact, manifold) + kCacheLine);
-        __builtin_prefetch(contact + offsetof(Contact, friction));
+        for (std::size_t line = 0; line < 3; ++line) __builtin_prefetch(contact + line * kCacheLine);
     }
 }
 
@@ -185,6 +160,56 @@ constexpr std::size_t kLeastPrepared = 16;  // in a chunk: about 3 us of work
 struct ContactSoftness {
     Softness moving, immovable;
 };
+
+// A member of each contact; 0 in unused lanes.
+void fill_from(Lanes& to, std::span<const std::uint32_t, kLaneCount> lanes, std::span<const Contact> contacts,
+               float Contact::*member) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+        const std::uint32_t contact = lanes[static_cast<std::size_t>(lane)];
+        to[lane] = contact == ConstraintGraph::kNoContact ? 0.0f : contacts[contact].*member;
+    }
+}
+
+void fill_locked_masses(ContactBlock& block, int lane, const BodyFrame& a, const BodyFrame& b) {
+    const Vec2 masses_a = a.inv_masses(), masses_b = b.inv_masses(), both = masses_a + masses_b;
+    LockedMasses& locked = block.extras->locked;
+    locked.ax[lane] = masses_a.x;
+    locked.ay[lane] = masses_a.y;
+    locked.bx[lane] = masses_b.x;
+    locked.by[lane] = masses_b.y;
+    const bool has_lock = a.locks_x || a.locks_y || b.locks_x || b.locks_y;
+    const float xx = block.normal_x[lane] * block.normal_x[lane], yy = block.normal_y[lane] * block.normal_y[lane];
+    locked.normal[lane] = has_lock ? both.x * xx + both.y * yy : both.x;
+    locked.tangent[lane] = has_lock ? both.x * yy + both.y * xx : both.x;
+    locked.least_response[lane] = has_lock ? kDeadPoint * (a.inv_mass + b.inv_mass) : 0.0f;
+}
+
+// What the flags of a block say that it has.
+void fill_rest(ContactBlock& block, std::span<const std::uint32_t, kLaneCount> lanes, std::span<const Contact> contacts,
+               const BodyStore& bodies) {
+    if (block.has_locks) {
+        static const BodyFrame immovable;
+        for (int lane = 0; lane < kLaneCount; ++lane) {
+            const std::uint32_t index = lanes[static_cast<std::size_t>(lane)];
+            const bool is_used = index != ConstraintGraph::kNoContact;
+            fill_locked_masses(block, lane, is_used ? bodies.frames[contacts[index].body_a] : immovable,
+                               is_used ? bodies.frames[contacts[index].body_b] : immovable);
+        }
+    }
+    if (block.has_radius) {
+        fill_from(block.extras->radius_a, lanes, contacts, &Contact::radius_a);
+        fill_from(block.extras->radius_b, lanes, contacts, &Contact::radius_b);
+    }
+    if (block.has_restitution) {
+        fill_from(block.extras->restitution, lanes, contacts, &Contact::restitution);
+        block.extras->absorbed = block.extras->friction_work = Lanes::Zero();
+    }
+    if (block.has_tangent_speed) fill_from(block.extras->tangent_speed, lanes, contacts, &Contact::tangent_speed);
+    if (block.has_rolling_resistance) {
+        fill_from(block.extras->rolling_resistance, lanes, contacts, &Contact::rolling_resistance);
+        fill_from(block.extras->rolling_impulse, lanes, contacts, &Contact::rolling_impulse);
+    }
+}
 
 void fill_block(ContactBlock& block, std::span<const std::uint32_t, kLaneCount> lanes,
                 std::span<const Contact> contacts, const BodyStore& bodies, const ContactSoftness& softness) {
@@ -199,6 +224,7 @@ void fill_block(ContactBlock& block, std::span<const std::uint32_t, kLaneCount> 
         is_static = a.inv_mass == 0.0f || b.inv_mass == 0.0f;
     }
     block.softness = is_static ? softness.immovable : softness.moving;
+    fill_rest(block, lanes, contacts, bodies);
     set_masses(block);
 }
 
@@ -224,16 +250,18 @@ void store_block(const ContactBlock& block, std::span<const std::uint32_t, kLane
             has_acted |= point.applied_normal[lane] > 0.0f || contact.manifold.points[i].separation < 0.0f;
         }
         if (has_acted) mark_pushed(bodies[block.body_a[lane]]), mark_pushed(bodies[block.body_b[lane]]);
-        contact.rolling_impulse = block.rolling_impulse[lane];
+        if (block.has_rolling_resistance) contact.rolling_impulse = block.extras->rolling_impulse[lane];
     }
 }
 
 }  // namespace
 
 void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies, const ConstraintGraph& graph,
-                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks, Crew& crew) {
+                      const Tuning& tuning, Vec2 gravity, float h, std::vector<ContactBlock>& blocks,
+                      std::vector<ContactExtras>& extras, Crew& crew) {
     TUMBLE_CHECK(h > 0.0f);
     blocks.resize(graph.block_count());
+    extras.resize(graph.block_count());
     if (blocks.empty()) return;
     const ContactSoftness softness{contact_softness(tuning, h), static_contact_softness(tuning, h)};
     const ContactBlock neutral = make_neutral_block();
@@ -241,6 +269,7 @@ void prepare_contacts(std::span<const Contact> contacts, const BodyStore& bodies
         if (index + 1 < blocks.size()) prefetch(contacts, graph.block(index + 1));
         ContactBlock& block = blocks[index];
         block = neutral;
+        block.extras = &extras[index];
         fill_block(block, graph.block(index), contacts, bodies, softness);
         if (block.has_restitution) set_approaches(block, bodies, gravity, h);
     });

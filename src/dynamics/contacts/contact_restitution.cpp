@@ -20,15 +20,15 @@ struct Bounce {
 TUMBLE_LANE_FUNCTION Bounce make_bounce(const ContactBlock& block, int index, const Lanes& shift, float threshold,
                                         float h, const BlockState& state) {
     const ContactBlockPoint& point = block.points[index];
-    const Lanes& approach = block.approach_speed[index];
+    const Lanes& approach = block.extras->approach_speed[index];
     const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
     const Lanes was_fast = select_less(approach, Lanes::Constant(-threshold), one, zero);
     const Lanes happens = select_less(zero, point.applied_normal, was_fast, zero);
-    const Lanes rebound = block.restitution * approach;
+    const Lanes rebound = block.extras->restitution * approach;
     const Lanes separation = current_separation(block, point, shift, state);
-    const Lanes speed_sq = larger(speed_sq_after(rebound, separation, block.acceleration), zero);
-    const Lanes speed = speed_sq.sqrt() - 0.5f * h * block.acceleration;
-    const Lanes free_sq = speed_sq_after(approach, separation, block.acceleration);
+    const Lanes speed_sq = larger(speed_sq_after(rebound, separation, block.extras->acceleration), zero);
+    const Lanes speed = speed_sq.sqrt() - 0.5f * h * block.extras->acceleration;
+    const Lanes free_sq = speed_sq_after(approach, separation, block.extras->acceleration);
     return {happens, speed, select_less(zero, happens * free_sq, speed * speed / free_sq, zero)};
 }
 
@@ -62,7 +62,7 @@ TUMBLE_LANE_FUNCTION void solve_restitution(ContactBlock& block, float threshold
     const NormalRow row2 = make_bounce_row(block.points[1], second, state);
     Lanes change1, change2;
     find_changes(block, block.coupling * first.happens * second.happens, row1, row2, change1, change2);
-    const Lanes absorbed = block.absorbed - larger(block.friction_work, Lanes::Zero()) - returned;
+    const Lanes absorbed = block.extras->absorbed - larger(block.extras->friction_work, Lanes::Zero()) - returned;
     const Lanes energy = larger(first.part, second.part) * absorbed;
     const Lanes part = affordable_part(block, change1, change2, energy, state);
     TUMBLE_CHECK(!(part > 1.0f).any());
@@ -90,9 +90,9 @@ void find_returned_work(std::span<const ContactBlock> blocks, std::span<float> r
         for (int lane = 0; lane < kLaneCount; ++lane) {
             TUMBLE_CHECK(block.body_a[lane] < returned_work.size());
             TUMBLE_CHECK(block.body_b[lane] < returned_work.size());
-            const float work = std::max(-block.absorbed[lane], 0.0f);
-            if (block.inv_mass_ax[lane] + block.inv_mass_ay[lane] > 0.0f) returned_work[block.body_a[lane]] += work;
-            if (block.inv_mass_bx[lane] + block.inv_mass_by[lane] > 0.0f) returned_work[block.body_b[lane]] += work;
+            const float work = std::max(-block.extras->absorbed[lane], 0.0f);
+            if (block.moved_a >> lane & 1) returned_work[block.body_a[lane]] += work;
+            if (block.moved_b >> lane & 1) returned_work[block.body_b[lane]] += work;
         }
     }
 }

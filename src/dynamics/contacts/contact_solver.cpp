@@ -15,10 +15,8 @@ namespace {
 std::vector<std::uint32_t> moved_bodies(const ContactBlock& block) {
     std::vector<std::uint32_t> moved;
     for (int lane = 0; lane < kLaneCount; ++lane) {
-        if (block.inv_mass_ax[lane] + block.inv_mass_ay[lane] + block.inv_inertia_a[lane] > 0.0f)
-            moved.push_back(block.body_a[lane]);
-        if (block.inv_mass_bx[lane] + block.inv_mass_by[lane] + block.inv_inertia_b[lane] > 0.0f)
-            moved.push_back(block.body_b[lane]);
+        if (block.moved_a >> lane & 1) moved.push_back(block.body_a[lane]);
+        if (block.moved_b >> lane & 1) moved.push_back(block.body_b[lane]);
     }
     std::sort(moved.begin(), moved.end());
     return moved;
@@ -50,7 +48,7 @@ void ContactSolver::for_each_color(Crew& crew, SolveBlocks&& solve_blocks) {
 void ContactSolver::prepare(std::span<const Contact> contacts, const BodyStore& bodies, const Tuning& tuning,
                             Vec2 gravity, float h, Crew& crew) {
     graph_.build(contacts, bodies);
-    prepare_contacts(contacts, bodies, graph_, tuning, gravity, h, blocks_, crew);
+    prepare_contacts(contacts, bodies, graph_, tuning, gravity, h, blocks_, extras_, crew);
     TUMBLE_CHECK(blocks_.size() == graph_.block_count());
 }
 
@@ -84,7 +82,8 @@ void ContactSolver::store_impulses(std::span<Contact> contacts, std::span<Solver
 }
 
 std::size_t ContactSolver::bytes() const {
-    return graph_.bytes() + blocks_.capacity() * sizeof(ContactBlock) + returned_work_.capacity() * sizeof(float);
+    return graph_.bytes() + blocks_.capacity() * sizeof(ContactBlock) + extras_.capacity() * sizeof(ContactExtras) +
+           returned_work_.capacity() * sizeof(float);
 }
 
 void ContactSolver::audit() const {

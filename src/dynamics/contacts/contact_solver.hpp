@@ -13,6 +13,7 @@
 namespace tumble {
 
 struct ContactBlock;
+struct ContactExtras;
 enum class FrictionBound : std::uint8_t;
 
 class ContactSolver {
@@ -47,8 +48,9 @@ private:
     void for_each_color(Crew& crew, SolveBlocks&& solve_blocks);
 
     ConstraintGraph graph_;
-    std::vector<ContactBlock> blocks_;  // in the order of the graph
-    std::vector<float> returned_work_;  // scratch of restitution: by solver body, J
+    std::vector<ContactExtras> extras_;  // by block
+    std::vector<ContactBlock> blocks_;   // in the order of the graph
+    std::vector<float> returned_work_;   // scratch of restitution: by solver body, J
 };
 
 }  // namespace tumble

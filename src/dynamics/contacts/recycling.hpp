@@ -20,13 +20,24 @@ struct ManifoldReference {
     bool is_valid = false;
 };
 
-// How far a point of one shape has moved relative to the other since the reference, at most, m; infinite if the
-// reference is not valid or they have turned by a quarter of a turn. The poses are those of the bodies' origins. A
-// reach is the distance of a shape's farthest point from its body's origin, m.
-float displacement_since(const ManifoldReference& reference, const Pose& a, const Pose& b, float reach_a,
-                         float reach_b);
+// How two bodies have moved since the reference. The poses are those of the bodies' origins.
+struct MotionSince {
+    Rotation turn_a, turn_b;
+    Vec2 shift;  // of B's origin relative to A's, world axes, m
+};
 
-// The manifold of the reference at the present poses.
-Manifold recycled(const ManifoldReference& reference, const Pose& a, const Pose& b);
+inline MotionSince motion_since(const ManifoldReference& reference, const Pose& a, const Pose& b) {
+    return {rotation_between(reference.rotation_a, a.rotation), rotation_between(reference.rotation_b, b.rotation),
+            to_float(b.position - a.position - reference.offset)};
+}
+
+// How far a point of one shape has moved relative to the other, at most, m; infinite if the reference is not valid or
+// they have turned by a quarter of a turn. A reach is the distance of a shape's farthest point from its body's origin,
+// m.
+float greatest_displacement(const ManifoldReference& reference, const MotionSince& motion, float reach_a,
+                            float reach_b);
+
+// The manifold of the reference after the motion.
+Manifold recycled(const ManifoldReference& reference, const MotionSince& motion);
 
 }  // namespace tumble

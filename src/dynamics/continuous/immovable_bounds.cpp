@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <tuple>
 
 #include "debug/check.hpp"
@@ -180,17 +179,13 @@ private:
     Stop first_;
 };
 
-// The dynamic body of a contact with an immovable one into which it has sunk; none if there is no such.
-std::optional<std::uint32_t> find_sunk(const Simulation& simulation, const Contact& contact) {
-    const BodyStore& bodies = simulation.bodies;
-    if (contact.kind != ContactKind::solid || contact.manifold.point_count == 0) return {};
-    if (bodies.is_dynamic(contact.body_a) == bodies.is_dynamic(contact.body_b)) return {};
-    const bool a_is_dynamic = bodies.is_dynamic(contact.body_a);
-    const ShapeRecord& shape = simulation.shapes[a_is_dynamic ? contact.shapes.a : contact.shapes.b];
+// True if the moving shape of a ground contact has sunk into the ground.
+bool is_sunk(const Simulation& simulation, GroundContact ground) {
+    const Contact& contact = simulation.contacts.all()[ground.contact];
+    const float depth = kBoundPart * simulation.shapes[ground.moving_shape].smaller_extent;
     for (int i = 0; i < contact.manifold.point_count; ++i)
-        if (separation_at_end(contact, contact.manifold.points[i], bodies) < -kBoundPart * shape.smaller_extent)
-            return shape.body;
-    return {};
+        if (separation_at_end(contact, contact.manifold.points[i], simulation.bodies) < -depth) return true;
+    return false;
 }
 
 // The bodies that may need a bound, each once.
@@ -204,9 +199,9 @@ void find_bounded(Simulation& simulation) {
         if ((body.flags & kDynamicBody) && displacement_in_step(body, motion) > kBoundPart * motion.smallest_extent)
             bounded.push_back(bodies.moving[i].body);
     }
-    for (const Contact& contact : simulation.contacts.all()) {
-        const std::optional<std::uint32_t> sunk = find_sunk(simulation, contact);
-        if (sunk && !bodies.is_asleep(*sunk)) bounded.push_back(*sunk);
+    for (const GroundContact ground : simulation.scratch->ground_contacts) {
+        const std::uint32_t body = simulation.shapes[ground.moving_shape].body;
+        if (!bodies.is_asleep(body) && is_sunk(simulation, ground)) bounded.push_back(body);
     }
     std::sort(bounded.begin(), bounded.end());
     bounded.erase(std::unique(bounded.begin(), bounded.end()), bounded.end());

@@ -58,10 +58,6 @@ bool rises_above(const GroundPlane& ground, const GroundPlane& plane, double tol
     return highest + double{shape.radius()} > plane.height + tolerance;
 }
 
-bool is_ground(const Simulation& simulation, std::uint32_t body, std::uint32_t shape) {
-    return !simulation.bodies.is_dynamic(body) && !simulation.shapes[shape].link;
-}
-
 void find_ground_contacts(Simulation& simulation) {
     constexpr std::size_t kLeastGround = 512;  // in a chunk: about 3 us of work
     const std::vector<Contact>& contacts = simulation.contacts.all();
@@ -69,14 +65,18 @@ void find_ground_contacts(Simulation& simulation) {
     lists.fill(simulation.crew, contacts.size(), kLeastGround, [&](std::size_t i, std::vector<GroundContact>& list) {
         const Contact& contact = contacts[i];
         if (contact.manifold.point_count == 0) return;
-        const bool on_a = is_ground(simulation, contact.body_a, contact.shapes.a);
-        const bool on_b = is_ground(simulation, contact.body_b, contact.shapes.b);
+        const bool on_a = !simulation.bodies.is_dynamic(contact.body_a);
+        const bool on_b = !simulation.bodies.is_dynamic(contact.body_b);
         if (on_a || on_b) list.push_back({on_a ? contact.shapes.b : contact.shapes.a, static_cast<std::uint32_t>(i)});
     });
     std::vector<GroundContact>& found = simulation.scratch->ground_contacts;
     found.clear();
     lists.for_each([&](GroundContact contact) { found.push_back(contact); });
     std::sort(found.begin(), found.end());
+}
+
+bool is_with_chain(const Simulation& simulation, const Contact& contact) {
+    return simulation.shapes[contact.shapes.a].link || simulation.shapes[contact.shapes.b].link;
 }
 
 // Removes the manifold of a contact if its ground does not rise above the plane of the other contact.
@@ -86,6 +86,7 @@ void remove_if_below(Simulation& simulation, std::uint32_t moving_shape, std::ui
     Contact& contact = simulation.contacts.all()[index];
     const Contact& support = simulation.contacts.all()[other];
     if (contact.manifold.point_count == 0 || support.manifold.point_count == 0) return;
+    if (is_with_chain(simulation, contact) || is_with_chain(simulation, support)) return;
     const Vec2 normal = ground_normal(contact, moving_shape), normal_of_plane = ground_normal(support, moving_shape);
     if (std::abs(cross(normal, normal_of_plane)) < kSameNormal) return;
     const GroundPlane ground = ground_plane(simulation, contact, moving_shape),
