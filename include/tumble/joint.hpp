@@ -26,13 +26,13 @@ namespace tumble {
 // pulleys, gears. Limits, motors and springs are iterated in both cases.
 enum class JointSolver : std::uint8_t {
     // One after the other, once or twice in a sub-step, with a softness of 60 Hz. O(joints). Joints open under load,
-    // and the more, the heavier the bodies at the end of a chain; mechanisms lose energy.
+    // and the more, the heavier the bodies at the end of a chain; mechanisms lose energy. A hinge or rod that is the
+    // only joint of its dynamic bodies is solved exactly: pendulums keep period and amplitude.
     iterative,
 
     // All at once, by a sparse factorization in each sub-step. Joints do not open, and pendulums and chains keep their
     // energy. A sub-step cannot resolve how links turn that are very light for the tension in them. They turn as if
-    // they
-    // had more inertia, and a chain of such links loses energy.
+    // they had more inertia, and a chain of such links loses energy.
     // For chains, ragdolls and robots it takes several times as long as the iteration; grids of many joints, and bodies
     // with hundreds of them, take far longer. Joints that contradict each other yield one after the other.
     direct,

@@ -1,5 +1,7 @@
 #include "dynamics/joints/distance_joint.hpp"
 
+#include "dynamics/rows/lone_joint.hpp"
+
 namespace tumble {
 
 void DistanceJoint::prepare(const BodyStore& bodies) {
@@ -8,6 +10,7 @@ void DistanceJoint::prepare(const BodyStore& bodies) {
     bodies_ = JointBodies::make(bodies.frames[def_.body_a.index], def_.anchor_a, bodies.frames[def_.body_b.index],
                                 def_.anchor_b);
     line_ = JointLine::along(bodies_.separation_at_start());
+    is_lone_ = is_lone_joint(bodies, def_.body_a.index, def_.body_b.index);
 }
 
 void DistanceJoint::warm_start(std::span<SolverBody> bodies) const {
@@ -18,9 +21,10 @@ void DistanceJoint::solve(const JointContext& context, bool use_bias, std::span<
     const JointLine line = JointLine::now(bodies_, bodies);
     const JointRow row = line.row(bodies_, bodies);
     drive_.solve(bodies_, row, line.length, def_.length, context, use_bias, bodies);
-    if (is_rod() && context.iterates_equalities)
-        solve_equality(bodies_, row, context.equality_softness(use_bias), line.length - def_.length, rod_impulse_,
-                       bodies);
+    if (!is_rod() || !context.iterates_equalities) return;
+    const float error = line.length - def_.length;
+    if (is_lone_ && use_bias) return solve_lone_rod(bodies_, line, row, error, context, rod_impulse_, bodies);
+    solve_equality(bodies_, row, context.equality_softness(use_bias), error, rod_impulse_, bodies);
 }
 
 void DistanceJoint::take_over(const DistanceJoint& old) {

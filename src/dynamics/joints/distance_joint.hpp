@@ -37,7 +37,8 @@ public:
 
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
-        visit(self.def_, self.bodies_, self.drive_, self.line_.axis, self.line_.length, self.rod_impulse_);
+        visit(self.def_, self.bodies_, self.drive_, self.line_.axis, self.line_.length, self.rod_impulse_,
+              self.is_lone_);
     }
 
 private:
@@ -50,6 +51,7 @@ private:
     JointDrive drive_;
     JointLine line_;            // at the start of the step
     float rod_impulse_ = 0.0f;  // on B along the line, positive pushes apart, N s
+    bool is_lone_ = false;      // in this step
 };
 
 }  // namespace tumble

@@ -1,5 +1,7 @@
 #include "dynamics/joints/revolute_joint.hpp"
 
+#include "dynamics/rows/lone_joint.hpp"
+
 namespace tumble {
 
 void RevoluteJoint::prepare(const BodyStore& bodies) {
@@ -8,6 +10,7 @@ void RevoluteJoint::prepare(const BodyStore& bodies) {
     const BodyFrame& a = bodies.frames[body_a_];
     const BodyFrame& b = bodies.frames[body_b_];
     bodies_ = JointBodies::make(a, anchor_a_, b, anchor_b_);
+    is_lone_ = is_lone_joint(bodies, body_a_, body_b_);
     if (drive_.needs_value()) angle_.prepare(a, b, reference_angle_);
 }
 
@@ -22,6 +25,7 @@ void RevoluteJoint::solve(const JointContext& context, bool use_bias, std::span<
         drive_.solve(bodies_, kAngularRow, angle, 0.0f, context, use_bias, bodies);
     }
     if (!context.iterates_equalities) return;
+    if (is_lone_ && use_bias) return solve_lone_point(bodies_, context, impulse_, bodies);
     solve_block(bodies_, PointBlock::make(bodies_, bodies), context.equality_softness(use_bias),
                 bodies_.current_separation(bodies), impulse_, bodies);
 }

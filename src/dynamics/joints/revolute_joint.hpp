@@ -40,7 +40,7 @@ public:
     template <class Self, class Visitor>
     static void visit_members(Self& self, Visitor&& visit) {
         visit(self.body_a_, self.body_b_, self.anchor_a_, self.anchor_b_, self.reference_angle_, self.bodies_,
-              self.angle_, self.drive_, self.impulse_);
+              self.angle_, self.drive_, self.impulse_, self.is_lone_);
     }
 
 private:
@@ -52,7 +52,8 @@ private:
     JointBodies bodies_;
     JointAngle angle_;
     JointDrive drive_;
-    Vec2 impulse_;  // on B, N s
+    Vec2 impulse_;          // on B, N s
+    bool is_lone_ = false;  // in this step
 };
 
 }  // namespace tumble
