@@ -74,6 +74,9 @@ TEST_CASE("syntax errors state the location, and some of them a hint") {
              Case{"{\"format\": \"\xFF\"}", 1, 13, "ill-formed UTF-8", ""},
              Case{"{\"format\" 1}", 1, 11, "expected ':'", ""},
              Case{"{format: 1}", 1, 3, "expected string literal", "keys take double quotes"},
+             Case{"{f: 1}", 1, 3, "expected string literal", "keys take double quotes"},
+             Case{"{\"format\": 010}", 1, 14, "unexpected number literal", "a number has no zeros before it: 10"},
+             Case{"{\"format\": [-05]}", 1, 15, "unexpected number literal", "a number has no zeros before it: 5"},
              Case{"# mine\n{\"format\": 1}", 1, 1, "invalid literal", "a comment begins with //"},
              Case{"{\"format\": 1 # mine\n}", 1, 14, "invalid literal", "a comment begins with //"},
              Case{"{\"color\": #d33}", 1, 11, "invalid literal", "a colour takes double quotes"},
@@ -226,6 +229,7 @@ TEST_CASE("hints answer what newcomers write") {
     CHECK(hint_of(test::with_shape(R"({"box": [2, 1]})")) == R"("box": {"size": [width, height]})");
     CHECK(
         hint_of(test::with_shape(R"({"polygon": [[0, 0], [1, 0], [0, 1]]})")).starts_with(R"("polygon": {"vertices")"));
+    CHECK(hint_of(R"({"bodies": []})") == R"("format": 1)");
     CHECK(hint_of(R"({"format": 1, "claims": []})") == R"(claims are listed under "expect")");
     CHECK(hint_of(R"({"format": 1, "world": {"dt": 0.01}})") == R"("steps_per_second": 60)");
     CHECK(hint_of(test::with_joint(R"("revolute": {"bodies": ["a", "b"]})")) == R"("type": "revolute")");
@@ -297,7 +301,7 @@ TEST_CASE("hints write a value of another kind as this format does") {
     CHECK(hint_of(R"({"format": 1, "timeline": [{"when": {"contact": 1}, "stop": true}]})")
               .starts_with("an expression in quotes"));
     CHECK(error_of(R"({"format": 1, "expect": [{"picture": "golden.jpg"}]})").message ==
-          "must be the name of a .png file");
+          "must be the name of a .png file, got \"golden.jpg\"");
     const std::string joint = R"("bodies": ["a", "b"], "anchor": [0, 0], )";
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "limits": {"min": -10, "max": 10})")) == "[-10, 10]");
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "motor": true)")).starts_with("\"motor\": {"));

@@ -37,6 +37,19 @@ TEST_CASE("slivers and sizes out of range cause a warning, on dynamic bodies onl
     CHECK(warnings_of(R"({"type": "static", "shapes": [{"box": {"size": [500, 0.1]}}]})").empty());
 }
 
+TEST_CASE("a mass of a body that is not dynamic causes a warning") {
+    const auto with_mass = [](const std::string& type) {
+        return warnings_of(R"({"type": ")" + type + R"(", "position": [0, 5], "mass": {"mass": 3, "inertia": 1},
+            "shapes": [{"box": {"size": [2, 1]}}]})");
+    };
+    for (const char* type : {"static", "kinematic"}) {
+        REQUIRE(with_mass(type).size() == 1);
+        CHECK(with_mass(type)[0].pointer == "/bodies/0/mass");
+        CHECK(says(with_mass(type)[0], "its mass has no effect"));
+    }
+    CHECK(with_mass("dynamic").empty());
+}
+
 TEST_CASE("a chain with a body on its solid side causes a warning, one with a body on its open side does not") {
     const auto on_chain = [](const std::string& points, const std::string& more = "") {
         return warnings_of(

@@ -9,6 +9,7 @@ namespace codes {
 
 inline constexpr std::string_view no_mass = "no-mass";
 inline constexpr std::string_view static_velocity = "static-velocity";
+inline constexpr std::string_view unused_mass = "unused-mass";
 inline constexpr std::string_view sliver = "sliver";
 inline constexpr std::string_view unusual_size = "unusual-size";
 inline constexpr std::string_view ignored_vertices = "ignored-vertices";

@@ -25,6 +25,10 @@ constexpr ProblemPage kPages[] = {
      R"({"format": 1, "bodies": [{"type": "static", "velocity": [1, 0], "shapes": [{"box": {"size": [2, 1]}}]}]})",
      R"(Set "type": "kinematic" for a body that moves at the velocity it is given, or a "tangent_speed" in the )"
      "material of a conveyor belt."},
+    {kWarning, codes::unused_mass, "a mass of a body that is not dynamic",
+     "Nothing pushes a static or kinematic body, so that its mass has no effect.",
+     R"({"format": 1, "bodies": [{"type": "static", "mass": {"mass": 3}, "shapes": [{"box": {"size": [2, 1]}}]}]})",
+     R"(Leave "mass" out, or make the body dynamic.)"},
     {kWarning, codes::sliver, "a thin shape",
      "The shape is over 100 times longer than thick. Its inertia about its length is almost zero, and "
      "contacts on it jitter.",

@@ -1,4 +1,4 @@
-// Lints of single bodies: slivers, sizes, weight, static bodies with a velocity.
+// Lints of single bodies: slivers, sizes, weight, static bodies with a velocity or a mass.
 #include <algorithm>
 #include <string>
 
@@ -53,6 +53,13 @@ public:
                                  R"(a body of "type": "kinematic" moves at the velocity it is given)");
     }
 
+    void lint_mass(const SceneBody& body, const std::string& pointer) {
+        if (body.mass && body.type != BodyType::dynamic_body)
+            diagnostics_.warning(codes::unused_mass, pointer + "/mass",
+                                 "the body is not dynamic: its mass has no effect",
+                                 R"(leave "mass" out, or make the body dynamic)");
+    }
+
 private:
     void lint_size(const std::string& pointer, double width, double size) {
         if (width > 0.0 && width < kSliver * size)
@@ -80,6 +87,7 @@ void add_body_lints(const Scene& scene, Diagnostics& diagnostics) {
         linter.lint_shapes(body, pointer);
         linter.lint_weight(body, pointer);
         linter.lint_motion(body, pointer);
+        linter.lint_mass(body, pointer);
     };
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) lint(scene.bodies[i], "/bodies/" + std::to_string(i));
     for (std::size_t i = 0; i < scene.timeline.size(); ++i)

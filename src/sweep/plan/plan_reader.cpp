@@ -197,7 +197,7 @@ Plan read_object(const Json& json, const std::filesystem::path& file, std::uint6
     plan.file = file;
     object.find("$schema");
     object.whole("format", 1, 1, 1);
-    if (!object.has("format")) object.error("", "needs the key \"format\", which is 1");
+    if (!object.has("format")) object.error("", R"(the key "format" is missing)", R"("format": 1)");
     plan.name = object.text("name", file.stem().string());
     plan.description = object.text("description");
     read_scenes(object, plan);

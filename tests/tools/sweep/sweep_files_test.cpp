@@ -175,7 +175,10 @@ TEST_CASE("plot draws a heat map of the grid, and dots without a second axis") {
     CHECK(count(map.out, "#440154") == 6);
     CHECK(count(map.out, "#fde725") == 1);
     CHECK(count(plot({"--value", "product"}).out, "<circle") == 12);
-    CHECK(plot({"--value", "area"}).code == 3);
+    const Answer misspelt = plot({"--value", "produkt"});
+    CHECK(misspelt.code == 3);
+    CHECK(misspelt.err.find("runs.csv: has no column 'produkt'; did you mean 'product'?\n  its columns: run, ") !=
+          std::string::npos);
     CHECK(plot({"--value", "message"}).code == 3);
     CHECK(run_tumble({"sweep", "plot", sweeps.at("gone"), "--x", "a", "--value", "b", "-o", "-"}).code == 4);
 }
