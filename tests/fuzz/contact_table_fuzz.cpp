@@ -15,8 +15,7 @@ using namespace tumble;
 
 namespace {
 
-constexpr const char* kHeader =
-    "step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse\n";
+constexpr const char* kHeader = "step,body_a,body_b,feature,x,y,nx,ny,separation,normal_impulse,tangent_impulse\n";
 // The bodies differ at step 2.
 constexpr const char* kStates =
     "step,time,body,x,y,angle,vx,vy,omega\n"

@@ -1,6 +1,6 @@
-// libFuzzer target over included files: any two texts, a scene and the part that each of its includes reads, are a scene
-// that writes itself and builds, or an error. A part may include itself and other files, which have the same text. The
-// first byte tells where the first text ends.
+// libFuzzer target over included files: any two texts, a scene and the part that each of its includes reads, are a
+// scene that writes itself and builds, or an error. A part may include itself and other files, which have the same
+// text. The first byte tells where the first text ends.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -222,7 +222,8 @@ TEST_CASE("hints answer what newcomers write") {
     };
     const std::string before = R"({"format": 1, "bodies": [{"name": "ball", )", after = "}]}";
     CHECK(hint_of(before + R"("static": true)" + after) == R"("type": "static")");
-    CHECK(hint_of(before + R"("mass": 5)" + after) == R"("mass": {"mass": 5})");
+    CHECK(hint_of(before + R"("mass": 5)" + after) ==
+          R"("mass": {"mass": 5, "inertia": 1}, or a "density" of the material)");
     CHECK(hint_of(before + R"("repeat": 5)" + after).starts_with(R"(of a body: "repeat": {"grid": {"columns": 5}})"));
     CHECK(hint_of(test::with_shape(R"({"circle": 0.5})")) == R"("circle": {"radius": 0.5})");
     CHECK(hint_of(test::with_shape(R"({"box": 2})")) == R"("box": {"size": [width, height]})");
@@ -230,6 +231,8 @@ TEST_CASE("hints answer what newcomers write") {
     CHECK(
         hint_of(test::with_shape(R"({"polygon": [[0, 0], [1, 0], [0, 1]]})")).starts_with(R"("polygon": {"vertices")"));
     CHECK(hint_of(R"({"bodies": []})") == R"("format": 1)");
+    CHECK(hint_of(R"({"format": 1, "scene": "a.json", "runs": 3})") == "this is a plan, which `tumble sweep` runs");
+    CHECK(hint_of(R"({"format": 1, "body": [], "joint": []})").find("`tumble import`") != std::string::npos);
     CHECK(hint_of(R"({"format": 1, "claims": []})") == R"(claims are listed under "expect")");
     CHECK(hint_of(R"({"format": 1, "world": {"dt": 0.01}})") == R"("steps_per_second": 60)");
     CHECK(hint_of(test::with_joint(R"("revolute": {"bodies": ["a", "b"]})")) == R"("type": "revolute")");
@@ -347,7 +350,7 @@ TEST_CASE("hulls that drop vertices are warnings") {
     parse_scene(test::with_shape(R"({"polygon": {"vertices": [[0, 0], [2, 0], [2, 2], [1, 0.5], [0, 2], [1, 0]]}})"),
                 "scene.json", &warnings);
     REQUIRE(warnings.size() == 2);
-    CHECK(warnings[0].message == "1 of the vertices lie inside the convex hull and are ignored");
+    CHECK(warnings[0].message == "vertices inside the convex hull, which are ignored: 1");
     CHECK(to_string(warnings[1]).find(": warning: 1 of the vertices are duplicates or lie on an edge") !=
           std::string::npos);
     CHECK(warnings[0].pointer == "/bodies/0/shapes/0/polygon/vertices");

@@ -296,8 +296,7 @@ TEST_CASE("an error has its place in the text, a reason and a hint") {
     CHECK(refused("distance(a)").offset == 10);
     CHECK(refused("distance(a, 1)").offset == 12);
     CHECK(refused("all(a.x > 1)").message == "'all' needs the common name of copies");
-    CHECK(refused("max(a.x)").hint ==
-          "a body or joint without a \"repeat\" has no copies: leave the function out");
+    CHECK(refused("max(a.x)").hint == "a body or joint without a \"repeat\" has no copies: leave the function out");
     CHECK(refused("count(a.x > 1) > 0").hint ==
           "a body or joint without a \"repeat\" has no copies: write if(condition, 1, 0)");
     CHECK(refused("t > 1").hint == "did you mean 'time'?");

@@ -63,8 +63,8 @@ ExitCode format(const Command& command, const FmtArguments& options) {
                                           ", which the canonical form drops; write it without them with --force, or "
                                           "move them into \"custom\"");
     if (comments > 0)
-        report_warning(options.file + ": " + counted(comments, "comment") +
-                       (comments == 1 ? " is" : " are") + " dropped; \"custom\" keeps notes");
+        report_warning(options.file + ": " + counted(comments, "comment") + (comments == 1 ? " is" : " are") +
+                       " dropped; \"custom\" keeps notes");
     if (options.write && changes) save_scene(scene, options.file);
     if (!options.write && !command.json) {
         write_output(text);

@@ -132,11 +132,10 @@ std::string check_text(const reference::ImportDifferences& check) {
     append_number(text, check.mass.value);
     append_number(text += ", centres within ", check.center.value);
     append_number(text += ", inertias within ", check.inertia.value);
-    append_number(text += " (relative); " + counted(check.joints, "joint") + ", anchors within ",
-                  check.anchor.value);
+    append_number(text += " (relative); " + counted(check.joints, "joint") + ", anchors within ", check.anchor.value);
     text += " m\n" + engines_text();
     if (check.refused_inertias > 0)
-        text += "  not compared are " + "moments of inertia that Box2D does not accept: " +
+        text += "  not compared are moments of inertia that Box2D does not accept: " +
                 std::to_string(check.refused_inertias) + "\n";
     if (!check.same_count) text += "  the numbers of bodies or joints differ\n";
     for (const NamedDifference& one : differences_of(check))

@@ -196,9 +196,7 @@ ExitCode shrink(const Command& command, const ShrinkArguments& options) {
     Shrinker shrinker(
         text, failure, options.keep, candidates,
         [&](const std::string& smaller) { write_file(files.scene, smaller, true); },
-        [&](const std::string& change) {
-            narrate(change + ", " + counted(candidates.run_count(), "run") + "\n");
-        });
+        [&](const std::string& change) { narrate(change + ", " + counted(candidates.run_count(), "run") + "\n"); });
     Shrunk shrunk{size_of(scene), {}, failure.text};
     try {
         shrinker.shrink();

@@ -26,8 +26,8 @@ std::string to_json(const MinariReport& report) {
 }
 
 std::string to_text(const MinariReport& report) {
-    std::string text = report.dataset.string() + ": " + counted(report.episodes, "episode") + ", " +
-                       counted(report.steps, "step");
+    std::string text =
+        report.dataset.string() + ": " + counted(report.episodes, "episode") + ", " + counted(report.steps, "step");
     if (report.left_out > 0) text += "; " + counted(report.left_out, "run") + " left out";
     return text + "\n";
 }

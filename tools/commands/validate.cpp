@@ -64,7 +64,8 @@ void print(const Validation& validation) {
     if (!validation.error.empty()) return;
     const std::size_t warnings = validation.diagnostics.size();
     write_output(validation.file + ": valid, " + counted(validation.bodies, "body") + ", " +
-                 counted(validation.joints, "joint") + (warnings > 0 ? ", " + counted(warnings, "warning") : "") + "\n");
+                 counted(validation.joints, "joint") + (warnings > 0 ? ", " + counted(warnings, "warning") : "") +
+                 "\n");
 }
 
 void write(JsonWriter& json, const Validation& validation) {

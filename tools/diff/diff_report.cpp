@@ -98,8 +98,7 @@ std::string to_text(const Comparison& comparison, double tolerance) {
     append_value(text += "\n  B ", first.component, first.b);
     append_number(text += "\n  apart by ", difference_of(first.component, first.a, first.b));
     text += " " + std::string(kKinds[kKindOf[first.component]].unit);
-    if (const std::uint64_t ulps = ulps_of(first); ulps <= kMostUlps)
-        text += ", " + counted(ulps, "ulp");
+    if (const std::uint64_t ulps = ulps_of(first); ulps <= kMostUlps) text += ", " + counted(ulps, "ulp");
     text += "; " + std::to_string(first.differing_bodies) + " of " + std::to_string(comparison.bodies) +
             " common bodies differ in this step\n";
     append_largest(text, comparison);

@@ -226,7 +226,8 @@ std::string to_text(const EventComparison& comparison) {
     text +=
         first.what.empty() ? first.component + " is " + first.in_a + " in A and " + first.in_b + " in B" : first.what;
     return text + "\n  " + "events in both: " + std::to_string(comparison.common) + ", " +
-           "only in A: " + std::to_string(comparison.only_a) + ", only in B: " + std::to_string(comparison.only_b) + "\n";
+           "only in A: " + std::to_string(comparison.only_a) + ", only in B: " + std::to_string(comparison.only_b) +
+           "\n";
 }
 
 std::string to_json(const EventComparison& comparison) {

@@ -45,7 +45,8 @@ void compare(const Image& golden, const Image& drawn, double tolerance, Expectat
     result.passed = pixels == 0;
     result.finding = result.passed
                          ? "the largest difference is " + counted(largest, "level")
-                         : counted(pixels, "pixel") + (pixels == 1 ? " differs, by up to " : " differ, by up to ") + counted(largest, "level");
+                         : counted(pixels, "pixel") + (pixels == 1 ? " differs, by up to " : " differ, by up to ") +
+                               counted(largest, "level");
 }
 
 // Returns whether it was written: not if a signal has stopped the scene before its step.

@@ -93,12 +93,11 @@ std::string to_json(const SweepStatus& status) {
 }
 
 std::string to_text(const sweep::Plan& plan, const SweepReport& report) {
-    std::string text = plan.name + ": " + std::to_string(report.simulated_runs) + " of " +
-                       counted(report.runs, "run") + " simulated in " + duration_text(report.seconds) +
+    std::string text = plan.name + ": " + std::to_string(report.simulated_runs) + " of " + counted(report.runs, "run") +
+                       " simulated in " + duration_text(report.seconds) +
                        "; stored: " + outcomes_text(report.outcomes) + "\n";
     if (report.missing_shards > 0)
-        text +=
-            "missing: " + std::to_string(report.missing_shards) + " of " + counted(report.shards, "shard") + "\n";
+        text += "missing: " + std::to_string(report.missing_shards) + " of " + counted(report.shards, "shard") + "\n";
     return text;
 }
 
@@ -112,10 +111,11 @@ std::string to_json(const SweepReport& report) {
 }
 
 std::string to_text(const sweep::Plan& plan, const SweepEstimate& estimate) {
-    return plan.name + ": " + counted(estimate.runs, "run") + " in " + counted(estimate.shards, "shard") +
-           " of " + std::to_string(estimate.shard_runs) + "\nabout " + duration_text(estimate.seconds) + ", " +
+    return plan.name + ": " + counted(estimate.runs, "run") + " in " + counted(estimate.shards, "shard") + " of " +
+           std::to_string(estimate.shard_runs) + "\nabout " + duration_text(estimate.seconds) + ", " +
            three_digits(estimate.seconds_per_run * 1e3, "ms") + " for a run\nabout " + bytes_text(estimate.bytes) +
-           " in " + counted(estimate.files, "file") + "\nof " + counted(estimate.sampled, "sampled run") + ": " + outcomes_text(estimate.outcomes) + "\n";
+           " in " + counted(estimate.files, "file") + "\nof " + counted(estimate.sampled, "sampled run") + ": " +
+           outcomes_text(estimate.outcomes) + "\n";
 }
 
 std::string to_json(const SweepEstimate& estimate) {
@@ -131,13 +131,10 @@ std::string to_json(const SweepEstimate& estimate) {
 std::string to_text(const Verification& verification) {
     std::string text;
     for (const std::string& finding : verification.findings) text += finding + "\n";
-    return text + counted(verification.files, "file") + ", " +
-           bytes_text(static_cast<double>(verification.bytes)) + ", and " + counted(verification.repeated_runs, "run") +
-           " made again" +
+    return text + counted(verification.files, "file") + ", " + bytes_text(static_cast<double>(verification.bytes)) +
+           ", and " + counted(verification.repeated_runs, "run") + " made again" +
            (verification.repeated_runs > 0 ? ", drawn by --seed " + std::to_string(verification.seed) : "") + ": " +
-           (verification.findings.empty() ? "all as written"
-                                          : counted(verification.findings.size(), "finding")) +
-           "\n";
+           (verification.findings.empty() ? "all as written" : counted(verification.findings.size(), "finding")) + "\n";
 }
 
 std::string to_json(const Verification& verification) {

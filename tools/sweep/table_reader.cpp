@@ -16,9 +16,7 @@ TableReader::TableReader(const std::filesystem::path& folder, const sweep::Sweep
     if (line + "\n" != header.columns) fail("the columns are not those of the manifest");
 }
 
-std::size_t TableReader::column(const std::string& name) const {
-    return column_of(columns_, name, file_);
-}
+std::size_t TableReader::column(const std::string& name) const { return column_of(columns_, name, file_); }
 
 std::vector<std::size_t> TableReader::columns_between(const std::string& first, const std::string& last) const {
     std::vector<std::size_t> between;

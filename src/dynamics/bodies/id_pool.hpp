@@ -50,9 +50,7 @@ public:
     }
 
     // Whether the id was acquired and released.
-    bool was_live(IdType id) const {
-        return id.index < generations_.size() && id.generation < generations_[id.index];
-    }
+    bool was_live(IdType id) const { return id.index < generations_.size() && id.generation < generations_[id.index]; }
 
     // The id of the present owner of an index, or of the next one if there is none.
     IdType at(std::uint32_t index) const {

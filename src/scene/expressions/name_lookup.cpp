@@ -96,7 +96,8 @@ void NameLookup::go_through_copies(const Token& name, bool are_joints) {
     std::optional<Copies>& copies = around_copies().copies;
     if (!copies && are_joints) {
         const NamedCopy first = *find_joint(name.text);
-        copies = Copies{add(JointRef{.name = name.text, .built = known_->joints.built_index(first), .count = first.count}), true};
+        copies = Copies{
+            add(JointRef{.name = name.text, .built = known_->joints.built_index(first), .count = first.count}), true};
     } else if (!copies) {
         copies = Copies{add(common(name.text)), false};
     }
@@ -166,13 +167,12 @@ Node NameLookup::joint_property(const Token& name, const NamedCopy& joint, const
     const bool is_common = known_->joints.is_shared(name.text);
     if (is_common && around_.empty()) refuse_common(name, ".force < 100", ".force");
     if (is_common) go_through_copies(name, true);
-    return {.op = Op::joint_value,
-            .kind = found.kind,
-            .code = static_cast<int>(found.code),
-            .names = {add(JointRef{.name = name.text,
-                                   .built = known_->joints.built_index(joint),
-                                   .type = type,
-                                   .is_current = is_common})}};
+    return {
+        .op = Op::joint_value,
+        .kind = found.kind,
+        .code = static_cast<int>(found.code),
+        .names = {add(JointRef{
+            .name = name.text, .built = known_->joints.built_index(joint), .type = type, .is_current = is_common})}};
 }
 
 std::optional<std::size_t> NameLookup::given_value(const Token& name) const {
