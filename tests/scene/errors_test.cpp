@@ -268,7 +268,7 @@ TEST_CASE("hints write a value of another kind as this format does") {
         return std::string();
     };
     const std::string body = R"({"format": 1, "bodies": [{"name": "ball", )";
-    CHECK(hint_of(body + R"("mass": "5kg"}]})") == R"("mass": {"mass": 1})");
+    CHECK(hint_of(body + R"("mass": "5kg"}]})").starts_with(R"("mass": {"mass": 1, "inertia": 1})"));
     CHECK(hint_of(body + R"("position": ["3m", 0]}]})") == "a number without quotes and without a unit");
     CHECK(hint_of(body + R"("position": ["left", 0]}]})").empty());
     CHECK(hint_of(body + R"("position": {"uniform": [[0, 0], [1, 1]]}}]})") ==

@@ -137,7 +137,8 @@ private:
         if (why.find("unexpected end") != std::string::npos && !levels_.empty())
             return std::string("the last '") + (levels_.back().is_object ? "{" : "[") + "' is not closed";
         if (c == '\'') return "strings and keys take double quotes";
-        if (why.find("expected string literal") != std::string::npos && !token.empty() && is_letter(token[0]))
+        const bool follows_letter = c == ':' && offset > 0 && is_letter(text_[offset - 1]);
+        if (why.find("expected string literal") != std::string::npos && (is_letter(c) || follows_letter))
             return "keys take double quotes";
         if (c == 'I' || (c == 'N' && text_.substr(offset).starts_with("NaN"))) return "JSON has no NaN and no Infinity";
         if (c == '+') return "a number has no + before it";
