@@ -9,6 +9,7 @@
 
 #include "scene/format/fields.hpp"
 #include "scene/format/foreign_words.hpp"
+#include "scene/format/text_forms.hpp"
 #include "scene/json/json_text.hpp"
 #include "scene/json/pointer.hpp"
 #include "tumble/suggest.hpp"
@@ -16,16 +17,6 @@
 namespace tumble::scene {
 
 namespace {
-
-// True for #rgb and #rrggbb.
-bool is_color(const std::string& text) {
-    return (text.size() == 4 || text.size() == 7) && text[0] == '#' &&
-           text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-}
-
-bool is_hash(const std::string& text) {
-    return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
 
 class Reader {
 public:
