@@ -53,7 +53,7 @@ TEST_CASE("submit takes nothing but the number of a job from sbatch") {
     fs::create_directory(sweeps.folder / "bin");
     const fs::path program = sweeps.folder / "bin/sbatch";
     const auto submit_with = [&](const std::string& answer) {
-        sweeps.folder.write("bin/sbatch", "#!/bin/sh\nprintf '" + answer + "'\n");
+        sweeps.folder.write("bin/sbatch", "#!/bin/sh\nprintf '%b' '" + answer + "'\n");
         fs::permissions(program, fs::perms::owner_all);
         std::vector<std::string> command = tumble::test::tumble_command(
             {"sweep", "submit", sweeps.plan, "-o", sweeps.at("cluster"), "--slurm", "--tasks", "2", "--json"});
