@@ -58,7 +58,7 @@ find out -name summary.json | grep -q . && find out -name '*.png' | grep -q . ||
 echo "step: one frame"
 tumble shot /usr/share/tumble/scenes/see_saw.json --at 1 -o frame.png
 [ "$(head -c 4 frame.png | tail -c 3)" = PNG ] || { echo "frame.png is not a PNG file"; exit 1; }
-echo "step: none"
+echo "step: mmdebstrap removes that Debian"
 END
     say "installing it in a bare Debian"
     # shellcheck disable=SC2016  # $1 is the folder of that Debian

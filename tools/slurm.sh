@@ -125,7 +125,7 @@ wait_until 30 has_shard 2 || die "task 2 has not written a shard"
 scancel --signal=TERM --batch "${job}_2"
 say "task 2 has got TERM"
 wait_until 60 has_ended "$merge" || die "the sweep does not end"
-grep -q 'shards are missing\|missing shards' "$work/cluster.slurm/merge.log" || die "no shard is missing after a kill"
+grep -q 'missing: \|missing shards' "$work/cluster.slurm/merge.log" || die "no shard is missing after a kill"
 
 read -r job merge tasks < <(submit)
 say "submitted again: the tasks $tasks"

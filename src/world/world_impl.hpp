@@ -72,8 +72,13 @@ private:
     template <class IdType>
     static void require_live(const IdPool<IdType>& pool, IdType id, const char* kind) {
         if (pool.is_live(id)) return;
-        throw std::invalid_argument(std::string(kind) + " id is stale or foreign: index " + std::to_string(id.index) +
-                                    ", generation " + std::to_string(id.generation));
+        const std::string text = std::string(kind) + " id is ", object(kind);
+        if (id == IdType{}) throw std::invalid_argument(text + "the default one, which is of no " + object);
+        const std::string numbers =
+            " (index " + std::to_string(id.index) + ", generation " + std::to_string(id.generation) + ")";
+        if (pool.was_live(id)) throw std::invalid_argument(text + "stale: the " + object + " was destroyed" + numbers);
+        throw std::invalid_argument(text + "foreign: no " + object + " of this world ever had it" + numbers +
+                                    "; it is probably of another world");
     }
 };
 

@@ -224,6 +224,34 @@ TEST_CASE("wrong values are errors at their location") {
     }
 }
 
+TEST_CASE("numbers that a scene cannot have are errors at their place in the export") {
+    const auto error_of = [](const std::string& keys) {
+        try {
+            parse_rube(R"({"body": [{"type": 2, "fixture": [{"circle": {"radius": 1}, "density": 1}], )" + keys + "}]}",
+                       "export.json");
+        } catch (const SceneError& error) {
+            const Diagnostic& first = error.diagnostics.at(0);
+            return first.file + " " + first.pointer + " " + first.message;
+        }
+        return std::string();
+    };
+    CHECK(error_of(R"("angle": 1)").empty());
+    CHECK(error_of(R"("massData-center": {"x": 1e308, "y": 0}, "massData-I": 1)") ==
+          "export.json /body/0/massData-center/x must be at most 100000, got 1e+308");
+    CHECK(error_of(R"("massData-mass": 1e30)") ==
+          "export.json /body/0/massData-mass must be at most 1000000, got 1e+30");
+    CHECK(error_of(R"("position": {"x": -2e9, "y": 0})") ==
+          "export.json /body/0/position/x must be at least -1000000000, got -2000000000");
+    CHECK(error_of(R"("angularVelocity": 1e20)").find("/body/0/angularVelocity must be at most ") != std::string::npos);
+    CHECK(error_of(R"("fixture": [{"density": -1, "circle": {"radius": 1}}])").find("key occurs twice") !=
+          std::string::npos);
+    CHECK(error_of(R"("linearDamping": -1)") == "export.json /body/0/linearDamping must be at least 0, got -1");
+    const ImportedScene bouncy =
+        parse_rube(R"({"body": [{"fixture": [{"circle": {"radius": 1}, "restitution": 1.5}]}]})", "bouncy.json");
+    CHECK(bouncy.scene.materials.at(0).restitution == 1.0);
+    CHECK(count_of(bouncy, "restitutions above 1, which are 1 in the scene") == 1);
+}
+
 TEST_CASE("a sleeping body is imported without its velocity, which a scene file does not allow") {
     const ImportedScene imported =
         parse_rube(R"({"body": [{"type": 2, "linearVelocity": {"x": 1, "y": 0}, "angularVelocity": 2},

@@ -37,7 +37,7 @@ def test_a_scene_is_plain_data():
     assert scene.data["world"].get("duration") != 0.5
     made = tumble.Scene({"bodies": [{"name": "ball", "position": [0, 3], "shapes": [{"circle": {"radius": 0.5}}]}]})
     assert made.run(duration=1).bodies["ball"].position[1] == pytest.approx(-2, abs=0.1)
-    assert made == made.copy() and repr(made) == "<Scene 'scene': 1 bodies, 0 joints>"
+    assert made == made.copy() and repr(made) == "<Scene 'scene': 1 body, 0 joints>"
 
 
 def test_a_scene_is_written_and_read_again(tmp_path):

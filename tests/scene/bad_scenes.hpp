@@ -22,7 +22,7 @@ inline const std::string kGeometry = "geometry: what has no extent, or crosses i
 inline const std::string kKinds = "keys that belong to some types of joints, events or claims only";
 inline const std::string kNeeds = "keys that some types need";
 inline const std::string kFiles = "included files: whether they exist, and their contents";
-inline const std::string kForm = "texts of a form of their own: bytes of a name, digits of a hash";
+inline const std::string kForm = "texts of a form of their own: bytes of a name";
 
 // One body with one shape.
 inline std::string with_shape(const std::string& shape) {
@@ -304,7 +304,8 @@ inline const std::vector<BadScene> kBadScenes = {
      "must be one of contact_begin"},
     {R"({"format": 1, "expect": [{"count": [1, 2], "region": [[1, 1], [0, 0]]}]})", "/expect/0/region",
      "the lower left and the upper right corner", kNumbers},
-    {R"({"format": 1, "expect": [{"state_hash": "xyz"}]})", "/expect/0/state_hash", "must be 16 digits", kForm},
+    {R"({"format": 1, "expect": [{"state_hash": "xyz"}]})", "/expect/0/state_hash", "must be 16 digits"},
+    {with_claim(R"("picture": "golden.jpg")"), "/expect/0/picture", "must be the name of a .png file"},
     {R"({"format": 1, "expect": [{"at_rest_by": 1, "frame": {"angle": 3}}]})", "/expect/0/frame",
      "belongs to claims on positions", kKinds},
     {R"({"format": 1, "expect": [{"at_rest_by": 1, "when": "never"}]})", "/expect/0/when",

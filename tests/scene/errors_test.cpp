@@ -74,6 +74,9 @@ TEST_CASE("syntax errors state the location, and some of them a hint") {
              Case{"{\"format\": \"\xFF\"}", 1, 13, "ill-formed UTF-8", ""},
              Case{"{\"format\" 1}", 1, 11, "expected ':'", ""},
              Case{"{format: 1}", 1, 3, "expected string literal", "keys take double quotes"},
+             Case{"{f: 1}", 1, 3, "expected string literal", "keys take double quotes"},
+             Case{"{\"format\": 010}", 1, 14, "unexpected number literal", "a number has no zeros before it: 10"},
+             Case{"{\"format\": [-05]}", 1, 15, "unexpected number literal", "a number has no zeros before it: 5"},
              Case{"# mine\n{\"format\": 1}", 1, 1, "invalid literal", "a comment begins with //"},
              Case{"{\"format\": 1 # mine\n}", 1, 14, "invalid literal", "a comment begins with //"},
              Case{"{\"color\": #d33}", 1, 11, "invalid literal", "a colour takes double quotes"},
@@ -219,13 +222,17 @@ TEST_CASE("hints answer what newcomers write") {
     };
     const std::string before = R"({"format": 1, "bodies": [{"name": "ball", )", after = "}]}";
     CHECK(hint_of(before + R"("static": true)" + after) == R"("type": "static")");
-    CHECK(hint_of(before + R"("mass": 5)" + after) == R"("mass": {"mass": 5})");
+    CHECK(hint_of(before + R"("mass": 5)" + after) ==
+          R"("mass": {"mass": 5, "inertia": 1}, or a "density" of the material)");
     CHECK(hint_of(before + R"("repeat": 5)" + after).starts_with(R"(of a body: "repeat": {"grid": {"columns": 5}})"));
     CHECK(hint_of(test::with_shape(R"({"circle": 0.5})")) == R"("circle": {"radius": 0.5})");
     CHECK(hint_of(test::with_shape(R"({"box": 2})")) == R"("box": {"size": [width, height]})");
     CHECK(hint_of(test::with_shape(R"({"box": [2, 1]})")) == R"("box": {"size": [width, height]})");
     CHECK(
         hint_of(test::with_shape(R"({"polygon": [[0, 0], [1, 0], [0, 1]]})")).starts_with(R"("polygon": {"vertices")"));
+    CHECK(hint_of(R"({"bodies": []})") == R"("format": 1)");
+    CHECK(hint_of(R"({"format": 1, "scene": "a.json", "runs": 3})") == "this is a plan, which `tumble sweep` runs");
+    CHECK(hint_of(R"({"format": 1, "body": [], "joint": []})").find("`tumble import`") != std::string::npos);
     CHECK(hint_of(R"({"format": 1, "claims": []})") == R"(claims are listed under "expect")");
     CHECK(hint_of(R"({"format": 1, "world": {"dt": 0.01}})") == R"("steps_per_second": 60)");
     CHECK(hint_of(test::with_joint(R"("revolute": {"bodies": ["a", "b"]})")) == R"("type": "revolute")");
@@ -261,7 +268,7 @@ TEST_CASE("hints write a value of another kind as this format does") {
         return std::string();
     };
     const std::string body = R"({"format": 1, "bodies": [{"name": "ball", )";
-    CHECK(hint_of(body + R"("mass": "5kg"}]})") == R"("mass": {"mass": 1})");
+    CHECK(hint_of(body + R"("mass": "5kg"}]})").starts_with(R"("mass": {"mass": 1, "inertia": 1})"));
     CHECK(hint_of(body + R"("position": ["3m", 0]}]})") == "a number without quotes and without a unit");
     CHECK(hint_of(body + R"("position": ["left", 0]}]})").empty());
     CHECK(hint_of(body + R"("position": {"uniform": [[0, 0], [1, 1]]}}]})") ==
@@ -297,7 +304,7 @@ TEST_CASE("hints write a value of another kind as this format does") {
     CHECK(hint_of(R"({"format": 1, "timeline": [{"when": {"contact": 1}, "stop": true}]})")
               .starts_with("an expression in quotes"));
     CHECK(error_of(R"({"format": 1, "expect": [{"picture": "golden.jpg"}]})").message ==
-          "must be the name of a .png file");
+          "must be the name of a .png file, got \"golden.jpg\"");
     const std::string joint = R"("bodies": ["a", "b"], "anchor": [0, 0], )";
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "limits": {"min": -10, "max": 10})")) == "[-10, 10]");
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "motor": true)")).starts_with("\"motor\": {"));
@@ -343,7 +350,7 @@ TEST_CASE("hulls that drop vertices are warnings") {
     parse_scene(test::with_shape(R"({"polygon": {"vertices": [[0, 0], [2, 0], [2, 2], [1, 0.5], [0, 2], [1, 0]]}})"),
                 "scene.json", &warnings);
     REQUIRE(warnings.size() == 2);
-    CHECK(warnings[0].message == "1 of the vertices lie inside the convex hull and are ignored");
+    CHECK(warnings[0].message == "vertices inside the convex hull, which are ignored: 1");
     CHECK(to_string(warnings[1]).find(": warning: 1 of the vertices are duplicates or lie on an edge") !=
           std::string::npos);
     CHECK(warnings[0].pointer == "/bodies/0/shapes/0/polygon/vertices");

@@ -186,6 +186,48 @@ TEST_CASE("functions about copies go through those that exist") {
     CHECK(at.value("count(distance(crate, b) < 49.5)") == 3.0);
 }
 
+TEST_CASE("functions about copies go through the copies of a joint that exist") {
+    // The anchors are 1 m apart on the wall, and the balls 1.125 m: the gap of hinge i is i / 8 m.
+    const Scene scene = parse_scene(R"({"format": 1, "world": {"gravity": [0, 0]}, "bodies": [
+        {"name": "wall", "type": "static"},
+        {"name": "ball", "repeat": {"grid": {"columns": 4, "spacing": [1.125, 0]}},
+         "shapes": [{"circle": {"radius": 0.25}}]}],
+      "joints": [{"type": "revolute", "name": "hinge", "bodies": ["wall", "ball[0]"], "anchors": [[0, 0], [0, 0]],
+                  "repeat": {"columns": 4, "spacing": [1, 0]}}],
+      "timeline": [{"at": 0, "release": "hinge[3]"}]})",
+                                    "hinges");
+    SceneRun run(scene);
+    const SceneWorld whole = build_world(scene);
+    const auto value = [&](const char* text) { return Expression(text, scene).value(whole); };
+    CHECK(value("hinge[2].gap") == 0.25);
+    CHECK(value("max(hinge.gap)") == 0.375);
+    CHECK(value("sum(hinge.gap)") == 0.75);
+    CHECK(value("count(hinge.gap > 0.1)") == 3.0);
+    CHECK(value("all(hinge.gap < 0.25)") == 0.0);
+    CHECK(value("any(hinge.gap > 0.25 and hinge.exists)") == 1.0);
+    const Expression all("all(hinge.gap < 0.25)", scene);
+    CHECK(all.shortfall(whole) == 0.125);
+    CHECK(all.finding(whole) == "all(hinge.gap < 0.25) is false, of 'hinge[2]' hinge.gap is 0.25");
+    run.step();
+    CHECK(Expression("count(hinge.exists)", scene).value(run.built()) == 3.0);
+    const auto hint_of = [&](const char* text) {
+        try {
+            const Expression refused(text, scene);
+        } catch (const ExpressionError& error) {
+            return std::string(error.what()) + "; " + error.hint;
+        }
+        return std::string();
+    };
+    CHECK(hint_of("hinge.gap < 1") ==
+          "'hinge' stands for several copies; name one, hinge[0], or all of them: all(hinge.force < 100), "
+          "any(hinge.force < 100), max(hinge.force)");
+    CHECK(hint_of("max(hinge.gap, 1) < 1") ==
+          "'hinge' stands for several copies; max(hinge.force) with one argument is that of all copies");
+    CHECK(hint_of("all(hinge.gap < 1 and ball.x > 1)") ==
+          "a function about copies takes the copies of one body or joint: 'hinge' and 'ball' are two; ");
+    CHECK(hint_of("all(hinge)") == "the joint 'hinge' alone is no value; ask for a property: hinge.force");
+}
+
 TEST_CASE("what is about a body that does not exist is unknown, and an unknown condition does not hold") {
     Example at;
     CHECK(std::isnan(at.value("late.x")));
@@ -254,8 +296,9 @@ TEST_CASE("an error has its place in the text, a reason and a hint") {
     CHECK(refused("distance(a)").offset == 10);
     CHECK(refused("distance(a, 1)").offset == 12);
     CHECK(refused("all(a.x > 1)").message == "'all' needs the common name of copies");
-    CHECK(refused("max(a.x)").hint == "a body without a \"repeat\" has no copies: leave the function out");
-    CHECK(refused("count(a.x > 1) > 0").hint == "a body without a \"repeat\" has no copies: write if(condition, 1, 0)");
+    CHECK(refused("max(a.x)").hint == "a body or joint without a \"repeat\" has no copies: leave the function out");
+    CHECK(refused("count(a.x > 1) > 0").hint ==
+          "a body or joint without a \"repeat\" has no copies: write if(condition, 1, 0)");
     CHECK(refused("t > 1").hint == "did you mean 'time'?");
     CHECK(refused("all(any(crate.x > 1))").offset == 4);
     CHECK(refused("max(crate.x, 1)").message == "'crate' stands for several copies");

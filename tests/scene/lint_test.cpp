@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "scene/warnings.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace tumble;
 using test::says;
@@ -35,6 +37,66 @@ TEST_CASE("slivers and sizes out of range cause a warning, on dynamic bodies onl
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 0.002}}]})"), "is 0.004 m large"));
     CHECK(says(warning_of(R"({"shapes": [{"circle": {"radius": 60}}]})"), "is 120 m large"));
     CHECK(warnings_of(R"({"type": "static", "shapes": [{"box": {"size": [500, 0.1]}}]})").empty());
+}
+
+TEST_CASE("a mass of a body that is not dynamic causes a warning") {
+    const auto with_mass = [](const std::string& type) {
+        return warnings_of(R"({"type": ")" + type + R"(", "position": [0, 5], "mass": {"mass": 3, "inertia": 1},
+            "shapes": [{"box": {"size": [2, 1]}}]})");
+    };
+    for (const char* type : {"static", "kinematic"}) {
+        REQUIRE(with_mass(type).size() == 1);
+        CHECK(with_mass(type)[0].pointer == "/bodies/0/mass");
+        CHECK(says(with_mass(type)[0], "its mass has no effect"));
+    }
+    CHECK(with_mass("dynamic").empty());
+}
+
+TEST_CASE("an angle that is a multiple of pi / 12 causes a warning, one that is meant in degrees does not") {
+    const auto turned = [](const char* angle) {
+        return warnings_of(std::string(R"({"position": [0, 5], "angle": )") + angle +
+                           R"(, "shapes": [{"box": {"size": [2, 1]}}]})");
+    };
+    for (const char* const radians : {"1.57", "-1.5708", "3.14", "0.785", "6.2832", "1.0471975511965976"}) {
+        CAPTURE(radians);
+        REQUIRE(turned(radians).size() == 1);
+        CHECK(turned(radians)[0].pointer == "/bodies/0/angle");
+        CHECK(says(turned(radians)[0], "looks like one in radians"));
+    }
+    CHECK(turned("-1.57")[0].hint == "if it is meant in radians, write -90");
+    for (const char* const degrees : {"0", "1.5", "1.6", "3", "5.5", "11", "45", "90", "1.5712345678"})
+        CHECK(turned(degrees).empty());
+}
+
+TEST_CASE("a hinge that starts out of its range causes a warning") {
+    const auto hinge = [](const std::string& keys) {
+        return warnings_of(
+            R"({"name": "a", "type": "static"}, {"name": "b", "shapes": [{"box": {"size": [2, 1]}}]})",
+            R"(, "joints": [{"type": "revolute", "bodies": ["a", "b"], "anchor": [0, 0], )" + keys + "}]");
+    };
+    const std::vector<Diagnostic> outside = hinge(R"("limits": [10, 50])");
+    REQUIRE(outside.size() == 1);
+    CHECK(outside[0].pointer == "/joints/0");
+    CHECK(says(outside[0], "starts at 0 degrees, outside of its limits"));
+    CHECK(hinge(R"("limits": [10, 50], "reference_angle": -30)").empty());
+    CHECK(hinge(R"("limits": [-50, -10])").size() == 1);
+    CHECK(hinge(R"("limits": [-50, 10])").empty());
+    CHECK(hinge(R"("limits": [2, 50])").empty());
+    const std::vector<Diagnostic> radians = hinge(R"("limits": [-1.57, 0])");
+    REQUIRE(radians.size() == 1);
+    CHECK(radians[0].pointer == "/joints/0/limits/0");
+}
+
+TEST_CASE("images without their files cause a warning, one for each file") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "there.png") << "";
+    const std::string images = R"("images": [{"file": "there.png", "height": 1}, {"file": "gone.png", "height": 1}])";
+    std::ofstream(folder.path / "scene.json") << R"({"format": 1, "bodies": [{)" + images + "}, {" + images + "}]}";
+    std::vector<Diagnostic> warnings;
+    load_scene(folder.path / "scene.json", {.overrides = {}, .seed = {}, .lint = true}, &warnings);
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].pointer == "/bodies/0/images/1/file");
+    CHECK(says(warnings[0], "gone.png\": frames show the outline"));
 }
 
 TEST_CASE("a chain with a body on its solid side causes a warning, one with a body on its open side does not") {

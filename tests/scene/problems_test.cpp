@@ -21,7 +21,13 @@ std::vector<Diagnostic> diagnostics_of(const std::string& text) {
     std::vector<Diagnostic> found;
     try {
         if (text.starts_with('<')) parse_svg(text, "drawing.svg");
-        parse_scene(text, "scene.json", {.overrides = {}, .seed = {}, .lint = true}, &found);
+        const auto read_none = [](const std::filesystem::path& file) -> std::string {
+            throw FileError(file, "No such file or directory");
+        };
+        LoadOptions options;
+        options.lint = true;
+        options.read_included = read_none;
+        parse_scene(text, "scene.json", options, &found);
     } catch (const SceneError& error) {
         found = error.diagnostics;
     }

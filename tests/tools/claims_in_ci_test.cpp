@@ -95,7 +95,7 @@ TEST_CASE("--fail-fast begins no scene after one that fails") {
     CHECK(document["scenes"][1]["skipped"] == true);
     CHECK(document["scenes"][1]["passed"] == false);
     CHECK(document["scenes"][0]["skipped"] == false);
-    CHECK(run_tumble({"check", bad, good, "--jobs", "1"}).out.find(good + ": 1 of 1 claims hold") != std::string::npos);
+    CHECK(run_tumble({"check", bad, good, "--jobs", "1"}).out.find(good + ": 1 of 1 claim holds") != std::string::npos);
 }
 
 TEST_CASE("--update writes the hashes that were found, and nothing else") {
@@ -153,5 +153,5 @@ TEST_CASE("a scene file that --update cannot write is an error of its scene, and
     CHECK(scenes[2]["updated"].size() == 1);
     CHECK(read_text(blocked) == text);
     CHECK(read_text(junit).find("tests=\"4\" failures=\"1\" errors=\"1\"") != std::string::npos);
-    CHECK(run_tumble({"check", blocked, "--update"}).out.find(": 0 of 1 claims hold") != std::string::npos);
+    CHECK(run_tumble({"check", blocked, "--update"}).out.find(": 0 of 1 claim holds") != std::string::npos);
 }

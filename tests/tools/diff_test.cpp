@@ -192,7 +192,7 @@ TEST_CASE("a body without a name is paired by shapes and pose, and is renamed if
     CHECK(declared.code == 7);
     CHECK(declared.out ==
           "added, only B has: 'box'\nremoved, only A has: 'ball'\n"
-          "equal bit for bit: 7 steps of 1 bodies that both have\n");
+          "equal bit for bit: 7 steps of 1 body that both have\n");
     const json replaced = compare(run_tumble({"diff", ball, larger, "--json"}));  // in the same place
     CHECK(replaced["renamed"].empty());
     CHECK(replaced["added"] == json{"body[1]"});

@@ -55,7 +55,7 @@ TEST_CASE("a gallery has a picture, the claims and the timing of each scene, and
     CHECK(side(sheet, 16) == 2 * 160 + 4);  // two columns, two rows, gaps of 4 pixels
     CHECK(side(sheet, 20) == 2 * 90 + 4);
     const std::string page = read_text(out / "index.html");
-    CHECK(page.find("three, 0.25 s: 1 of 1 claims hold") != std::string::npos);
+    CHECK(page.find("three, 0.25 s: 1 of 1 claim holds") != std::string::npos);
     CHECK(page.find("http") == std::string::npos);
     const Answer again = run_tumble(command);
     CHECK(again.code == 4);

@@ -36,7 +36,7 @@ TEST_CASE("a scene from standard input includes files of the current folder") {
     folder.write("part.json", kPart);
     const Answer checked = feed(kIncluding, {"check", "-"}, folder.path());
     CHECK_MESSAGE(checked.code == 0, checked.err);
-    CHECK(checked.out.find("-: 1 of 1 claims hold") != std::string::npos);
+    CHECK(checked.out.find("-: 1 of 1 claim holds") != std::string::npos);
     CHECK(feed(kIncluding, {"check", "/dev/stdin"}, folder.path()).code == 0);
     CHECK(feed(kIncluding, {"validate", "-"}, folder.path()).out == "-: valid, 1 body, 0 joints\n");
     CHECK(feed(kIncluding, {"fmt", "-", "--flat"}, folder.path()).out.find("\"box\"") != std::string::npos);
@@ -137,7 +137,7 @@ TEST_CASE("pictures, reports and scenes go to standard output") {
     const Answer imported = feed(drawing, {"import", "-", "-o", "-"});
     CHECK_MESSAGE(imported.code == 0, imported.err);
     CHECK(json::parse(imported.out)["bodies"][0]["name"] == "r");
-    CHECK(imported.err.find("1 bodies") != std::string::npos);
+    CHECK(imported.err.find("1 body (") != std::string::npos);
     CHECK(feed(drawing, {"import", "-", "-o", "-", "--check"}).code == 2);
 }
 

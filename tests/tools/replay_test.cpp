@@ -35,7 +35,7 @@ void check_loaded(const json& loaded) {
 }
 
 // The cells of the rows of a trajectory.
-std::vector<std::vector<std::string>> rows_of(const fs::path& file) {
+std::vector<std::vector<std::string>> states_in(const fs::path& file) {
     std::vector<std::vector<std::string>> rows;
     std::istringstream lines(read_text(file));
     for (std::string line; std::getline(lines, line);) {
@@ -77,7 +77,7 @@ TEST_CASE("the poses of a page are those of the trajectory, within half a millim
     const std::vector<json> answers = browse({"ask", page, ask_poses, ask_names});
     const json& poses = answers.at(0);
     const json& names = answers.at(1);
-    const std::vector<std::vector<std::string>> rows = rows_of(trajectory);
+    const std::vector<std::vector<std::string>> rows = states_in(trajectory);
     REQUIRE(rows.size() > 1000);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::size_t step = std::stoul(rows[i][0]), body = i % names.size();

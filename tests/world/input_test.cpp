@@ -63,7 +63,13 @@ TEST_CASE("definitions out of range throw with the value") {
           "joint length must be finite and greater than 0, got 0");
     CHECK(refusal([&] { world.create_joint(RevoluteJointDef{.body_a = body, .body_b = body}); }) ==
           "joint needs two bodies, got body 0 twice");
-    CHECK(refusal([&] { world.state({9, 0}); }) == "body id is stale or foreign: index 9, generation 0");
+    CHECK(refusal([&] { world.create_joint(RevoluteJointDef{.body_a = body}); }) ==
+          "body id is the default one, which is of no body");
+    CHECK(refusal([&] {
+              world.state({9, 0});
+          }) ==
+          "body id is foreign: no body of this world ever had it (index 9, generation 0); it is probably of another "
+          "world");
 
     CHECK(world.state_hash() == before);
     CHECK(world.bodies().size() == 2);

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "tools/cli/printable.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -22,6 +23,11 @@ int output_error = 0;  // errno of the first write to standard output that faile
 
 bool has_terminal() { return isatty(STDERR_FILENO) == 1; }
 
+void write_raw(std::string_view text, FILE* stream) {
+    if (std::fwrite(text.data(), 1, text.size(), stream) != text.size() && stream == stdout && output_error == 0)
+        output_error = errno;
+}
+
 void report(std::string_view kind, std::string_view color, std::string_view message) {
     const char* no_color = std::getenv("NO_COLOR");
     const bool colored = has_terminal() && (no_color == nullptr || *no_color == '\0');
@@ -29,10 +35,7 @@ void report(std::string_view kind, std::string_view color, std::string_view mess
     if (colored) line += color;
     line += kind;
     if (colored) line += "\033[0m";
-    line += ": ";
-    line += message;
-    line += '\n';
-    narrate(line);
+    write_raw(line + ": " + printable(message) + '\n', stderr);
 }
 
 }  // namespace
@@ -41,9 +44,23 @@ bool give_output_to_file() { return !std::exchange(output_is_file, true); }
 
 bool has_file_output() { return output_is_file; }
 
+std::string printable(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+        const bool is_c0 = (byte < ' ' && byte != '\n' && byte != '\t') || byte == 0x7f;
+        const bool is_c1 = byte == 0xc2 && next >= 0x80 && next < 0xa0;  // two bytes of UTF-8
+        result += is_c0 || is_c1 ? '?' : text[i];
+        i += is_c1 ? 1 : 0;
+    }
+    return result;
+}
+
 void write_output(std::string_view text) {
     if (output_is_file) return narrate(text);
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() && output_error == 0) output_error = errno;
+    if (isatty(STDOUT_FILENO) == 1) return write_raw(printable(text), stdout);
+    write_raw(text, stdout);
 }
 
 void finish_output() {
@@ -52,7 +69,7 @@ void finish_output() {
     throw FileError("standard output", "cannot write: " + std::generic_category().message(output_error));
 }
 
-void narrate(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+void narrate(std::string_view text) { write_raw(printable(text), stderr); }
 
 void report_error(std::string_view message) { report("error", "\033[1;31m", message); }
 void report_warning(std::string_view message) { report("warning", "\033[1;33m", message); }
@@ -61,7 +78,7 @@ Progress::Progress(std::string_view unit, std::uint64_t total)
     : unit_(unit), total_(total), on_terminal_(has_terminal()) {}
 
 Progress::~Progress() {
-    if (shown_) narrate("\r\033[K");
+    if (shown_) write_raw("\r\033[K", stderr);
 }
 
 void Progress::show(std::uint64_t done) {
@@ -77,7 +94,7 @@ void Progress::show(std::uint64_t done) {
     std::snprintf(line, sizeof line, "\r\033[K%.*s %llu of %llu, %.0f per second, %.0f s left",
                   static_cast<int>(unit_.size()), unit_.data(), static_cast<unsigned long long>(done),
                   static_cast<unsigned long long>(total_), rate, left);
-    narrate(line);
+    write_raw(line, stderr);
 }
 
 }  // namespace tumble::tools

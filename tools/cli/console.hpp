@@ -7,8 +7,8 @@
 
 namespace tumble::tools {
 
-// Writes data to standard output, or to standard error after give_output_to_file(). finish_output() reports a failure,
-// such as a full disk when standard output is redirected to a file.
+// Writes data to standard output, on a terminal as printable(), or to standard error after give_output_to_file().
+// finish_output() reports a failure, such as a full disk when standard output is redirected to a file.
 void write_output(std::string_view text);
 
 // Reserves standard output for an output file of the command, which the user has named "-". False if it is reserved
@@ -21,7 +21,7 @@ bool has_file_output();
 // Flushes standard output. Throws FileError if any data could not be written.
 void finish_output();
 
-// Writes a text to standard error, unchanged.
+// Writes a text to standard error, as printable().
 void narrate(std::string_view text);
 
 // Writes "tumble: error: ..." or "tumble: warning: ..." to standard error, coloured on a terminal unless NO_COLOR is

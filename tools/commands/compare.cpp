@@ -21,6 +21,7 @@
 #include "tools/diff/diff_report.hpp"
 #include "tools/diff/input_kind.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/scene/scene_options.hpp"
@@ -100,7 +101,7 @@ std::string text_report(const CompareArguments& options, const ComparedRuns& run
         if (!file.empty()) text += file.string() + "\n";
     if (frames == 0) return text;
     if (!options.video.empty()) text += options.video.string() + "\n";
-    if (!options.frames.empty()) text += options.frames.string() + ": " + std::to_string(frames) + " frames\n";
+    if (!options.frames.empty()) text += options.frames.string() + ": " + counted(frames, "frame") + "\n";
     return text;
 }
 

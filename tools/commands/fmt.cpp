@@ -8,6 +8,7 @@
 #include "tools/cli/console.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/output/standard_input.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tumble/file.hpp"
@@ -58,12 +59,12 @@ ExitCode format(const Command& command, const FmtArguments& options) {
     const bool changes = before != text;
     const int comments = count_comments(before);
     if (options.write && changes && comments > 0 && !options.force)
-        throw FileError(options.file, "has " + std::to_string(comments) + (comments == 1 ? " comment" : " comments") +
+        throw FileError(options.file, "has " + counted(comments, "comment") +
                                           ", which the canonical form drops; write it without them with --force, or "
                                           "move them into \"custom\"");
     if (comments > 0)
-        report_warning(options.file + ": " + std::to_string(comments) +
-                       (comments == 1 ? " comment is" : " comments are") + " dropped; \"custom\" keeps notes");
+        report_warning(options.file + ": " + counted(comments, "comment") + (comments == 1 ? " is" : " are") +
+                       " dropped; \"custom\" keeps notes");
     if (options.write && changes) save_scene(scene, options.file);
     if (!options.write && !command.json) {
         write_output(text);

@@ -18,6 +18,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/machine/engines.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/output/standard_input.hpp"
 #include "tools/scene/image_paths.hpp"
 #include "tools/scene/scene_options.hpp"
@@ -127,16 +128,15 @@ std::string note_text(const ImportNote& note) {
 }
 
 std::string check_text(const reference::ImportDifferences& check) {
-    std::string text = "compared with Box2D: " + std::to_string(check.bodies) + " dynamic bodies, masses within ";
+    std::string text = "compared with Box2D: " + counted(check.bodies, "dynamic body") + ", masses within ";
     append_number(text, check.mass.value);
     append_number(text += ", centres within ", check.center.value);
     append_number(text += ", inertias within ", check.inertia.value);
-    append_number(text += " (relative); " + std::to_string(check.joints) + " joints, anchors within ",
-                  check.anchor.value);
+    append_number(text += " (relative); " + counted(check.joints, "joint") + ", anchors within ", check.anchor.value);
     text += " m\n" + engines_text();
     if (check.refused_inertias > 0)
-        text += "  not compared: " + std::to_string(check.refused_inertias) +
-                " moments of inertia that Box2D does not accept\n";
+        text += "  not compared are moments of inertia that Box2D does not accept: " +
+                std::to_string(check.refused_inertias) + "\n";
     if (!check.same_count) text += "  the numbers of bodies or joints differ\n";
     for (const NamedDifference& one : differences_of(check))
         if (one.found.value > kAllowedDifference)
@@ -160,10 +160,10 @@ void write_json(const ImportArguments& options, const ImportedScene& imported,
 
 void write_text(const ImportArguments& options, const ImportedScene& imported,
                 const std::optional<reference::ImportDifferences>& check) {
-    write_output(options.scene.string() + ": " + std::to_string(imported.scene.bodies.size()) + " bodies (" +
+    write_output(options.scene.string() + ": " + counted(imported.scene.bodies.size(), "body") + " (" +
                  std::to_string(count_of(imported, BodyType::dynamic_body)) + " dynamic, " +
                  std::to_string(count_of(imported, BodyType::static_body)) + " static), " +
-                 std::to_string(imported.scene.joints.size()) + " joints\n");
+                 counted(imported.scene.joints.size(), "joint") + "\n");
     for (const ImportNote& note : imported.notes) report_warning(note_text(note));
     for (const Diagnostic& warning : imported.warnings) narrate(to_string(warning) + "\n");
     if (imported.scene.bodies.empty())

@@ -17,6 +17,7 @@
 #include "tools/machine/build_info.hpp"
 #include "tools/output/input_error.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/output/temporary_folder.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/shrink/failure_picture.hpp"
@@ -138,7 +139,7 @@ std::string summary(const Shrunk& shrunk, const OutputFiles& files) {
     return files.scene.string() + ": " + arrow("bodies", before.bodies, after.bodies) + ", " +
            arrow("joints", before.joints, after.joints) + ", " + arrow("shapes", before.shapes, after.shapes) + ", " +
            arrow("events", before.events, after.events) + ", " + durations + " s, " +
-           arrow("bytes", before.bytes, after.bytes) + ", " + std::to_string(shrunk.runs) + " runs\n" +
+           arrow("bytes", before.bytes, after.bytes) + ", " + counted(shrunk.runs, "run") + "\n" +
            "it still fails: " + shrunk.failure + "\n";
 }
 
@@ -195,9 +196,7 @@ ExitCode shrink(const Command& command, const ShrinkArguments& options) {
     Shrinker shrinker(
         text, failure, options.keep, candidates,
         [&](const std::string& smaller) { write_file(files.scene, smaller, true); },
-        [&](const std::string& change) {
-            narrate(change + ", " + std::to_string(candidates.run_count()) + " runs\n");
-        });
+        [&](const std::string& change) { narrate(change + ", " + counted(candidates.run_count(), "run") + "\n"); });
     Shrunk shrunk{size_of(scene), {}, failure.text};
     try {
         shrinker.shrink();

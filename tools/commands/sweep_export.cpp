@@ -9,6 +9,7 @@
 #include "tools/cli/interrupt.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/sweep/minari_export.hpp"
 #include "tools/sweep/minari_metadata.hpp"
 #include "tools/sweep/runs/run_record.hpp"
@@ -25,9 +26,9 @@ std::string to_json(const MinariReport& report) {
 }
 
 std::string to_text(const MinariReport& report) {
-    std::string text = report.dataset.string() + ": " + std::to_string(report.episodes) + " episodes, " +
-                       std::to_string(report.steps) + " steps";
-    if (report.left_out > 0) text += "; " + std::to_string(report.left_out) + " runs are left out";
+    std::string text =
+        report.dataset.string() + ": " + counted(report.episodes, "episode") + ", " + counted(report.steps, "step");
+    if (report.left_out > 0) text += "; " + counted(report.left_out, "run") + " left out";
     return text + "\n";
 }
 

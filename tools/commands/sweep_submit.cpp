@@ -28,6 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostAnswer = 4096;  // bytes
+
 struct SubmitArguments {
     fs::path plan;
     std::uint64_t runs = 0;
@@ -42,17 +44,21 @@ bool is_plain(const std::string& text, const std::string& special) {
     });
 }
 
-// Submits a script and returns the number of the job. The file is named by its folder and has no quotes.
+// Submits a script and returns the number of the job. The file is named by its folder and has no quotes. The number
+// becomes part of the next command, and is nothing but digits.
 std::string submit(const fs::path& script, const std::string& options) {
     const std::string command = "sbatch --parsable " + options + " '" + script.string() + "'";
     FILE* const pipe = ::popen(command.c_str(), "r");
     std::string answer;
-    if (pipe != nullptr) {
-        std::array<char, 256> text{};
-        while (std::fgets(text.data(), text.size(), pipe) != nullptr) answer += text.data();
-        if (::pclose(pipe) == 0 && !answer.empty()) return answer.substr(0, answer.find_first_of(";\n"));
-    }
-    throw FileError(script, "sbatch did not accept it; is Slurm installed, and the cluster up?");
+    std::array<char, 256> text{};
+    while (pipe != nullptr && answer.size() < kMostAnswer && std::fgets(text.data(), text.size(), pipe) != nullptr)
+        answer += text.data();
+    if (pipe == nullptr || ::pclose(pipe) != 0)
+        throw FileError(script, "sbatch did not accept it; is Slurm installed, and the cluster up?");
+    const std::string job = answer.substr(0, answer.find_first_of(";\n"));
+    if (job.empty() || job.find_first_not_of("0123456789") != std::string::npos)
+        throw FileError(script, "sbatch --parsable answered no number of a job");
+    return job;
 }
 
 ExitCode submit_sweep(const Command& command, SubmitArguments options) {

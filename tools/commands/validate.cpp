@@ -10,6 +10,7 @@
 #include "tools/cli/error_report.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/output/standard_input.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tumble/scene_file.hpp"
@@ -34,11 +35,6 @@ struct ValidateArguments {
     LoadOptions changes;
     bool strict = false;
 };
-
-// "3 bodies", "1 joint".
-std::string amount(std::size_t count, const std::string& one, const std::string& many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
 
 Validation validate_file(const std::string& file, const ValidateArguments& options) {
     Validation validation;
@@ -67,9 +63,9 @@ void print(const Validation& validation) {
     if (validation.code == ExitCode::file_system) report_error(validation.error);
     if (!validation.error.empty()) return;
     const std::size_t warnings = validation.diagnostics.size();
-    write_output(validation.file + ": valid, " + amount(validation.bodies, "body", "bodies") + ", " +
-                 amount(validation.joints, "joint", "joints") +
-                 (warnings > 0 ? ", " + amount(warnings, "warning", "warnings") : "") + "\n");
+    write_output(validation.file + ": valid, " + counted(validation.bodies, "body") + ", " +
+                 counted(validation.joints, "joint") + (warnings > 0 ? ", " + counted(warnings, "warning") : "") +
+                 "\n");
 }
 
 void write(JsonWriter& json, const Validation& validation) {

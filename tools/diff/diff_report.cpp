@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 
 namespace tumble::tools {
 
@@ -72,8 +73,8 @@ std::string bodies_text(const Comparison& comparison) {
 
 std::string equal_text(const Comparison& comparison, double tolerance) {
     const std::string how = tolerance > 0.0 ? "equal within the tolerance" : "equal bit for bit";
-    return how + ": " + std::to_string(comparison.steps) + " steps of " + std::to_string(comparison.bodies) +
-           (comparison.is_equal() ? " bodies\n" : " bodies that both have\n");
+    return how + ": " + counted(comparison.steps, "step") + " of " + counted(comparison.bodies, "body") +
+           (comparison.is_equal() ? "\n" : " that both have\n");
 }
 
 }  // namespace
@@ -97,8 +98,7 @@ std::string to_text(const Comparison& comparison, double tolerance) {
     append_value(text += "\n  B ", first.component, first.b);
     append_number(text += "\n  apart by ", difference_of(first.component, first.a, first.b));
     text += " " + std::string(kKinds[kKindOf[first.component]].unit);
-    if (const std::uint64_t ulps = ulps_of(first); ulps <= kMostUlps)
-        text += ", " + std::to_string(ulps) + (ulps == 1 ? " ulp" : " ulps");
+    if (const std::uint64_t ulps = ulps_of(first); ulps <= kMostUlps) text += ", " + counted(ulps, "ulp");
     text += "; " + std::to_string(first.differing_bodies) + " of " + std::to_string(comparison.bodies) +
             " common bodies differ in this step\n";
     append_largest(text, comparison);

@@ -218,15 +218,16 @@ EventComparison compare_event_files(const std::filesystem::path& file_a, const s
 }
 
 std::string to_text(const EventComparison& comparison) {
-    if (!comparison.first) return "equal: " + std::to_string(comparison.common) + " events\n";
+    if (!comparison.first) return "equal: " + counted(comparison.common, "event") + "\n";
     const EventDifference& first = *comparison.first;
     std::string text = "the first difference is at step " + std::to_string(first.step) + " (";
     append_number(text, first.time);
     text += " s): " + first.event + " of '" + first.a + (first.b.empty() ? "'" : "' and '" + first.b + "'") + ": ";
     text +=
         first.what.empty() ? first.component + " is " + first.in_a + " in A and " + first.in_b + " in B" : first.what;
-    return text + "\n  " + std::to_string(comparison.common) + " events are in both, " +
-           std::to_string(comparison.only_a) + " only in A, " + std::to_string(comparison.only_b) + " only in B\n";
+    return text + "\n  " + "events in both: " + std::to_string(comparison.common) + ", " +
+           "only in A: " + std::to_string(comparison.only_a) + ", only in B: " + std::to_string(comparison.only_b) +
+           "\n";
 }
 
 std::string to_json(const EventComparison& comparison) {

@@ -7,6 +7,7 @@
 
 #include "tools/diff/input_kind.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tumble/render.hpp"
 
 namespace tumble::tools {
@@ -67,7 +68,7 @@ void add_frame(const std::string& name, const Image& a, const Image& b, double t
 
 std::string describe(const FrameDifference& difference) {
     if (!difference.what.empty()) return difference.frame + ": " + difference.what;
-    return difference.frame + ": " + std::to_string(difference.pixels) + " pixels, by up to " +
+    return difference.frame + ": " + counted(difference.pixels, "pixel") + ", by up to " +
            std::to_string(difference.largest) + " of 255, at [" + std::to_string(difference.x) + ", " +
            std::to_string(difference.y) + "]";
 }
@@ -126,8 +127,8 @@ std::string to_text(const FrameComparison& comparison) {
         if (!names->empty())
             text += "only " + std::string(run) + " has " + names->front() + (names->size() == 1 ? "" : " and ") +
                     (names->size() == 1 ? "" : std::to_string(names->size() - 1) + " more") + "\n";
-    if (comparison.differing == 0) return text + "equal: " + std::to_string(comparison.frames) + " frames\n";
-    text += std::to_string(comparison.differing) + " of " + std::to_string(comparison.frames) + " frames differ\n";
+    if (comparison.differing == 0) return text + "equal: " + counted(comparison.frames, "frame") + "\n";
+    text += std::to_string(comparison.differing) + " of " + counted(comparison.frames, "frame") + " differ\n";
     text += "  the first is " + describe(*comparison.first) + "\n";
     if (comparison.worst) text += "  the worst is " + describe(*comparison.worst) + "\n";
     return text;

@@ -5,6 +5,7 @@
 
 #include "tools/output/csv_file.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 
 namespace tumble::tools {
 
@@ -24,7 +25,7 @@ HashComparison compare_hash_files(const std::string& file_a, const std::string& 
 }
 
 std::string to_text(const HashComparison& comparison) {
-    if (!comparison.first) return "equal hashes: " + std::to_string(comparison.steps) + " steps\n";
+    if (!comparison.first) return "equal hashes: " + counted(comparison.steps, "step") + "\n";
     const HashDifference& first = *comparison.first;
     return "the first difference is at step " + std::to_string(first.step) + ": the hashes are " + first.hash_a +
            " and " + first.hash_b + "\n";

@@ -10,6 +10,7 @@
 
 #include "tools/output/input_error.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tumble/file.hpp"
 
 namespace tumble::tools {
@@ -117,10 +118,10 @@ SummaryComparison compare_summaries(const std::filesystem::path& file_a, const s
 std::string to_text(const SummaryComparison& comparison) {
     std::string text;
     if (comparison.different.empty())
-        text = "equal apart from times: " + std::to_string(comparison.equal_count) + " values\n";
+        text = "equal apart from times: " + counted(comparison.equal_count, "value") + "\n";
     else
-        text = std::to_string(comparison.different.size()) + " values differ, " +
-               std::to_string(comparison.equal_count) + " are equal\n";
+        text = "values that differ: " + std::to_string(comparison.different.size()) +
+               ", equal: " + std::to_string(comparison.equal_count) + "\n";
     for (const SummaryValue& value : comparison.different)
         text += "  " + value.pointer + ": " + shown(value.a) + " in A, " + shown(value.b) + " in B\n";
     for (const SummaryValue& value : comparison.timings)

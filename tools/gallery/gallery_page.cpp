@@ -5,6 +5,7 @@
 
 #include "tools/gallery/gallery.hpp"
 #include "tools/output/html.hpp"
+#include "tools/output/number_text.hpp"
 
 namespace tumble::tools {
 
@@ -43,7 +44,8 @@ std::vector<HtmlCell> row_of(const GalleryEntry& entry) {
 
 std::string caption_of(const GalleryEntry& entry) {
     std::string text = entry.title + ", " + rounded("%.6g", entry.time) + " s: " + claims_text(entry.check);
-    if (!entry.check.expectations.empty()) text += " claims hold";
+    const std::size_t claims = entry.check.expectations.size();
+    if (claims > 0) text += claims == 1 ? " claim holds" : " claims hold";
     if (!entry.description.empty()) text += ". " + entry.description;
     return text;
 }
@@ -62,7 +64,7 @@ void add_problems(HtmlPage& page, const GalleryEntry& entry) {
 }  // namespace
 
 std::string gallery_page(const std::vector<GalleryEntry>& entries) {
-    HtmlPage page("Gallery of " + std::to_string(entries.size()) + (entries.size() == 1 ? " scene" : " scenes"));
+    HtmlPage page("Gallery of " + counted(entries.size(), "scene"));
     page.begin_figures();
     for (const GalleryEntry& entry : entries)
         if (entry.picture) page.picture(*entry.picture, caption_of(entry));

@@ -32,8 +32,8 @@ std::string as_sentence(std::string text) {
 HtmlCell value_cell(const std::string& text) { return {.text = text, .is_number = true}; }
 
 void add_overview(HtmlPage& page, const HealthReport& report) {
-    page.paragraph(report.scene_name + ": " + std::to_string(report.bodies) + " bodies at the end, " +
-                   std::to_string(report.steps) + " steps, " + four_digits(report.time) + " s.");
+    page.paragraph(report.scene_name + ": " + counted(report.bodies, "body") + " at the end, " +
+                   counted(report.steps, "step") + ", " + four_digits(report.time) + " s.");
     if (!report.note.empty()) page.paragraph(report.note);
     if (report.findings.empty()) return page.paragraph("No check has found a fault.");
     const std::vector<std::string> header{"finding", "bodies or joint", "when", "value", "limit"};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -22,6 +23,13 @@ inline std::string four_digits(double number) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.4g", number);
     return text.data();
+}
+
+// "1 body", "3 bodies", "0 runs".
+inline std::string counted(std::uint64_t count, std::string_view noun) {
+    const std::string text = std::to_string(count) + " " + std::string(noun);
+    if (count == 1) return text;
+    return text.ends_with("body") ? text.substr(0, text.size() - 1) + "ies" : text + "s";
 }
 
 }  // namespace tumble::tools

@@ -6,6 +6,7 @@
 
 #include "tools/machine/engines.hpp"
 #include "tools/output/html.hpp"
+#include "tools/output/number_text.hpp"
 
 namespace tumble::tools {
 
@@ -45,7 +46,7 @@ const Finding* telling(const reference::RowResult& result) {
 
 void add_summary(HtmlPage& page, const PhysicsResult& result) {
     page.paragraph(
-        std::to_string(result.holding()) + " of " + std::to_string(result.rows.size()) + " rows hold, " +
+        std::to_string(result.holding()) + " of " + counted(result.rows.size(), "row") + " hold, " +
         std::to_string(result.holding(Engine::at_step_end)) +
         " with impacts at the end of the step. Each row compares tumble, tumble with the world's option "
         "\"impacts\": \"at_step_end\", and Box2D with an exact answer. The same scene runs in each, with the "

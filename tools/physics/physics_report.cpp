@@ -107,7 +107,7 @@ std::string physics_table(const PhysicsResult& result) {
         for (const Finding& finding : measured.result.findings) table += finding_line(finding);
         if (!measured.result.failure.empty()) table += "  " + measured.result.failure + "\n";
     }
-    return table + std::to_string(result.holding()) + " of " + std::to_string(result.rows.size()) + " rows hold, " +
+    return table + std::to_string(result.holding()) + " of " + counted(result.rows.size(), "row") + " hold, " +
            std::to_string(result.holding(Engine::at_step_end)) + " with impacts at the end of the step\n" +
            engines_text();
 }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <set>
 #include <vector>
 
+#include "tools/output/csv_columns.hpp"
 #include "tools/output/csv_file.hpp"
 #include "tools/output/number_text.hpp"
 #include "tools/output/plot.hpp"
@@ -50,7 +52,18 @@ std::vector<Sample> read_columns(const std::filesystem::path& table, Names... na
     return samples;
 }
 
+// The reader of CSV names a missing column, but not those that the table has.
+void require_columns(const std::filesystem::path& table, const SweepPlot& plot) {
+    std::ifstream stream(table);
+    std::string header;
+    if (!std::getline(stream, header)) return;
+    const std::vector<std::string> columns = cells_of(header);
+    for (const std::string& name : {plot.x, plot.y, plot.value})
+        if (!name.empty()) column_of(columns, name, table);
+}
+
 std::vector<Sample> read_samples(const std::filesystem::path& table, const SweepPlot& plot) {
+    require_columns(table, plot);
     return plot.y.empty() ? read_columns<2>(table, plot.x, plot.value)
                           : read_columns<3>(table, plot.x, plot.y, plot.value);
 }

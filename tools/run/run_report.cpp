@@ -6,6 +6,7 @@
 
 #include "tools/machine/build_info.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/output/step_stages.hpp"
 
 namespace tumble::tools {
@@ -56,15 +57,11 @@ void add_counters(JsonWriter& json, const RunReport& report) {
         .close_object();
 }
 
-std::string count_text(std::size_t findings) {
-    return std::to_string(findings) + (findings == 1 ? " finding" : " findings");
-}
-
 std::string describe(const WrittenFiles& files) {
     const double bytes = static_cast<double>(files.bytes);
     const std::string size = bytes < 1e5 ? format("%.1f kB", bytes / 1e3) : format("%.1f MB", bytes / 1e6);
     if (files.count == 1) return files.path.string() + ", " + size;
-    return files.path.string() + " and so on, " + std::to_string(files.count) + " files, " + size;
+    return files.path.string() + " and so on, " + counted(files.count, "file") + ", " + size;
 }
 
 }  // namespace
@@ -111,12 +108,12 @@ std::string to_json(const RunReport& report) {
 }
 
 std::string to_text(const RunReport& report) {
-    std::string text = report.scene_name + ": " + std::to_string(report.steps) + " steps of " +
-                       format("%.3g ms", 1e3 * report.dt) + ", " + std::to_string(report.bodies) + " bodies, " +
-                       std::to_string(report.counters.contacts) + " contacts at the end" +
+    std::string text = report.scene_name + ": " + counted(report.steps, "step") + " of " +
+                       format("%.3g ms", 1e3 * report.dt) + ", " + counted(report.bodies, "body") + ", " +
+                       counted(report.counters.contacts, "contact") + " at the end" +
                        (report.complete ? "" : ", interrupted before the end") + "\n";
     for (const WrittenFiles& files : report.files) append_line(text, files.kind, describe(files));
-    if (report.health) append_line(text, "health", count_text(report.health->findings.size()));
+    if (report.health) append_line(text, "health", counted(report.health->findings.size(), "finding"));
     append_line(text, "state hash", to_hex(report.state_hash));
     append_line(text, "time",
                 format("%.2f s: ", report.total_seconds) + format("simulate %.2f, ", report.simulate_seconds) +

@@ -1,4 +1,5 @@
 #include "tools/scene/check_text.hpp"
+#include "tools/output/number_text.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -15,8 +16,9 @@ std::string verdict_line(const SceneCheck& check) {
     std::snprintf(seconds, sizeof seconds, " (%.2f s)\n", check.seconds);
     if (check.expectations.empty()) return check.file + ": simulated, has no claims" + seconds;
     const auto passed = std::ranges::count(check.expectations, true, &ExpectationResult::passed);
-    return check.file + ": " + std::to_string(passed) + " of " + std::to_string(check.expectations.size()) +
-           " claims hold" + seconds;
+    const std::size_t count = check.expectations.size();
+    return check.file + ": " + std::to_string(passed) + " of " + counted(count, "claim") +
+           (count == 1 ? " holds" : " hold") + seconds;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tumble/file.hpp"
@@ -43,8 +44,9 @@ void compare(const Image& golden, const Image& drawn, double tolerance, Expectat
     }
     result.passed = pixels == 0;
     result.finding = result.passed
-                         ? "the largest difference is " + std::to_string(largest) + " levels"
-                         : std::to_string(pixels) + " pixels differ, by up to " + std::to_string(largest) + " levels";
+                         ? "the largest difference is " + counted(largest, "level")
+                         : counted(pixels, "pixel") + (pixels == 1 ? " differs, by up to " : " differ, by up to ") +
+                               counted(largest, "level");
 }
 
 // Returns whether it was written: not if a signal has stopped the scene before its step.

@@ -79,7 +79,7 @@ SCENES := $(filter-out %.schema.json,$(wildcard scenes/*.json))
 # All scenes are valid, and their claims and golden hashes hold. Pictures of failed claims are in out/failed.
 # The report comes first, so that it has the errors of all scenes.
 check:
-	mkdir -p out
+	rm -rf out/failed && mkdir -p out
 	$(TUMBLE) check --require-claims --junit out/report.xml --shots out/failed --force $(SCENES)
 	$(TUMBLE) validate --strict $(SCENES)
 

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -83,7 +84,8 @@ std::map<std::uint64_t, std::string> CrashLog::runs_to_skip(const std::filesyste
     std::ifstream lines(crash_file(sweep_folder));
     std::uint64_t run = 0;
     for (std::string signal; lines >> run >> signal;)
-        if (++counts[run] >= kMostCrashes) skipped[run] = signal;
+        if (std::ranges::count(kCrashSignals, signal, &CrashSignal::name) > 0 && ++counts[run] >= kMostCrashes)
+            skipped[run] = signal;
     return skipped;
 }
 

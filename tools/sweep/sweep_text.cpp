@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "tools/output/json_writer.hpp"
+#include "tools/output/number_text.hpp"
 #include "tools/sweep/sweep_folder.hpp"
 
 namespace tumble::tools {
@@ -71,9 +72,8 @@ SweepStatus status_of(const std::filesystem::path& folder) {
 }
 
 std::string to_text(const SweepStatus& status) {
-    std::string text = std::to_string(status.stored_shards) + " of " + std::to_string(status.shards) +
-                       " shards are stored, of " + std::to_string(status.runs) +
-                       " runs: " + outcomes_text(status.outcomes) + "\n";
+    std::string text = "stored: " + std::to_string(status.stored_shards) + " of " + counted(status.shards, "shard") +
+                       ", of " + counted(status.runs, "run") + ": " + outcomes_text(status.outcomes) + "\n";
     if (status.damaged_lines > 0)
         text += "lines of the manifest that are damaged: " + std::to_string(status.damaged_lines) + "\n";
     if (!status.missing.empty()) text += "missing shards: " + ranges_text(status.missing) + "\n";
@@ -93,12 +93,11 @@ std::string to_json(const SweepStatus& status) {
 }
 
 std::string to_text(const sweep::Plan& plan, const SweepReport& report) {
-    std::string text = plan.name + ": " + std::to_string(report.simulated_runs) + " of " + std::to_string(report.runs) +
-                       " runs simulated in " + duration_text(report.seconds) +
+    std::string text = plan.name + ": " + std::to_string(report.simulated_runs) + " of " + counted(report.runs, "run") +
+                       " simulated in " + duration_text(report.seconds) +
                        "; stored: " + outcomes_text(report.outcomes) + "\n";
     if (report.missing_shards > 0)
-        text +=
-            std::to_string(report.missing_shards) + " of " + std::to_string(report.shards) + " shards are missing\n";
+        text += "missing: " + std::to_string(report.missing_shards) + " of " + counted(report.shards, "shard") + "\n";
     return text;
 }
 
@@ -112,11 +111,11 @@ std::string to_json(const SweepReport& report) {
 }
 
 std::string to_text(const sweep::Plan& plan, const SweepEstimate& estimate) {
-    return plan.name + ": " + std::to_string(estimate.runs) + " runs in " + std::to_string(estimate.shards) +
-           " shards of " + std::to_string(estimate.shard_runs) + "\nabout " + duration_text(estimate.seconds) + ", " +
+    return plan.name + ": " + counted(estimate.runs, "run") + " in " + counted(estimate.shards, "shard") + " of " +
+           std::to_string(estimate.shard_runs) + "\nabout " + duration_text(estimate.seconds) + ", " +
            three_digits(estimate.seconds_per_run * 1e3, "ms") + " for a run\nabout " + bytes_text(estimate.bytes) +
-           " in " + std::to_string(estimate.files) + " files\nof " + std::to_string(estimate.sampled) +
-           " sampled runs: " + outcomes_text(estimate.outcomes) + "\n";
+           " in " + counted(estimate.files, "file") + "\nof " + counted(estimate.sampled, "sampled run") + ": " +
+           outcomes_text(estimate.outcomes) + "\n";
 }
 
 std::string to_json(const SweepEstimate& estimate) {
@@ -132,13 +131,10 @@ std::string to_json(const SweepEstimate& estimate) {
 std::string to_text(const Verification& verification) {
     std::string text;
     for (const std::string& finding : verification.findings) text += finding + "\n";
-    return text + std::to_string(verification.files) + " files, " +
-           bytes_text(static_cast<double>(verification.bytes)) + ", and " + std::to_string(verification.repeated_runs) +
-           " runs made again" +
+    return text + counted(verification.files, "file") + ", " + bytes_text(static_cast<double>(verification.bytes)) +
+           ", and " + counted(verification.repeated_runs, "run") + " made again" +
            (verification.repeated_runs > 0 ? ", drawn by --seed " + std::to_string(verification.seed) : "") + ": " +
-           (verification.findings.empty() ? "all as written"
-                                          : std::to_string(verification.findings.size()) + " findings") +
-           "\n";
+           (verification.findings.empty() ? "all as written" : counted(verification.findings.size(), "finding")) + "\n";
 }
 
 std::string to_json(const Verification& verification) {

@@ -11,9 +11,6 @@
 
 namespace tumble::tools {
 
-// The cells of a line of the table, without their quotes.
-std::vector<std::string> cells_of(const std::string& line);
-
 class TableReader {
 public:
     // Throws FileError if there is no table, and InputError if its columns are not those of a sweep.
@@ -21,7 +18,7 @@ public:
 
     const std::vector<std::string>& columns() const noexcept { return columns_; }
 
-    // The index of a column. Throws InputError if there is none of this name.
+    // The index of a column. Throws InputError, which lists them, if there is none of this name.
     std::size_t column(const std::string& name) const;
 
     // The columns between two others: the parameters are between seed and outcome.

@@ -11,6 +11,7 @@
 #include "sweep/plan/permutation.hpp"
 #include "sweep/store/stored_file.hpp"
 #include "tools/cli/interrupt.hpp"
+#include "tools/output/csv_columns.hpp"
 #include "tools/sweep/runs/run_record.hpp"
 #include "tools/sweep/runs/scene_texts.hpp"
 #include "tools/sweep/sweep_folder.hpp"

@@ -49,6 +49,9 @@ public:
                std::binary_search(live_.begin(), live_.end(), id);
     }
 
+    // Whether the id was acquired and released.
+    bool was_live(IdType id) const { return id.index < generations_.size() && id.generation < generations_[id.index]; }
+
     // The id of the present owner of an index, or of the next one if there is none.
     IdType at(std::uint32_t index) const {
         TUMBLE_CHECK(index < generations_.size());

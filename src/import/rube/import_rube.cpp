@@ -27,6 +27,8 @@ namespace scene {
 
 namespace {
 
+constexpr Range kSpin{-kFastest * kRadians, kFastest* kRadians};  // rad/s
+
 class RubeImporter {
 public:
     explicit RubeImporter(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -44,7 +46,7 @@ public:
 
 private:
     void read_world(RubeObject& world) {
-        scene_.world.gravity = world.vector("gravity");
+        scene_.world.gravity = world.vector("gravity", kAny);
         scene_.world.sleeping = world.flag("allowSleep");
         scene_.world.continuous = world.flag("continuousPhysics");
         const double rate = world.number("stepsPerSecond");
@@ -65,13 +67,13 @@ private:
         result.type = type == 2.0   ? BodyType::dynamic_body
                       : type == 1.0 ? BodyType::kinematic_body
                                     : BodyType::static_body;
-        result.position = body.vector("position");
+        result.position = body.vector("position", kPosition);
         result.angle = std::remainder(body.number("angle"), 2.0 * kPi) * kDegrees;
-        result.velocity = body.vector("linearVelocity");
-        result.angular_velocity = body.number("angularVelocity") * kDegrees;
-        result.linear_damping = body.number("linearDamping");
-        result.angular_damping = body.number("angularDamping");
-        result.gravity_scale = body.number("gravityScale", 1.0);
+        result.velocity = body.vector("linearVelocity", kAny);
+        result.angular_velocity = body.number("angularVelocity", 0.0, kSpin) * kDegrees;
+        result.linear_damping = body.number("linearDamping", 0.0, kNotNegative);
+        result.angular_damping = body.number("angularDamping", 0.0, kNotNegative);
+        result.gravity_scale = body.number("gravityScale", 1.0, kAny);
         read_name(body, result);
         for (const RubeObject& fixture : body.list("fixture"))
             if (const std::optional<RubeFixture> read = read_rube_fixture(fixture, owner_of(result), notes_))

@@ -95,7 +95,7 @@ void read_motor(RubeObject& joint, SceneJoint& result) {
 // The export's target is a world point; the first anchor of a mouse joint is a point of A.
 void read_mouse(RubeObject& joint, SceneJoint& result, const Pose& world_from_a) {
     result.type = SceneJointType::mouse;
-    const DVec2 target = joint.vector("target");
+    const DVec2 target = joint.vector("target", kPosition);
     result.anchors->first = inverse_transform_point(world_from_a, target);
     result.max_force = joint.number("maxForce");
     const SceneJointSpring spring{joint.number("frequency", 5.0), joint.number("dampingRatio", 0.7)};
@@ -104,7 +104,7 @@ void read_mouse(RubeObject& joint, SceneJoint& result, const Pose& world_from_a)
 
 void read_pulley(RubeObject& joint, SceneJoint& result) {
     result.type = SceneJointType::pulley;
-    result.ground_anchors = {joint.vector("groundAnchorA"), joint.vector("groundAnchorB")};
+    result.ground_anchors = {joint.vector("groundAnchorA", kPosition), joint.vector("groundAnchorB", kPosition)};
     result.ratio = joint.number("ratio");
     result.length = std::max(joint.number("lengthA") + *result.ratio * joint.number("lengthB"), kLeastLength);
 }

@@ -64,7 +64,8 @@ double inertia_of_shapes(const SceneMass& stated, const ShapesMass& shapes) {
 
 std::optional<SceneMass> read_rube_mass(RubeObject& json, const SceneBody& body, const std::string& owner,
                                         const std::vector<SceneMaterial>& materials) {
-    const double mass = json.number("massData-mass"), about_origin = json.number("massData-I");
+    const double mass = json.number("massData-mass", 0.0, {-kFastest, kFastest}),
+                 about_origin = json.number("massData-I");
     SceneMass stated{mass > 0.0 ? mass : 1.0, json.vector("massData-center"), 0.0};
     if (body.type != BodyType::dynamic_body) return std::nullopt;
     const ShapesMass shapes = mass_of_shapes(body, materials);

@@ -70,7 +70,7 @@ std::optional<ShapeGeometry> read_geometry(RubeObject& fixture, const FixtureNot
     if (kind == kKinds.end()) return std::nullopt;
     RubeObject shape = fixture.object(*kind);
     ShapeGeometry geometry;
-    if (*kind == "circle") geometry = CircleGeometry{shape.number("radius"), shape.vector("center")};
+    if (*kind == "circle") geometry = CircleGeometry{shape.number("radius", 0.0, kCoordinate), shape.vector("center")};
     if (*kind == "polygon") geometry = make_rube_polygon(shape.points("vertices"));
     if (*kind == "chain") geometry = read_chain(shape, notes);
     if (*kind == "edge") geometry = read_edge(shape, notes);
@@ -107,7 +107,12 @@ std::optional<SceneFilter> read_filter(RubeObject& fixture) {
 
 std::optional<RubeFixture> read_rube_fixture(RubeObject fixture, const std::string& owner, RubeNotes& notes) {
     RubeFixture result;
-    result.surface = {fixture.number("density"), fixture.number("friction"), fixture.number("restitution")};
+    result.surface = {fixture.number("density", 0.0, kNotNegative), fixture.number("friction", 0.0, kNotNegative),
+                      fixture.number("restitution", 0.0, kNotNegative)};
+    if (result.surface.restitution > 1.0) {
+        notes.add_of(owner, "restitutions above 1, which are 1 in the scene");
+        result.surface.restitution = 1.0;
+    }
     result.custom = fixture.custom({"name", "customProperties"});
     result.filter = read_filter(fixture);
     result.sensor = fixture.flag("sensor");

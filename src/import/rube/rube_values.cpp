@@ -50,9 +50,9 @@ RubeObject::RubeObject(const Json& value, std::string pointer, Diagnostics& diag
 
 std::string RubeObject::pointer_to(std::string_view key) const { return append_key(pointer_, key); }
 
-double RubeObject::number(std::string_view key, double missing) {
+double RubeObject::number(std::string_view key, double missing, const Range& range) {
     const Json* value = find(key);
-    return value ? to_number(*value, pointer_to(key)) : missing;
+    return value ? to_number(*value, pointer_to(key), range) : missing;
 }
 
 bool RubeObject::flag(std::string_view key, bool missing) {
@@ -71,7 +71,7 @@ std::string RubeObject::text(std::string_view key) {
     return {};
 }
 
-DVec2 RubeObject::vector(std::string_view key) {
+DVec2 RubeObject::vector(std::string_view key, const Range& range) {
     const Json* value = find(key);
     if (value == nullptr || (value->is_number() && *value == 0)) return {};
     if (!value->is_object()) {
@@ -79,7 +79,7 @@ DVec2 RubeObject::vector(std::string_view key) {
         return {};
     }
     RubeObject components(*value, pointer_to(key), diagnostics_);
-    return {components.number("x"), components.number("y")};
+    return {components.number("x", 0.0, range), components.number("y", 0.0, range)};
 }
 
 std::vector<DVec2> RubeObject::points(std::string_view key) {
@@ -95,8 +95,8 @@ std::vector<DVec2> RubeObject::points(std::string_view key) {
     std::vector<DVec2> points;
     for (std::size_t i = 0; i < value->at("x").size(); ++i) {
         const std::string index = std::to_string(i);
-        points.emplace_back(to_number(value->at("x")[i], here + "/x/" + index),
-                            to_number(value->at("y")[i], here + "/y/" + index));
+        points.emplace_back(to_number(value->at("x")[i], here + "/x/" + index, kCoordinate),
+                            to_number(value->at("y")[i], here + "/y/" + index, kCoordinate));
     }
     return points;
 }
@@ -128,7 +128,7 @@ std::vector<RubeObject> RubeObject::list(std::string_view key) {
 
 int RubeObject::index(std::string_view key, std::size_t end, const std::string& of) {
     const Json* value = find(key);
-    const double number = value ? to_number(*value, pointer_to(key)) : 0.0;
+    const double number = value ? to_number(*value, pointer_to(key), kForce) : 0.0;
     if (number >= 0.0 && number < static_cast<double>(end) && number == std::floor(number))
         return static_cast<int>(number);
     error(pointer_to(key), "the index of one of " + std::to_string(end) + " " + of, value ? *value : Json(0));
@@ -155,12 +155,17 @@ const Json* RubeObject::find(std::string_view key) {
     return found == value_.end() ? nullptr : &*found;
 }
 
-double RubeObject::to_number(const Json& value, const std::string& pointer) {
+double RubeObject::to_number(const Json& value, const std::string& pointer, const Range& range) {
     std::optional<double> number;
     if (value.is_number()) number = value.get<double>();
     if (value.is_string()) number = hex_float(value.get_ref<const std::string&>());
-    if (number && std::isfinite(*number)) return *number + 0.0;  // + 0.0 turns -0 into 0
-    error(pointer, "a finite number, or one as 8 hexadecimal digits", value);
+    const bool is_finite = number && std::isfinite(*number);
+    if (is_finite && *number >= range.min && *number <= range.max) return *number + 0.0;  // + 0.0 turns -0 into 0
+    error(pointer,
+          !is_finite            ? "a finite number, or one as 8 hexadecimal digits"
+          : *number < range.min ? "at least " + number_text(range.min)
+                                : "at most " + number_text(range.max),
+          value);
     return 0.0;
 }
 

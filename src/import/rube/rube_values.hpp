@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/format/field.hpp"
 #include "scene/json/diagnostics.hpp"
 #include "scene/json/json.hpp"
 #include "tumble/scene_import.hpp"
@@ -27,7 +28,8 @@ private:
     std::vector<ImportNote> notes_;
 };
 
-// One JSON object and its pointer. A value of the wrong type is an error in the diagnostics and reads as missing.
+// One JSON object and its pointer. A value of the wrong type or out of its range is an error in the diagnostics and
+// reads as 0 or missing.
 class RubeObject {
 public:
     RubeObject(const Json& value, std::string pointer, Diagnostics& diagnostics);
@@ -36,11 +38,11 @@ public:
     const std::string& pointer() const { return pointer_; }
     std::string pointer_to(std::string_view key) const;
 
-    double number(std::string_view key, double missing = 0.0);
+    double number(std::string_view key, double missing = 0.0, const Range& range = kForce);
     bool flag(std::string_view key, bool missing = false);
     std::string text(std::string_view key);
-    DVec2 vector(std::string_view key);
-    std::vector<DVec2> points(std::string_view key);
+    DVec2 vector(std::string_view key, const Range& range = kCoordinate);
+    std::vector<DVec2> points(std::string_view key);  // in coordinates of a body
     // The JSON text of an object with these keys, empty if all are missing.
     std::string custom(std::initializer_list<std::string_view> keys);
     RubeObject object(std::string_view key);
@@ -60,7 +62,7 @@ public:
 
 private:
     const Json* find(std::string_view key);
-    double to_number(const Json& value, const std::string& pointer);
+    double to_number(const Json& value, const std::string& pointer, const Range& range);
     void error(const std::string& pointer, const std::string& wanted, const Json& got);
 
     const Json& value_;

@@ -155,10 +155,10 @@ void visit_members(auto& def, Visit&& visit) requires requires {
     visit("user_data", def.user_data);
 }
 
-// Sets what the dictionary names.
-void set_members(auto& def, const py::dict& members, const char* what) {
+// Sets what the dictionary names. `also` are names that the package replaces by members, for suggestions.
+void set_members(auto& def, const py::dict& members, const char* what, std::vector<std::string> also = {}) {
     std::size_t found = 0;
-    std::vector<std::string> names;
+    std::vector<std::string> names = std::move(also);
     visit_members(def, [&](const char* name, auto& member) {
         names.emplace_back(name);
         if (!members.contains(name)) return;
@@ -173,8 +173,9 @@ void set_members(auto& def, const py::dict& members, const char* what) {
     if (found == members.size()) return;
     for (const auto& [key, value] : members) {
         const std::string name = py::str(key);
-        if (std::find(names.begin(), names.end(), name) == names.end())
-            throw py::type_error(std::string(what) + " has no '" + name + "'");
+        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+        const std::string hint = suggestion(name, std::vector<std::string_view>(names.begin(), names.end()));
+        throw py::type_error(std::string(what) + " has no '" + name + "'" + (hint.empty() ? "" : ": " + hint));
     }
 }
 
@@ -187,6 +188,11 @@ py::dict dict_of(const auto& def) {
 constexpr std::array kKinds{"revolute", "distance", "prismatic", "weld",   "wheel",
                             "motor",    "mouse",    "filter",    "pulley", "gear"};
 static_assert(kKinds.size() == std::variant_size_v<JointDef>);
+
+void set_joint_members(JointDef& joint, const py::dict& members, const std::vector<std::string>& also) {
+    const std::string what = kind_of(joint) + " joint";
+    std::visit([&](auto& def) { set_members(def, members, what.c_str(), also); }, joint);
+}
 
 template <std::size_t... index>
 void emplace(JointDef& joint, std::size_t wanted, std::index_sequence<index...>) {
@@ -237,14 +243,11 @@ JointDef to_joint_def(const std::string& kind, const py::dict& members) {
     JointDef joint;
     emplace(joint, static_cast<std::size_t>(found - kKinds.begin()),
             std::make_index_sequence<std::variant_size_v<JointDef>>());
-    change_joint(joint, members);
+    set_joint_members(joint, members, {"anchor"});
     return joint;
 }
 
-void change_joint(JointDef& joint, const py::dict& members) {
-    const std::string what = kind_of(joint) + " joint";
-    std::visit([&](auto& def) { set_members(def, members, what.c_str()); }, joint);
-}
+void change_joint(JointDef& joint, const py::dict& members) { set_joint_members(joint, members, {}); }
 
 std::string kind_of(const JointDef& joint) { return kKinds.at(joint.index()); }
 

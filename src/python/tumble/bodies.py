@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tumble.body_shapes import BodyShape
-from tumble.parts import Part, index_of
+from tumble.parts import Part, counted, index_of
 from tumble.shapes import Shape, Vector, finite, number, points_array, shape_of, truth, user_data_of, vector
 from tumble.vectors import Vec2, VectorProperty
 
@@ -39,7 +39,7 @@ class Body(Part):
         if not self.is_alive:
             return f"<Body {self._id & 0xFFFFFFFF}, destroyed>"
         x, y = self.position
-        return f"<Body {self._id & 0xFFFFFFFF}, {self.type}, at ({x:.3g}, {y:.3g}) m, {len(self.shapes)} shapes>"
+        return f"<Body {self._id & 0xFFFFFFFF}, {self.type}, at ({x:.3g}, {y:.3g}) m, {counted(len(self.shapes), 'shape')}>"
 
     @property
     def is_alive(self) -> bool:

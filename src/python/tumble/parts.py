@@ -17,6 +17,13 @@ def index_of(names: Sequence[str], name: str, what: str) -> int:
     return names.index(name)
 
 
+def counted(count: int, noun: str) -> str:
+    """"1 shape", "2 bodies"."""
+    if count == 1:
+        return f"1 {noun}"
+    return f"{count} {noun[:-1]}ies" if noun.endswith("y") else f"{count} {noun}s"
+
+
 def id_in(box: _tumble.World, part: object, kind: type[Part], name: str) -> int:
     """The id of a part of a world, or the right exception."""
     if not isinstance(part, kind):

@@ -14,8 +14,9 @@ import numpy.typing as npt
 
 from tumble import _tumble
 from tumble.bodies import Body
-from tumble.errors import Diagnostic
+from tumble.errors import Diagnostic, SnapshotError
 from tumble.joints import Joint
+from tumble.parts import counted
 from tumble.shapes import Vector, steps_of, text_of, whole
 from tumble.world import World
 
@@ -156,7 +157,8 @@ class Scene:
 
     def __repr__(self) -> str:
         name = self.data.get("name") or self._name
-        return f"<Scene {name!r}: {len(self.data.get('bodies', []))} bodies, {len(self.data.get('joints', []))} joints>"
+        sizes = [counted(len(self.data.get(key, [])), noun) for key, noun in (("bodies", "body"), ("joints", "joint"))]
+        return f"<Scene {name!r}: {sizes[0]}, {sizes[1]}>"
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and self._plain() == other._plain()
@@ -239,9 +241,11 @@ class Run:
 
     @staticmethod
     def load(saved: tuple[str, bytes, bytes]) -> Run:
-        """Continues a saved run. Raises SnapshotError."""
-        text, run, watch = saved
-        return Run(Scene(json.loads(text)), _box=_tumble.load_run(text, run, watch))
+        """Continues a saved run. Raises SnapshotError, or SceneError if its scene is not valid."""
+        if not isinstance(saved, (tuple, list)) or [type(part) for part in saved] != [str, bytes, bytes]:
+            raise SnapshotError("saved must be what Run.save returns: the text of a scene and two snapshots, as bytes")
+        box = _tumble.load_run(*saved)
+        return Run(Scene(json.loads(saved[0])), _box=box)
 
     def copy(self) -> Run:
         """A run in the same state, with its timeline and claims."""

@@ -17,7 +17,7 @@ from tumble import _tumble
 from tumble.bodies import BODY_TYPES, DYNAMIC, Body
 from tumble.body_shapes import BodyShape
 from tumble.joints import Joint, new_members
-from tumble.parts import index_of
+from tumble.parts import counted, index_of
 from tumble.queries import Queries
 from tumble.shapes import Shape, Vector, finite, number, shape_of, steps_of, user_data_of, vector, whole
 from tumble.vectors import Vec2, VectorProperty
@@ -84,8 +84,8 @@ class World(Queries):
     def __repr__(self) -> str:
         bodies, joints, contacts, awake = self._box.counts()
         return (
-            f"<World at {self.time:.3f} s: {bodies} bodies ({awake} awake), {joints} joints, "
-            f"{contacts} contacts, hash {self.state_hash}>"
+            f"<World at {self.time:.3f} s: {counted(bodies, 'body')} ({awake} awake), {counted(joints, 'joint')}, "
+            f"{counted(contacts, 'contact')}, hash {self.state_hash}>"
         )
 
     # ---- Stepping ----
@@ -194,8 +194,8 @@ class World(Queries):
 
         `type`: "static", "kinematic" or "dynamic". `position` of its origin (m), `angle` (rad), `velocity` of its centre of
         mass (m/s), `angular_velocity` (rad/s). Its mass is that of the shapes by their `density` (kg/m^2), unless `mass`
-        (kg) is given, with which a body without shapes does not turn. `friction` and `restitution` are those of
-        `BodyShape`, the other members those of `Body`.
+        (kg) is given, with which a body without shapes does not turn; only dynamic bodies have a mass. `friction` and
+        `restitution` are those of `BodyShape`, the other members those of `Body`.
         """
         if isinstance(shapes, Shape) or not isinstance(shapes, Iterable):
             raise TypeError(f"shapes must be a list of shapes, got {shapes!r}")
@@ -203,6 +203,8 @@ class World(Queries):
         x, y = vector(position, "position")
         twist = vector(velocity, "velocity"), number(angular_velocity, "angular_velocity")
         own_mass = None if mass is None else number(mass, "mass")
+        if own_mass is not None and type in BODY_TYPES and type != DYNAMIC:
+            raise ValueError(f"a {type} body has no mass: leave mass out, or make the body dynamic")
         id = self._box.create_body(
             {
                 "type": index_of(BODY_TYPES, type, "type"),

@@ -13,10 +13,9 @@ void report_hull(const PolygonGeometry& polygon, const std::string& pointer, Dia
     HullReport report;
     make_hull(polygon, &report);
     if (report.interior > 0)
-        diagnostics.warning(
-            codes::ignored_vertices, pointer,
-            std::to_string(report.interior) + " of the vertices lie inside the convex hull and are ignored",
-            "use an \"outline\" for a concave shape");
+        diagnostics.warning(codes::ignored_vertices, pointer,
+                            "vertices inside the convex hull, which are ignored: " + std::to_string(report.interior),
+                            "use an \"outline\" for a concave shape");
     if (report.duplicate + report.collinear > 0)
         diagnostics.warning(codes::ignored_vertices, pointer,
                             std::to_string(report.duplicate + report.collinear) +

@@ -122,6 +122,19 @@ std::vector<const SceneInstance*> Evaluation::copies(const BodyRef& ref) const {
     return found;
 }
 
+std::vector<Evaluation> Evaluation::at_copies(const Node& function) const {
+    std::vector<Evaluation> found;
+    if (!function.is_about_joints) {
+        for (const SceneInstance* copy : copies(program_.bodies[function.names.back()]))
+            found.emplace_back(*this).current_ = copy;
+        return found;
+    }
+    const JointRef& ref = program_.joints[function.names.back()];
+    for (std::size_t i = ref.built; i < ref.built + ref.count; ++i)
+        if (world_.is_valid(built_.joints[i].id)) found.emplace_back(*this).current_joint_ = &built_.joints[i];
+    return found;
+}
+
 double Evaluation::body_value(const Node& node) const {
     const auto property = static_cast<BodyProperty>(node.code);
     const SceneInstance* found = body(program_.bodies[node.names[0]]);
@@ -144,7 +157,7 @@ double Evaluation::body_value(const Node& node) const {
 double Evaluation::joint_value(const Node& node) const {
     const auto property = static_cast<JointProperty>(node.code);
     const JointRef& ref = program_.joints[node.names[0]];
-    const JointId id = built_.joints[ref.built].id;
+    const JointId id = ref.is_current ? current_joint_->id : built_.joints[ref.built].id;
     const World& world = world_;
     if (property == JointProperty::exists) return world.is_valid(id);
     if (!world.is_valid(id)) return kUnknown;
@@ -250,8 +263,7 @@ double Evaluation::inside(const Node& node) const {
 double Evaluation::of_copies(const Node& node) const {
     const auto function = static_cast<Function>(node.code);
     std::vector<double> values;
-    for (const SceneInstance* copy : copies(program_.bodies[node.names.back()]))
-        values.push_back(at(copy).value(node.operands[0]));
+    for (const Evaluation& copy : at_copies(node)) values.push_back(copy.value(node.operands[0]));
     const auto is = [&](double wanted) { return std::ranges::count(values, wanted); };
     const bool has_unknown = std::ranges::any_of(values, [](double value) { return std::isnan(value); });
     double sum = 0.0;

@@ -17,17 +17,16 @@ public:
     Evaluation(const Program& program, const SceneWorld& built, const World& world, std::span<const double> values)
         : program_(program), built_(built), world_(world), values_(values) {}
 
-    // The same state for one copy of a body.
-    Evaluation at(const SceneInstance* copy) const {
-        Evaluation of_copy = *this;
-        of_copy.current_ = copy;
-        return of_copy;
-    }
-
     double value(std::size_t node) const;
 
     // How far a condition is from being `wanted`, as Expression::shortfall() without its sign rules.
     double margin(std::size_t node, bool wanted) const;
+
+    // The same state for each copy that exists of those that a function goes through.
+    std::vector<Evaluation> at_copies(const Node& function) const;
+
+    // The name of the copy that this is for.
+    const std::string& copy() const { return current_ ? current_->name : current_joint_->name; }
 
     // The copies that exist, and the one of a body that exists; null if there is none.
     std::vector<const SceneInstance*> copies(const BodyRef& ref) const;
@@ -55,7 +54,8 @@ private:
     const SceneWorld& built_;
     const World& world_;  // whose ids are those of built_
     std::span<const double> values_;
-    const SceneInstance* current_ = nullptr;  // the copy that a function about copies is at
+    const SceneInstance* current_ = nullptr;             // the copy that a function about copies is at
+    const SceneJointInstance* current_joint_ = nullptr;  // the same of a joint
 };
 
 }  // namespace tumble::scene

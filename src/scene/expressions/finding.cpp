@@ -39,7 +39,7 @@ private:
         if (seen_.size() == kMostValues || !seen_.insert(source).second) return;
         const double value = state.value(index);
         text_ += text_.empty() ? "" : ", ";
-        const std::string absent = std::isnan(value) ? absent_body(state, node) : "";
+        const std::string absent = std::isnan(value) ? absent_name(state, node) : "";
         text_ += !absent.empty() ? "'" + absent + "' does not exist" : source + " is " + shown(node, value);
         if (node.op == Op::call && static_cast<Function>(node.code) == Function::all && value == 0.0)
             list_failing(state, node);
@@ -50,8 +50,8 @@ private:
         return node.kind == ValueKind::number ? brief(value) : value == 1.0 ? "true" : "false";
     }
 
-    static std::string absent_body(const Evaluation& state, const Node& node) {
-        if (node.op == Op::joint_value) return state.program().joints[node.names[0]].name;
+    static std::string absent_name(const Evaluation& state, const Node& node) {
+        if (node.op == Op::joint_value || node.is_about_joints) return state.program().joints[node.names[0]].name;
         if (node.op != Op::body_value && node.op != Op::call) return {};
         for (const std::size_t name : node.names) {
             const BodyRef& ref = state.program().bodies[name];
@@ -62,11 +62,9 @@ private:
 
     // The values of the first copy for which the condition of all() is false.
     void list_failing(const Evaluation& state, const Node& node) {
-        for (const SceneInstance* copy : state.copies(state.program().bodies[node.names.back()])) {
-            const Evaluation of_copy = state.at(copy);
-            if (of_copy.value(node.operands[0]) != 0.0) continue;
-            return list(of_copy, node.operands[0], "of '" + copy->name + "' ");
-        }
+        for (const Evaluation& of_copy : state.at_copies(node))
+            if (of_copy.value(node.operands[0]) == 0.0)
+                return list(of_copy, node.operands[0], "of '" + of_copy.copy() + "' ");
     }
 
     std::set<std::string> seen_;
@@ -101,8 +99,8 @@ double Evaluation::margin(std::size_t index, bool wanted) const {
         return std::isnan(value) ? kInfinite : (value == 1.0) == wanted ? -1.0 : 1.0;
     const bool takes_worst = is_all == wanted;
     double result = takes_worst ? -kInfinite : kInfinite;
-    for (const SceneInstance* copy : copies(program_.bodies[node.names.back()])) {
-        const double one = known(at(copy).margin(node.operands[0], wanted));
+    for (const Evaluation& copy : at_copies(node)) {
+        const double one = known(copy.margin(node.operands[0], wanted));
         result = takes_worst ? std::max(result, one) : std::min(result, one);
     }
     return result;

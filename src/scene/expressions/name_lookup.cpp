@@ -46,6 +46,16 @@ std::size_t NameLookup::add(BodyRef body) {
     return program_.bodies.size() - 1;
 }
 
+std::size_t NameLookup::add(JointRef joint) {
+    program_.joints.push_back(std::move(joint));
+    return program_.joints.size() - 1;
+}
+
+// The joint of a name, or the first copy of a common name.
+std::optional<NamedCopy> NameLookup::find_joint(const std::string& name) const {
+    return known_->joints.find(known_->joints.is_shared(name) ? copy_name(name, 0) : name);
+}
+
 bool NameLookup::is_known_body(const std::string& name) const {
     return known_->bodies.find(name) || known_->bodies.is_spawned(name) || known_->bodies.is_shared(name);
 }
@@ -57,10 +67,14 @@ void NameLookup::enter(const Token& function) {
     around_.push_back({.is_about_copies = !may_be_other});
 }
 
-std::optional<std::size_t> NameLookup::leave() {
-    const std::optional<std::size_t> copies = around_.back().copies;
+std::optional<NameLookup::Copies> NameLookup::leave() {
+    const std::optional<Copies> copies = around_.back().copies;
     around_.pop_back();
     return copies;
+}
+
+const std::string& NameLookup::name_of(const Copies& copies) const {
+    return copies.are_joints ? program_.joints[copies.index].name : program_.bodies[copies.index].name;
 }
 
 // The function whose copies a common name means: the one that is always about copies, or else the innermost.
@@ -69,48 +83,56 @@ NameLookup::Around& NameLookup::around_copies() {
     return found == around_.end() ? around_.back() : *found;
 }
 
-// The copy that the function around the name goes through.
-std::size_t NameLookup::current_copy(const Token& name) {
-    std::optional<std::size_t>& copies = around_copies().copies;
-    if (copies && program_.bodies[*copies].name != name.text)
-        throw ExpressionError(name.begin, "a function about copies takes the copies of one body: '" +
-                                              program_.bodies[*copies].name + "' and '" + name.text + "' are two");
-    if (!copies) {
-        const std::string first = copy_name(name.text, 0);
-        const std::optional<std::size_t> built = known_->bodies.find(first);
-        const std::size_t count = built ? known_->bodies.copies_after(first).value() + 1 : 0;
-        copies = add({.name = name.text, .built = built, .count = count, .is_common = true});
+// All copies of a body, also of one that the timeline spawns.
+BodyRef NameLookup::common(const std::string& name) const {
+    const std::string first = copy_name(name, 0);
+    const std::optional<std::size_t> built = known_->bodies.find(first);
+    const std::size_t count = built ? known_->bodies.copies_after(first).value() + 1 : 0;
+    return {.name = name, .built = built, .count = count, .is_common = true};
+}
+
+// The function around a common name goes through its copies, and through no others.
+void NameLookup::go_through_copies(const Token& name, bool are_joints) {
+    std::optional<Copies>& copies = around_copies().copies;
+    if (!copies && are_joints) {
+        const NamedCopy first = *find_joint(name.text);
+        copies = Copies{
+            add(JointRef{.name = name.text, .built = known_->joints.built_index(first), .count = first.count}), true};
+    } else if (!copies) {
+        copies = Copies{add(common(name.text)), false};
     }
-    return add({.name = name.text, .is_current = true});
+    if (copies->are_joints != are_joints || name_of(*copies) != name.text)
+        throw ExpressionError(name.begin, "a function about copies takes the copies of one body or joint: '" +
+                                              name_of(*copies) + "' and '" + name.text + "' are two");
+}
+
+// Without a function around it, a common name has no property.
+void NameLookup::refuse_common(const Token& name, const std::string& condition, const std::string& value) const {
+    const std::string shown = in_expression(name.text);
+    throw ExpressionError(name.begin, "'" + name.text + "' stands for several copies",
+                          "name one, " + in_expression(copy_name(name.text, 0)) + ", or all of them: all(" + shown +
+                              condition + "), any(" + shown + condition + "), max(" + shown + value + ")");
 }
 
 std::size_t NameLookup::body(const Token& name, Use use) {
     program_.spans.push_back({name.begin, name.end, name.text});
-    if (is_unchecked()) return add({.name = name.text});
+    if (is_unchecked()) return add(BodyRef{.name = name.text});
     if (const std::optional<std::size_t> built = known_->bodies.find(name.text))
-        return add({.name = name.text, .built = built});
+        return add(BodyRef{.name = name.text, .built = built});
     if (known_->bodies.is_shared(name.text)) {
-        if (!around_.empty()) return current_copy(name);
-        const std::string first = copy_name(name.text, 0);
-        const std::optional<std::size_t> built = known_->bodies.find(first);
-        if (use == Use::as_argument)
-            return add({.name = name.text,
-                        .built = built,
-                        .count = built ? known_->bodies.copies_after(first).value() + 1 : 0,
-                        .is_common = true});
-        const std::string shown = in_expression(name.text);
-        throw ExpressionError(name.begin, "'" + name.text + "' stands for several copies",
-                              "name one, " + in_expression(first) + ", or all of them: all(" + shown + ".y > 0), any(" +
-                                  shown + ".y > 0), max(" + shown + ".y)");
+        if (around_.empty() && use == Use::as_argument) return add(common(name.text));
+        if (around_.empty()) refuse_common(name, ".y > 0", ".y");
+        go_through_copies(name, false);
+        return add(BodyRef{.name = name.text, .is_current = true});
     }
-    if (known_->bodies.is_spawned(name.text)) return add({.name = name.text});
+    if (known_->bodies.is_spawned(name.text)) return add(BodyRef{.name = name.text});
     refuse_unknown(name, "body");
 }
 
 Node NameLookup::property(const Token& name, const Token& word) {
     const Word<BodyProperty>* of_body = find_word(body_words(), word.text);
     const Word<JointProperty>* of_joint = find_word(joint_words(), word.text);
-    const std::optional<NamedCopy> joint = is_unchecked() ? std::nullopt : known_->joints.find(name.text);
+    const std::optional<NamedCopy> joint = is_unchecked() ? std::nullopt : find_joint(name.text);
     const bool is_body = is_unchecked() || is_known_body(name.text);
     if (joint && of_joint && !(is_body && of_body)) return joint_property(name, *joint, word);
     if (!is_body && !joint) refuse_unknown(name, "body or joint");
@@ -142,11 +164,15 @@ Node NameLookup::joint_property(const Token& name, const NamedCopy& joint, const
                               "joints of its type have: " + join_words(words));
     }
     program_.spans.push_back({name.begin, name.end, name.text});
-    program_.joints.push_back({name.text, known_->joints.built_index(joint), type});
-    return {.op = Op::joint_value,
-            .kind = found.kind,
-            .code = static_cast<int>(found.code),
-            .names = {program_.joints.size() - 1}};
+    const bool is_common = known_->joints.is_shared(name.text);
+    if (is_common && around_.empty()) refuse_common(name, ".force < 100", ".force");
+    if (is_common) go_through_copies(name, true);
+    return {
+        .op = Op::joint_value,
+        .kind = found.kind,
+        .code = static_cast<int>(found.code),
+        .names = {add(JointRef{
+            .name = name.text, .built = known_->joints.built_index(joint), .type = type, .is_current = is_common})}};
 }
 
 std::optional<std::size_t> NameLookup::given_value(const Token& name) const {
@@ -160,7 +186,7 @@ void NameLookup::refuse_alone(const Token& name) const {
     if (is_unchecked() || is_known_body(name.text))
         throw ExpressionError(name.begin, "the body '" + name.text + "' alone is no value",
                               "ask for a property: " + in_expression(name.text) + ".x");
-    if (known_->joints.find(name.text))
+    if (find_joint(name.text))
         throw ExpressionError(name.begin, "the joint '" + name.text + "' alone is no value",
                               "ask for a property: " + in_expression(name.text) + ".force");
     std::string hint = hint_for_quotes(name.text, known_->scene);

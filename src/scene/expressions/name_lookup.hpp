@@ -32,24 +32,35 @@ public:
     // To be called for a name without a property, which is no value of the world.
     [[noreturn]] void refuse_alone(const Token& name) const;
 
-    // The arguments of a function about copies are between the two. The result is the index in Program::bodies of the
-    // copies that they name, if they do.
+    // The copies of a body or joint: the index in Program::bodies or Program::joints.
+    struct Copies {
+        std::size_t index = 0;
+        bool are_joints = false;
+    };
+    const std::string& name_of(const Copies& copies) const;
+
+    // The arguments of a function about copies are between the two. The result is the copies that they name, if they
+    // do.
     void enter(const Token& function);
-    std::optional<std::size_t> leave();
+    std::optional<Copies> leave();
 
 private:
     // A function whose arguments are being read, and the copies that they name. min and max may be about copies or not.
     struct Around {
         bool is_about_copies = false;
-        std::optional<std::size_t> copies{};
+        std::optional<Copies> copies{};
     };
 
     Node joint_property(const Token& name, const NamedCopy& joint, const Token& word);
+    std::optional<NamedCopy> find_joint(const std::string& name) const;
     bool is_known_body(const std::string& name) const;
     Around& around_copies();
-    std::size_t current_copy(const Token& name);
+    void go_through_copies(const Token& name, bool are_joints);
+    BodyRef common(const std::string& name) const;
+    [[noreturn]] void refuse_common(const Token& name, const std::string& condition, const std::string& value) const;
     [[noreturn]] void refuse_unknown(const Token& name, const std::string& what) const;
     std::size_t add(BodyRef body);
+    std::size_t add(JointRef joint);
 
     const KnownNames* known_;
     Program& program_;

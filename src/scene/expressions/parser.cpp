@@ -280,20 +280,24 @@ private:
     }
 
     void leave(const FunctionWord& word, std::size_t arguments, Node& node) {
-        const std::optional<std::size_t> copies = lookup_.leave();
+        const std::optional<NameLookup::Copies> copies = lookup_.leave();
         if (!is_about_copies(word.code, arguments)) {
             if (copies)
-                throw ExpressionError(node.begin, "'" + program_.bodies[*copies].name + "' stands for several copies",
-                                      std::string(word.name) + "(" + program_.bodies[*copies].name +
-                                          ".y) with one argument is that of all copies");
+                throw ExpressionError(node.begin, "'" + lookup_.name_of(*copies) + "' stands for several copies",
+                                      std::string(word.name) + "(" + lookup_.name_of(*copies) +
+                                          (copies->are_joints ? ".force" : ".y") +
+                                          ") with one argument is that of all copies");
             return;
         }
-        if (copies) node.names.push_back(*copies);
+        if (copies) {
+            node.names.push_back(copies->index);
+            node.is_about_joints = copies->are_joints;
+        }
         const bool may_lack_copies = lookup_.is_unchecked() || arguments != 1;
         if (!copies && !may_lack_copies)
             throw ExpressionError(
                 node.begin, "'" + std::string(word.name) + "' needs the common name of copies",
-                std::string("a body without a \"repeat\" has no copies: ") +
+                std::string("a body or joint without a \"repeat\" has no copies: ") +
                     (word.code == Function::count ? "write if(condition, 1, 0)" : "leave the function out"));
     }
 

@@ -52,8 +52,10 @@ struct BodyRef {
 
 struct JointRef {
     std::string name;
-    std::size_t built = 0;  // index in SceneWorld::joints
+    std::size_t built = 0;  // index in SceneWorld::joints, of the first copy
+    std::size_t count = 1;  // of copies
     SceneJointType type = SceneJointType::revolute;
+    bool is_current = false;  // the copy that the function around it goes through
 };
 
 struct Node {
@@ -63,6 +65,7 @@ struct Node {
     int code = 0;         // BodyProperty, JointProperty, WorldValue or Function, or the index of a given value
     std::vector<std::size_t> operands{};  // nodes
     std::vector<std::size_t> names{};     // of bodies or of one joint; of a function about copies, the copies
+    bool is_about_joints = false;         // a function about the copies of a joint
     std::size_t begin = 0, end = 0;       // in the text
 };
 

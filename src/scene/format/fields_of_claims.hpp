@@ -98,7 +98,9 @@ void visit_claims_of_counts(V& v) {
 // The state as a whole, or a condition on it.
 template <class V>
 void visit_claims_of_state(V& v) {
-    v.field({"state_hash", "Expected state hash: 16 hexadecimal digits, as the run command prints them."},
+    v.field({.name = "state_hash",
+             .description = "Expected state hash: 16 hexadecimal digits, as the run command prints them.",
+             .text = Text::hash},
             &SceneExpectation::state_hash);
     v.field({.name = "that",
              .description = "Condition on the state that must hold, for example \"a.x < b.x - 1\".",
@@ -131,7 +133,7 @@ void visit_claims_with_reference(V& v) {
              .description =
                  "Path of a PNG file, relative to the folder of the scene, that the frame of its size must equal "
                  "at the end or at 'at'. The check command draws it.",
-             .text = Text::name},
+             .text = Text::png_file},
             &SceneExpectation::picture);
     v.field({"tolerance",
              "Greatest allowed difference of a colour component of a pixel from 'picture', in levels.",

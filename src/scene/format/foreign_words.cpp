@@ -79,6 +79,9 @@ constexpr ForeignKey kKeys[] = {
     {"assertions", "expect", R"(claims are listed under "expect")"},
     {"tests", "expect", R"(claims are listed under "expect")"},
     {"events", "timeline", R"(events are listed under "timeline")"},
+    {"scene", "timeline", "this is a plan, which `tumble sweep` runs"},
+    {"scenes", "timeline", "this is a plan, which `tumble sweep` runs"},
+    {"body", "timeline", R"("bodies"; `tumble import` reads an export of R.U.B.E.)"},
     {"objects", "bodies", R"(bodies are listed under "bodies")"},
     {"constraints", "joints", R"(joints are listed under "joints")"},
     {"time", "steps_per_second", R"("duration": seconds)"},
@@ -99,7 +102,7 @@ struct PlainValue {
     std::string_view key, before, after;
 };
 constexpr PlainValue kPlainValues[] = {
-    {"mass", R"("mass": {"mass": )", "}"},
+    {"mass", R"("mass": {"mass": )", R"(, "inertia": 1}, or a "density" of the material)"},
     {"repeat", R"(of a body: "repeat": {"grid": {"columns": 5}}; of a joint: "repeat": {"columns": 5})", ""},
     {"spring", R"("spring": {"hertz": )", "}"},
     {"angular_spring", R"("angular_spring": {"hertz": )", "}"},

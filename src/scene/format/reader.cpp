@@ -9,6 +9,7 @@
 
 #include "scene/format/fields.hpp"
 #include "scene/format/foreign_words.hpp"
+#include "scene/format/text_forms.hpp"
 #include "scene/json/json_text.hpp"
 #include "scene/json/pointer.hpp"
 #include "tumble/suggest.hpp"
@@ -16,12 +17,6 @@
 namespace tumble::scene {
 
 namespace {
-
-// True for #rgb and #rrggbb.
-bool is_color(const std::string& text) {
-    return (text.size() == 4 || text.size() == 7) && text[0] == '#' &&
-           text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-}
 
 class Reader {
 public:
@@ -74,6 +69,8 @@ public:
             wrong(location, "a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes", value);
         if (field.text == Text::expression && (out.empty() || out.size() > kMaxExpressionBytes))
             wrong(location, "an expression of 1 to " + std::to_string(kMaxExpressionBytes) + " bytes", value);
+        if (field.text == Text::hash && !is_hash(out)) wrong(location, "16 digits 0-9 and a-f", value);
+        if (field.text == Text::png_file && !out.ends_with(".png")) wrong(location, "the name of a .png file", value);
         if (field.text == Text::color && !is_color(out))
             wrong(location, "a colour, \"#rgb\" or \"#rrggbb\"", value, hint_for_color(out));
     }
@@ -219,7 +216,7 @@ public:
     }
 
     void constant(const Field& field, int number) {
-        const Json* found = find(field);
+        const Json* found = find(field, quoted(std::string(field.name)) + ": " + std::to_string(number));
         if (found == nullptr || *found == number) return;
         reader_.wrong(child(location_, field.name), std::to_string(number), *found);
     }
@@ -254,7 +251,7 @@ public:
             const bool guessed = std::any_of(missing.names.begin(), missing.names.end(), [&](std::string_view name) {
                 return std::find(guesses.begin(), guesses.end(), name) != guesses.end();
             });
-            if (!guessed) reader_.error(location_, missing.message);
+            if (!guessed) reader_.error(location_, missing.message, missing.hint);
         }
     }
 
@@ -273,7 +270,7 @@ public:
 private:
     struct Missing {
         std::vector<std::string_view> names;
-        std::string message;
+        std::string message, hint;
     };
 
     template <class Variant>
@@ -294,12 +291,13 @@ private:
         }
     };
 
-    const Json* find(const Field& field) {
+    // `hint` is that of a missing key.
+    const Json* find(const Field& field, const std::string& hint = "") {
         known_.push_back(field.name);
         const auto found = value_.find(field.name);
         if (found != value_.end()) return &*found;
         if (field.required)
-            missing_.push_back({{field.name}, "the key " + quoted(std::string(field.name)) + " is missing"});
+            missing_.push_back({{field.name}, "the key " + quoted(std::string(field.name)) + " is missing", hint});
         return nullptr;
     }
 
@@ -314,7 +312,7 @@ private:
     }
 
     void require_one(const std::vector<std::string_view>& names, const std::vector<std::string_view>& found) {
-        if (found.empty()) missing_.push_back({names, "needs one of the keys " + join_words(names)});
+        if (found.empty()) missing_.push_back({names, "needs one of the keys " + join_words(names), ""});
         if (found.size() > 1) refuse_together(found);
     }
 

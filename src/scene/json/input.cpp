@@ -52,7 +52,7 @@ public:
             return false;
         }
         const std::string why = reason(cause.what());
-        diagnostics_.error_at_offset(offset, why, hint(offset, why));
+        diagnostics_.error_at_offset(offset, why, hint(offset, why, last_token));
         return false;
     }
 
@@ -116,7 +116,13 @@ private:
         return is_value ? R"(a colour takes double quotes: "#d33")" : "a comment begins with //";
     }
 
-    std::string hint(std::size_t offset, const std::string& why) const {
+    // Whether the text before the token, which ends at an offset, is a zero: 010 is read as 0 and 10.
+    bool follows_zero(std::size_t offset, const std::string& token) const {
+        return token.size() <= offset && text_[offset - token.size()] == '0' && token[0] >= '0' && token[0] <= '9';
+    }
+
+    // The offset is that of the last byte of the token.
+    std::string hint(std::size_t offset, const std::string& why, const std::string& token) const {
         const bool wants_end = why.ends_with("expected '}'") || why.ends_with("expected ']'");
         const bool begins_value = why.find("literal; expected") != std::string::npos ||
                                   why.find("unexpected '{'") != std::string::npos ||
@@ -124,13 +130,16 @@ private:
         const char c = offset < text_.size() ? text_[offset] : '\0';
         if (offset > 0 && text_[offset - 1] == '0' && (c == 'x' || c == 'b')) return "numbers are written in decimal";
         if (c == '#') return hint_for_number_sign(offset);
+        if (follows_zero(offset, token)) return "a number has no zeros before it: " + token;
         if (wants_end && begins_value) return "a comma is missing before it";
         if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff")) return "save the file as UTF-8, not UTF-16";
         if (why.find("UTF-8") != std::string::npos) return "save the file as UTF-8";
         if (why.find("unexpected end") != std::string::npos && !levels_.empty())
             return std::string("the last '") + (levels_.back().is_object ? "{" : "[") + "' is not closed";
         if (c == '\'') return "strings and keys take double quotes";
-        if (why.find("expected string literal") != std::string::npos && is_letter(c)) return "keys take double quotes";
+        const bool follows_letter = c == ':' && offset > 0 && is_letter(text_[offset - 1]);
+        if (why.find("expected string literal") != std::string::npos && (is_letter(c) || follows_letter))
+            return "keys take double quotes";
         if (c == 'I' || (c == 'N' && text_.substr(offset).starts_with("NaN"))) return "JSON has no NaN and no Infinity";
         if (c == '+') return "a number has no + before it";
         if (c == '.') return "a number begins with a digit: 0.5";

@@ -9,6 +9,10 @@ namespace codes {
 
 inline constexpr std::string_view no_mass = "no-mass";
 inline constexpr std::string_view static_velocity = "static-velocity";
+inline constexpr std::string_view unused_mass = "unused-mass";
+inline constexpr std::string_view missing_image = "missing-image";
+inline constexpr std::string_view radians = "radians";
+inline constexpr std::string_view outside_limits = "outside-limits";
 inline constexpr std::string_view sliver = "sliver";
 inline constexpr std::string_view unusual_size = "unusual-size";
 inline constexpr std::string_view ignored_vertices = "ignored-vertices";

@@ -12,14 +12,19 @@ namespace tumble::scene {
 // For a scene without errors. Builds a world and steps it once.
 void add_lints(const Scene& scene, const ResolvedScene& resolved, Diagnostics& diagnostics);
 
-// Single bodies: slivers, sizes outside the tested range, dynamic bodies without mass, static bodies with a velocity.
+// Warns of an angle (degrees) that seems to be in radians.
+void lint_degrees(double degrees, const std::string& pointer, Diagnostics& diagnostics);
+
+// Single bodies: slivers, sizes outside the tested range, dynamic bodies without mass, velocities and masses without
+// effect, angles in radians, images without their files.
 void add_body_lints(const Scene& scene, Diagnostics& diagnostics);
 
 // Bodies that may pass through others, because their surface moves farther in a step than they are thick, by their
 // velocity, a motor or an event, and because nothing sweeps them against these others.
 void add_motion_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics);
 
-// Joints before the first step: large mass ratios, anchors apart or far away, springs too stiff for the steps.
+// Joints before the first step: large mass ratios, anchors apart or far away, angles out of their range or in
+// radians, springs too stiff for the steps.
 void add_joint_lints(const Scene& scene, const SceneWorld& built, Diagnostics& diagnostics);
 
 // One-sided chains with a body on their solid side, which falls through.

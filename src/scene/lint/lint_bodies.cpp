@@ -1,7 +1,11 @@
-// Lints of single bodies: slivers, sizes, weight, static bodies with a velocity.
+// Lints of single bodies: slivers, sizes, weight, velocities and masses without effect, angles, images.
 #include <algorithm>
+#include <filesystem>
+#include <set>
 #include <string>
+#include <system_error>
 
+#include "scene/json/json_text.hpp"
 #include "scene/json/problem_codes.hpp"
 #include "scene/lint/lint.hpp"
 #include "scene/lint/measures.hpp"
@@ -53,6 +57,25 @@ public:
                                  R"(a body of "type": "kinematic" moves at the velocity it is given)");
     }
 
+    void lint_mass(const SceneBody& body, const std::string& pointer) {
+        if (body.mass && body.type != BodyType::dynamic_body)
+            diagnostics_.warning(codes::unused_mass, pointer + "/mass",
+                                 "the body is not dynamic: its mass has no effect",
+                                 R"(leave "mass" out, or make the body dynamic)");
+    }
+
+    // Only the images of scenes that are read from files have paths. A file is named once.
+    void lint_images(const SceneBody& body, const std::string& pointer) {
+        for (std::size_t i = 0; i < body.images.size(); ++i) {
+            const std::filesystem::path& path = body.images[i].path;
+            std::error_code ignored;
+            if (path.empty() || std::filesystem::exists(path, ignored) || !missing_.insert(path).second) continue;
+            diagnostics_.warning(codes::missing_image, pointer + "/images/" + std::to_string(i) + "/file",
+                                 "there is no file " + quoted(path.string()) + ": frames show the outline of the image",
+                                 "paths are relative to the folder of the scene's file");
+        }
+    }
+
 private:
     void lint_size(const std::string& pointer, double width, double size) {
         if (width > 0.0 && width < kSliver * size)
@@ -70,6 +93,7 @@ private:
 
     const Scene& scene_;
     Diagnostics& diagnostics_;
+    std::set<std::filesystem::path> missing_;
 };
 
 }  // namespace
@@ -80,6 +104,9 @@ void add_body_lints(const Scene& scene, Diagnostics& diagnostics) {
         linter.lint_shapes(body, pointer);
         linter.lint_weight(body, pointer);
         linter.lint_motion(body, pointer);
+        linter.lint_mass(body, pointer);
+        linter.lint_images(body, pointer);
+        lint_degrees(body.angle, pointer + "/angle", diagnostics);
     };
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) lint(scene.bodies[i], "/bodies/" + std::to_string(i));
     for (std::size_t i = 0; i < scene.timeline.size(); ++i)

@@ -10,6 +10,7 @@
 #include "scene/json/problem_codes.hpp"
 #include "scene/lint/lint.hpp"
 #include "scene/lint/measures.hpp"
+#include "scene/model/degrees.hpp"
 #include "scene/model/display.hpp"
 #include "scene/model/joint_gap.hpp"
 #include "tumble/distance.hpp"
@@ -20,6 +21,7 @@ namespace tumble::scene {
 namespace {
 
 constexpr double kOneLength = 0.01;  // of the longest: copies whose lengths differ by less are spokes of one hub
+constexpr double kWideAngle = 5.0;   // degrees: a joint that starts less out of its range turns gently
 constexpr double kFarAnchor = 10.0;  // times the size of a body: a longer lever arm is taken for an error
 
 class JointLinter {
@@ -36,8 +38,10 @@ public:
         if (reported_.contains(joint.source)) return;
         lint_masses(joint, a, b);
         if (!lint_gap(joint, a, b)) lint_anchors(joint, a, b);
+        lint_angle(joint);
         if (reported_springs_.insert(joint.source).second) {
             const SceneJoint& source = scene_.joints[joint.source];
+            lint_units(source, pointer(joint));
             lint_spring(source.spring, pointer(joint) + "/spring");
             lint_spring(source.angular_spring, pointer(joint) + "/angular_spring");
         }
@@ -70,6 +74,26 @@ private:
                  display_name(built_, a) + " and " + display_name(built_, b) + ": it will pull them there at once",
              R"(correct its anchors, its "length" or its "limits", or move the bodies)");
         return true;
+    }
+
+    // The angle of a hinge, which is no part of its gap.
+    void lint_angle(const SceneJointInstance& joint) {
+        const JointDef def = world_.joint(joint.id);
+        const auto* const hinge = std::get_if<RevoluteJointDef>(&def);
+        if (hinge == nullptr || !hinge->limits) return;
+        const double angle = world_.joint_motion(joint.id).position * kDegrees;
+        const double lower = hinge->limits->lower * kDegrees, upper = hinge->limits->upper * kDegrees;
+        if (angle > lower - kWideAngle && angle < upper + kWideAngle) return;
+        warn(codes::outside_limits, joint,
+             "the joint starts at " + brief(angle) + " degrees, outside of its limits: it will turn the bodies at once",
+             R"(its angle is 0 at load unless a "reference_angle" is stated: shift the "limits", or turn the bodies)");
+    }
+
+    void lint_units(const SceneJoint& joint, const std::string& pointer) {
+        if (joint.reference_angle) lint_degrees(*joint.reference_angle, pointer + "/reference_angle", diagnostics_);
+        if (joint.type != SceneJointType::revolute || !joint.limits) return;
+        lint_degrees(joint.limits->lower, pointer + "/limits/0", diagnostics_);
+        lint_degrees(joint.limits->upper, pointer + "/limits/1", diagnostics_);
     }
 
     void lint_anchors(const SceneJointInstance& joint, BodyId a, BodyId b) {

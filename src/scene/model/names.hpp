@@ -110,6 +110,9 @@ public:
     // The entry of Scene::joints that has this name, repeated or not.
     std::optional<std::size_t> find_source(std::string_view name) const { return entries_.find_source(name); }
 
+    // Whether the name is the common name of the copies of a repeated joint.
+    bool is_shared(std::string_view name) const { return entries_.is_shared(name); }
+
     // The index in SceneWorld::joints, where gears follow all other joints.
     std::size_t built_index(const NamedCopy& joint) const {
         TUMBLE_CHECK(joint.source < first_built_.size());

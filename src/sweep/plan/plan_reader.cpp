@@ -113,7 +113,8 @@ void read_each(PlanObject& plan, const char* key, Diagnostics& diagnostics, Read
     const Json* const list = plan.find(key);
     if (list == nullptr) return;
     if (!list->is_array())
-        return diagnostics.error(plan.pointer_to(key), "must be an array, got " + scene::describe(*list));
+        return diagnostics.error(plan.pointer_to(key), "must be an array, got " + scene::describe(*list),
+                                 list->is_object() ? "in brackets, as a list: [{...}]" : "");
     for (std::size_t i = 0; i < list->size(); ++i) read((*list)[i], plan.pointer_to(key) + "/" + std::to_string(i));
 }
 
@@ -121,6 +122,7 @@ Measure read_measure(const Json& json, const std::string& pointer, std::set<std:
                      Diagnostics& diagnostics) {
     PlanObject object(json, pointer, diagnostics);
     Measure measure;
+    if (!json.is_object()) return measure;
     read_name(object, names, measure.name);
     if (!object.has("value")) object.error("", "needs the key \"value\", an expression");
     measure.expression = object.text("value");
@@ -133,9 +135,10 @@ Seeds read_seeds(PlanObject& plan, Diagnostics& diagnostics) {
     const Json* const json = plan.find("seeds");
     if (json == nullptr) return seeds;
     seeds.is_drawn = false;
-    if (json->is_array()) {
-        for (const Json& seed : *json)
-            if (seed.is_number_unsigned()) seeds.list.push_back(seed.get<std::uint64_t>());
+    if (!json->is_object()) {
+        if (json->is_array())
+            for (const Json& seed : *json)
+                if (seed.is_number_unsigned()) seeds.list.push_back(seed.get<std::uint64_t>());
         if (seeds.list.empty() || seeds.list.size() != json->size())
             plan.error("seeds", "must be an array of whole numbers, or {\"first\": 1, \"count\": 100}");
         return seeds;
@@ -197,7 +200,7 @@ Plan read_object(const Json& json, const std::filesystem::path& file, std::uint6
     plan.file = file;
     object.find("$schema");
     object.whole("format", 1, 1, 1);
-    if (!object.has("format")) object.error("", "needs the key \"format\", which is 1");
+    if (!object.has("format")) object.error("", R"(the key "format" is missing)", R"("format": 1)");
     plan.name = object.text("name", file.stem().string());
     plan.description = object.text("description");
     read_scenes(object, plan);

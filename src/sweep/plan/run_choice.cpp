@@ -92,9 +92,9 @@ std::uint64_t grid_size(const Plan& plan) {
 }
 
 std::uint64_t runs_in_shard(const Plan& plan) {
-    constexpr std::uint64_t kShards = 60, kMost = 2000;
+    constexpr std::uint64_t kShards = 60, kLeast = 5, kMost = 2000;
     if (plan.shard_runs > 0) return plan.shard_runs;
-    return std::clamp<std::uint64_t>((plan.runs + kShards - 1) / kShards, 1, kMost);
+    return std::clamp<std::uint64_t>((plan.runs + kShards - 1) / kShards, kLeast, kMost);
 }
 
 std::uint64_t shard_count(const Plan& plan) {

@@ -122,7 +122,8 @@ TEST_CASE("export refuses what gives no dataset, and leaves no file") {
         CHECK(answer.code == code);
         CHECK_MESSAGE(answer.err.find(message) != std::string::npos, answer.err);
     };
-    check(fall.to_minari("sets", {"--reward", "yy"}), 3, "has no column 'yy'");
+    check(fall.to_minari("sets", {"--reward", "yy"}), 3,
+          "has no column 'yy'; did you mean 'y'?\n  its columns: run, scene, seed, ");
     check(fall.to_minari("sets", {"--reward", "word"}), 3, "runs.csv:6: the reward 'word' is no number: a, \"b\"");
     for (const char* const id : {"ball", "../ball-v0", "/ball-v0", "a b-v0", "x/ball-v0", "ball-v"})
         check(run_tumble({"sweep", "export", fall.at("out"), "-o", fall.at("sets"), "--id", id}), 2,

@@ -83,7 +83,8 @@ TEST_CASE("runs that take too long, are not valid or are filtered are recorded w
 
 TEST_CASE("a run that diverges is recorded with its seed, and keeps its data up to then") {
     // A mote of 1e-30 kg gets an impulse of 1e12 N s after 0.2 s in the second run, and none in the first.
-    const Sweeps sweeps(R"({"format": 1, "scene": "mote.json", "seeds": [7], "write": {"trajectory": {"as": "npy"}},
+    const Sweeps sweeps(
+        R"({"format": 1, "scene": "mote.json", "shard_runs": 1, "seeds": [7], "write": {"trajectory": {"as": "npy"}},
       "parameters": [{"name": "impulse", "set": "/timeline/0/impulse/0", "list": [0, 1e12]}]})");
     sweeps.folder.write("mote.json", R"({"format": 1, "world": {"duration": 1}, "bodies": [{"name": "mote",
       "mass": {"mass": 1e-30, "inertia": 0}, "shapes": [{"circle": {"radius": 0.1}}]}],
@@ -175,7 +176,10 @@ TEST_CASE("plot draws a heat map of the grid, and dots without a second axis") {
     CHECK(count(map.out, "#440154") == 6);
     CHECK(count(map.out, "#fde725") == 1);
     CHECK(count(plot({"--value", "product"}).out, "<circle") == 12);
-    CHECK(plot({"--value", "area"}).code == 3);
+    const Answer misspelt = plot({"--value", "produkt"});
+    CHECK(misspelt.code == 3);
+    CHECK(misspelt.err.find("runs.csv: has no column 'produkt'; did you mean 'product'?\n  its columns: run, ") !=
+          std::string::npos);
     CHECK(plot({"--value", "message"}).code == 3);
     CHECK(run_tumble({"sweep", "plot", sweeps.at("gone"), "--x", "a", "--value", "b", "-o", "-"}).code == 4);
 }

@@ -49,7 +49,7 @@ TEST_CASE("a sweep that is interrupted continues, and does only what is missing"
     process.send_signal(SIGTERM);
     const Answer stopped = process.wait();
     CHECK(stopped.code == 143);
-    CHECK(stopped.out.find("shards are missing") != std::string::npos);
+    CHECK(stopped.out.find("\nmissing: ") != std::string::npos);
     const json rest = json::parse(sweeps.sweep("out", {"--json", "--runs", "3000"}).out);
     CHECK(rest["simulated_runs"] <= 3000 - 40);
     CHECK(are_equal(sweeps.folder / "whole", sweeps.folder / "out"));

@@ -47,3 +47,26 @@ TEST_CASE("submit writes a script for Slurm with as many tasks as take a minute"
     CHECK(run_tumble({"sweep", "submit", sweeps.plan, "-o", sweeps.at("out"), "--slurm", "--print", "--tasks", "8"})
               .out.find("--array=1\n") != std::string::npos);
 }
+
+TEST_CASE("submit takes nothing but the number of a job from sbatch") {
+    const Sweeps sweeps;
+    fs::create_directory(sweeps.folder / "bin");
+    const fs::path program = sweeps.folder / "bin/sbatch";
+    const auto submit_with = [&](const std::string& answer) {
+        sweeps.folder.write("bin/sbatch", "#!/bin/sh\nprintf '%b' '" + answer + "'\n");
+        fs::permissions(program, fs::perms::owner_all);
+        std::vector<std::string> command = tumble::test::tumble_command(
+            {"sweep", "submit", sweeps.plan, "-o", sweeps.at("cluster"), "--slurm", "--tasks", "2", "--json"});
+        command.insert(command.begin(), {"env", "PATH=" + program.parent_path().string() + ":/usr/bin:/bin"});
+        return tumble::test::run(command);
+    };
+    const Answer accepted = submit_with("123;main\\n");
+    REQUIRE_MESSAGE(accepted.code == 0, accepted.err);
+    CHECK(json::parse(accepted.out)["job"] == "123");
+    for (const char* const garbage : {"Submitted batch job 4\\n", "", "1 $(touch hit)\\n", "\\n", "-1\\n"}) {
+        CAPTURE(garbage);
+        const Answer refused = submit_with(garbage);
+        CHECK(refused.code == 4);
+        CHECK(refused.err.find("sbatch --parsable answered no number of a job") != std::string::npos);
+    }
+}

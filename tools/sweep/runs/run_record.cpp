@@ -101,6 +101,7 @@ void SweepRun::look_around() const {
 
 void SweepRun::simulate() {
     const Scene scene = load_(choice_);
+    found_.draws = scene.draws;
     found_.steps = 0;
     SceneRun run(scene);
     ExpectationWatch watch(scene, run.built());

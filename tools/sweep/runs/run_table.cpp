@@ -62,6 +62,8 @@ std::string summary_text(const sweep::Plan& plan, const sweep::RunChoice& choice
         const nlohmann::json value = nlohmann::json::parse(choice.values[i]);
         value.is_number() ? json.value(value.get<double>()) : json.value(cell_of(choice.values[i]));
     }
+    json.close_object().key("draws").open_object();
+    for (const SceneDraw& draw : found.draws) json.member(draw.key, draw.value);
     json.close_object().member("outcome", found.outcome).member("message", found.message);
     if (found.steps) json.member("steps", *found.steps);
     if (found.state_hash) json.member("state_hash", to_hex(*found.state_hash));

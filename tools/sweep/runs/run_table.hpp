@@ -19,6 +19,7 @@ struct RunFindings {
     std::vector<ExpectationResult> claims{};
     std::vector<double> measures{};  // empty if there is no end state
     std::optional<std::uint64_t> state_hash{};
+    std::vector<SceneDraw> draws{};     // the random numbers of the scene
     std::vector<std::string> bodies{};  // in the order of trajectories; the label of a body in masks is its index + 1
 
     std::size_t failed_claims() const;
@@ -32,7 +33,7 @@ std::string table_header(const sweep::Plan& plan);
 std::string table_row(const sweep::Plan& plan, const sweep::RunChoice& choice, const RunFindings& found,
                       std::uint64_t data_hash);
 
-// The same as JSON, with the claims.
+// The same as JSON, with the random numbers of the scene and the claims.
 std::string summary_text(const sweep::Plan& plan, const sweep::RunChoice& choice, const RunFindings& found);
 
 }  // namespace tumble::tools
