@@ -49,9 +49,10 @@ inline constexpr Range kSeed{0.0, 0x1p64};
 
 inline constexpr std::size_t kMaxNameBytes = 256;         // bytes
 inline constexpr std::size_t kMaxExpressionBytes = 2000;  // bytes
+inline constexpr std::size_t kMaxCaptionBytes = 2000;     // bytes
 
 // What a text may contain.
-enum class Text { any, name, color, expression };
+enum class Text { any, name, color, expression, caption };
 
 struct Field {
     std::string_view name;

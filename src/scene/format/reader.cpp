@@ -74,6 +74,8 @@ public:
             wrong(location, "a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes", value);
         if (field.text == Text::expression && (out.empty() || out.size() > kMaxExpressionBytes))
             wrong(location, "an expression of 1 to " + std::to_string(kMaxExpressionBytes) + " bytes", value);
+        if (field.text == Text::caption && (out.empty() || out.size() > kMaxCaptionBytes))
+            wrong(location, "a text of 1 to " + std::to_string(kMaxCaptionBytes) + " bytes", value);
         if (field.text == Text::color && !is_color(out))
             wrong(location, "a colour, \"#rgb\" or \"#rrggbb\"", value, hint_for_color(out));
     }

@@ -67,7 +67,7 @@ public:
 
     Json of(const std::string*, const Field& field) {
         Json schema{{"type", "string"}};
-        if (field.text == Text::name || field.text == Text::expression) schema["minLength"] = 1;
+        if (field.text != Text::any && field.text != Text::color) schema["minLength"] = 1;
         if (field.text == Text::color) schema["pattern"] = "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$";
         return schema;
     }
