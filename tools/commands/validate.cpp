@@ -67,7 +67,7 @@ void print(const Validation& validation) {
     if (validation.code == ExitCode::file_system) report_error(validation.error);
     if (!validation.error.empty()) return;
     const std::size_t warnings = validation.diagnostics.size();
-    write_output(validation.file + ": valid, " + amount(validation.bodies, "body", "bodies") + ", " +
+    write_report(validation.file + ": valid, " + amount(validation.bodies, "body", "bodies") + ", " +
                  amount(validation.joints, "joint", "joints") +
                  (warnings > 0 ? ", " + amount(warnings, "warning", "warnings") : "") + "\n");
 }
