@@ -30,6 +30,9 @@ struct VideoSettings {
     double frames_per_second = 60.0;  // > 0; a GIF has at most 50, and leaves out frames above that
 };
 
+// Throws RenderError if the program ffmpeg is missing. A VideoWriter throws the same.
+void require_encoder();
+
 // A video that the program ffmpeg encodes while the frames are drawn, with a constant frame rate: n frames last n /
 // frames_per_second. The colours of mp4 and webm are yuv420p, BT.709. The same frames and the same ffmpeg give the same
 // bytes, whatever the number of processors.
@@ -75,6 +78,8 @@ struct ReplayClaim {
 struct ReplaySettings {
     double aspect_ratio = 16.0 / 9.0;  // width of the frames over their height
     bool contacts = true;              // record the contact points, which doubles the size of the page
+    std::optional<Theme> theme{};      // of the first view; default: that of the scene's style if it is not light,
+                                       // else light or dark as the reader's system is
     std::size_t most_poses = kMostReplayPoses;
     std::size_t most_contact_points = kMostReplayContactPoints;
 };

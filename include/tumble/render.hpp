@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -59,6 +60,10 @@ Camera make_camera(const World& world, double aspect_ratio);
 // not depend on how many are drawn.
 Camera move_camera(Camera camera, const Scene& scene, const SceneWorld& world);
 
+// The camera as the key frames of the scene have it at the present time of the world; without key frames the camera
+// itself. Draw with the result, and move the camera itself.
+Camera apply_camera_keys(const Camera& camera, const Scene& scene, const SceneWorld& world, double aspect_ratio);
+
 // The path of a body so far: its centre of mass after every `stride` steps.
 struct Trail {
     BodyId body;
@@ -101,6 +106,10 @@ struct Overlay {
     bool time = true;
     bool scale_bar = true;
     bool grid = true;
+    bool notes = true;  // of the scene, and its title card
+
+    // The colours; without it those of the scene's style, of a world without a scene Theme::light.
+    std::optional<Theme> theme{};
 };
 
 struct OverlayPart {
@@ -116,8 +125,14 @@ inline constexpr std::array<OverlayPart, 7> kOverlayParts{{{"contacts", &Overlay
                                                            {"forces", &Overlay::forces}}};
 
 // Those of every frame.
-inline constexpr std::array<OverlayPart, 4> kFrameParts{
-    {{"title", &Overlay::title}, {"time", &Overlay::time}, {"scale", &Overlay::scale_bar}, {"grid", &Overlay::grid}}};
+inline constexpr std::array<OverlayPart, 5> kFrameParts{{{"title", &Overlay::title},
+                                                         {"time", &Overlay::time},
+                                                         {"scale", &Overlay::scale_bar},
+                                                         {"grid", &Overlay::grid},
+                                                         {"notes", &Overlay::notes}}};
+
+// True for themes with a dark background.
+bool is_dark(Theme theme);
 
 // Frames with less width or height have no text: it would hide their bodies.
 inline constexpr int kSmallestTextWidth = 400, kSmallestTextHeight = 225;  // pixels
@@ -184,7 +199,7 @@ private:
 };
 
 // The drawing as an image, clipped to its size. Throws RenderError.
-Image draw_image(const Drawing& drawing);
+Image draw_image(const Drawing& drawing, RenderBackend backend = RenderBackend::automatic);
 
 // Reads a PNG file. Throws FileError, or PictureError for a file that is damaged, no PNG, or has a side of more than
 // kLargestFrame pixels.

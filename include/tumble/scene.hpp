@@ -15,6 +15,7 @@
 #include "tumble/body.hpp"
 #include "tumble/joint.hpp"
 #include "tumble/math.hpp"
+#include "tumble/scene_camera.hpp"
 #include "tumble/world_def.hpp"
 
 namespace tumble {
@@ -30,12 +31,6 @@ struct SceneSettings {
     JointSolver joints = JointSolver::iterative;
     ImpactModel impacts = ImpactModel::in_order;
     double scale = 1.0;  // m, the size of a typical body: see WorldDef
-};
-
-struct SceneCamera {
-    std::optional<DVec2> center;   // m; default: everything in view; with `follow`: when the body first exists
-    std::optional<double> height;  // m of the world from the lower to the upper edge
-    std::string follow;            // name of a body, also of one that the timeline spawns, or empty
 };
 
 struct SceneMaterial {

@@ -101,7 +101,7 @@ inline const std::map<std::string, std::set<std::string>> kMaySee = {
     {"tools/health", {"tools/output"}},
     {"tools/run",
      {"tools/output", "tools/claims", "tools/cli", "tools/machine", "tools/measure", "tools/tables", "tools/labels",
-      "tools/health"}},
+      "tools/health", "tools/plot"}},
     {"tools/scene", {"tools/output", "tools/cli", "tools/diff", "tools/measure", "tools/run"}},
     {"tools/gallery", {"tools/output", "tools/cli", "tools/run", "tools/scene"}},
     {"tools/sweep/runs", {"tools/output", "tools/cli", "tools/measure", "tools/tables", "sweep"}},

@@ -9,7 +9,7 @@
 #include "render/canvas/glyph_atlas.hpp"
 #include "render/hand_made_scene.hpp"
 #include "render/pixels.hpp"
-#include "render/style/style.hpp"
+#include "render/style/theme.hpp"
 #include "tumble/render.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
@@ -59,7 +59,7 @@ TEST_CASE("a renderer of EGL draws several sizes and images, and repeats its byt
     CHECK(draw(small).rgba == first.rgba);
     CHECK(draw(large).rgba == other.rgba);
     CHECK(render::pixel(other, 320 + 60, 180 + 10) == render::pixel(first, 160 + 30, 90 + 5));  // the ball
-    CHECK(render::pixel(other, 600, 240) == render::style::kStatic);                            // 0.5 m below its top
+    CHECK(render::pixel(other, 600, 240) == render::colors_of(Theme::light).static_fill);       // 0.5 m below its top
     for (std::size_t i = 3; i < other.rgba.size(); i += 4) REQUIRE(other.rgba[i] == 255);
 }
 

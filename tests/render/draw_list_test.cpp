@@ -10,7 +10,7 @@
 #include "render/frame/grid.hpp"
 #include "render/frame/marking.hpp"
 #include "render/hand_made_scene.hpp"
-#include "render/style/style.hpp"
+#include "render/style/theme.hpp"
 #include "support/near.hpp"
 
 using namespace tumble;
@@ -107,7 +107,7 @@ TEST_CASE("static bodies are grey in a lower layer, and shapes of more than eigh
     s.add_dynamic("disc", {105.0, 50.0}, make_polygon(regular_polygon(30)));
     const DrawList list = build(s);
     REQUIRE(list.ground.boxes.size() == 1);
-    CHECK(list.ground.boxes.at(0).paint.fill == style::kStatic);
+    CHECK(list.ground.boxes.at(0).paint.fill == colors_of(Theme::light).static_fill);
     // Two triangles an edge for the strip, n - 2 inside.
     CHECK(list.ground.mesh.size() == 3 * (2 * 9 + 7));
     CHECK(list.bodies.mesh.size() == 3 * (2 * 30 + 28));

@@ -47,7 +47,7 @@ TEST_CASE("the arrows of a resting body point upwards, and add up to its weight"
         CHECK((near(unit, 20.0, absolute(1e-9)) || near(unit, 10.0, absolute(1e-9))));
         const render::View view = render::make_view({{0.0, 1.0}, 8.0}, 1280, 720);
         render::Layer layer;
-        render::Marks marks(layer, view);
+        render::Marks marks(layer, view, {});
         render::add_forces(marks, view, world, {});
         // An arrow is a line, from the contact at row 0, and the two sides of its head: none on the floor.
         REQUIRE(layer.boxes.size() == 6);
@@ -70,7 +70,7 @@ TEST_CASE("the arrows of a body that friction holds add up to the opposite of it
         const World world = resting_box(floor_first, {-2.8f, -9.6f});
         const render::View view = render::make_view({{0.0, 1.0}, 8.0}, 1280, 720);
         render::Layer layer;
-        render::Marks marks(layer, view);
+        render::Marks marks(layer, view, {});
         render::add_forces(marks, view, world, {});
         REQUIRE(layer.boxes.size() == 6);
         double right = 0.0, up = 0.0;  // pixels
@@ -103,7 +103,7 @@ TEST_CASE("a world without dynamic bodies has a unit of force, and an impact an 
     for (int step = 0; step < 3; ++step) {
         world.step();
         render::Layer layer;
-        render::Marks marks(layer, view);
+        render::Marks marks(layer, view, {});
         render::add_forces(marks, view, world, {});
         for (const render::BoxInstance& line : layer.boxes) longest = std::max(longest, 2.0 * line.half_x);
     }

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "render/style/style.hpp"
+#include "render/style/theme.hpp"
 
 using namespace tumble;
 using namespace tumble::render;
@@ -46,6 +46,19 @@ TEST_CASE("mixing interpolates between two colours") {
     CHECK(mix(a, b, 0.5) == Color{128, 150, 128, 155});
 }
 
+TEST_CASE("print, high contrast and colour-blind safe colours replace those of materials") {
+    Scene scene;
+    scene.materials.push_back({.name = "ice", .color = "#123456"});
+    scene.bodies = {body("floe", BodyType::static_body, {circle("ice")}),
+                    body("ball", BodyType::dynamic_body, {circle("ice")})};
+    for (const Theme theme : {Theme::print, Theme::high_contrast, Theme::color_blind}) {
+        const Palette palette(scene, colors_of(theme));
+        CHECK(fill_of(palette, 0) == colors_of(theme).static_fill);
+        CHECK(fill_of(palette, 1) == colors_of(theme).bodies[0]);
+    }
+    CHECK(fill_of(Palette(scene, colors_of(Theme::dark)), 1) == Color{0x12, 0x34, 0x56});
+}
+
 TEST_CASE("the colour of a material overrides the palette, and static bodies are grey") {
     Scene scene;
     scene.materials.push_back({.name = "ice", .color = "#123456"});
@@ -55,10 +68,10 @@ TEST_CASE("the colour of a material overrides the palette, and static bodies are
                     body("ball", BodyType::dynamic_body, {circle("ice")}),
                     body("stone", BodyType::dynamic_body, {circle("plain")})};
     const Palette palette(scene);
-    CHECK(fill_of(palette, 0) == style::kStatic);
+    CHECK(fill_of(palette, 0) == colors_of(Theme::light).static_fill);
     CHECK(fill_of(palette, 1) == Color{0x12, 0x34, 0x56});
-    CHECK(fill_of(palette, 2, 5) == Color{0x12, 0x34, 0x56});  // also for the sixth copy: not shaded
-    CHECK(fill_of(palette, 3) == style::kBodies[1]);           // the second name among dynamic bodies
+    CHECK(fill_of(palette, 2, 5) == Color{0x12, 0x34, 0x56});         // also for the sixth copy: not shaded
+    CHECK(fill_of(palette, 3) == colors_of(Theme::light).bodies[1]);  // the second name among dynamic bodies
 }
 
 TEST_CASE("names take the palette's colours in turn, and numbered names share one") {
@@ -69,14 +82,14 @@ TEST_CASE("names take the palette's colours in turn, and numbered names share on
     scene.timeline.at(1).spawn = body("ball", BodyType::dynamic_body, {circle()});
     scene.timeline.emplace_back().spawn = body("drop", BodyType::dynamic_body, {circle()});
     const Palette palette(scene);
-    CHECK(fill_of(palette, 0) == style::kBodies[0]);
-    CHECK(fill_of(palette, 1) == style::kBodies[0]);
-    CHECK(fill_of(palette, 2) == style::kBodies[1]);
-    CHECK(fill_of(palette, 3) == style::kBodies[2]);
-    CHECK(fill_of(palette, 4) == style::kBodies[3]);
-    CHECK(fill_of(palette, 5) == style::kBodies[0]);
-    CHECK(fill_of(palette, 7) == style::kBodies[1]);
-    CHECK(fill_of(palette, 8) == style::kBodies[4]);
+    CHECK(fill_of(palette, 0) == colors_of(Theme::light).bodies[0]);
+    CHECK(fill_of(palette, 1) == colors_of(Theme::light).bodies[0]);
+    CHECK(fill_of(palette, 2) == colors_of(Theme::light).bodies[1]);
+    CHECK(fill_of(palette, 3) == colors_of(Theme::light).bodies[2]);
+    CHECK(fill_of(palette, 4) == colors_of(Theme::light).bodies[3]);
+    CHECK(fill_of(palette, 5) == colors_of(Theme::light).bodies[0]);
+    CHECK(fill_of(palette, 7) == colors_of(Theme::light).bodies[1]);
+    CHECK(fill_of(palette, 8) == colors_of(Theme::light).bodies[4]);
 }
 
 TEST_CASE("copies of a body differ a little in lightness, the same in every run") {
@@ -86,7 +99,7 @@ TEST_CASE("copies of a body differ a little in lightness, the same in every run"
     for (std::size_t i = 0; i < 20; ++i) {
         const Color fill = fill_of(Palette(scene), 0, i);
         CHECK(fill == fill_of(Palette(scene), 0, i));
-        CHECK(std::abs(fill.g - style::kBodies[0].g) <= 20);
+        CHECK(std::abs(fill.g - colors_of(Theme::light).bodies[0].g) <= 20);
         greens.insert(fill.g);
     }
     CHECK(greens.size() >= 6);
@@ -108,7 +121,7 @@ TEST_CASE("each built shape has the colour of the scene shape that it was built 
     const Color expected[] = {a, a, a, b, b, c};
     for (std::size_t i = 0; i < 6; ++i) {
         CHECK(paints[i].fill == expected[i]);
-        CHECK(paints[i].outline == outline_of(expected[i]));
+        CHECK(paints[i].outline == outline_of(expected[i], colors_of(Theme::light)));
     }
 }
 

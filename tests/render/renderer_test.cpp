@@ -10,7 +10,7 @@
 #include "render/canvas/glyph_atlas.hpp"
 #include "render/hand_made_scene.hpp"
 #include "render/pixels.hpp"
-#include "render/style/style.hpp"
+#include "render/style/theme.hpp"
 #include "tumble/render.hpp"
 
 using namespace tumble;
@@ -50,9 +50,10 @@ TEST_CASE("a frame shows bodies at their poses, on the background, with opaque p
     REQUIRE(image.rgba.size() == 640 * 360 * 4);
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) REQUIRE(image.rgba[i] == 255);
     using render::pixel;
-    CHECK(pixel(image, 320 - 80, 180 + 20) == render::style::kBodies[0]);       // the crate
-    CHECK(pixel(image, 320 + 80 - 20, 180 + 10) == render::style::kBodies[1]);  // the ball, beside its mark
-    CHECK(pixel(image, 600, 180 + 60) == render::style::kStatic);               // 0.5 m below the ground's top
+    CHECK(pixel(image, 320 - 80, 180 + 20) == render::colors_of(Theme::light).bodies[0]);  // the crate
+    CHECK(pixel(image, 320 + 80 - 20, 180 + 10) ==
+          render::colors_of(Theme::light).bodies[1]);                                   // the ball, beside its mark
+    CHECK(pixel(image, 600, 180 + 60) == render::colors_of(Theme::light).static_fill);  // 0.5 m below the ground's top
 }
 
 TEST_CASE("frames repeat byte for byte, in one renderer and in another") {
@@ -109,9 +110,10 @@ TEST_CASE("sizes and cameras out of range are errors that state the value") {
     CHECK_THROWS_AS(renderer.draw(s.scene, s.built, {{0.0, std::nan("")}, 1.0}, 0.0, image), std::invalid_argument);
 }
 
-TEST_CASE("title, time, scale bar and grid can be left out, and small frames have no text") {
+TEST_CASE("title, time, scale bar, grid and notes can be left out, and small frames have no text") {
     HandMadeScene s;
     s.scene.name = "empty";
+    s.scene.camera.notes = {{.text = "note", .position = DVec2{0.0, 1.0}}};
     const Camera camera{{0.0, 1.0}, 9.0};
     const auto marked_pixels = [&](int width, int height, const Overlay& overlay) {
         Renderer renderer(width, height);
@@ -119,7 +121,8 @@ TEST_CASE("title, time, scale bar and grid can be left out, and small frames hav
         renderer.draw(s.scene, s.built, camera, 0.5, image, overlay);
         int count = 0;
         for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) count += render::pixel(image, x, y) != render::style::kBackground;
+            for (int x = 0; x < width; ++x)
+                count += render::pixel(image, x, y) != render::colors_of(Theme::light).background;
         return count;
     };
     Overlay none;
@@ -160,9 +163,10 @@ TEST_CASE("a world without a scene is drawn with the colours of its types, and f
     Image image;
     renderer.draw(world, {{0.0, 1.0}, 9.0}, image);  // 40 pixels a metre
     using render::pixel;
-    CHECK(pixel(image, 320 - 80 - 12, 180 + 30) == render::style::kBodies[crate.index % render::style::kBodies.size()]);
-    CHECK(pixel(image, 320 + 80 - 12, 180 + 30) == render::style::kKinematic);
-    CHECK(pixel(image, 600, 180 + 60) == render::style::kStatic);
+    CHECK(pixel(image, 320 - 80 - 12, 180 + 30) ==
+          render::colors_of(Theme::light).bodies[crate.index % render::colors_of(Theme::light).bodies.size()]);
+    CHECK(pixel(image, 320 + 80 - 12, 180 + 30) == render::colors_of(Theme::light).kinematic_fill);
+    CHECK(pixel(image, 600, 180 + 60) == render::colors_of(Theme::light).static_fill);
 
     const Camera camera = make_camera(world, 16.0 / 9.0);
     CHECK(std::abs(camera.center.x) < 0.1);  // the two boxes lie symmetrically
@@ -181,6 +185,6 @@ TEST_CASE("a body that a program adds to the world of a scene is drawn too") {
     Renderer renderer(640, 360);
     const Image image = frame(renderer, s);
     CHECK(render::pixel(image, 320 - 12, 180 - 80 + 12) ==
-          render::style::kBodies[added.index % render::style::kBodies.size()]);
-    CHECK(render::pixel(image, 320 - 80, 180 + 20) == render::style::kBodies[0]);
+          render::colors_of(Theme::light).bodies[added.index % render::colors_of(Theme::light).bodies.size()]);
+    CHECK(render::pixel(image, 320 - 80, 180 + 20) == render::colors_of(Theme::light).bodies[0]);
 }

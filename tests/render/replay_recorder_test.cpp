@@ -53,6 +53,26 @@ nlohmann::json header_of(const std::string& page) {
 
 }  // namespace
 
+TEST_CASE("a replay states the theme of its settings or of its scene, and has the fills of that theme") {
+    HandMadeScene made;
+    made.add_dynamic("puck", {0.0, 0.0}, make_circle(0.5f));
+    const auto header = [&](std::optional<Theme> theme) {
+        ReplayRecorder recorder(made.scene, {.theme = theme});
+        recorder.record(made.built, {});
+        return header_of(recorder.page({}, true));
+    };
+    const auto fill = [](const nlohmann::json& of) { return of["bodies"][0]["shapes"][0][1]; };
+    CHECK(header(std::nullopt)["theme"] == "");
+    CHECK(header(Theme::light)["theme"] == "light");
+    CHECK(header(Theme::print)["theme"] == "print");
+    CHECK(fill(header(Theme::print)) == "#f0f0f0");
+    CHECK(fill(header(Theme::dark)) == fill(header(Theme::light)));  // the page darkens it
+    made.scene.camera.style.theme = Theme::color_blind;
+    CHECK(header(std::nullopt)["theme"] == "color_blind");
+    CHECK(header(std::nullopt)["island_colors"][1] == "#e69f00");
+    CHECK(header(Theme::light)["theme"] == "light");
+}
+
 TEST_CASE("events are marked at the first state that shows their effect") {
     Scene scene;
     SceneEvent push;
@@ -130,7 +150,7 @@ TEST_CASE("an event that repeats is marked as often as the run applies it") {
 TEST_CASE("a body that takes the place of a destroyed one has a number of its own") {
     HandMadeScene made;
     const BodyId first = made.add_dynamic("first", {0.0, 1.0}, make_circle(0.5f));
-    render::BodyTracks tracks(made.scene, 1e-3);
+    render::BodyTracks tracks(made.scene, 1e-3, render::colors_of(Theme::light));
     tracks.record(made.built, 0);
     made.built.world.destroy_body(first);
     const BodyId second = made.built.world.create_body({});

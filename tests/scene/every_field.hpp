@@ -21,7 +21,11 @@ inline std::vector<std::string> scenes_with_every_field() {
     std::vector<std::string> scenes = {
         R"("$schema": "scene.schema.json", "name": "all", "description": "Everything.",
            "world": {"gravity": [0, -10], "steps_per_second": 60, "substeps": 4, "duration": 5, "seed": 1, "sleeping": true, "continuous": true, "joints": "direct", "impacts": "in_order", "scale": 1},
-           "camera": {"center": [0, 4], "height": 12, "follow": "a"},
+           "camera": {"center": [0, 4], "height": 12, "follow": "a",
+                      "style": {"theme": "dark", "outlines": false, "hatching": true, "shadows": true},
+                      "keys": [{"time": 0, "center": [1, 2], "height": 9}, {"time": 2, "follow": ["a"], "height": 3}],
+                      "notes": [{"text": "here", "position": [0, 1], "from": 1, "until": 2}, {"text": "a", "above": "a"}],
+                      "card": {"title": "All", "text": "Everything.", "until": 1}},
            "materials": {"ice": {"density": 1, "friction": 0.1, "restitution": 0.2, "rolling_resistance": 0.1, "tangent_speed": 1, "color": "#9bd"}},
            "bodies": [{"name": "a", "type": "dynamic", "position": [0, 1], "angle": 1, "velocity": [1, 2], "angular_velocity": 3, "linear_damping": 0.1,
                        "angular_damping": 0.2, "gravity_scale": 1, "bullet": true, "awake": true, "fixed_rotation": false, "lock_x": false, "lock_y": false,

@@ -13,6 +13,7 @@
 #include "process.hpp"
 #include "replay_page.hpp"
 #include "support/near.hpp"
+#include "tumble/render.hpp"
 #include "video_probe.hpp"
 
 using nlohmann::json;
@@ -231,6 +232,51 @@ TEST_CASE("trajectories are compared without pictures, and wrong arguments of co
              {"compare", scene, "--engine", "bullet", "--csv", csv},
              {"compare", scene, scene, "--video", (folder / "c.avi").string()},
              {"compare", scene, scene, "--video", (folder / "c.mp4").string(), "--size", "400x101"},
-             {"compare", scene, table, "--seed", "3", "--csv", csv}})
-        CHECK(run_tumble(wrong).code == 2);
+             {"compare", table, scene, "--video", (folder / "c.mp4").string()},
+             {"compare", scene, table, "--frames", (folder / "frames").string(), "--csv", (folder / "d.csv").string()},
+             {"compare", scene, scene, "-o", (folder / "x.mp4").string(), "--video", (folder / "x.mp4").string()},
+             {"compare", scene, table, "--seed", "3", "--csv", csv}}) {
+        const Answer answer = run_tumble(wrong);
+        CHECK_MESSAGE(answer.code == 2, answer.err);
+    }
+    CHECK(!std::filesystem::exists(folder / "frames"));
+}
+
+TEST_CASE("compare warns of options of frames and pictures that it does not draw") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", kFall);
+    const Answer answer = run_tumble({"compare", scene, scene, "--csv", (folder / "c.csv").string(), "--fps", "10",
+                                      "--overlaid", "--renderer", "osmesa", "--theme", "dark"});
+    CHECK(answer.code == 0);
+    CHECK(answer.err.find("--fps has no effect without frames") != std::string::npos);
+    for (const std::string option : {"--overlaid", "--renderer", "--theme"})
+        CHECK(answer.err.find(option + " has no effect without pictures") != std::string::npos);
+}
+
+TEST_CASE("compare finds a missing ffmpeg before it simulates") {
+    const Folder folder;
+    // The simulation alone would take minutes.
+    const std::string scene = folder.write("scene.json", R"({"format": 1, "world": {"duration": 100000}, "bodies": [
+        {"name": "ball", "velocity": [1, 0], "shapes": [{"circle": {"radius": 0.5}}]}]})");
+    std::vector<std::string> command = tumble::test::tumble_command(
+        {"compare", scene, scene, "--csv", (folder / "c.csv").string(), "--video", (folder / "c.mp4").string()});
+    command.insert(command.begin(), {"/usr/bin/env", "PATH=" + folder.path().string()});
+    const Answer answer = tumble::test::run(command);
+    CHECK(answer.code == 5);
+    CHECK(answer.err.find("the program ffmpeg") != std::string::npos);
+    CHECK(!std::filesystem::exists(folder / "c.csv"));
+}
+
+TEST_CASE("the frames of both runs have the theme of A") {
+    const Folder folder;
+    const std::string a = folder.write("a.json", kFall), frames = (folder / "frames").string();
+    REQUIRE(run_tumble({"compare", a, a, "--frames", frames, "--fps", "1", "--size", "400x100", "--theme",
+                        "high_contrast", "--hide", "grid"})
+                .code == 0);
+    const tumble::Image image = tumble::read_png(folder / "frames/frame_000000.png");
+    for (const int column : {1, 403 + 1 + 1}) {  // 400 pixels, a gap of 4, and the other
+        const std::size_t at = 4 * (static_cast<std::size_t>(image.width) * 1 + static_cast<std::size_t>(column));
+        CHECK(int{image.rgba.at(at)} == 0);
+    }
+    CHECK(int{image.rgba.at(4 * (static_cast<std::size_t>(image.width) * 105 + 1))} == 0x14);  // the dark plots
 }

@@ -27,6 +27,12 @@ std::vector<std::string> catapult(const fs::path& folder, const std::string& job
     return arguments;
 }
 
+// Its speed is no float after half a second.
+constexpr const char* kDivergingMote =
+    R"({"format": 1, "name": "mote", "world": {"duration": 1, "gravity": [0, 0]}, "bodies": [
+            {"name": "mote", "mass": {"mass": 1e-30, "inertia": 0}, "shapes": [{"circle": {"radius": 0.5}}]}],
+            "timeline": [{"at": 0.5, "body": "mote", "impulse": [1e12, 0]}]})";
+
 }  // namespace
 
 TEST_CASE("frames and raw videos have the same bytes for each number of drawing threads") {
@@ -64,10 +70,7 @@ TEST_CASE("a run of several drawing threads continues from its checkpoint with t
 
 TEST_CASE("a run that diverges leaves the frames before, on one drawing thread and on several") {
     const Folder folder;
-    const std::string scene = folder.write(
-        "scene.json", R"({"format": 1, "name": "mote", "world": {"duration": 1, "gravity": [0, 0]}, "bodies": [
-            {"name": "mote", "mass": {"mass": 1e-30, "inertia": 0}, "shapes": [{"circle": {"radius": 0.5}}]}],
-            "timeline": [{"at": 0.5, "body": "mote", "impulse": [1e12, 0]}]})");
+    const std::string scene = folder.write("scene.json", kDivergingMote);
     std::vector<std::ptrdiff_t> frames;
     for (const std::string jobs : {"1", "5"}) {
         const std::string out = (folder / jobs).string();
@@ -76,6 +79,16 @@ TEST_CASE("a run that diverges leaves the frames before, on one drawing thread a
     }
     CHECK(frames[0] > 29);
     CHECK(frames[1] == frames[0]);
+}
+
+TEST_CASE("a run that diverges completes the video of the frames before") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.json", kDivergingMote);
+    const fs::path video = folder / "mote.gif";
+    CHECK(run_tumble({"run", scene, "-o", (folder / "out").string(), "--size", "64x36", "--no-frames", "--video",
+                      video.string(), "--fps", "20"})
+              .code == 6);
+    CHECK(fs::exists(video));
 }
 
 TEST_CASE("drawing threads that cannot draw leave the results of an earlier run") {

@@ -64,12 +64,27 @@ TEST_CASE("--hide leaves out parts of the frame and refuses unknown ones") {
     const std::string scene = folder.write("puck.json", puck_scene(R"({"center": [1, 2], "height": 9})"));
     const std::string whole = (folder / "whole.png").string(), bare = (folder / "bare.png").string();
     CHECK(run_tumble({"shot", scene, "-o", whole}).code == 0);
-    CHECK(run_tumble({"shot", scene, "-o", bare, "--hide", "title,time,scale,grid"}).code == 0);
+    CHECK(run_tumble({"shot", scene, "-o", bare, "--hide", "title,time,scale,grid,notes"}).code == 0);
     CHECK(read_text(whole) != read_text(bare));
     const std::string all = (folder / "all.png").string();
     CHECK(run_tumble({"shot", scene, "-o", all, "--hide", "all"}).code == 0);
     CHECK(read_text(all) == read_text(bare));
     const Answer wrong = run_tumble({"shot", scene, "-o", all, "--force", "--hide", "bodies"});
     CHECK(wrong.code == 2);
-    CHECK(wrong.err.find("expected title,time,scale,grid or all") != std::string::npos);
+    CHECK(wrong.err.find("expected title,time,scale,grid,notes or all") != std::string::npos);
+}
+
+TEST_CASE("key frames of the camera move the transform of the frames") {
+    const Folder folder;
+    // At 0, 0.5 and 1 s: 3 u^2 - 2 u^3 is 0, 1/2 and 1.
+    const json views = summary_of(
+        folder,
+        R"({"keys": [{"time": 0, "center": [0, 0], "height": 9}, {"time": 1, "center": [4, 2], "height": 18}]})");
+    REQUIRE(views["from_frame"].size() == 3);
+    CHECK(views["from_frame"][0]["center"] == json({0.0, 0.0}));
+    CHECK(views["from_frame"][0]["pixels_per_metre"] == 20.0);
+    CHECK(views["from_frame"][1]["center"] == json({2.0, 1.0}));
+    CHECK(tumble::test::near(views["from_frame"][1]["pixels_per_metre"].get<double>(), 180.0 / 13.5, absolute(1e-12)));
+    CHECK(views["from_frame"][2]["center"] == json({4.0, 2.0}));
+    CHECK(views["from_frame"][2]["pixels_per_metre"] == 10.0);
 }

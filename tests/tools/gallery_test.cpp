@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "process.hpp"
+#include "video_probe.hpp"
 
 using nlohmann::json;
 using tumble::test::Answer;
@@ -59,6 +60,27 @@ TEST_CASE("a gallery has a picture, the claims and the timing of each scene, and
     CHECK(page.find("http") == std::string::npos);
     const Answer again = run_tumble(command);
     CHECK(again.code == 4);
+}
+
+TEST_CASE("--loop writes a GIF of each scene, which the page shows") {
+    const Folder folder;
+    const std::string one = folder.write("one.json", scene_of("one", "ball.y > 0"));
+    const std::string two = folder.write("two.json", scene_of("one", "ball.y > 0"));  // the same name
+    const std::string out = (folder / "gallery").string();
+    const std::vector<std::string> command{"gallery", one,      two,   "-o",   out, "--size",
+                                           "160x90",  "--loop", "0.5", "--at", "0"};
+    const Answer answer = run_tumble(command);
+    REQUIRE_MESSAGE(answer.code == 0, answer.err);
+    const std::string page = read_text(folder / "gallery/index.html");
+    for (const std::string name : {"1-one.gif", "2-one.gif"}) {
+        const json stream = tumble::test::probe(folder / "gallery/loops" / name)["streams"].at(0);
+        CHECK(stream["nb_read_frames"] == "11");  // 0 to 0.5 s at 20 a second
+        CHECK(stream["width"] == 160);
+        CHECK(page.find("src=\"loops/" + name + "\"") != std::string::npos);
+    }
+    CHECK(page.find("data:image/png") == std::string::npos);
+    CHECK(run_tumble(command).code == 4);
+    CHECK(run_tumble({"gallery", one, "-o", out, "--loop", "0.01"}).code == 2);
 }
 
 TEST_CASE("a gallery shows what fails, and text of scenes is no markup") {

@@ -121,6 +121,10 @@ TEST_CASE("--resume refuses another scene, other options, a damaged checkpoint a
     REQUIRE(process.wait().code == 143);
     CHECK(run({"--resume", "--fps", "30"}).code == 2);
     CHECK(run({"--resume", "--no-frames"}).code == 2);
+    CHECK(run({"--resume", "--theme", "dark"}).code == 2);
+    const Answer slow = run({"--resume", "--slow", "1:2:0.5"});
+    CHECK(slow.code == 2);
+    CHECK(slow.err.find("slow 1:2:0.5") != std::string::npos);
     CHECK(run({"--resume", "--force"}).code == 2);
     const Answer other = run({"--resume", "--set", "/world/gravity/1=-9"});
     CHECK(other.code == 3);

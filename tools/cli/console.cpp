@@ -2,7 +2,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -19,6 +22,7 @@ namespace {
 constexpr std::chrono::milliseconds kRedraw{100};
 
 bool output_is_file = false;
+bool is_quiet = false;
 int output_error = 0;  // errno of the first write to standard output that failed
 
 bool has_terminal() { return isatty(STDERR_FILENO) == 1; }
@@ -63,6 +67,12 @@ void write_output(std::string_view text) {
     write_raw(text, stdout);
 }
 
+void write_report(std::string_view text) {
+    if (!is_quiet) write_output(text);
+}
+
+void be_quiet() { is_quiet = true; }
+
 void finish_output() {
     if (std::fflush(stdout) != 0 && output_error == 0) output_error = errno;
     if (output_error == 0) return;
@@ -71,11 +81,31 @@ void finish_output() {
 
 void narrate(std::string_view text) { write_raw(printable(text), stderr); }
 
+void narrate_progress(std::string_view text) {
+    if (!is_quiet) narrate(text);
+}
+
 void report_error(std::string_view message) { report("error", "\033[1;31m", message); }
 void report_warning(std::string_view message) { report("warning", "\033[1;33m", message); }
 
-Progress::Progress(std::string_view unit, std::uint64_t total)
-    : unit_(unit), total_(total), on_terminal_(has_terminal()) {}
+std::string progress_text(std::string_view units, std::uint64_t done, std::uint64_t total, double seconds) {
+    constexpr int kBar = 24;  // columns
+    const double share = total > 0 ? std::min(static_cast<double>(done) / static_cast<double>(total), 1.0) : 0.0;
+    const int filled = static_cast<int>(share * kBar);
+    const double rate = seconds > 0.0 ? static_cast<double>(done) / seconds : 0.0;
+    const double left = rate > 0.0 && total > done ? static_cast<double>(total - done) / rate : 0.0;
+    const int decimals = rate < 10.0 ? 1 : 0;
+    std::array<char, 160> line{};
+    std::snprintf(line.data(), line.size(), "[%s%s] %llu of %llu %.*s, %.*f per second, %.0f s left",
+                  std::string(static_cast<std::size_t>(filled), '#').c_str(),
+                  std::string(static_cast<std::size_t>(kBar - filled), '-').c_str(),
+                  static_cast<unsigned long long>(done), static_cast<unsigned long long>(total),
+                  static_cast<int>(units.size()), units.data(), decimals, rate, std::ceil(left));
+    return line.data();
+}
+
+Progress::Progress(std::string_view units, std::uint64_t total)
+    : units_(units), total_(total), on_terminal_(has_terminal() && !is_quiet) {}
 
 Progress::~Progress() {
     if (shown_) write_raw("\r\033[K", stderr);
@@ -83,18 +113,13 @@ Progress::~Progress() {
 
 void Progress::show(std::uint64_t done) {
     if (!on_terminal_) return;
+    const std::lock_guard lock(mutex_);
     const Clock::time_point now = Clock::now();
     if (now < next_) return;
     next_ = now + kRedraw;
     shown_ = true;
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    const double rate = seconds > 0.0 ? static_cast<double>(done) / seconds : 0.0;
-    const double left = rate > 0.0 ? static_cast<double>(total_ - done) / rate : 0.0;
-    char line[160];
-    std::snprintf(line, sizeof line, "\r\033[K%.*s %llu of %llu, %.0f per second, %.0f s left",
-                  static_cast<int>(unit_.size()), unit_.data(), static_cast<unsigned long long>(done),
-                  static_cast<unsigned long long>(total_), rate, left);
-    write_raw(line, stderr);
+    write_raw("\r\033[K" + progress_text(units_, done, total_, seconds), stderr);
 }
 
 }  // namespace tumble::tools

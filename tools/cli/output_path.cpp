@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <set>
 #include <string>
 #include <system_error>
 
@@ -20,6 +21,17 @@ CLI::Option& allow_standard_output(CLI::Option& option) {
         return std::string("/dev/stdout");
     });
     return option;
+}
+
+fs::path place_of(const fs::path& file) {
+    return fs::weakly_canonical(fs::absolute(file).parent_path()) / file.filename();
+}
+
+void require_different_names(std::span<const fs::path> files) {
+    std::set<fs::path> names;
+    for (const fs::path& file : files)
+        if (!file.empty() && !is_standard_output(file) && !names.insert(place_of(file)).second)
+            throw CLI::ValidationError(file.string(), "names two output files; give each its own name");
 }
 
 void refuse_to_overwrite(const fs::path& file, bool force) {

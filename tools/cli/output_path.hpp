@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 #include "tumble/file.hpp"
@@ -18,6 +19,13 @@ bool is_standard_output(const std::filesystem::path& file);
 // Lets "-" stand for standard output in an option that names a file to write. The texts of the command then go to
 // standard error. Two files on standard output are wrong arguments.
 CLI::Option& allow_standard_output(CLI::Option& option);
+
+// The file as renaming into its place sees it: links in its folder are followed, the file itself is not.
+std::filesystem::path place_of(const std::filesystem::path& file);
+
+// Of two files with the same name, the second would replace the first. Throws CLI::ValidationError. Empty names and
+// standard output are left out.
+void require_different_names(std::span<const std::filesystem::path> files);
 
 // Throws FileError if the file exists and `force` is false, and always for a folder, a device or a pipe.
 void refuse_to_overwrite(const std::filesystem::path& file, bool force);

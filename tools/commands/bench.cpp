@@ -100,7 +100,7 @@ void bench_all_worlds(const Command& command, const BenchArguments& arguments, J
     options.steps = arguments.steps.steps;
     options.runs = arguments.steps.runs;
     options.threads = arguments.steps.threads == 1 ? 0 : arguments.steps.threads;
-    narrate("measuring " + std::to_string(options.worlds) + " worlds\n");
+    narrate_progress("measuring " + std::to_string(options.worlds) + " worlds\n");
     const WorldsBenchResult result = bench_worlds(options);
     json.open_object()
         .member("worlds", options.worlds)
@@ -127,7 +127,7 @@ ExitCode bench(const Command& command, const BenchArguments& options) {
                      "   (" + std::string(options.steps.uses_wall_clock() ? "wall clock" : "CPU time") +
                      " per step)\n");
     for (const Scene& scene : scenes) {
-        narrate("measuring " + scene.name + "\n");
+        narrate_progress("measuring " + scene.name + "\n");
         const StepBenchResult row = bench_steps(scene, options.steps);
         write_row(json, row);
         if (!command.json) write_row(row);

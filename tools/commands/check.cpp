@@ -19,6 +19,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/output/standard_input.hpp"
+#include "tools/run/run_options.hpp"
 #include "tools/scene/check_text.hpp"
 #include "tools/scene/hash_update.hpp"
 #include "tools/scene/junit.hpp"
@@ -106,7 +107,7 @@ void draw_failures(SceneCheck& check, const CheckArguments& options) {
         try {
             refuse_to_overwrite(file, options.force);
             const Scene scene = load_named_scene(check.file, options.check.changes);
-            draw_scene_at(scene, result.step, {}, file,
+            draw_scene_at(scene, result.step, {.renderer = options.check.renderer}, file,
                           [&](const SceneWorld& built) { return marks_of(scene.expect.at(i), result, built); });
             check.shots[i] = file;
         } catch (...) {
@@ -155,7 +156,7 @@ ExitCode check_all(const Command& command, const CheckArguments& options) {
         if (options.check.update) update(check);
         if (weight(check.code) > weight(code)) code = check.code;
         if (!options.shots.empty()) draw_failures(check, options);
-        command.json ? write(json, check) : write_output(to_text(check));
+        command.json ? write(json, check) : write_report(to_text(check));
     }
     json.close_array().member("passed", code == ExitCode::ok).close_object();
     if (command.json) write_output(json.text() + "\n");
@@ -183,6 +184,7 @@ void add_check(CLI::App& app, Command& command) {
     check.add_option("-j,--jobs", options->check.threads, "Scenes to simulate in parallel")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 256));
+    add_renderer_option(check, options->check.renderer);
     check.add_flag("--force", options->force, "Replace existing files");
     check.callback(
         [&command, options] { command.action = [&command, options] { return check_all(command, *options); }; });

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -25,6 +26,7 @@
 #include "tools/run/run_folder.hpp"
 #include "tools/run/run_options.hpp"
 #include "tools/scene/scene_options.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble::tools {
 
@@ -42,6 +44,8 @@ struct CompareArguments {
     RenderBackend renderer = RenderBackend::automatic;
     bool is_overlaid = false;
     bool force = false;
+
+    bool wants_frames() const { return !frames.empty() || !video.empty(); }
 };
 
 // Engines round differently from the first step on, so that the first difference tells nothing.
@@ -79,6 +83,22 @@ CompareInputs inputs_of(const CompareArguments& options) {
     return inputs;
 }
 
+// All that can be refused is refused before anything is simulated.
+void refuse_wrong_outputs(const CompareArguments& options, const CompareInputs& inputs) {
+    if (options.page.empty() && options.csv.empty() && !options.wants_frames())
+        throw CLI::ValidationError("--output",
+                                   "is missing: name a page (-o F.html), a table (--csv), a video (--video) or a "
+                                   "folder (--frames); tumble diff compares without one");
+    const bool are_scenes = is_scene_file(inputs.a) && (inputs.b.empty() || is_scene_file(inputs.b));
+    if (options.wants_frames() && !are_scenes)
+        throw CLI::ValidationError("--frames and --video", "need two scenes: a table has no shapes to draw");
+    const std::array<std::filesystem::path, 3> files{options.page, options.csv, options.video};
+    require_different_names(files);
+    for (const std::filesystem::path& file : files)
+        if (!file.empty()) refuse_to_overwrite(file, options.force);
+    if (!options.frames.empty()) refuse_used_folder(options.frames, options.force);
+}
+
 std::vector<PairPicture> draw_moments(const CompareInputs& inputs, const std::vector<Moment>& moments,
                                       const PairPictures& pictures) {
     std::vector<PairPicture> drawn;
@@ -106,34 +126,30 @@ std::string text_report(const CompareArguments& options, const ComparedRuns& run
 }
 
 ExitCode show_comparison(const Command& command, const CompareArguments& options) {
-    if (options.page.empty() && options.csv.empty() && options.frames.empty() && options.video.empty())
-        throw CLI::ValidationError("--output",
-                                   "is missing: name a page (-o F.html), a table (--csv), a video (--video) or a "
-                                   "folder (--frames); tumble diff compares without one");
     const CompareInputs inputs = inputs_of(options);
-    for (const std::filesystem::path& file : {options.page, options.csv, options.video})
-        if (!file.empty()) refuse_to_overwrite(file, options.force);
-    if (!options.frames.empty()) refuse_used_folder(options.frames, options.force);
+    refuse_wrong_outputs(options, inputs);
     const PairPictures pictures{options.size, options.is_overlaid, options.overlay, options.renderer};
     const ComparedFrames frame_options{options.frames, options.video, options.frames_per_second, pictures};
-    if (!options.video.empty()) compared_video(frame_options);  // refuses a name or a size
+    if (!options.video.empty()) {
+        compared_video(frame_options);  // refuses a name or a size
+        require_encoder();
+    }
     const ComparedRuns runs = compare_runs(inputs, tolerance_of(options));
     if (!options.csv.empty()) write_file(options.csv, to_csv(runs), options.force);
     if (!options.page.empty()) {
         const std::vector<Moment> moments = moments_of(runs);
         const std::vector<PairPicture> drawn = draw_moments(inputs, moments, pictures);
-        const std::string player = compared_player(inputs, runs, options.size);
+        const std::string player = compared_player(inputs, runs, pictures);
         write_file(options.page, compared_page(title_of(options), runs, moments, drawn, player, tolerance_of(options)),
                    options.force);
     }
     std::uint64_t frames = 0;
-    if (!options.frames.empty() || !options.video.empty()) {
+    if (options.wants_frames()) {
         catch_interrupts();
         frames = write_frames(inputs, runs, frame_options);
-        if (frames == 0 && !is_interrupted()) report_warning("no frames: a table has no shapes to draw");
     }
     if (is_interrupted()) return interruption_code();
-    write_output(command.json ? to_json(runs.comparison) : text_report(options, runs, frames));
+    command.json ? write_output(to_json(runs.comparison)) : write_report(text_report(options, runs, frames));
     return ExitCode::ok;
 }
 
@@ -182,6 +198,13 @@ void add_compare(CLI::App& app, Command& command) {
     add_overlay_option(compare_app, options->overlay);
     add_renderer_option(compare_app, options->renderer);
     compare_app.add_flag("--force", options->force, "Replace existing files");
+    compare_app.parse_complete_callback([&compare_app] {
+        const std::initializer_list<const char*> frames{"--frames", "--video"};
+        const std::initializer_list<const char*> pictures{"--frames", "--video", "--output"};
+        warn_of_missing(compare_app, {"--fps"}, frames, "frames");
+        warn_of_missing(compare_app, {"--overlaid", "--renderer", "--size", "--overlay", "--hide", "--theme"}, pictures,
+                        "pictures");
+    });
     compare_app.callback(
         [&command, options] { command.action = [&command, options] { return show_comparison(command, *options); }; });
 }

@@ -32,6 +32,7 @@ struct DemoArguments {
     fs::path folder;
     bool list = false;
     bool print = false;
+    RenderBackend renderer = RenderBackend::automatic;
     bool force = false;
 };
 
@@ -89,14 +90,15 @@ ExitCode run_demo(const Command& command, const DemoArguments& options) {
     const bool is_demo_folder = options.folder.empty();
     settings.folder = is_demo_folder ? demo_folder() / file_name_of(scene.name) : options.folder;
     settings.force = is_demo_folder || options.force;
-    narrate("simulating and rendering " + options.name + ": " + scene.description + "\n");
+    settings.renderer = options.renderer;
+    narrate_progress("simulating and rendering " + options.name + ": " + scene.description + "\n");
     const RunReport report = simulate(scene, settings);
     if (command.json) {
         write_output(to_json(report));
     } else {
         const std::string tumble = command_to_type();
-        write_output(to_text(report));
-        write_output("  next        " + tumble + " demo --list, or draw one frame of another scene:\n              " +
+        write_report(to_text(report));
+        write_report("  next        " + tumble + " demo --list, or draw one frame of another scene:\n              " +
                      tumble + " shot " + find_scene("bridge").string() + " --at 2 -o bridge.png\n");
     }
     return report.complete ? ExitCode::ok : interruption_code();
@@ -112,6 +114,7 @@ void add_demo(CLI::App& app, Command& command) {
     demo.add_flag("--print", options->print, "Print the scene file instead of running it, as a start for your own");
     demo.add_option("-o,--output", options->folder, "Folder for the results; default: a folder that each demo replaces")
         ->type_name("DIR");
+    add_renderer_option(demo, options->renderer);
     demo.add_flag("--force", options->force, "Replace the results of an earlier run in DIR");
     demo.callback([&command, options] {
         command.action = [&command, options] {

@@ -38,7 +38,7 @@ ExitCode equality_code(bool is_equal) { return is_equal ? ExitCode::ok : ExitCod
 ExitCode diff_hashes(const Command& command, const DiffArguments& options) {
     if (options.tolerance > 0.0) report_warning("--tolerance has no effect on hashes");
     const HashComparison comparison = compare_hash_files(options.a, options.b);
-    write_output(command.json ? to_json(comparison) : to_text(comparison));
+    command.json ? write_output(to_json(comparison)) : write_report(to_text(comparison));
     return equality_code(!comparison.first);
 }
 
@@ -48,19 +48,19 @@ ExitCode diff_states(const Command& command, const DiffArguments& options) {
     const std::unique_ptr<StateSource> a = open_states(options.a, unchanged),
                                        b = open_states(options.b, options.changes);
     const Comparison comparison = compare_states(*a, *b, options.tolerance);
-    write_output(command.json ? to_json(comparison) : to_text(comparison, options.tolerance));
+    command.json ? write_output(to_json(comparison)) : write_report(to_text(comparison, options.tolerance));
     return equality_code(comparison.is_equal());
 }
 
 ExitCode diff_events(const Command& command, const DiffArguments& options) {
     const EventComparison comparison = compare_event_files(options.a, options.b, options.tolerance);
-    write_output(command.json ? to_json(comparison) : to_text(comparison));
+    command.json ? write_output(to_json(comparison)) : write_report(to_text(comparison));
     return equality_code(!comparison.first);
 }
 
 ExitCode diff_summaries(const Command& command, const DiffArguments& options) {
     const SummaryComparison comparison = compare_summaries(options.a, options.b, options.tolerance);
-    write_output(command.json ? to_json(comparison) : to_text(comparison));
+    command.json ? write_output(to_json(comparison)) : write_report(to_text(comparison));
     return equality_code(comparison.different.empty());
 }
 
@@ -89,8 +89,8 @@ ExitCode diff_frames(const Command& command, const DiffArguments& options) {
         create_folder_of(map);
         write_png(comparison.heat_map, map);
     }
-    write_output(command.json ? to_json(comparison, map) : to_text(comparison));
-    if (!command.json && !map.empty()) write_output("  heat map: " + map.string() + "\n");
+    command.json ? write_output(to_json(comparison, map)) : write_report(to_text(comparison));
+    if (!command.json && !map.empty()) write_report("  heat map: " + map.string() + "\n");
     return equality_code(comparison.is_equal());
 }
 

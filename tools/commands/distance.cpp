@@ -18,6 +18,7 @@
 #include "tools/output/input_error.hpp"
 #include "tools/query/distance_query.hpp"
 #include "tools/query/trace_output.hpp"
+#include "tools/run/run_options.hpp"
 #include "tumble/distance.hpp"
 #include "tumble/scene_file.hpp"
 
@@ -31,6 +32,7 @@ struct DistanceArguments {
     std::string sub_algorithm;    // empty: distance() with its fast paths
     std::filesystem::path trace;  // empty: not written
     std::string trace_format;     // empty: by the extension
+    RenderBackend renderer = RenderBackend::automatic;
     bool force = false;
 };
 
@@ -66,7 +68,8 @@ ExitCode answer_arguments(const Command& command, const DistanceArguments& optio
     const DistanceQuery query = parse_query_arguments(options.a, options.b);
     const DistanceResult result = answer(query, options);
     if (result.status == DistanceStatus::invalid) throw InputError("the distance of A and B is not a finite double");
-    if (!options.trace.empty()) write_trace(options.trace, format_of(options), query, loop_of(options), options.force);
+    if (!options.trace.empty())
+        write_trace(options.trace, format_of(options), query, loop_of(options), options.renderer, options.force);
     if (!command.json) {
         write_output(answer_text(result));
         return ExitCode::ok;
@@ -184,6 +187,7 @@ void add_distance(CLI::App& app, Command& command) {
         ->check(CLI::IsMember(&kTraceFormats))
         ->type_name("NAME")
         ->needs(trace);
+    add_renderer_option(distance, options->renderer);
     distance.add_flag("--force", options->force, "Replace an existing trace");
     distance.callback([&command, options] { command.action = [&command, options] { return run(command, *options); }; });
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -17,6 +18,8 @@
 #include "tools/gallery/gallery.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/scene/scene_options.hpp"
+#include "tumble/file.hpp"
+#include "tumble/recording.hpp"
 
 namespace tumble::tools {
 
@@ -57,14 +60,27 @@ ExitCode gallery_code(const std::vector<GalleryEntry>& entries) {
     return code;
 }
 
+// Before anything is simulated.
+void require_loops(const std::filesystem::path& folder, bool force) {
+    require_encoder();
+    std::error_code ignored;
+    if (!force && !std::filesystem::is_empty(folder, ignored) && !ignored)
+        throw FileError(folder, "is not empty; choose another --output, or replace its loops with --force");
+}
+
 ExitCode show(const Command& command, const GalleryArguments& options) {
     const std::filesystem::path page = options.folder / "index.html", sheet = options.folder / "sheet.png";
     for (const std::filesystem::path& file : {page, sheet}) refuse_to_overwrite(file, options.force);
+    GalleryOptions settings = options.gallery;
+    settings.loops = options.folder / kLoopFolder;
+    if (settings.loop) require_loops(settings.loops, options.force);
     catch_interrupts();
-    const std::vector<GalleryEntry> entries = make_gallery(without_schemas(options.files), options.gallery);
+    const std::vector<GalleryEntry> entries = make_gallery(without_schemas(options.files), settings);
     if (is_interrupted()) return interruption_code();
     std::vector<std::filesystem::path> files{page};
     write_file(page, gallery_page(entries), options.force);
+    for (const GalleryEntry& entry : entries)
+        if (!entry.loop.empty()) files.push_back(settings.loops / entry.loop);
     if (const std::optional<Image> image = contact_sheet(entries, options.columns)) {
         write_file(sheet, to_png(*image), options.force);
         files.push_back(sheet);
@@ -76,7 +92,7 @@ ExitCode show(const Command& command, const GalleryArguments& options) {
     if (command.json) {
         write_output(json_report(entries, files));
     } else {
-        for (const std::filesystem::path& file : files) write_output(file.string() + "\n");
+        for (const std::filesystem::path& file : files) write_report(file.string() + "\n");
     }
     return gallery_code(entries);
 }
@@ -97,6 +113,11 @@ void add_gallery(CLI::App& app, Command& command) {
                     "Simulated time of the pictures in seconds; default: half of each scene's duration")
         ->type_name("T")
         ->check(number_from_to(0.0, kMaxDuration));
+    gallery
+        .add_option("--loop", options->gallery.loop,
+                    "Also write a loop of each scene, a GIF of this many seconds from --at on; needs ffmpeg")
+        ->type_name("S")
+        ->check(number_from_to(0.1, 60.0));
     gallery.add_option("--columns", options->columns, "Pictures in a row of the sheet")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 100));
@@ -105,6 +126,7 @@ void add_gallery(CLI::App& app, Command& command) {
         ->check(whole_number_from_to(1, 256));
     add_size_option(gallery, options->gallery.size, "480x270");
     add_overlay_option(gallery, options->gallery.overlay);
+    add_renderer_option(gallery, options->gallery.check.renderer);
     gallery.add_flag("--force", options->force, "Replace the page and the sheet if they exist");
     gallery.callback([&command, options] { command.action = [&command, options] { return show(command, *options); }; });
 }

@@ -160,7 +160,7 @@ void write_json(const ImportArguments& options, const ImportedScene& imported,
 
 void write_text(const ImportArguments& options, const ImportedScene& imported,
                 const std::optional<reference::ImportDifferences>& check) {
-    write_output(options.scene.string() + ": " + counted(imported.scene.bodies.size(), "body") + " (" +
+    write_report(options.scene.string() + ": " + counted(imported.scene.bodies.size(), "body") + " (" +
                  std::to_string(count_of(imported, BodyType::dynamic_body)) + " dynamic, " +
                  std::to_string(count_of(imported, BodyType::static_body)) + " static), " +
                  counted(imported.scene.joints.size(), "joint") + "\n");
@@ -169,7 +169,7 @@ void write_text(const ImportArguments& options, const ImportedScene& imported,
     if (imported.scene.bodies.empty())
         report_warning(options.source.string() + ": no bodies found; the scene is empty");
     if (is_svg(options.source)) narrate(std::string(kSvgRule) + "\n");
-    if (check) write_output(check_text(*check));
+    if (check) write_report(check_text(*check));
 }
 
 ExitCode import_scene(const Command& command, const ImportArguments& options) {

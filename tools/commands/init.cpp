@@ -54,8 +54,8 @@ ExitCode init(const Command& command, const fs::path& folder) {
         write_output(json.text() + "\n");
         return ExitCode::ok;
     }
-    for (const std::string& path : paths) write_output((folder / path).string() + "\n");
-    narrate("next: cd " + folder.string() + " && make check\n");
+    for (const std::string& path : paths) write_report((folder / path).string() + "\n");
+    narrate_progress("next: cd " + folder.string() + " && make check\n");
     return ExitCode::ok;
 }
 

@@ -57,7 +57,7 @@ reference::ParityResult compare_scenes(const ParityArguments& options) {
     reference::ParityResult all;
     all.seed = options.parity.seed;
     for (const std::string& name : options.scenes) {
-        narrate("comparing every pair of every step of " + name + "\n");
+        narrate_progress("comparing every pair of every step of " + name + "\n");
         const reference::ParityResult one =
             reference::run_scene_parity(load_named_scene(find_scene(name).string()), options.parity);
         all.pairs += one.pairs;
@@ -86,7 +86,7 @@ reference::ParityResult compare_pairs(const ParityArguments& options) {
 ParityResults compare_engines(const ParityArguments& options) {
     ParityResults results{compare_pairs(options)};
     if (options.against != kAgainstV3) return results;
-    narrate("the same pairs, compared with Box2D v3\n");
+    narrate_progress("the same pairs, compared with Box2D v3\n");
     ParityArguments with_v3 = options;
     with_v3.parity.opponent = reference::Opponent::box2d_v3;
     results.box2d_v3 = compare_pairs(with_v3);
@@ -107,13 +107,13 @@ ExitCode compare(const Command& command, const ParityArguments& options) {
         write_parity_json(json, results);
         write_output(json.text() + "\n");
     } else {
-        write_output(parity_table(results));
+        write_report(parity_table(results));
     }
     if (!options.report.empty()) {
         write_file(options.report,
                    parity_page(results, in_scenes ? "Every pair of every step of the scenes" : "Random and hard pairs"),
                    options.force);
-        narrate("report written to " + options.report + "\n");
+        narrate_progress("report written to " + options.report + "\n");
     }
     return results.box2d.passed() ? ExitCode::ok : ExitCode::failed;
 }

@@ -74,11 +74,11 @@ ExitCode report(const Command& command, const PhysicsArguments& options) {
         write_physics_json(json, result);
         write_output(json.text() + "\n");
     } else {
-        write_output(physics_table(result));
+        write_report(physics_table(result));
     }
     if (!options.report.empty()) {
         write_file(options.report, physics_page(result), options.force);
-        narrate("report written to " + options.report + "\n");
+        narrate_progress("report written to " + options.report + "\n");
     }
     return result.passed() ? ExitCode::ok : ExitCode::failed;
 }

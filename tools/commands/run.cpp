@@ -31,7 +31,7 @@ ExitCode run(const Command& command, const RunArguments& options) {
     RunOptions settings = options.run;
     if (settings.folder.empty()) settings.folder = std::filesystem::path("out") / file_name_of(scene.name);
     const RunReport report = simulate(scene, settings);
-    write_output(command.json ? to_json(report) : to_text(report));
+    command.json ? write_output(to_json(report)) : write_report(to_text(report));
     if (!report.complete) return interruption_code();
     const bool has_findings = report.health && !report.health->findings.empty();
     return settings.fail_on_findings && has_findings ? ExitCode::failed : ExitCode::ok;

@@ -29,7 +29,7 @@ struct ShotArguments {
 
 void report_shot(const Command& command, const ShotArguments& options, const SceneShot& shot) {
     if (!command.json) {
-        write_output(options.file.string() + "\n");
+        write_report(options.file.string() + "\n");
         return;
     }
     JsonWriter json;

@@ -19,6 +19,7 @@
 #include "tools/output/json_writer.hpp"
 #include "tools/output/number_text.hpp"
 #include "tools/output/temporary_folder.hpp"
+#include "tools/run/run_options.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/shrink/failure_picture.hpp"
 #include "tools/shrink/shrinker.hpp"
@@ -38,6 +39,7 @@ struct ShrinkArguments {
     std::vector<std::string> keep;
     fs::path output;
     int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    RenderBackend renderer = RenderBackend::automatic;
     bool force = false;
 };
 
@@ -152,7 +154,7 @@ void write(JsonWriter& json, const char* key, const SceneSize& size) {
 
 void report(const Command& command, const Shrunk& shrunk, const OutputFiles& files) {
     if (!command.json) {
-        write_output(summary(shrunk, files));
+        write_report(summary(shrunk, files));
         return;
     }
     JsonWriter json;
@@ -165,10 +167,10 @@ void report(const Command& command, const Shrunk& shrunk, const OutputFiles& fil
     write_output(json.text() + "\n");
 }
 
-void draw(const Shrinker& shrinker, Failure failure, const OutputFiles& files, Shrunk& shrunk) {
+void draw(const Shrinker& shrinker, Failure failure, const OutputFiles& files, RenderBackend renderer, Shrunk& shrunk) {
     failure.step = shrinker.step();
     if (failure.claim >= 0) failure.claim = 0;  // the others have been removed
-    const std::string error = draw_failure(shrinker.scene(), failure, files.picture);
+    const std::string error = draw_failure(shrinker.scene(), failure, files.picture, renderer);
     shrunk.has_picture = error.empty();
     if (!error.empty()) report_warning("no picture of the failure: " + error);
 }
@@ -189,19 +191,21 @@ ExitCode shrink(const Command& command, const ShrinkArguments& options) {
     const std::vector<Failure> failures = run_trial(text, options.trial, folder.path() / "0" / "scene.json");
     if (is_interrupted()) return interruption_code();
     const Failure failure = chosen_failure(options, failures);
-    narrate("it fails: " + failure.text + "\n");
+    narrate_progress("it fails: " + failure.text + "\n");
 
     TrialLog log(files.log, task, options.force);
     Candidates candidates(options.trial, failure.text, options.jobs, folder.path(), log);
     Shrinker shrinker(
         text, failure, options.keep, candidates,
         [&](const std::string& smaller) { write_file(files.scene, smaller, true); },
-        [&](const std::string& change) { narrate(change + ", " + counted(candidates.run_count(), "run") + "\n"); });
+        [&](const std::string& change) {
+            narrate_progress(change + ", " + counted(candidates.run_count(), "run") + "\n");
+        });
     Shrunk shrunk{size_of(scene), {}, failure.text};
     try {
         shrinker.shrink();
         shrunk.complete = true;
-        draw(shrinker, failure, files, shrunk);
+        draw(shrinker, failure, files, options.renderer, shrunk);
     } catch (const SearchInterrupted&) {
         report_warning("interrupted: the smallest scene so far is " + files.scene.string() +
                        "; the same command continues");
@@ -248,6 +252,7 @@ void add_shrink(CLI::App& app, Command& command) {
     shrink_command.add_option("-j,--jobs", options->jobs, "Runs at a time")
         ->capture_default_str()
         ->check(whole_number_from_to(1, 256));
+    add_renderer_option(shrink_command, options->renderer);
     shrink_command.add_flag("--force", options->force, "Replace existing files, and begin anew");
     shrink_command.callback(
         [&command, options] { command.action = [&command, options] { return shrink(command, *options); }; });

@@ -47,7 +47,7 @@ void read_part(const std::string& text, SweepOptions& options) {
 
 ExitCode print_estimate(const Command& command, const sweep::Plan& plan, int jobs) try {
     const SweepEstimate estimate = estimate_sweep(plan, jobs);
-    write_output(command.json ? to_json(estimate) : to_text(plan, estimate));
+    command.json ? write_output(to_json(estimate)) : write_report(to_text(plan, estimate));
     return ExitCode::ok;
 } catch (const Interrupted&) {
     return interruption_code();
@@ -63,7 +63,7 @@ ExitCode sweep(const Command& command, SweepArguments options) {
     narrate_warnings(std::move(warnings));
     if (options.dry_run) return print_estimate(command, plan, options.work.jobs);
     const SweepReport report = run_sweep(plan, options.work);
-    write_output(command.json ? to_json(report) : to_text(plan, report));
+    command.json ? write_output(to_json(report)) : write_report(to_text(plan, report));
     if (report.interrupted) return interruption_code();
     return report.missing_of_part == 0 ? ExitCode::ok : ExitCode::failed;
 }

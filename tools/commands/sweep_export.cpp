@@ -35,7 +35,7 @@ std::string to_text(const MinariReport& report) {
 ExitCode export_sweep(const Command& command, const MinariOptions& options) try {
     catch_interrupts();
     const MinariReport report = export_minari(options);
-    write_output(command.json ? to_json(report) : to_text(report));
+    command.json ? write_output(to_json(report)) : write_report(to_text(report));
     return ExitCode::ok;
 } catch (const Interrupted&) {
     return interruption_code();

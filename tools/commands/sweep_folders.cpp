@@ -61,7 +61,7 @@ ExitCode verify(const Command& command, const VerifyArguments& options) try {
         verify_runs(read_plan_input(plan, header.runs, options.allow_outside), options.folder, options.part,
                     verification);
     }
-    write_output(command.json ? to_json(verification) : to_text(verification));
+    command.json ? write_output(to_json(verification)) : write_report(to_text(verification));
     return verification.findings.empty() ? ExitCode::ok : ExitCode::failed;
 } catch (const Interrupted&) {
     return interruption_code();
@@ -69,7 +69,7 @@ ExitCode verify(const Command& command, const VerifyArguments& options) try {
 
 ExitCode status(const Command& command, const fs::path& folder) {
     const SweepStatus status = status_of(folder);
-    write_output(command.json ? to_json(status) : to_text(status));
+    command.json ? write_output(to_json(status)) : write_report(to_text(status));
     return ExitCode::ok;
 }
 
@@ -81,7 +81,7 @@ struct MergeArguments {
 ExitCode merge(const Command& command, const MergeArguments& options) {
     const ShardRanges missing = merge_folders(options.folder, options.parts);
     const SweepStatus status = status_of(options.folder);
-    write_output(command.json ? to_json(status) : to_text(status));
+    command.json ? write_output(to_json(status)) : write_report(to_text(status));
     return missing.empty() ? ExitCode::ok : ExitCode::failed;
 }
 
@@ -96,7 +96,7 @@ ExitCode plot_sweep(const Command& command, const SweepPlotArguments& options) {
     write_file(options.picture, to_svg(draw_sweep(sweep::table_file(options.folder), options.plot)), options.force);
     JsonWriter json;
     json.open_object().member("picture", options.picture.string()).close_object();
-    write_output(command.json ? json.text() + "\n" : options.picture.string() + "\n");
+    command.json ? write_output(json.text() + "\n") : write_report(options.picture.string() + "\n");
     return ExitCode::ok;
 }
 

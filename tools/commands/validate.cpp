@@ -63,7 +63,7 @@ void print(const Validation& validation) {
     if (validation.code == ExitCode::file_system) report_error(validation.error);
     if (!validation.error.empty()) return;
     const std::size_t warnings = validation.diagnostics.size();
-    write_output(validation.file + ": valid, " + counted(validation.bodies, "body") + ", " +
+    write_report(validation.file + ": valid, " + counted(validation.bodies, "body") + ", " +
                  counted(validation.joints, "joint") + (warnings > 0 ? ", " + counted(warnings, "warning") : "") +
                  "\n");
 }

@@ -38,6 +38,7 @@ struct WatchArguments {
     fs::path picture;
     FrameSize size;
     Overlay overlay;
+    RenderBackend renderer = RenderBackend::automatic;
 };
 
 // The text of the scene and of each file that it includes directly. Files that cannot be read are left out, as those
@@ -73,7 +74,8 @@ std::string draw(const WatchArguments& options) {
     try {
         const Scene scene = load_named_scene(options.file, options.changes);
         draw_scene_at(scene, nearest_step(options.time, scene.world.steps_per_second),
-                      {.size = options.size, .overlay = options.overlay}, picture_of(options));
+                      {.size = options.size, .overlay = options.overlay, .renderer = options.renderer},
+                      picture_of(options));
         return "";
     } catch (...) {
         return explain(std::current_exception()).message;
@@ -81,7 +83,7 @@ std::string draw(const WatchArguments& options) {
 }
 
 void look(const Command& command, const WatchArguments& options) {
-    SceneCheck check = check_scene_file(options.file, {.changes = options.changes});
+    SceneCheck check = check_scene_file(options.file, {.changes = options.changes, .renderer = options.renderer});
     if (is_interrupted()) return;
     // A scene that could not be read has its error in the check.
     const bool is_drawn = check.was_simulated;
@@ -92,9 +94,9 @@ void look(const Command& command, const WatchArguments& options) {
         json.member("error", error).member("picture", error.empty() ? picture_of(options).string() : "");
         write_output(json.close_object().text() + "\n");
     } else {
-        write_output(to_text(check));
+        write_report(to_text(check));
         if (is_drawn)
-            write_output(error.empty() ? "  picture: " + picture_of(options).string() + "\n" : "  " + error + "\n");
+            write_report(error.empty() ? "  picture: " + picture_of(options).string() + "\n" : "  " + error + "\n");
     }
     finish_output();
 }
@@ -138,6 +140,7 @@ void add_watch(CLI::App& app, Command& command) {
         ->type_name("F.png");
     add_size_option(app_watch, options->size);
     add_overlay_option(app_watch, options->overlay);
+    add_renderer_option(app_watch, options->renderer);
     app_watch.callback(
         [&command, options] { command.action = [&command, options] { return watch(command, *options); }; });
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "tools/cli/console.hpp"
+#include "tools/cli/interrupt.hpp"
 #include "tools/compare/compared_strip.hpp"
 #include "tools/output/image_grid.hpp"
 
@@ -21,7 +22,7 @@ std::map<std::uint64_t, int> frames_of_steps(const ComparedRuns& runs, double fr
     const double last = runs.steps.back().time;
     for (std::uint64_t frame = 0;; ++frame) {
         const double time = static_cast<double>(frame) / frames_per_second;
-        if (time > last * (1.0 + 1e-12)) return frames;
+        if (time > last * (1.0 + 1e-12) || is_interrupted()) return frames;
         while (step + 1 < runs.steps.size() &&
                std::abs(runs.steps[step + 1].time - time) <= std::abs(runs.steps[step].time - time))
             ++step;
@@ -70,12 +71,10 @@ private:
     std::uint64_t count_ = 0;
 };
 
-int strip_columns(const PairPictures& pictures) { return pictures.is_overlaid ? 1 : 2; }
-
 // With the plots below the pictures.
 FrameSize whole_size(const PairPictures& pictures) {
     const FrameSize pair = pair_size(pictures);
-    return {pair.width, pair.height + ComparedStrip::height(strip_columns(pictures))};
+    return {pair.width, pair.height + compared_strip_height(pictures)};
 }
 
 }  // namespace
@@ -90,9 +89,10 @@ std::uint64_t write_frames(const CompareInputs& inputs, const ComparedRuns& runs
     const std::map<std::uint64_t, int> wanted = frames_of_steps(runs, options.frames_per_second);
     std::uint64_t frames = 0;
     for (const auto& [step, count] : wanted) frames += static_cast<std::uint64_t>(count);
-    const ComparedStrip strip(runs, pair_size(options.pictures).width, strip_columns(options.pictures));
+    const PlotStrip strip =
+        compared_strip(runs, options.pictures, is_dark(theme_of(*sources.a->scene(), options.pictures)));
     FrameSinks sinks(options, frames);
-    Progress progress("frame", frames);
+    Progress progress("frames", frames);
     std::uint64_t drawn = 0;
     draw_pairs(
         inputs, options.pictures, [&](std::uint64_t step) { return wanted.contains(step); },

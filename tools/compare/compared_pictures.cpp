@@ -18,7 +18,10 @@ public:
     PairPainter(const ComparedSources& sources, const PairPictures& pictures)
         : sources_(sources),
           pictures_(pictures),
-          renderer_(pictures.size.width, pictures.size.height, pictures.renderer) {}
+          overlay_(pictures.overlay),
+          renderer_(pictures.size.width, pictures.size.height, pictures.renderer) {
+        overlay_.theme = theme_of(*sources.a->scene(), pictures);
+    }
 
     Image draw(const Camera& camera, double time) {
         const std::array<Image, 2> images{draw_one(*sources_.a, sources_.name_a, camera, time),
@@ -30,16 +33,21 @@ private:
     Image draw_one(const StateSource& source, const std::string& name, const Camera& camera, double time) {
         Image image;
         const Marking marking{.caption = pictures_.is_overlaid ? std::vector<std::string>{} : std::vector{name}};
-        renderer_.draw(*source.scene(), *source.built(), camera, time, image, pictures_.overlay, marking);
+        renderer_.draw(*source.scene(), *source.built(), camera, time, image, overlay_, marking);
         return image;
     }
 
     const ComparedSources& sources_;
     const PairPictures& pictures_;
+    Overlay overlay_;
     Renderer renderer_;
 };
 
 }  // namespace
+
+Theme theme_of(const Scene& a, const PairPictures& pictures) {
+    return pictures.overlay.theme.value_or(a.camera.style.theme);
+}
 
 FrameSize pair_size(const PairPictures& pictures) {
     const auto [width, height] = pictures.size;
@@ -57,7 +65,9 @@ void draw_pairs(const CompareInputs& inputs, const PairPictures& pictures,
     StepStates a, b;
     while (!is_interrupted() && sources.a->next(a) && sources.b->next(b) && a.step == b.step) {
         if (a.step > 0) camera = move_camera(camera, scene, *sources.a->built());
-        if (is_wanted(a.step)) take({a.step, a.time, painter.draw(camera, a.time)});
+        if (!is_wanted(a.step)) continue;
+        const Camera shown = apply_camera_keys(camera, scene, *sources.a->built(), pictures.size.aspect_ratio());
+        take({a.step, a.time, painter.draw(shown, a.time)});
     }
 }
 

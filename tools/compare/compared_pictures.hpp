@@ -23,6 +23,9 @@ struct PairPictures {
     RenderBackend renderer = RenderBackend::automatic;
 };
 
+// The theme of both pictures: that of the scene A if none is chosen.
+Theme theme_of(const Scene& a, const PairPictures& pictures);
+
 // The size of a picture of both.
 FrameSize pair_size(const PairPictures& pictures);
 

@@ -3,13 +3,14 @@
 
 #include <string>
 
+#include "tools/compare/compared_pictures.hpp"
 #include "tools/compare/compared_runs.hpp"
-#include "tools/run/run_options.hpp"
 
 namespace tumble::tools {
 
 // Simulates both runs again and records their states. Empty if one of the runs is a table, which has no shapes, or if
-// a run has more states than a replay. `size` is that of a picture. Throws as StateSource::next().
-std::string compared_player(const CompareInputs& inputs, const ComparedRuns& runs, FrameSize size);
+// a run has more states than a replay. `pictures` have its theme and the sides of its frames. Throws as
+// StateSource::next().
+std::string compared_player(const CompareInputs& inputs, const ComparedRuns& runs, const PairPictures& pictures);
 
 }  // namespace tumble::tools

@@ -3,9 +3,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "tools/cli/console.hpp"
 #include "tools/compare/box2d_states.hpp"
 #include "tools/machine/engines.hpp"
 #include "tools/output/json_writer.hpp"
+#include "tumble/scene_run.hpp"
 
 namespace tumble::tools {
 
@@ -30,8 +32,11 @@ ComparedSources open_sources(const CompareInputs& inputs) {
 ComparedRuns compare_runs(const CompareInputs& inputs, double tolerance) {
     ComparedSources sources = open_sources(inputs);
     ComparedRuns runs{std::move(sources.name_a), std::move(sources.name_b), std::move(sources.notes), {}, {}};
+    const Scene* const scene = sources.a->scene();  // of a table the number of steps is not known
+    Progress progress("steps compared", scene ? count_steps(*scene) : 0);
     const StepObserver observe = [&](double time, std::uint64_t step, const StepDifference& largest) {
         runs.steps.push_back({step, time, largest, sources.a->energy(), sources.b->energy()});
+        if (scene) progress.show(step);
     };
     runs.comparison = compare_states(*sources.a, *sources.b, tolerance, observe);
     return runs;

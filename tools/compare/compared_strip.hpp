@@ -1,30 +1,16 @@
-// The plots below a frame of a comparison, with the time of the frame.
+// The plots below a frame of a comparison.
 #pragma once
 
-#include <vector>
-
+#include "tools/compare/compared_pictures.hpp"
 #include "tools/compare/compared_runs.hpp"
-#include "tools/output/plot.hpp"
-#include "tumble/render.hpp"
+#include "tools/output/plot_strip.hpp"
 
 namespace tumble::tools {
 
-// The distance of both runs and their energies: beside each other, or one below the other.
-class ComparedStrip {
-public:
-    // The runs must have a step. Throws RenderError.
-    ComparedStrip(const ComparedRuns& runs, int width, int columns);
+// The distance of both runs and their energies: beside each other below two pictures, one below the other if these are
+// overlaid. The runs must have a step. Throws RenderError.
+PlotStrip compared_strip(const ComparedRuns& runs, const PairPictures& pictures, bool is_dark);
 
-    // With a line at that time (s).
-    Image at(double time) const;
-
-    static int height(int columns);  // px
-
-private:
-    std::vector<Plot> plots_;
-    std::vector<Image> images_;
-    double left_;
-    int columns_;
-};
+int compared_strip_height(const PairPictures& pictures);  // px
 
 }  // namespace tumble::tools

@@ -7,9 +7,12 @@
 #include <thread>
 #include <utility>
 
+#include "tools/cli/console.hpp"
 #include "tools/cli/error_report.hpp"
 #include "tools/cli/interrupt.hpp"
 #include "tools/output/image_grid.hpp"
+#include "tools/run/frame_schedule.hpp"
+#include "tools/run/video_output.hpp"
 #include "tools/scene/scene_options.hpp"
 #include "tools/scene/scene_shot.hpp"
 
@@ -19,7 +22,27 @@ namespace {
 
 constexpr int kSheetGap = 4;  // px
 
-void draw(GalleryEntry& entry, const GalleryOptions& options) {
+constexpr double kLoopRate = 20.0;  // frames per second
+
+// Draws the frames of a loop, which begins at that step.
+void write_loop(const Scene& scene, std::uint64_t first, const GalleryOptions& options,
+                const std::filesystem::path& file) {
+    const FrameSchedule schedule{*options.loop, kLoopRate, scene.world.steps_per_second};
+    const VideoSettings settings = video_settings(file, options.size, kLoopRate);
+    require_memory(settings, schedule.frame_count());
+    VideoWriter video = start_video(file, settings);
+    SceneFrames frames(scene, {options.size, options.overlay, options.check.renderer});
+    for (std::uint64_t frame = 0; frame < schedule.frame_count() && !is_interrupted(); ++frame)
+        video.write(frames.at(first + schedule.step_of_frame(frame)));
+    if (!is_interrupted()) video.finish();
+}
+
+// "03-bridge.gif": scenes may have equal names.
+std::filesystem::path loop_name(const GalleryEntry& entry, std::size_t number) {
+    return std::to_string(number + 1) + "-" + entry.check.name + ".gif";
+}
+
+void draw(GalleryEntry& entry, std::size_t number, const GalleryOptions& options) {
     try {
         const Scene scene = load_named_scene(entry.check.file, options.check.changes);
         entry.title = scene.name;
@@ -27,9 +50,14 @@ void draw(GalleryEntry& entry, const GalleryOptions& options) {
         const std::uint64_t step =
             nearest_step(options.time.value_or(0.5 * scene.world.duration), scene.world.steps_per_second);
         Image image;
-        const SceneShot shot = paint_scene_at(scene, step, {options.size, options.overlay}, {}, image);
+        const SceneShot shot =
+            paint_scene_at(scene, step, {options.size, options.overlay, options.check.renderer}, {}, image);
         entry.time = shot.run.time();
         entry.picture = std::move(image);
+        if (!options.loop) return;
+        const std::filesystem::path name = loop_name(entry, number);
+        write_loop(scene, step, options, options.loops / name);
+        entry.loop = name;
     } catch (...) {
         if (entry.check.error.empty()) entry.picture_error = explain(std::current_exception()).message;
     }
@@ -44,9 +72,13 @@ std::vector<GalleryEntry> make_gallery(const std::vector<std::string>& files, co
         entries.back().title = check.file;
         entries.back().check = std::move(check);
     }
-    std::atomic<std::size_t> next = 0;
+    std::atomic<std::size_t> next = 0, done = 0;
+    Progress progress("scenes drawn", entries.size());
     const auto work = [&] {
-        for (std::size_t i = next++; i < entries.size() && !is_interrupted(); i = next++) draw(entries[i], options);
+        for (std::size_t i = next++; i < entries.size() && !is_interrupted(); i = next++) {
+            draw(entries[i], i, options);
+            progress.show(++done);
+        }
     };
     std::vector<std::jthread> others;
     for (int i = 1; i < options.check.threads; ++i) others.emplace_back(work);

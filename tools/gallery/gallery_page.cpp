@@ -67,7 +67,10 @@ std::string gallery_page(const std::vector<GalleryEntry>& entries) {
     HtmlPage page("Gallery of " + counted(entries.size(), "scene"));
     page.begin_figures();
     for (const GalleryEntry& entry : entries)
-        if (entry.picture) page.picture(*entry.picture, caption_of(entry));
+        if (!entry.loop.empty())
+            page.linked_picture((kLoopFolder / entry.loop).string(), entry.picture->width, caption_of(entry));
+        else if (entry.picture)
+            page.picture(*entry.picture, caption_of(entry));
     page.end_figures();
     page.heading("Claims and timings");
     for (const GalleryEntry& entry : entries) add_problems(page, entry);

@@ -85,10 +85,13 @@ void HtmlPage::figure(const Plot& plot, std::string_view caption) {
 }
 
 void HtmlPage::picture(const Image& image, std::string_view caption) {
+    linked_picture(png_data_url(image), image.width, caption);
+}
+
+void HtmlPage::linked_picture(std::string_view file, int width, std::string_view caption) {
     // A long caption must not make the figure wider than its picture.
-    body_ += "<figure style=\"max-width: " + std::to_string(image.width) + "px\">\n<img alt=\"" +
-             escape_markup(caption) + "\" src=\"" + png_data_url(image) + "\">\n" + element("figcaption", caption) +
-             "</figure>\n";
+    body_ += "<figure style=\"max-width: " + std::to_string(width) + "px\">\n<img alt=\"" + escape_markup(caption) +
+             "\" src=\"" + escape_markup(file) + "\">\n" + element("figcaption", caption) + "</figure>\n";
 }
 
 void HtmlPage::embedded(std::string_view title, std::string_view page, int height) {

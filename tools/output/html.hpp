@@ -29,8 +29,9 @@ public:
     void table(std::span<const std::string> header, std::span<const std::vector<HtmlCell>> rows);
     void figure(const Drawing& drawing, std::string_view caption);
     void figure(const Plot& plot, std::string_view caption = {});
-    void picture(const Image& image, std::string_view caption);                // inside the page, as PNG
-    void embedded(std::string_view title, std::string_view page, int height);  // a whole page in a frame, px
+    void picture(const Image& image, std::string_view caption);                       // inside the page, as PNG
+    void linked_picture(std::string_view file, int width, std::string_view caption);  // in a file beside the page
+    void embedded(std::string_view title, std::string_view page, int height);         // a whole page in a frame, px
     void preformatted(std::string_view text);
 
     // The figures between the two calls stand side by side where there is room.

@@ -79,7 +79,11 @@ std::string to_svg(const Plot& plot);
 std::string to_svg(std::span<const Plot> plots);
 
 // The same picture as a drawing, for draw_image(). Texts of drawings are level: it has no labels of vertical axes, and
-// no second labels of horizontal ones. The areas between the axes begin at least `least_left` px from the left.
-Drawing to_drawing(std::span<const Plot> plots, double least_left = 0.0);
+// no second labels of horizontal ones.
+struct PlotPage {
+    double least_left = 0.0;  // px: the areas between the axes begin at least here
+    bool is_dark = false;     // in the colours of the dark scheme
+};
+Drawing to_drawing(std::span<const Plot> plots, PlotPage page = {});
 
 }  // namespace tumble::tools

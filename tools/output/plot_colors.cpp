@@ -51,10 +51,11 @@ std::string plot_style(Scheme scheme) {
     return text;
 }
 
-Color light(const PlotColor& color) {
+Color color_of(const PlotColor& color, bool is_dark) {
+    const std::string_view text = is_dark ? color.dark : color.light;
     const auto channel = [&](std::size_t at) {
         int value = 255;
-        if (at < color.light.size()) std::from_chars(color.light.data() + at, color.light.data() + at + 2, value, 16);
+        if (at < text.size()) std::from_chars(text.data() + at, text.data() + at + 2, value, 16);
         return static_cast<std::uint8_t>(value);
     };
     return {channel(1), channel(3), channel(5), channel(7)};

@@ -19,6 +19,7 @@ const PlotColor& plot_color(Ink ink);
 inline constexpr PlotColor kTextColor{"text", "#263238", "#dde4e8"};
 inline constexpr PlotColor kRuleColor{"rule", "#e0e6ea", "#2b353b"};
 inline constexpr PlotColor kHeadColor{"head", "#b0bec5", "#4a5a63"};
+inline constexpr PlotColor kPageColor{"page", "#ffffff", "#14191d"};  // behind a drawing
 inline constexpr PlotColor kBandColor{"band", "#2e7d3226", "#66bb6a33"};
 
 // "--tumble: #1e6cb5; ...": the variables of a scheme.
@@ -28,7 +29,7 @@ std::string plot_variables(bool is_dark);
 enum class Scheme { variable, fixed };
 std::string plot_style(Scheme scheme);
 
-// The light colour for drawings, of "#rrggbb" or "#rrggbbaa".
-Color light(const PlotColor& color);
+// The light or the dark colour for drawings, of "#rrggbb" or "#rrggbbaa".
+Color color_of(const PlotColor& color, bool is_dark);
 
 }  // namespace tumble::tools

@@ -46,15 +46,15 @@ void rectangle(Drawing& drawing, DVec2 lower, DVec2 upper, Color fill, double wi
 // Draws one plot into a drawing, `down` px below its upper edge.
 class DrawnPlot {
 public:
-    DrawnPlot(Drawing& drawing, const Plot& plot, double down, double least_left)
-        : drawing_(drawing), plot_(plot), layout_(plot, least_left), down_(down) {}
+    DrawnPlot(Drawing& drawing, const Plot& plot, double down, const PlotPage& page)
+        : drawing_(drawing), plot_(plot), layout_(plot, page.least_left), down_(down), is_dark_(page.is_dark) {}
 
     void draw() {
         texts();
         axes();
         if (plot_.band) {
             const PlotRange band = layout_.band();
-            rectangle(drawing_, at(layout_.left, band.lower), at(layout_.right, band.upper), light(kBandColor), 0.0,
+            rectangle(drawing_, at(layout_.left, band.lower), at(layout_.right, band.upper), color(kBandColor), 0.0,
                       {});
         }
         for (const PlotSeries& series : plot_.series) draw(series);
@@ -63,7 +63,8 @@ public:
 private:
     DVec2 at(double x, double y) const { return {x, y + down_}; }
     Box area() const { return {at(layout_.left, layout_.top), at(layout_.right, layout_.bottom)}; }
-    Color text_color() const { return light(kTextColor); }
+    Color color(const PlotColor& color) const { return color_of(color, is_dark_); }
+    Color text_color() const { return color(kTextColor); }
 
     void texts() {
         for (std::size_t line = 0; line < layout_.title.size(); ++line)
@@ -80,9 +81,9 @@ private:
     void swatch(const LegendEntry& entry) {
         const double x = entry.at.x, y = entry.at.y;
         if (!entry.series)
-            return rectangle(drawing_, at(x, y - 11.0), at(x + 18.0, y + 1.0), light(kBandColor), 0.0, {});
+            return rectangle(drawing_, at(x, y - 11.0), at(x + 18.0, y + 1.0), color(kBandColor), 0.0, {});
         const PlotSeries& series = *entry.series;
-        const Color ink = light(plot_color(series.ink));
+        const Color ink = color(plot_color(series.ink));
         if (!series.bars.empty())
             rectangle(drawing_, at(x + 2.0, y - 10.0), at(x + 14.0, y), ink, 0.0, {});
         else if (series.mark == Mark::points)
@@ -92,7 +93,7 @@ private:
     }
 
     void axes() {
-        const Color rule = light(kRuleColor);
+        const Color rule = color(kRuleColor);
         for (const PlotTick& tick : layout_.x_scale.ticks) {
             const double x = layout_.x(tick.at);
             drawing_.line(at(x, layout_.top), at(x, layout_.bottom), 1.0, rule);
@@ -103,7 +104,7 @@ private:
             drawing_.line(at(layout_.left, y), at(layout_.right, y), 1.0, rule);
             drawing_.text(at(layout_.left - 7.0, y + 4.0), tick.label, kTextSize, text_color(), TextAnchor::right);
         }
-        rectangle(drawing_, area().lower, area().upper, kTransparent, 1.0, light(kHeadColor));
+        rectangle(drawing_, area().lower, area().upper, kTransparent, 1.0, color(kHeadColor));
     }
 
     void stroke(const std::vector<DVec2>& points, Mark mark, Color ink) {
@@ -116,7 +117,7 @@ private:
     }
 
     void draw(const PlotSeries& series) {
-        const Color ink = light(plot_color(series.ink));
+        const Color ink = color(plot_color(series.ink));
         const Box box = area();
         for (const PlotBar& bar : series.bars) {
             const DVec2 from = at(layout_.x(bar.left), layout_.y(bar.top));
@@ -141,15 +142,17 @@ private:
     const Plot& plot_;
     PlotLayout layout_;
     double down_;
+    bool is_dark_;
 };
 
 }  // namespace
 
-Drawing to_drawing(std::span<const Plot> plots, double least_left) {
-    const double left = std::max(least_left, common_left(plots));
+Drawing to_drawing(std::span<const Plot> plots, PlotPage page) {
+    page.least_left = std::max(page.least_left, common_left(plots));
     Drawing drawing;
+    drawing.background = color_of(kPageColor, page.is_dark);
     for (const Plot& plot : plots) {
-        DrawnPlot(drawing, plot, drawing.height, left).draw();
+        DrawnPlot(drawing, plot, drawing.height, page).draw();
         drawing.width = std::max(drawing.width, plot.width);
         drawing.height += plot.height;
     }

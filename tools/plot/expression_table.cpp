@@ -8,6 +8,7 @@
 
 #include "tools/cli/command.hpp"
 #include "tools/cli/console.hpp"
+#include "tools/cli/interrupt.hpp"
 
 namespace tumble::tools {
 
@@ -40,6 +41,15 @@ std::vector<Expression> compile_expressions(const Scene& scene, std::span<const 
     return expressions;
 }
 
+void require_few_values(const Scene& scene, std::size_t expressions, std::optional<double> duration) {
+    constexpr double kMostValues = 3e7;
+    const double steps = duration.value_or(scene.world.duration) * scene.world.steps_per_second;
+    if (steps * static_cast<double>(expressions) <= kMostValues) return;
+    throw CLI::ValidationError("EXPRESSION",
+                               "a plot has at most 30 million values; write a table (tumble plot -o F.csv), or give a "
+                               "shorter --duration");
+}
+
 ExpressionTable run_expressions(const Scene& scene, std::span<const std::string> texts, const TableOptions& options) {
     const std::vector<Expression> expressions = compile_expressions(scene, texts);
     const double rate = scene.world.steps_per_second;
@@ -56,10 +66,10 @@ ExpressionTable run_expressions(const Scene& scene, std::span<const std::string>
         table.times.push_back(run.time());
         for (std::size_t i = 0; i < values.size(); ++i) table.columns[i].values.push_back(values[i]);
     };
-    Progress progress("step", last);
+    Progress progress("steps", last);
     record();
     try {
-        while (run.world().step_count() < last && !run.is_stopped()) {
+        while (run.world().step_count() < last && !run.is_stopped() && !is_interrupted()) {
             run.step();
             record();
             progress.show(run.world().step_count());

@@ -16,6 +16,9 @@ namespace tumble::tools {
 // Compiles expressions of a scene. Throws CLI::ValidationError with the place in the text for one that is wrong.
 std::vector<Expression> compile_expressions(const Scene& scene, std::span<const std::string> texts);
 
+// Throws CLI::ValidationError if a table of a run has more than 30 million values: steps times expressions.
+void require_few_values(const Scene& scene, std::size_t expressions, std::optional<double> duration);
+
 // The value of one expression: [state], in the order of time. NaN is unknown, as of a body that does not exist.
 struct ExpressionColumn {
     std::string text;
@@ -40,7 +43,8 @@ struct TableOptions {
     RowWriter write;                 // may be empty
 };
 
-// Simulates the scene. A run that diverges gives the rows before that, and the failure.
+// Simulates the scene. A run that diverges gives the rows before that, and the failure; one that is interrupted the
+// rows before that.
 ExpressionTable run_expressions(const Scene& scene, std::span<const std::string> texts, const TableOptions& options);
 
 // Numbers that say most of one column: of the known values, NaN if there is none.

@@ -42,14 +42,14 @@ std::optional<TraceFormat> trace_format_of(const std::filesystem::path& file) {
 }
 
 void write_trace(const std::filesystem::path& file, TraceFormat format, const DistanceQuery& query,
-                 SubAlgorithm sub_algorithm, bool force) {
+                 SubAlgorithm sub_algorithm, RenderBackend renderer, bool force) {
     const DistanceTrace trace = trace_distance(query.a, query.a_pose, query.b, query.b_pose, sub_algorithm);
     if (format == TraceFormat::json) return write_file(file, trace_json(query, trace), force);
     const Drawing drawing = draw_trace(query.a, query.a_pose, query.b, query.b_pose, trace);
     if (format == TraceFormat::svg) return write_file(file, to_svg(drawing), force);
     refuse_to_overwrite(file, force);
     create_folder_of(file);
-    write_png(draw_image(drawing), file);
+    write_png(draw_image(drawing, renderer), file);
 }
 
 }  // namespace tumble::tools

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tools/query/distance_query.hpp"
+#include "tumble/render.hpp"
 
 namespace tumble::tools {
 
@@ -15,6 +16,6 @@ std::optional<TraceFormat> trace_format_of(const std::filesystem::path& file);
 
 // Throws FileError, or RenderError for a PNG.
 void write_trace(const std::filesystem::path& file, TraceFormat format, const DistanceQuery& query,
-                 SubAlgorithm sub_algorithm, bool force);
+                 SubAlgorithm sub_algorithm, RenderBackend renderer, bool force);
 
 }  // namespace tumble::tools

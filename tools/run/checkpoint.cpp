@@ -187,6 +187,8 @@ std::string settings_of(const RunOptions& options) {
             if (options.overlay.*part.member) text += " " + std::string(part.name);
         for (const OverlayPart& part : kFrameParts)
             if (!(options.overlay.*part.member)) text += " without " + std::string(part.name);
+        for (const ThemeName& theme : kThemes)
+            if (options.overlay.theme == theme.theme) text += " theme " + std::string(theme.name);
     }
     for (const TableName& table : tables_of(options)) text += ", " + table.kind + " " + table.file.filename().string();
     return text;

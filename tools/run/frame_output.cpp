@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tools/measure/stopwatch.hpp"
+#include "tools/output/image_grid.hpp"
 #include "tools/output/json_writer.hpp"
 #include "tools/run/run_folder.hpp"
 #include "tools/run/video_output.hpp"
@@ -33,9 +34,10 @@ FrameOutput::FrameOutput(const Scene& scene, const SceneWorld& world, const RunO
       camera_(make_camera(scene, world, options.size.aspect_ratio())),
       writer_(encoder_threads()),
       drawers_(scene, options, [this](Image image) { write_frame(std::move(image)); }) {
+    if (!options.plot.empty()) plots_.emplace(run_plots(scene, options.plots_of(scene)));
     if (!options.video.empty())
         video_.emplace(
-            start_video(options.video, video_settings(options.video, options.size, options.frames_per_second)));
+            start_video(options.video, video_settings(options.video, options.whole_size(), options.frames_per_second)));
     if (!options.raw_video.empty()) raw_video_.emplace(options.raw_video);
 }
 
@@ -49,6 +51,10 @@ Image FrameOutput::image_to_draw() {
 
 void FrameOutput::write_frame(Image image) {
     const Stopwatch watch;
+    if (plots_) {
+        const double step = static_cast<double>(schedule_.step_of_frame(next_written_));
+        image = stacked(image, plots_->at(step / schedule_.steps_per_second));
+    }
     if (video_) video_->write(image);
     if (raw_video_) raw_video_->write(image);
     if (options_.no_frames)
@@ -66,9 +72,10 @@ void FrameOutput::draw_due(const SceneWorld& world) {
     record_trails(marking_.trails, scene_, world);
     other_seconds_ += watch.seconds();
     while (next_frame_ < schedule_.frame_count() && schedule_.step_of_frame(next_frame_) == step) {
+        const Camera shown = apply_camera_keys(camera_, scene_, world, options_.size.aspect_ratio());
         marking_.caption = caption_at(schedule_.speed_of_frame(next_frame_));
-        drawers_.draw(world, camera_, marking_, image_to_draw());
-        add_view(views_, view_of(camera_, options_.size, next_frame_));
+        drawers_.draw(world, shown, marking_, image_to_draw());
+        add_view(views_, view_of(shown, options_.size, next_frame_));
         ++next_frame_;
     }
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "tools/output/plot_strip.hpp"
 #include "tools/run/frame_drawers.hpp"
 #include "tools/run/frame_schedule.hpp"
 #include "tools/run/frame_views.hpp"
@@ -57,6 +58,7 @@ private:
     const RunOptions& options_;
     FrameSchedule schedule_;
     Camera camera_;
+    std::optional<PlotStrip> plots_;
     std::optional<VideoWriter> video_;
     std::optional<RawVideo> raw_video_;
     FrameWriter writer_;

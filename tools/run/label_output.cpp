@@ -54,24 +54,25 @@ void LabelOutput::label_due(const SceneWorld& world) {
     const Stopwatch watch;
     camera_ = move_camera(camera_, scene_, world);
     if (next_frame_ < schedule_.frame_count() && schedule_.step_of_frame(next_frame_) == world.world.step_count()) {
-        const FrameLabels& labels = labeller_.label(scene_, world, camera_);
-        do write_frame(world, labels);
+        const Camera shown = apply_camera_keys(camera_, scene_, world, options_.size.aspect_ratio());
+        const FrameLabels& labels = labeller_.label(scene_, world, shown);
+        do write_frame(world, shown, labels);
         while (++next_frame_ < schedule_.frame_count() &&
                schedule_.step_of_frame(next_frame_) == world.world.step_count());
     }
     seconds_ += watch.seconds();
 }
 
-void LabelOutput::write_frame(const SceneWorld& world, const FrameLabels& labels) {
+void LabelOutput::write_frame(const SceneWorld& world, const Camera& camera, const FrameLabels& labels) {
     LabelledFrame frame{.frame = next_frame_,
                         .step = world.world.step_count(),
                         .time = world.world.time(),
-                        .camera = camera_,
+                        .camera = camera,
                         .width = options_.size.width,
                         .height = options_.size.height,
                         .image = name_in(options_.folder, frame_file(options_.folder, next_frame_)),
                         .mask = {}};
-    add_view(views_, view_of(camera_, options_.size, next_frame_));
+    add_view(views_, view_of(camera, options_.size, next_frame_));
     if (options_.masks) {
         const std::filesystem::path mask = mask_file(options_.folder, next_frame_);
         mask_bytes_ += write_mask_png(labels.mask, mask);

@@ -30,7 +30,7 @@ public:
     double seconds() const noexcept { return seconds_; }  // wall clock, spent here
 
 private:
-    void write_frame(const SceneWorld& world, const FrameLabels& labels);
+    void write_frame(const SceneWorld& world, const Camera& camera, const FrameLabels& labels);
     void write_bodies(const SceneWorld& world);
 
     const Scene& scene_;

@@ -29,14 +29,17 @@ void require_replay(const SceneWorld& built, std::uint64_t steps) {
 
 ReplayOutput::ReplayOutput(const Scene& scene, const SceneWorld& built, const RunOptions& options)
     : scene_(scene),
-      camera_(make_camera(scene, built, options.size.aspect_ratio())),
+      aspect_ratio_(options.size.aspect_ratio()),
+      camera_(make_camera(scene, built, aspect_ratio_)),
       file_(open_output(options.replay, options.force)),
-      recorder_(scene, {.aspect_ratio = options.size.aspect_ratio(), .contacts = !options.no_replay_contacts}),
+      recorder_(
+          scene,
+          {.aspect_ratio = aspect_ratio_, .contacts = !options.no_replay_contacts, .theme = options.overlay.theme}),
       watch_(scene, built) {}
 
 void ReplayOutput::record(const SceneWorld& built) {
     camera_ = move_camera(camera_, scene_, built);
-    recorder_.record(built, camera_);
+    recorder_.record(built, apply_camera_keys(camera_, scene_, built, aspect_ratio_));
     watch_.observe(built);
 }
 

@@ -32,6 +32,7 @@ private:
     std::vector<ReplayClaim> claims(const SceneWorld& built) const;
 
     const Scene& scene_;
+    double aspect_ratio_;
     Camera camera_;  // of the frame of the present state, also where no frame is drawn
     OutputFile file_;
     ReplayRecorder recorder_;

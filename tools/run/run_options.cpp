@@ -38,6 +38,12 @@ FrameSize parse_size(const std::string& text) {
                                              std::to_string(kLargestFrame) + " pixels, got " + text);
 }
 
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
 std::string names_of(std::span<const OverlayPart> parts) {
     std::string names;
     for (const OverlayPart& part : parts) names += (names.empty() ? "" : ",") + std::string(part.name);
@@ -102,6 +108,13 @@ CLI::Validator is_table_name() {
 
 }  // namespace
 
+FrameSize RunOptions::whole_size() const { return {size.width, size.height + height_of_plots(plot.size())}; }
+
+FramePlots RunOptions::plots_of(const Scene& scene) const {
+    const Theme theme = overlay.theme.value_or(scene.camera.style.theme);
+    return {plot, size.width, size.height, duration, is_dark(theme), renderer};
+}
+
 void add_size_option(CLI::App& subcommand, FrameSize& size, const std::string& shown_default) {
     subcommand
         .add_option_function<std::string>(
@@ -123,6 +136,17 @@ void add_overlay_option(CLI::App& subcommand, Overlay& overlay) {
             "--hide", [&overlay](const std::string& text) { set_parts(overlay, "--hide", kFrameParts, text, false); },
             "Leave out: " + names_of(kFrameParts) + ", or all")
         ->type_name("LIST");
+    std::vector<std::string> themes;
+    for (const ThemeName& theme : kThemes) themes.emplace_back(theme.name);
+    subcommand
+        .add_option_function<std::string>(
+            "--theme",
+            [&overlay](const std::string& name) {
+                overlay.theme = std::ranges::find(kThemes, name, &ThemeName::name)->theme;
+            },
+            "Colours: " + joined(themes) + "; default: those of the scene")
+        ->type_name("NAME")
+        ->check(CLI::IsMember(themes));
 }
 
 void add_renderer_option(CLI::App& subcommand, RenderBackend& renderer) {
@@ -168,6 +192,11 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     add_size_option(subcommand, options.size);
     subcommand.add_flag("--no-frames", options.no_frames, "Simulate without drawing frames");
     add_overlay_option(subcommand, options.overlay);
+    CLI::Option* const plot =
+        subcommand
+            .add_option("--plot", options.plot,
+                        "Plot these expressions below the frames, with the time of each: ball.y, energy, ...")
+            ->type_name("EXPRESSION");
     add_renderer_option(subcommand, options.renderer);
     const auto add_table = [&](const char* name, std::filesystem::path& file, const char* description) {
         allow_standard_output(*subcommand.add_option(name, file, description)->type_name("F.csv"))
@@ -211,10 +240,10 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
                     "Save the run after each S seconds of wall clock, and when it is interrupted")
         ->type_name("S")
         ->check(number_from_to(0.0, kMaxDuration))
-        ->excludes(replay, report, video, raw_video, masks, depth_order, boxes);
+        ->excludes(plot, replay, report, video, raw_video, masks, depth_order, boxes);
     CLI::Option* const resume =
         subcommand.add_flag("--resume", options.resume, "Continue the run in the folder from its checkpoint")
-            ->excludes(replay, report, video, raw_video, masks, depth_order, boxes);
+            ->excludes(plot, replay, report, video, raw_video, masks, depth_order, boxes);
     add_threads_option(subcommand, options.threads);
     subcommand.add_option("-j,--jobs", options.jobs, "Threads that draw frames. Frames do not depend on it")
         ->capture_default_str()
@@ -222,7 +251,8 @@ void add_run_options(CLI::App& subcommand, RunOptions& options) {
     subcommand.add_flag("--force", options.force, "Replace the results of an earlier run")->excludes(resume);
     subcommand.parse_complete_callback([&subcommand] {
         if (subcommand.count("--video") + subcommand.count("--raw-video") > 0) return;
-        warn_of_unused(subcommand, {"--overlay", "--hide", "--jobs"}, "--no-frames");
+        warn_of_unused(subcommand, {"--overlay", "--hide", "--plot", "--jobs"}, "--no-frames");
+        if (subcommand.count("--replay") == 0) warn_of_unused(subcommand, {"--theme"}, "--no-frames");
         if (subcommand.count("--report") == 0) warn_of_unused(subcommand, {"--renderer"}, "--no-frames");
         if (subcommand.count("--masks") + subcommand.count("--depth-order") + subcommand.count("--boxes") > 0) return;
         warn_of_unused(subcommand, {"--fps", "--slow"}, "--no-frames");

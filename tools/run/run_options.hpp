@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/plot/frame_plots.hpp"
 #include "tools/run/frame_schedule.hpp"
 #include "tumble/render.hpp"
 
@@ -46,6 +47,7 @@ struct RunOptions {
     int threads = 1;                   // that make a step; 0: one for each processor
     bool no_replay_contacts = false;   // leave the contact points out of the replay
     Overlay overlay;                   // drawn over the shapes
+    std::vector<std::string> plot;     // expressions to plot below the frames
     RenderBackend renderer = RenderBackend::automatic;
     int jobs = 1;              // threads that draw frames, 1 to 256
     bool masks = false;        // write the label of the body that each pixel shows
@@ -53,13 +55,15 @@ struct RunOptions {
     bool boxes = false;        // write boxes, outlines and key points of bodies
 
     bool draws() const { return !no_frames || !video.empty() || !raw_video.empty(); }
+    FrameSize whole_size() const;                   // of a frame with its plots
+    FramePlots plots_of(const Scene& scene) const;  // below the frames
     bool labels() const { return masks || depth_order || boxes; }
 };
 
 // --size WxH
 void add_size_option(CLI::App& subcommand, FrameSize& size, const std::string& shown_default = "1280x720");
 
-// --overlay LIST, --hide LIST
+// --overlay LIST, --hide LIST, --theme NAME
 void add_overlay_option(CLI::App& subcommand, Overlay& overlay);
 
 // --renderer NAME
@@ -68,8 +72,8 @@ void add_renderer_option(CLI::App& subcommand, RenderBackend& renderer);
 // --threads N
 void add_threads_option(CLI::App& subcommand, int& threads);
 
-// -o, --duration, --fps, --slow, --size, --no-frames, --overlay, --hide, --renderer, --trajectory, --contacts,
-// --hashes, --replay, --report, --fail-on-findings, --video, --raw-video, --masks, --depth-order, --boxes,
+// -o, --duration, --fps, --slow, --size, --no-frames, --overlay, --hide, --theme, --plot, --renderer, --trajectory,
+// --contacts, --hashes, --replay, --report, --fail-on-findings, --video, --raw-video, --masks, --depth-order, --boxes,
 // --checkpoint, --resume, --threads, --jobs, --force
 void add_run_options(CLI::App& subcommand, RunOptions& options);
 

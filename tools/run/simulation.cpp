@@ -51,7 +51,7 @@ public:
     // After an error: writes what the report has so far.
     void write_report(const std::string& error);
 
-    // After an error of a step: waits for the frames before it. Throws what drawing or writing them throws.
+    // After an error of a step: completes the frames and videos before it. Throws what drawing or writing them throws.
     void finish_frames();
 
     // After an error: leaves the tables as far as they are written if there is a checkpoint that refers to them.
@@ -100,11 +100,6 @@ std::array<const std::filesystem::path*, 7> named_files(const RunOptions& option
             &options.video,    &options.raw_video,  &options.report};
 }
 
-// The file as renaming into its place sees it: links in its folder are followed, the file itself is not.
-std::filesystem::path place_of(const std::filesystem::path& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path()) / file.filename();
-}
-
 // Of two files with the same name, the second would replace the first.
 void require_different_files(const RunOptions& options) {
     std::set<std::filesystem::path> names;
@@ -147,8 +142,10 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     report_.seed = scene.world.seed;
     report_.draws = scene.draws;
     report_.dt = 1.0 / scene.world.steps_per_second;
+    require_plots(scene, options.plots_of(scene));
     if (!options.video.empty())
-        require_memory(video_settings(options.video, options.size, options.frames_per_second), schedule_.frame_count());
+        require_memory(video_settings(options.video, options.whole_size(), options.frames_per_second),
+                       schedule_.frame_count());
     if (!options.replay.empty()) require_replay(run_.built(), schedule_.step_count());
     if ((options.draws() || options.labels()) && schedule_.repeats_frames())
         report_warning(options.slow.empty()
@@ -229,7 +226,7 @@ void Simulation::save_checkpoint() {
 void Simulation::run() {
     const std::uint64_t step_count = schedule_.step_count();
     run_.set_threads({.count = options_.threads});
-    Progress progress("step", step_count);
+    Progress progress("steps", step_count);
     if (!resumed_) record_step();
     for (std::uint64_t step = first_step_; step < step_count && !run_.is_stopped() && !is_interrupted(); ++step) {
         const Stopwatch watch;
@@ -281,7 +278,7 @@ void Simulation::write_report(const std::string& error) {
 }
 
 void Simulation::finish_frames() {
-    if (frames_) frames_->finish_frames();
+    if (frames_) frames_->finish();
 }
 
 void Simulation::update_report() {

@@ -18,7 +18,8 @@ namespace tumble::tools {
 
 namespace {
 
-Image draw_at(const Scene& scene, std::uint64_t step, int width, int height) {
+Image draw_at(const EndedRun& ended, std::uint64_t step, int width, int height) {
+    const Scene& scene = ended.scene;
     SceneRun run(scene);
     const double aspect = static_cast<double>(width) / height;
     Camera camera = make_camera(scene, run.built(), aspect);
@@ -26,7 +27,8 @@ Image draw_at(const Scene& scene, std::uint64_t step, int width, int height) {
         run.step();
         camera = move_camera(camera, scene, run.built());
     }
-    Renderer renderer(width, height);
+    camera = apply_camera_keys(camera, scene, run.built(), aspect);
+    Renderer renderer(width, height, ended.renderer);
     Image image;
     renderer.draw(scene, run.built(), camera, run.time(), image, {}, {});
     return image;
@@ -50,9 +52,9 @@ void compare(const Image& golden, const Image& drawn, double tolerance, Expectat
 }
 
 // Returns whether it was written: not if a signal has stopped the scene before its step.
-bool write_picture(const Scene& scene, const std::filesystem::path& file, ExpectationResult& result) {
+bool write_picture(const EndedRun& run, const std::filesystem::path& file, ExpectationResult& result) {
     const FrameSize size;
-    const Image drawn = draw_at(scene, result.step, size.width, size.height);
+    const Image drawn = draw_at(run, result.step, size.width, size.height);
     if (is_interrupted()) return false;
     create_folder_of(file);
     write_png(drawn, file);
@@ -72,12 +74,11 @@ bool decide_picture(const EndedRun& run, const SceneExpectation& claim, bool wri
     const std::filesystem::path file = run.folder / claim.picture;
     std::error_code unreadable;
     if (!std::filesystem::exists(file, unreadable)) {
-        if (write_missing) return write_picture(run.scene, file, result);
+        if (write_missing) return write_picture(run, file, result);
         throw FileError(file, "the picture of a claim is missing; `tumble check --update` writes it");
     }
     const Image golden = read_png(file);
-    compare(golden, draw_at(run.scene, result.step, golden.width, golden.height), claim.tolerance.value_or(0.0),
-            result);
+    compare(golden, draw_at(run, result.step, golden.width, golden.height), claim.tolerance.value_or(0.0), result);
     if (write_missing && !result.passed)
         result.finding += "; to accept the new frame, delete the file and update again";
     return false;

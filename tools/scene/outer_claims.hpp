@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tumble/render.hpp"
 #include "tumble/scene_run.hpp"
 
 namespace tumble::tools {
@@ -14,6 +15,7 @@ struct EndedRun {
     std::filesystem::path folder;  // of the scene
     std::uint64_t last_step = 0;
     bool allow_outside = false;  // as LoadOptions::allow_outside, for the reference scene of a claim
+    RenderBackend renderer = RenderBackend::automatic;
 };
 
 // A `picture` or a `max_time_ratio`. A picture that is missing is an error, or is written with `write_missing`: then

@@ -6,6 +6,7 @@
 #include <exception>
 #include <thread>
 
+#include "tools/cli/console.hpp"
 #include "tools/cli/error_report.hpp"
 #include "tools/cli/interrupt.hpp"
 #include "tools/measure/stopwatch.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 void decide_outer_claims(const Scene& scene, const CheckOptions& options, SceneCheck& check) {
     const std::filesystem::path file = is_standard_input(check.file) ? "" : check.file;
-    const EndedRun run{scene, file.parent_path(), check.steps, options.changes.allow_outside};
+    const EndedRun run{scene, file.parent_path(), check.steps, options.changes.allow_outside, options.renderer};
     for (ExpectationResult& result : check.expectations) {
         if (result.is_decided) continue;
         result.passed = false;
@@ -88,8 +89,9 @@ SceneCheck check_scene_file(const std::string& file, const CheckOptions& options
 
 std::vector<SceneCheck> check_scene_files(const std::vector<std::string>& files, const CheckOptions& options) {
     std::vector<SceneCheck> checks(files.size());
-    std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> next{0}, done{0};
     std::atomic<bool> has_failed{false};
+    Progress progress("scenes checked", files.size());
     const auto work = [&] {
         for (std::size_t i = next++; i < files.size(); i = next++) {
             if (options.stop_at_failure && has_failed) {
@@ -99,6 +101,7 @@ std::vector<SceneCheck> check_scene_files(const std::vector<std::string>& files,
             }
             checks[i] = check_scene_file(files[i], options);
             if (checks[i].code != ExitCode::ok) has_failed = true;
+            progress.show(++done);
         }
     };
     {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/cli/exit_code.hpp"
+#include "tumble/render.hpp"
 #include "tumble/scene_file.hpp"
 #include "tumble/scene_run.hpp"
 
@@ -46,9 +47,10 @@ struct SceneCheck {
 struct CheckOptions {
     LoadOptions changes{};
     int threads = 1;
-    bool require_claims = false;   // a scene without claims fails
-    bool stop_at_failure = false;  // begin no other scene after one that fails
-    bool update = false;           // write the files of `picture` claims that are missing
+    bool require_claims = false;                        // a scene without claims fails
+    bool stop_at_failure = false;                       // begin no other scene after one that fails
+    bool update = false;                                // write the files of `picture` claims that are missing
+    RenderBackend renderer = RenderBackend::automatic;  // of pictures
 };
 
 // An error of the scene is part of the result, not an exception. On SIGINT, SIGHUP or SIGTERM it stops with

@@ -26,6 +26,26 @@ struct ShotSettings {
     RenderBackend renderer = RenderBackend::automatic;
 };
 
+// Frames of a scene at steps that follow each other.
+class SceneFrames {
+public:
+    // The scene must live longer. Throws RenderError.
+    SceneFrames(const Scene& scene, const ShotSettings& settings);
+
+    // Simulates up to that step, or until the scene stops, and draws it. The frame is valid until the next call.
+    // Throws SimulationDiverged or RenderError.
+    const Image& at(std::uint64_t step);
+
+private:
+    const Scene& scene_;
+    ShotSettings settings_;
+    SceneRun run_;
+    Camera camera_;
+    Renderer renderer_;
+    Marking marking_;  // the trails
+    Image image_;
+};
+
 // Simulates `step` steps, or those until the scene stops, and draws the frame into `image`. Shows no progress, so that
 // threads can draw. The camera is widened to show all marks. Throws SimulationDiverged or RenderError.
 SceneShot paint_scene_at(const Scene& scene, std::uint64_t step, const ShotSettings& settings, const Marker& mark,

@@ -13,13 +13,15 @@ namespace {
 
 constexpr double kLongest = 600.0;  // s, of the simulation and the drawing
 
-void draw(const Scene& scene, const Failure& failure, std::uint64_t step, const std::filesystem::path& file) {
+void draw(const Scene& scene, const Failure& failure, std::uint64_t step, const std::filesystem::path& file,
+          RenderBackend renderer) {
+    const ShotSettings settings{.renderer = renderer};
     if (failure.claim < 0) {
-        draw_scene_at(scene, step, {}, file);
+        draw_scene_at(scene, step, settings, file);
         return;
     }
     const ExpectationResult result = result_of_claim(scene, failure.claim);
-    draw_scene_at(scene, step, {}, file, [&](const SceneWorld& built) {
+    draw_scene_at(scene, step, settings, file, [&](const SceneWorld& built) {
         return marks_of(scene.expect.at(static_cast<std::size_t>(failure.claim)), result, built);
     });
 }
@@ -32,11 +34,11 @@ std::vector<std::uint64_t> steps_to_try(const Scene& scene, const Failure& failu
 
 // The error, or nothing.
 std::string draw_in_copy(const Scene& scene, const Failure& failure, std::uint64_t step,
-                         const std::filesystem::path& file) {
+                         const std::filesystem::path& file, RenderBackend renderer) {
     ChildProcess process(
         [&](int answer) {
             try {
-                draw(scene, failure, step, file);
+                draw(scene, failure, step, file, renderer);
                 write_all(answer, "drawn");
             } catch (...) {
                 write_all(answer, explain(std::current_exception()).message);
@@ -50,10 +52,11 @@ std::string draw_in_copy(const Scene& scene, const Failure& failure, std::uint64
 
 }  // namespace
 
-std::string draw_failure(const Scene& scene, const Failure& failure, const std::filesystem::path& file) {
+std::string draw_failure(const Scene& scene, const Failure& failure, const std::filesystem::path& file,
+                         RenderBackend renderer) {
     std::string error;
     for (const std::uint64_t step : steps_to_try(scene, failure)) {
-        error = draw_in_copy(scene, failure, step, file);
+        error = draw_in_copy(scene, failure, step, file, renderer);
         if (error.empty()) break;
     }
     return error;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tools/shrink/failure.hpp"
+#include "tumble/render.hpp"
 
 namespace tumble::tools {
 
@@ -12,6 +13,7 @@ namespace tumble::tools {
 // to which the scene can be simulated: that of its end, or of its start. `failure.claim` is an index in the scene.
 // Works in a copy of this process, because the scene may crash it. Returns the error if there is no picture, else
 // nothing.
-std::string draw_failure(const Scene& scene, const Failure& failure, const std::filesystem::path& file);
+std::string draw_failure(const Scene& scene, const Failure& failure, const std::filesystem::path& file,
+                         RenderBackend renderer);
 
 }  // namespace tumble::tools

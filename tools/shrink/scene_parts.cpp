@@ -97,7 +97,7 @@ void add_fractions(const Pointer& at, const SceneJson& value, std::vector<Pointe
 
 // Removes what an error of a scene is about. Returns whether there was something to remove.
 bool remove_reference(SceneJson& document, const std::string& pointer, std::set<std::string>& elements) {
-    for (const char* list : {"/joints/", "/timeline/", "/expect/"})
+    for (const char* list : {"/joints/", "/timeline/", "/expect/", "/camera/keys/", "/camera/notes/"})
         if (pointer.starts_with(list)) {
             elements.insert(pointer.substr(0, pointer.find('/', std::string_view(list).size())));
             return true;

@@ -40,7 +40,7 @@ SceneJson without(const SceneJson& document, const std::vector<Pointer>& parts);
 std::optional<std::string> valid_text(const SceneJson& document);
 
 // The same after removing from it what names a body, joint or material that it does not have: joints, events, claims,
-// the camera's `follow`, and the `material` of shapes.
+// the camera's `follow`, its key frames and notes, and the `material` of shapes.
 std::optional<std::string> repaired_text(SceneJson& document);
 
 // The numbers of copies of repeaters that are larger than 1, and the `repeat` itself before its numbers.

@@ -48,6 +48,7 @@ EnvImages::EnvImages(const Scene& scene, const SceneWorld& start, const std::vec
         if (plan.center) view.scene.camera.center = plan.center;
         if (plan.height) view.scene.camera.height = plan.height;
         if (!plan.follow.empty()) view.scene.camera.follow = plan.follow;
+        if (plan.center || plan.height || !plan.follow.empty()) view.scene.camera.keys.clear();
         view.camera = make_camera(view.scene, start, double(plan.columns) / plan.rows);
         images_.push_back(std::move(view));
     }
@@ -74,7 +75,8 @@ void EnvImages::draw(World& world, const SceneWorld& start, std::span<const Imag
     const SceneWorld& built = lent.built();
     for (std::size_t i = 0; i < images_.size(); ++i) {
         const auto& [plan, scene, first] = images_[i];
-        const Camera camera = move_camera(first, scene, built);
+        const Camera camera =
+            apply_camera_keys(move_camera(first, scene, built), scene, built, double(plan.columns) / plan.rows);
         if (plan.is_mask) {
             const Mask& mask = tool_of_size<Labeller>(plan.columns, plan.rows).mask(built.world, camera);
             std::ranges::copy(mask.labels, arrays[i].labels.subspan(index * size(i), size(i)).begin());

@@ -37,9 +37,11 @@ Camera fitted_camera(WorldBox& box, bool has_scene, double aspect_ratio) {
     if (!has_scene) return make_camera(box.world(), aspect_ratio);
     WatchedRun& run = box.run();
     const auto kept = run.cameras.find(aspect_ratio);
-    if (kept == run.cameras.end())
-        return run.cameras.emplace(aspect_ratio, make_camera(run.scene, run.run.built(), aspect_ratio)).first->second;
-    return kept->second = move_camera(kept->second, run.scene, run.run.built());
+    const SceneWorld& built = run.run.built();
+    Camera& camera = kept == run.cameras.end()
+                         ? run.cameras.emplace(aspect_ratio, make_camera(run.scene, built, aspect_ratio)).first->second
+                         : kept->second = move_camera(kept->second, run.scene, built);
+    return apply_camera_keys(camera, run.scene, built, aspect_ratio);
 }
 
 py::array_t<std::uint8_t> render(WorldBox& box, bool has_scene, int width, int height, std::optional<Pair> center,

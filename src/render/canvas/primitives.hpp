@@ -92,19 +92,25 @@ struct DrawList {
     Layer grid;
     Layer backdrop;  // images behind all bodies
     Layer ground;    // static bodies
+    Layer hatching;  // over them
+    Layer shadows;   // of all other bodies
     Layer sensors;   // of any body
     Layer bodies;    // kinematic and dynamic bodies
     Layer images;    // images in front of them
     Layer islands;   // bodies again, in the colours of their islands
     Layer details;   // orientation marks and joints
     Layer overlay;   // contacts, normals, boxes, velocities; markings
+    Layer notes;
     Layer captions;
+    Layer card;  // the title card
 
-    std::array<Layer*, 10> layers() {
-        return {&grid, &backdrop, &ground, &sensors, &bodies, &images, &islands, &details, &overlay, &captions};
+    std::array<Layer*, 14> layers() {
+        return {&grid,   &backdrop, &ground,  &hatching, &shadows, &sensors,  &bodies,
+                &images, &islands,  &details, &overlay,  &notes,   &captions, &card};
     }
-    std::array<const Layer*, 10> layers() const {
-        return {&grid, &backdrop, &ground, &sensors, &bodies, &images, &islands, &details, &overlay, &captions};
+    std::array<const Layer*, 14> layers() const {
+        return {&grid,   &backdrop, &ground,  &hatching, &shadows, &sensors,  &bodies,
+                &images, &islands,  &details, &overlay,  &notes,   &captions, &card};
     }
 };
 

@@ -132,7 +132,7 @@ private:
 
 }  // namespace
 
-Image draw_image(const Drawing& drawing) {
+Image draw_image(const Drawing& drawing, RenderBackend backend) {
     if (drawing.width < 1 || drawing.height < 1 || drawing.width > kLargestFrame || drawing.height > kLargestFrame)
         throw std::invalid_argument("a drawing must be 1 to " + std::to_string(kLargestFrame) +
                                     " pixels wide and high, got " + std::to_string(drawing.width) + "x" +
@@ -142,7 +142,7 @@ Image draw_image(const Drawing& drawing) {
     for (const DrawnElement& element : drawing.elements)
         std::visit([&](const auto& value) { stack.add(value); }, element);
     Image image;
-    Canvas canvas(make_context(RenderBackend::automatic), drawing.width, drawing.height);
+    Canvas canvas(make_context(backend), drawing.width, drawing.height);
     canvas.draw(drawing.background, stack.layers(), atlas, image);
     return image;
 }

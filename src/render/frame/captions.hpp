@@ -9,6 +9,7 @@
 #include "render/canvas/glyph_atlas.hpp"
 #include "render/canvas/primitives.hpp"
 #include "render/frame/overlay.hpp"
+#include "render/style/theme.hpp"
 #include "render/view/view.hpp"
 
 namespace tumble::render {
@@ -21,8 +22,7 @@ struct FrameText {
     bool has_title = true, has_time = true, has_scale_bar = true;
 };
 
-// Appends the text and pale plates behind it, which keep it readable over bodies. Frames below kSmallestTextWidth x
-// kSmallestTextHeight get none.
-void add_captions(DrawList& list, GlyphAtlas& atlas, const View& view, const FrameText& text);
+// Appends the text and plates behind it, if the frame has text.
+void add_captions(DrawList& list, GlyphAtlas& atlas, const View& view, const FrameText& text, const Colors& colors);
 
 }  // namespace tumble::render

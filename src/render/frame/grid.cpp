@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "debug/check.hpp"
-#include "render/style/style.hpp"
 
 namespace tumble::render {
 namespace {
@@ -32,15 +31,14 @@ void add_grid_line(Layer& layer, const View& view, bool is_vertical, double at, 
 }
 
 // Lines at the multiples of `step` (m) in view; those at multiples of `every` steps, or all others.
-void add_lines(Layer& layer, const View& view, double step, int every, bool strong) {
+void add_lines(Layer& layer, const View& view, double step, int every, bool strong, Color color) {
     for (const bool is_vertical : {true, false}) {
         const double middle = is_vertical ? view.center.x : view.center.y;
         const double reach = 0.5 * (is_vertical ? view.width : view.height) / view.scale;
         const double first = std::ceil((middle - reach) / step), last = std::floor((middle + reach) / step);
         for (double i = first; i <= last; i += 1.0) {
             if ((std::fmod(i, every) == 0.0) != strong) continue;
-            add_grid_line(layer, view, is_vertical, view.scale * (i * step - middle),
-                          strong ? style::kMajorGrid : style::kMinorGrid);
+            add_grid_line(layer, view, is_vertical, view.scale * (i * step - middle), color);
         }
     }
 }
@@ -74,11 +72,11 @@ std::string to_string(RoundLength length) {
     return std::to_string(length.mantissa) + "e" + std::to_string(length.exponent) + " m";
 }
 
-void add_grid(Layer& layer, const View& view) {
+void add_grid(Layer& layer, const View& view, const Colors& colors) {
     const RoundLength step = round_length_from(kLeastLineSpacing * view.detail() / view.scale);
     const int every = step.mantissa == 5 ? 4 : 5;
-    add_lines(layer, view, step.metres(), every, false);
-    add_lines(layer, view, step.metres(), every, true);
+    add_lines(layer, view, step.metres(), every, false, colors.minor_grid);
+    add_lines(layer, view, step.metres(), every, true, colors.major_grid);
 }
 
 }  // namespace tumble::render

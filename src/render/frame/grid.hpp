@@ -4,6 +4,7 @@
 #include <string>
 
 #include "render/canvas/primitives.hpp"
+#include "render/style/theme.hpp"
 #include "render/view/view.hpp"
 
 namespace tumble::render {
@@ -23,6 +24,6 @@ RoundLength round_length_from(double metres);
 std::string to_string(RoundLength length);
 
 // Appends lines one pixel wide, on whole pixels; every fourth or fifth one is stronger.
-void add_grid(Layer& layer, const View& view);
+void add_grid(Layer& layer, const View& view, const Colors& colors = colors_of(Theme::light));
 
 }  // namespace tumble::render

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "render/shapes/shape_primitives.hpp"
-#include "render/style/style.hpp"
 
 namespace tumble::render {
 namespace {
@@ -18,7 +17,7 @@ void Marks::dot(DVec2 at, Color color) {
     const double radius = pixels(kDot);
     if (!view_.is_in_view(at, radius)) return;
     layer_.circles.push_back(
-        {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(radius), {color, style::kBackground}});
+        {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(radius), {color, background_}});
 }
 
 void Marks::line(DVec2 from, DVec2 to, double width, Color color) {

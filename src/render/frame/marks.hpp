@@ -10,7 +10,8 @@ inline constexpr double kMarkWidth = 1.8;  // of a line, pixels at 720 rows
 
 class Marks {
 public:
-    Marks(Layer& layer, const View& view) : layer_(layer), view_(view) {}
+    // Dots have an outline in the colour of the background.
+    Marks(Layer& layer, const View& view, Color background) : layer_(layer), view_(view), background_(background) {}
 
     double pixels(double at_720_rows) const { return at_720_rows * view_.detail(); }
 
@@ -24,6 +25,7 @@ public:
 private:
     Layer& layer_;
     const View& view_;
+    Color background_;
 };
 
 }  // namespace tumble::render

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "render/shapes/shape_primitives.hpp"
-#include "render/style/palette.hpp"
 #include "render/style/style.hpp"
 
 namespace tumble {
@@ -61,9 +60,7 @@ void add_skin(Layer& layer, const View& view, const std::vector<DVec2>& loop, do
 }  // namespace
 
 void add_trails(Layer& layer, const View& view, const Scene& scene, const SceneWorld& world,
-                std::span<const Trail> trails) {
-    if (trails.empty()) return;
-    const Palette palette(scene);
+                std::span<const Trail> trails, const Palette& palette) {
     for (const Trail& trail : trails) {
         const auto body = std::ranges::find(world.bodies, trail.body, &SceneInstance::id);
         if (body == world.bodies.end()) continue;
@@ -73,7 +70,7 @@ void add_trails(Layer& layer, const View& view, const Scene& scene, const SceneW
     }
 }
 
-void add_skins(Layer& layer, const View& view, const Scene& scene, const SceneWorld& world) {
+void add_skins(Layer& layer, const View& view, const Scene& scene, const SceneWorld& world, const Palette& palette) {
     for (std::size_t first = 0, end = 0; first < world.bodies.size(); first = end) {
         const SceneInstance& body = world.bodies[first];
         while (end < world.bodies.size() && world.bodies[end].source == body.source) ++end;
@@ -89,7 +86,7 @@ void add_skins(Layer& layer, const View& view, const Scene& scene, const SceneWo
                     std::max(radius, double{farthest_distance(world.world.shape(shape), world.world.mass(id).center)});
         }
         if (loop.size() < end - first) continue;
-        const Color fill = fill_of(Palette(scene), body, world.world.shapes(body.id).size());
+        const Color fill = fill_of(palette, body, world.world.shapes(body.id).size());
         add_skin(layer, view, loop, std::max(2.0 * radius * view.scale, style::kSegment * view.detail()), fill);
     }
 }

@@ -17,7 +17,8 @@ namespace tumble::render {
 
 class BodyTracks {
 public:
-    BodyTracks(const Scene& scene, double pose_quantum) : palette_(scene), quantum_(pose_quantum) {}
+    BodyTracks(const Scene& scene, double pose_quantum, const Colors& colors)
+        : palette_(scene, colors), quantum_(pose_quantum) {}
 
     void record(const SceneWorld& built, std::uint64_t step);
 

@@ -7,6 +7,7 @@
 #include "debug/check.hpp"
 #include "render/output/base64.hpp"
 #include "render/output/compressor.hpp"
+#include "render/replay/page_colors.hpp"
 
 namespace tumble::render {
 
@@ -35,12 +36,14 @@ std::string replaced(std::string_view text, std::string_view mark, std::string_v
 }  // namespace
 
 std::string replay_page(std::string_view states, std::string_view contacts) {
-    const std::string with_states = replaced(kReplayPageText, "%STATES%", base64(deflated(states)));
+    const std::string page = replaced(kReplayPageText, "%COLORS%", page_colors());
+    const std::string with_states = replaced(page, "%STATES%", base64(deflated(states)));
     return replaced(with_states, "%CONTACTS%", contacts.empty() ? "" : base64(deflated(contacts)));
 }
 
 std::string pair_page(std::string_view states_a, std::string_view states_b, std::string_view numbers) {
-    std::string page = replaced(kPairPageText, "%STATES_A%", base64(deflated(states_a)));
+    std::string page = replaced(kPairPageText, "%COLORS%", page_colors());
+    page = replaced(page, "%STATES_A%", base64(deflated(states_a)));
     page = replaced(page, "%STATES_B%", base64(deflated(states_b)));
     return replaced(page, "%NUMBERS%", base64(deflated(numbers)));
 }

@@ -11,7 +11,7 @@
 #include "render/replay/joint_tracks.hpp"
 #include "render/replay/pair_json.hpp"
 #include "render/replay/replay_page.hpp"
-#include "render/style/style.hpp"
+#include "render/style/theme.hpp"
 #include "tumble/recording.hpp"
 
 namespace tumble {
@@ -28,11 +28,16 @@ struct ReplayRecorder::Impl {
           steps_per_second(scene.world.steps_per_second),
           timeline(render::timeline_marks(scene)),
           conditions(scene),
+          theme(settings_.theme.value_or(scene.camera.style.theme)),
+          is_theme_stated(settings_.theme || theme != Theme::light),
           settings(settings_),
           quantum(render::position_quantum(scene.world.scale)),
-          bodies(scene, quantum),
+          bodies(scene, quantum, fill_colors()),
           joints(quantum),
           contacts(quantum) {}
+
+    // The page darkens the light fills itself, because its reader may switch to dark and back.
+    const render::Colors& fill_colors() const { return render::colors_of(theme == Theme::dark ? Theme::light : theme); }
 
     void record(const SceneWorld& built, const Camera& camera, std::uint64_t step) {
         const World& world = built.world;
@@ -92,6 +97,7 @@ struct ReplayRecorder::Impl {
                                     {"least_impulse", render::kLeastImpulse},
                                     {"impulses_per_octave", render::kImpulsesPerOctave},
                                     {"aspect_ratio", settings.aspect_ratio},
+                                    {"theme", is_theme_stated ? render::name_of(theme) : ""},
                                     {"views", views.to_json()},
                                     {"island_colors", nlohmann::ordered_json::array()},
                                     {"shapes", bodies.shapes_json()},
@@ -99,7 +105,7 @@ struct ReplayRecorder::Impl {
                                     {"joints", joints.to_json()},
                                     {"events", event_json()},
                                     {"claims", nlohmann::ordered_json::array()}};
-        for (const Color color : render::style::kBodies) json["island_colors"].push_back(render::to_hex(color));
+        for (const Color color : fill_colors().bodies) json["island_colors"].push_back(render::to_hex(color));
         for (const ReplayClaim& claim : claims) json["claims"].push_back(claim_json(claim));
         return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     }
@@ -116,6 +122,8 @@ struct ReplayRecorder::Impl {
     double steps_per_second;
     std::vector<render::EventMark> timeline;
     render::ConditionMarks conditions;
+    Theme theme;
+    bool is_theme_stated;
     ReplaySettings settings;
     double quantum;
     render::BodyTracks bodies;

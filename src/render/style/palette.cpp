@@ -22,6 +22,8 @@ std::string_view stem(std::string_view name) {
 // Assigns the palette's colours to names in the order of the calls. Each body without a name gets a colour of its own.
 class HueOrder {
 public:
+    explicit HueOrder(const Colors& colors) : colors_(colors) {}
+
     Color next(std::string_view name) {
         if (name.empty()) return take();
         const std::string_view key = stem(name);
@@ -31,8 +33,9 @@ public:
     }
 
 private:
-    Color take() { return style::kBodies[taken_++ % style::kBodies.size()]; }
+    Color take() { return colors_.bodies[taken_++ % colors_.bodies.size()]; }
 
+    const Colors& colors_;
     std::map<std::string_view, Color> hues_;
     std::size_t taken_ = 0;
 };
@@ -51,33 +54,34 @@ std::optional<Color> material_color(const Scene& scene, const std::string& name)
 }
 
 // Lighter or darker by a share that looks random but is the same in every run; 0 for the first copy.
-Color shaded(Color fill, std::size_t ordinal) {
+Color shaded(Color fill, std::size_t ordinal, const Colors& colors) {
     const std::uint32_t scrambled = static_cast<std::uint32_t>(ordinal) * 2654435769u;  // 2^32 / golden ratio
     const double share = style::kInstanceShade * (scrambled / 4294967296.0 - 0.5) * (ordinal == 0 ? 0.0 : 2.0);
-    return share > 0.0 ? mix(fill, style::kBackground, share) : mix(fill, style::kInk, -share);
+    return share > 0.0 ? mix(fill, colors.tint, share) : mix(fill, colors.shade, -share);
 }
 
 }  // namespace
 
-Color outline_of(Color fill) {
+Color outline_of(Color fill, const Colors& colors) {
     // Rec. 601 luma. On a dark fill a darker outline would not be visible.
     const double luma = (0.299 * fill.r + 0.587 * fill.g + 0.114 * fill.b) / 255.0;
-    return mix(fill, luma < style::kDarkLuma ? style::kBackground : style::kInk, style::kOutlineShare);
+    return mix(fill, luma < colors.least_luma ? colors.tint : colors.shade, colors.outline_share);
 }
 
-Palette::Palette(const Scene& scene) {
-    HueOrder hues;
+Palette::Palette(const Scene& scene, const Colors& colors) : colors_(colors) {
+    HueOrder hues(colors);
     sources_.reserve(scene.bodies.size() + scene.timeline.size());
     const auto add = [&](const SceneBody& body) {
         Source source;
         source.first_shape = shapes_.size();
         source.shape_count = body.shapes.size();
         source.is_shaded = body.type == BodyType::dynamic_body;
-        source.fill = body.type == BodyType::static_body      ? style::kStatic
-                      : body.type == BodyType::kinematic_body ? style::kKinematic
+        source.fill = body.type == BodyType::static_body      ? colors.static_fill
+                      : body.type == BodyType::kinematic_body ? colors.kinematic_fill
                                                               : hues.next(body.name);
         for (const SceneShape& shape : body.shapes) {
-            const std::optional<Color> own = material_color(scene, shape.material);
+            const std::optional<Color> own =
+                colors.keeps_materials ? material_color(scene, shape.material) : std::nullopt;
             shapes_.push_back({own.value_or(source.fill), built_shapes(shape, kOther), own.has_value()});
         }
         sources_.push_back(source);
@@ -100,9 +104,9 @@ void Palette::paint_body(std::size_t source_index, std::size_t ordinal, std::spa
 
     std::size_t next = 0;
     const auto paint_next = [&](std::size_t count, Color fill) {
-        for (; count > 0 && next < shapes.size(); --count) shapes[next++] = {fill, outline_of(fill)};
+        for (; count > 0 && next < shapes.size(); --count) shapes[next++] = {fill, outline_of(fill, colors_)};
     };
-    const auto shade = [&](Color fill) { return source.is_shaded ? shaded(fill, ordinal) : fill; };
+    const auto shade = [&](Color fill) { return source.is_shaded ? shaded(fill, ordinal, colors_) : fill; };
     for (const SceneShapeFill& entry : entries)
         paint_next(entry.built == kOther ? others : entry.built, entry.is_own ? entry.fill : shade(entry.fill));
     paint_next(shapes.size() - next, shade(source.fill));

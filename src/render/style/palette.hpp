@@ -1,4 +1,5 @@
-// The colours of a scene's bodies: of the shape's material if that has one, else by type and name of the body.
+// The colours of a scene's bodies: of the shape's material if that has one and the theme keeps it, else by type and
+// name of the body.
 //
 // Dynamic bodies take the palette's colours in the order in which their names first occur. Copies of one body, bodies
 // whose names differ only in digits, and the same body of several copies of a part ("a/arm", "b/arm") share a hue.
@@ -9,14 +10,15 @@
 #include <span>
 #include <vector>
 
-#include "render/style/color.hpp"
+#include "render/style/theme.hpp"
 #include "tumble/scene.hpp"
 
 namespace tumble::render {
 
 class Palette {
 public:
-    explicit Palette(const Scene& scene);
+    // The colours are those of a theme.
+    explicit Palette(const Scene& scene, const Colors& colors = colors_of(Theme::light));
 
     // The paints of all shapes of a body built from Scene::bodies[source], in the order in which they were added.
     // `ordinal` tells copies of one body apart. Sources are numbered as in SceneInstance.
@@ -38,11 +40,12 @@ private:
         bool is_shaded = false;
     };
 
+    const Colors& colors_;
     std::vector<Source> sources_;
     std::vector<SceneShapeFill> shapes_;
 };
 
 // The colour of the outline of a shape with that fill.
-Color outline_of(Color fill);
+Color outline_of(Color fill, const Colors& colors);
 
 }  // namespace tumble::render

@@ -80,6 +80,8 @@ private:
     }
 };
 
+void require_encoder() { render::EncoderProcess({"ffmpeg", "-loglevel", "quiet", "-version"}); }
+
 VideoWriter::VideoWriter(fs::path file, const VideoSettings& settings)
     : impl_(std::make_unique<Impl>(std::move(file), settings)) {}
 VideoWriter::~VideoWriter() = default;

@@ -38,6 +38,9 @@ Box box_of(const Shape& shape, const Pose& pose);
 // The bounds of all shapes of a body at its present pose.
 Box box_of(const World& world, BodyId body);
 
+// The bounds of a body over all angles about a point of its own (body coordinates).
+Box swept_box(const World& world, BodyId body, Vec2 pivot);
+
 // The bounds of points; empty for none.
 Box box_around(std::span<const DVec2> points);
 

@@ -6,23 +6,15 @@
 #include <vector>
 
 #include "render/view/fit.hpp"
+#include "render/view/named_body.hpp"
 #include "tumble/render.hpp"
 
 namespace tumble {
 namespace {
 
-constexpr double kMargin = 1.14;            // factor on the fitted height
-constexpr double kShareBelow = 0.3;         // of the spare height, the share below the box where gravity points down
-constexpr double kEmptyHeight = 10.0;       // m, of a frame of a world without extent
-constexpr double kMostGrowth = 3.0;         // factor by which a frame may grow to show a marking
-constexpr double kHeightPerFollowed = 5.0;  // height of a frame that follows a body, over the body's larger side
-
-const SceneInstance* find_body(const SceneWorld& world, const std::string& name) {
-    if (name.empty()) return nullptr;
-    for (const SceneInstance& body : world.bodies)
-        if (body.name == name && world.world.is_valid(body.id)) return &body;
-    return nullptr;
-}
+constexpr double kShareBelow = 0.3;    // of the spare height, the share below the box where gravity points down
+constexpr double kEmptyHeight = 10.0;  // m, of a frame of a world without extent
+constexpr double kMostGrowth = 3.0;    // factor by which a frame may grow to show a marking
 
 // The height of a frame about `center` that contains the box.
 double height_about(DVec2 center, const render::Box& box, double aspect_ratio) {
@@ -42,7 +34,7 @@ Camera camera_following(const Scene& scene, const World& world, BodyId body) {
     camera.offset = scene.camera.center.value_or(position) - position;
     camera.center = position + camera.offset;  // the expression of move_camera(), for equal bits
     const render::Box box = render::box_of(world, body);
-    camera.height = height_or(scene, box.is_empty() ? 0.0 : kHeightPerFollowed * box.larger_side());
+    camera.height = height_or(scene, box.is_empty() ? 0.0 : render::kHeightPerFollowed * box.larger_side());
     return camera;
 }
 
@@ -53,10 +45,11 @@ Camera fixed_camera(const Scene& scene, const World& world, const std::vector<re
     if (!scene.camera.center || !scene.camera.height) box = render::fitted_box(world, motions, aspect_ratio);
     Camera camera;
     camera.center = scene.camera.center.value_or(box.is_empty() ? DVec2{} : box.center());
-    camera.height = height_or(scene, box.is_empty() ? 0.0 : kMargin * height_about(camera.center, box, aspect_ratio));
+    camera.height =
+        height_or(scene, box.is_empty() ? 0.0 : render::kMargin * height_about(camera.center, box, aspect_ratio));
     const bool is_centered = !scene.camera.center && !box.is_empty();
     if (is_centered && world.def().gravity.y < 0.0f) {
-        const double spare = std::max(0.0, camera.height - kMargin * box.size().y);
+        const double spare = std::max(0.0, camera.height - render::kMargin * box.size().y);
         camera.center.y += (0.5 - kShareBelow) * spare;
     }
     return camera;
@@ -65,7 +58,7 @@ Camera fixed_camera(const Scene& scene, const World& world, const std::vector<re
 }  // namespace
 
 Camera make_camera(const Scene& scene, const SceneWorld& world, double aspect_ratio) {
-    if (const SceneInstance* const body = find_body(world, scene.camera.follow))
+    if (const SceneInstance* const body = render::find_body(world, scene.camera.follow))
         return camera_following(scene, world.world, body->id);
     if (scene.camera.center && scene.camera.height) return fixed_camera(scene, world.world, {}, aspect_ratio);
     const std::vector<render::MotionBounds> motions = render::preview_motion(scene);
@@ -80,7 +73,7 @@ Camera make_camera(const World& world, double aspect_ratio) { return fixed_camer
 
 Camera move_camera(Camera camera, const Scene& scene, const SceneWorld& world) {
     if (camera.follows == BodyId{})
-        if (const SceneInstance* const body = find_body(world, scene.camera.follow))
+        if (const SceneInstance* const body = render::find_body(world, scene.camera.follow))
             return camera_following(scene, world.world, body->id);
     if (world.world.is_valid(camera.follows))
         camera.center = world.world.state(camera.follows).pose.position + camera.offset;
@@ -97,7 +90,7 @@ Camera widen_camera(Camera camera, const World& world, const Marking& marking, d
         render::Box both = view();
         if (marked.is_empty() || both.contains(marked)) return;
         both.add(marked);
-        const double height = kMargin * render::height_for(both.size(), aspect_ratio);
+        const double height = render::kMargin * render::height_for(both.size(), aspect_ratio);
         if (height > highest) return;
         camera.center = both.center();
         camera.height = height;

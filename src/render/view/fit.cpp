@@ -23,16 +23,6 @@ constexpr double kLargestRoom = 24.0;   // a static body of at most this size is
 constexpr double kGrowthForStatics = 1.75;  // at most, to show all static shapes
 constexpr double kGrowthForMotion = 3.0;    // at most, to show the motions, from the frame fitted to the start
 
-// The bounds of a body over all angles about a point of its own.
-Box swept_box(const World& world, BodyId body, Vec2 pivot) {
-    double radius = 0.0;
-    for (const ShapeId shape : world.shapes(body))
-        radius = std::max(radius, double{farthest_distance(world.shape(shape), pivot)});
-    const DVec2 center = transform_point(world.state(body).pose, pivot);
-    if (!is_finite(center) || !std::isfinite(radius)) return {};
-    return {center - DVec2{radius, radius}, center + DVec2{radius, radius}};
-}
-
 Box moving_box(const World& world) {
     Box box;
     for (const BodyId body : world.bodies()) {

@@ -9,6 +9,9 @@
 
 namespace tumble::render {
 
+inline constexpr double kMargin = 1.14;            // factor on a fitted height
+inline constexpr double kHeightPerFollowed = 5.0;  // least height of a frame that follows a body, over its larger side
+
 // A box around all bodies that are not static and the ground below them. Static shapes are included whole if the frame
 // becomes at most 1.75 times as high by that, else only near the moving bodies. The motions are included too, except of
 // bodies that leave a frame three times as high as one fitted to the start and the room around them: a body that falls

@@ -4,6 +4,7 @@
 #include "scene/build/references.hpp"
 #include "scene/build/resolve.hpp"
 #include "scene/build/validate_body.hpp"
+#include "scene/build/validate_camera.hpp"
 #include "scene/build/validate_claim.hpp"
 #include "scene/build/validate_timeline.hpp"
 
@@ -17,7 +18,7 @@ std::optional<ResolvedScene> validate_scene(const Scene& scene, const SceneSizes
     validate_timeline(scene, own, references, diagnostics);
     for (std::size_t i = 0; i < own.expect; ++i)
         validate_claim(scene.expect[i], element("/expect", i), references, diagnostics);
-    if (!scene.camera.follow.empty()) references.any_body(scene.camera.follow, "/camera", "follow");
+    validate_camera(scene.camera, references, diagnostics);
     return resolved;
 }
 

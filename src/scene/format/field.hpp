@@ -49,9 +49,10 @@ inline constexpr Range kSeed{0.0, 0x1p64};
 
 inline constexpr std::size_t kMaxNameBytes = 256;         // bytes
 inline constexpr std::size_t kMaxExpressionBytes = 2000;  // bytes
+inline constexpr std::size_t kMaxCaptionBytes = 2000;     // bytes
 
 // What a text may contain. `hash` is 16 digits 0-9 and a-f, `png_file` a path that ends with .png.
-enum class Text { any, name, color, expression, hash, png_file };
+enum class Text { any, name, color, expression, caption, hash, png_file };
 
 struct Field {
     std::string_view name;

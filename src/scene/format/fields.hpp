@@ -15,6 +15,7 @@
 #pragma once
 
 #include "scene/format/fields_of_claims.hpp"
+#include "scene/format/fields_of_frames.hpp"
 #include "scene/format/fields_of_joints.hpp"
 
 namespace tumble::scene {
@@ -59,28 +60,6 @@ void visit_fields(V& v, Type<SceneSettings>) {
              "m",
              {1e-4, 1e4}},
             &SceneSettings::scale);
-}
-
-template <class V>
-void visit_fields(V& v, Type<SceneCamera>) {
-    v.field({"center",
-             "World point in the middle of the frame. Default: chosen, with the height, so that the frame shows all "
-             "moving bodies, most of their paths, and the ground and the bodies near them. With 'follow': the middle "
-             "of the frame when the followed body first appears.",
-             "m", kPosition},
-            &SceneCamera::center);
-    v.field({"height",
-             "Height of the part of the world that the frame shows. Default: chosen as described for 'center'; with "
-             "'follow', five times the longer side of the followed body.",
-             "m",
-             {0.0, kFarthest, true}},
-            &SceneCamera::height);
-    v.field(
-        {.name = "follow",
-         .description = "Name of a body that the camera moves with. The body stays in the middle of the frame, or at "
-                        "the offset that 'center' gives it. A body that the timeline spawns is followed from then on.",
-         .text = Text::name},
-        &SceneCamera::follow);
 }
 
 template <class V>

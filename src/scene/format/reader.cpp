@@ -71,6 +71,8 @@ public:
             wrong(location, "an expression of 1 to " + std::to_string(kMaxExpressionBytes) + " bytes", value);
         if (field.text == Text::hash && !is_hash(out)) wrong(location, "16 digits 0-9 and a-f", value);
         if (field.text == Text::png_file && !out.ends_with(".png")) wrong(location, "the name of a .png file", value);
+        if (field.text == Text::caption && (out.empty() || out.size() > kMaxCaptionBytes))
+            wrong(location, "a text of 1 to " + std::to_string(kMaxCaptionBytes) + " bytes", value);
         if (field.text == Text::color && !is_color(out))
             wrong(location, "a colour, \"#rgb\" or \"#rrggbb\"", value, hint_for_color(out));
     }

@@ -67,7 +67,8 @@ public:
 
     Json of(const std::string*, const Field& field) {
         Json schema{{"type", "string"}};
-        if (field.text == Text::name || field.text == Text::expression) schema["minLength"] = 1;
+        if (field.text == Text::name || field.text == Text::expression || field.text == Text::caption)
+            schema["minLength"] = 1;
         if (field.text == Text::hash) schema["pattern"] = "^[0-9a-f]{16}$";
         if (field.text == Text::png_file) schema["pattern"] = "\\.png$";
         if (field.text == Text::color) schema["pattern"] = "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$";

@@ -175,7 +175,8 @@ constexpr ProblemPage kPages[] = {
      R"({"format": 1, "world": {"steps_per_second": -60}})",
      R"(The table "world" of scenes/README.md has the unit and the range of each setting.)"},
     {kError, codes::camera, "an error in the camera",
-     R"(A key is unknown or out of its range, or "follow" names a body that the scene does not have.)",
+     R"(A key is unknown or out of its range, "follow" or a note names a body that the scene does not have, or the key )"
+     "frames are not in the order of time.",
      R"({"format": 1, "camera": {"follow": "x"}})",
      "Give the center in metres and the height above 0, and follow a body by its name."},
     {kError, codes::include, "a part that cannot be included",

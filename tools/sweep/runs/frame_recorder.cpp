@@ -47,14 +47,16 @@ void FrameRecorder::record(const Scene& scene, const SceneWorld& built, std::uin
     if (renderer_) frame_camera_ = move_camera(frame_camera_, scene, built);
     if (labeller_) mask_camera_ = move_camera(mask_camera_, scene, built);
     if (written_.frames.are_due(step)) {
-        renderer_->draw(scene, built, frame_camera_, built.world.time(), image_, overlay_);
+        const Camera camera = apply_camera_keys(frame_camera_, scene, built, aspect_ratio(written_.frames));
+        renderer_->draw(scene, built, camera, built.world.time(), image_, overlay_);
         if (video_)
             video_->write(image_);
         else
             members.emplace_back(picture_suffix("frame", step), to_png(image_));
     }
-    if (written_.masks.are_due(step))
-        members.emplace_back(picture_suffix("mask", step), to_png(labeller_->label(scene, built, mask_camera_).mask));
+    if (!written_.masks.are_due(step)) return;
+    const Camera camera = apply_camera_keys(mask_camera_, scene, built, aspect_ratio(written_.masks));
+    members.emplace_back(picture_suffix("mask", step), to_png(labeller_->label(scene, built, camera).mask));
 }
 
 void FrameRecorder::finish(std::vector<std::pair<std::string, std::string>>& members) {

@@ -12,7 +12,8 @@ function mix(a, b, share) {
 // The colours of the theme, and of bodies in it.
 class Theme {
   constructor() {
-    this.dark = document.documentElement.dataset.theme === "dark";
+    this.name = document.documentElement.dataset.theme;
+    this.outlineShare = Number(cssColor("outline-share"));
     for (const name of ["ground", "text", "faint", "minor", "major", "ink", "accent", "good", "bad", "event", "contact", "normal",
                         "box", "velocity", "joint", "trail", "anchor", "rule"]) this[name] = cssColor(name);
     this.known = new Map();
@@ -21,9 +22,9 @@ class Theme {
   paint(fill, isStatic, isAsleep) {
     const key = fill + isStatic + isAsleep;
     if (!this.known.has(key)) {
-      let inside = this.dark ? mix(fill, this.ground, isStatic ? 0.66 : 0.12) : fill;
+      let inside = this.name === "dark" ? mix(fill, this.ground, isStatic ? 0.66 : 0.12) : fill;
       if (isAsleep) inside = mix(inside, this.ground, 0.55);
-      this.known.set(key, { fill: inside, line: mix(inside, this.ink, this.dark ? 0.3 : 0.42) });
+      this.known.set(key, { fill: inside, line: mix(inside, this.ink, this.outlineShare) });
     }
     return this.known.get(key);
   }
@@ -31,10 +32,18 @@ class Theme {
 
 function systemTheme() { return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"; }
 
+function isDark(theme) { return theme === "dark" || theme === "high_contrast"; }
+
+// What the button switches to: from dark to light colours or back, and to those that the run states, if it does.
+function otherTheme(name, stated) {
+  if (stated !== "" && isDark(stated) !== isDark(name)) return stated;
+  return isDark(name) ? "light" : "dark";
+}
+
 function applyTheme(name, painters) {
   document.documentElement.dataset.theme = name;
   for (const painter of painters) painter.theme = new Theme();
-  byId("theme").textContent = name === "dark" ? "Light" : "Dark";
+  byId("theme").textContent = isDark(name) ? "Light" : "Dark";
 }
 
 // The outline of the convex hull of a shape's points grown by its radius, as a path in body coordinates.

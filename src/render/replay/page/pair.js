@@ -33,7 +33,7 @@ class PairPlayer extends Playback {
     for (const id of Object.keys(this.on)) byId(id).addEventListener("click", () => this.switch(id));
     byId("first").addEventListener("click", () => this.seek(this.numbers.first));
     byId("fit").addEventListener("click", () => { this.camera.fit(); this.redraw(); });
-    byId("theme").addEventListener("click", () => this.setTheme(this.painters[0].theme.dark ? "light" : "dark"));
+    byId("theme").addEventListener("click", () => this.setTheme(otherTheme(this.painters[0].theme.name, this.runs[0].theme)));
   }
 
   switch(id) {
@@ -99,7 +99,7 @@ async function start() {
   const runs = [];
   for (const id of ["states-a", "states-b"]) runs.push(new Run(unpackStates(await inflate(id)), null));
   const numbers = JSON.parse(new TextDecoder().decode(await inflate("numbers")));
-  document.documentElement.dataset.theme = systemTheme();
+  document.documentElement.dataset.theme = runs[0].theme || systemTheme();
   const player = new PairPlayer(runs, numbers);
   player.setTheme(document.documentElement.dataset.theme);
   byId("message").hidden = true;

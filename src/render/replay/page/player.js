@@ -42,7 +42,7 @@ class Player extends Playback {
       byId("keys").append(row);
     }
     byId("fit").addEventListener("click", () => { this.camera.fit(); this.redraw(); });
-    byId("theme").addEventListener("click", () => this.setTheme(this.painter.theme.dark ? "light" : "dark"));
+    byId("theme").addEventListener("click", () => this.setTheme(otherTheme(this.painter.theme.name, this.run.theme)));
     byId("panel-button").addEventListener("click", () => this.togglePanel());
     document.addEventListener("pointerdown", (event) => {
       for (const popup of document.querySelectorAll("details[open]")) if (!popup.contains(event.target)) popup.open = false;
@@ -182,7 +182,7 @@ class Player extends Playback {
 async function start() {
   const states = unpackStates(await inflate("states"));
   const wide = matchMedia("(min-width: 761px)").matches;
-  document.documentElement.dataset.theme = systemTheme();
+  document.documentElement.dataset.theme = states.theme || systemTheme();
   byId("panel").hidden = !wide;
   const player = new Player(new Run(states, null));
   player.setTheme(document.documentElement.dataset.theme);
