@@ -45,6 +45,7 @@ struct Tangle {
     std::vector<Contact> contacts;
     ConstraintGraph graph;
     std::vector<ContactBlock> blocks;
+    std::vector<ContactExtras> extras;
 
     Tangle(unsigned seed, int body_count, int contact_count) {
         std::mt19937 random(seed);
@@ -66,7 +67,7 @@ struct Tangle {
             contacts.push_back(make_touching(a, b, {turn.c, turn.s}, arm_a, arm_b, 0.01f * value(random)));
         }
         graph.build(contacts, bodies);
-        prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, crew);
+        prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, extras, crew);
     }
 };
 
@@ -140,7 +141,8 @@ TEST_CASE("a soft contact gets the impulse of the closed form") {
     ConstraintGraph graph;
     graph.build(contacts, bodies);
     std::vector<ContactBlock> blocks;
-    prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, crew);
+    std::vector<ContactExtras> extras;
+    prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, extras, crew);
     REQUIRE(blocks.size() == 1);
     solve_contacts(blocks, bodies.solver_bodies, 1.0f / kH, kPushOutSpeed);
     const double omega = 2.0 * kPi * 60.0, h = 1.0 / 240.0;
@@ -166,7 +168,8 @@ TEST_CASE("a soft contact takes back less of its carried impulse and more of its
         ConstraintGraph graph;
         graph.build(contacts, bodies);
         std::vector<ContactBlock> blocks;
-        prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, crew);
+        std::vector<ContactExtras> extras;
+        prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, extras, crew);
         REQUIRE(blocks.size() == 1);
         blocks[0].points[0].normal_impulse[0] = static_cast<float>(before);
         solve_contacts(blocks, bodies.solver_bodies, 1.0f / kH, kPushOutSpeed);
@@ -205,7 +208,8 @@ TEST_CASE("two points share a centred push equally, and do not tip the box") {
     ConstraintGraph graph;
     graph.build(contacts, bodies);
     std::vector<ContactBlock> blocks;
-    prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, crew);
+    std::vector<ContactExtras> extras;
+    prepare_contacts(contacts, bodies, graph, {}, {}, kH, blocks, extras, crew);
     REQUIRE(blocks.size() == 1);
     relax_contacts(blocks, bodies.solver_bodies, 1.0f / kH, FrictionBound::rigid);
     CHECK(near(blocks[0].points[0].normal_impulse[0], 0.5, kFloat));

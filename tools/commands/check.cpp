@@ -107,7 +107,7 @@ void draw_failures(SceneCheck& check, const CheckArguments& options) {
         try {
             refuse_to_overwrite(file, options.force);
             const Scene scene = load_named_scene(check.file, options.check.changes);
-            draw_scene_at(scene, result.step, {.renderer = options.check.renderer}, file,
+            draw_scene_at(scene, result.step, {.overlay = {.notes = false}, .renderer = options.check.renderer}, file,
                           [&](const SceneWorld& built) { return marks_of(scene.expect.at(i), result, built); });
             check.shots[i] = file;
         } catch (...) {

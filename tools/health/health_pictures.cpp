@@ -44,7 +44,7 @@ void draw_findings(const Scene& scene, RenderBackend backend, bool (*is_stopped)
         Renderer renderer(kWidth, kHeight, backend);
         SceneRun run(scene);
         const Camera camera = make_camera(scene, run.built(), kAspect);
-        const Overlay overlay{.contacts = true, .joints = true, .title = false};
+        const Overlay overlay{.contacts = true, .joints = true, .title = false, .notes = false};
         for (auto& [step, reported] : moments) {
             while (run.world().step_count() < step && !is_stopped()) run.step();
             if (is_stopped()) throw RenderError("the run that draws them was interrupted");

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <charconv>
-#include <cstdint>
+#include <concepts>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -26,7 +26,7 @@ inline std::string four_digits(double number) {
 }
 
 // "1 body", "3 bodies", "0 runs".
-inline std::string counted(std::uint64_t count, std::string_view noun) {
+std::string counted(std::integral auto count, std::string_view noun) {
     const std::string text = std::to_string(count) + " " + std::string(noun);
     if (count == 1) return text;
     return text.ends_with("body") ? text.substr(0, text.size() - 1) + "ies" : text + "s";

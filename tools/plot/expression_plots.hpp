@@ -13,7 +13,7 @@ struct PlotChoice {
     bool has_abscissa = false;       // the last column is the horizontal axis, instead of the time
     bool is_together = false;        // all expressions over one vertical axis
     int width = 1280, height = 720;  // px, of all plots
-    std::string title;               // above the first plot; may be empty
+    std::string title{};             // above the first plot; may be empty
 };
 
 // One plot for each expression, one below the other, or one for all. Throws CLI::ValidationError if the height is too

@@ -40,7 +40,7 @@ using RowWriter = std::function<void(std::uint64_t step, double time, std::span<
 struct TableOptions {
     std::optional<double> duration;  // s; without it the scene's
     bool keeps_values = true;        // in the table; the writer gets them in any case
-    RowWriter write;                 // may be empty
+    RowWriter write{};               // may be empty
 };
 
 // Simulates the scene. A run that diverges gives the rows before that, and the failure; one that is interrupted the

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tools/cli/console.hpp"
+#include "tools/cli/interrupt.hpp"
 #include "tools/cli/output_path.hpp"
 #include "tumble/render.hpp"
 
@@ -47,7 +48,7 @@ SceneFrames::SceneFrames(const Scene& scene, const ShotSettings& settings)
 }
 
 const Image& SceneFrames::at(std::uint64_t step) {
-    while (run_.world().step_count() < step && !run_.is_stopped()) {
+    while (run_.world().step_count() < step && !run_.is_stopped() && !is_interrupted()) {
         run_.step();
         camera_ = move_camera(camera_, scene_, run_.built());
         record_trails(marking_.trails, scene_, run_.built());

@@ -15,7 +15,7 @@ constexpr double kLongest = 600.0;  // s, of the simulation and the drawing
 
 void draw(const Scene& scene, const Failure& failure, std::uint64_t step, const std::filesystem::path& file,
           RenderBackend renderer) {
-    const ShotSettings settings{.renderer = renderer};
+    const ShotSettings settings{.overlay = {.notes = false}, .renderer = renderer};
     if (failure.claim < 0) {
         draw_scene_at(scene, step, settings, file);
         return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scene/json/json_text.hpp"
 #include "tumble/scene_world.hpp"
@@ -64,8 +65,11 @@ double inertia_of_shapes(const SceneMass& stated, const ShapesMass& shapes) {
 
 std::optional<SceneMass> read_rube_mass(RubeObject& json, const SceneBody& body, const std::string& owner,
                                         const std::vector<SceneMaterial>& materials) {
-    const double mass = json.number("massData-mass", 0.0, {-kFastest, kFastest}),
-                 about_origin = json.number("massData-I");
+    // Box2D has computed them from shapes of any size; a scene states them only if they differ from those of the
+    // shapes.
+    constexpr double kLargestStated = std::numeric_limits<double>::max();
+    const double mass = json.number("massData-mass", 0.0, {-kLargestStated, kLargestStated}),
+                 about_origin = json.number("massData-I", 0.0, {-kLargestStated, kLargestStated});
     SceneMass stated{mass > 0.0 ? mass : 1.0, json.vector("massData-center"), 0.0};
     if (body.type != BodyType::dynamic_body) return std::nullopt;
     const ShapesMass shapes = mass_of_shapes(body, materials);
@@ -83,6 +87,9 @@ std::optional<SceneMass> read_rube_mass(RubeObject& json, const SceneBody& body,
         }
     }
     if (are_equal(stated, shapes, body.fixed_rotation)) return std::nullopt;
+    // The scene states them: within its limits.
+    json.number("massData-mass", 0.0, kAny);
+    json.number("massData-I");
     return stated;
 }
 

@@ -30,12 +30,16 @@ void add_grid_line(Layer& layer, const View& view, bool is_vertical, double at, 
     layer.boxes.push_back(line);
 }
 
+// Beyond it the next number of a line may be its own.
+constexpr double kMostCounted = 0x1p52;
+
 // Lines at the multiples of `step` (m) in view; those at multiples of `every` steps, or all others.
 void add_lines(Layer& layer, const View& view, double step, int every, bool strong, Color color) {
     for (const bool is_vertical : {true, false}) {
         const double middle = is_vertical ? view.center.x : view.center.y;
         const double reach = 0.5 * (is_vertical ? view.width : view.height) / view.scale;
         const double first = std::ceil((middle - reach) / step), last = std::floor((middle + reach) / step);
+        if (!(std::abs(first) < kMostCounted && std::abs(last) < kMostCounted)) return;
         for (double i = first; i <= last; i += 1.0) {
             if ((std::fmod(i, every) == 0.0) != strong) continue;
             add_grid_line(layer, view, is_vertical, view.scale * (i * step - middle), color);

@@ -22,10 +22,13 @@ constexpr double kCardGap = 4.0;  // between title and text
 constexpr double kCardPadding = 28.0;
 constexpr double kCardEdge = 1.0;
 
+constexpr std::size_t kMostLines = 40;  // of a note or a card: more would not fit in a frame
+
 void add_lines(std::vector<TextLine>& lines, const Captions& captions, const std::string& text, double size,
                double room, Color color) {
     std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back({captions.fitted(line, size, room), size, color});
+    for (std::string line; lines.size() < kMostLines && std::getline(in, line);)
+        lines.push_back({captions.fitted(line, size, room), size, color});
 }
 
 // Each line in the middle.
@@ -39,6 +42,7 @@ void add_note(Captions& captions, const View& view, const std::string& text, DVe
     const double edge = captions.pixels(style::kMargin), pad = captions.pixels(Captions::kPadding);
     std::vector<TextLine> lines;
     add_lines(lines, captions, text, captions.pixels(kNoteSize), view.width - 2.0 * edge, color);
+    if (lines.empty()) return;
     const DVec2 size = captions.size_of(lines);
     const double left = 0.5 * view.width + point.x - 0.5 * size.x;
     const double top = 0.5 * view.height - point.y - captions.pixels(kNoteGap) - pad - size.y;

@@ -46,8 +46,10 @@ void add_hatching(Layer& layer, const View& view, const Shape& shape, const Pose
     const double edge = 0.5 * (view.width + view.height);  // of the frame, in x - y
     least = std::max(least, -edge);
     most = std::min(most, edge);
-    for (double k = std::ceil((least + origin) / step); k * step - origin <= most; k += 1.0) {
-        const double offset = k * step - origin;
+    // Counted from the frame's middle: far from the origin of the world, k + 1 could be k.
+    const double phase = std::fmod(origin, step);
+    for (double k = std::ceil((least + phase) / step); k * step - phase <= most; k += 1.0) {
+        const double offset = k * step - phase;
         const DVec2 from{0.5 * offset, -0.5 * offset};
         if (const auto part = part_inside(outline, from))
             add_line(layer, view, from + part->first * kAlong, from + part->second * kAlong,

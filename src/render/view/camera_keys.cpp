@@ -50,7 +50,7 @@ Camera view_at(std::span<const SceneCameraKey> keys, const Camera& camera, const
                               ? camera.height
                               : std::max(render::kMargin * render::height_for(box.all.size(), aspect_ratio),
                                          render::kHeightPerFollowed * box.largest);
-    view.height = sized->height.value_or(fitted);
+    view.height = sized->height.value_or(fitted > 0.0 ? fitted : camera.height);
     return view;
 }
 

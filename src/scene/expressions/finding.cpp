@@ -51,7 +51,9 @@ private:
     }
 
     static std::string absent_name(const Evaluation& state, const Node& node) {
-        if (node.op == Op::joint_value || node.is_about_joints) return state.program().joints[node.names[0]].name;
+        const auto joint_name = [&] { return state.program().joints[node.names[0]].name; };
+        if (node.op == Op::joint_value) return joint_name();
+        if (node.is_about_joints) return state.at_copies(node).empty() ? joint_name() : std::string();
         if (node.op != Op::body_value && node.op != Op::call) return {};
         for (const std::size_t name : node.names) {
             const BodyRef& ref = state.program().bodies[name];

@@ -118,6 +118,7 @@ private:
 
     // Whether the text before the token, which ends at an offset, is a zero: 010 is read as 0 and 10.
     bool follows_zero(std::size_t offset, const std::string& token) const {
+        if (offset >= text_.size() || token.empty()) return false;  // at the end of the text there is no token
         return token.size() <= offset && text_[offset - token.size()] == '0' && token[0] >= '0' && token[0] <= '9';
     }
 

@@ -153,6 +153,8 @@ std::optional<Scene> Reading::read_part(const std::filesystem::path& file, const
     if (std::ranges::find(open_, file) != open_.end()) return refuse("includes itself: " + chain_to(file));
     if (open_.size() > kMaxIncludeDepth)
         return refuse("is included more than " + std::to_string(kMaxIncludeDepth) + " files deep: " + chain_to(file));
+    if (++files_read_ > kMaxIncludedFiles)
+        return refuse("is one of more than " + std::to_string(kMaxIncludedFiles) + " included files");
     std::string text;
     try {
         text = read_(file);

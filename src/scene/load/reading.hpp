@@ -19,7 +19,8 @@
 
 namespace tumble::scene {
 
-inline constexpr std::size_t kMaxIncludeDepth = 16;  // files that include each other
+inline constexpr std::size_t kMaxIncludeDepth = 16;      // files that include each other
+inline constexpr std::size_t kMaxIncludedFiles = 10000;  // read in all
 inline constexpr std::size_t kMaxIncludedEntries =
     1000000;  // copied in one reading: a bound for files that include others many times
 
@@ -51,8 +52,9 @@ private:
     bool allow_outside_;
     std::map<std::filesystem::path, std::optional<Scene>> parts_;  // nothing for a file with errors
     std::vector<std::filesystem::path> open_;                      // from the scene down to the file that is being read
-    DrawContext context_;                                          // of the file that is being read
-    std::size_t entries_ = 0;                                      // copied so far
+    std::size_t files_read_ = 0;
+    DrawContext context_;      // of the file that is being read
+    std::size_t entries_ = 0;  // copied so far
 };
 
 }  // namespace tumble::scene

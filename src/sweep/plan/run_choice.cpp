@@ -92,7 +92,7 @@ std::uint64_t grid_size(const Plan& plan) {
 }
 
 std::uint64_t runs_in_shard(const Plan& plan) {
-    constexpr std::uint64_t kShards = 60, kLeast = 5, kMost = 2000;
+    constexpr std::uint64_t kShards = 60, kLeast = 1, kMost = 2000;
     if (plan.shard_runs > 0) return plan.shard_runs;
     return std::clamp<std::uint64_t>((plan.runs + kShards - 1) / kShards, kLeast, kMost);
 }
