@@ -1,6 +1,5 @@
 #include "dynamics/step.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -158,7 +157,7 @@ void solve(Simulation& simulation, StageClock& clock) {
     simulation.report.colors = simulation.scratch->contact_solver.color_count();
     clock.stop(ms.prepare);
     if (simulation.settings.orders_impacts()) begin_flight(simulation);
-    for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation, i == 0);
+    for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation);
     if (!simulation.settings.orders_impacts()) bounce(simulation);
     store_results(simulation);
     forget_clamped_impulses(simulation);
@@ -264,22 +263,8 @@ void collide_woken(Simulation& simulation) {
     }
 }
 
-void find_joined_bodies(Simulation& simulation) {
-    const BodyStore& bodies = simulation.bodies;
-    std::vector<std::uint32_t>& joined = simulation.scratch->joined_bodies;
-    joined.clear();
-    simulation.joints.for_each_awake_pair([&](std::uint32_t a, std::uint32_t b, bool) {
-        for (const std::uint32_t body : {a, b})
-            if (bodies.is_dynamic(body)) joined.push_back(bodies.frames[body].solver_body);
-    });
-    std::sort(joined.begin(), joined.end());
-    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
-}
-
 void prepare_constraints(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
-    simulation.scratch->without_contacts.resize(simulation.bodies.solver_bodies.size());
-    find_joined_bodies(simulation);
     simulation.scratch->contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
                                                settings.gravity, settings.substep_duration(), simulation.crew);
     simulation.joints.prepare(simulation.bodies, simulation.crew);
@@ -288,47 +273,23 @@ void prepare_constraints(Simulation& simulation) {
                                                  settings.substep_duration(), settings.tuning.push_out_speed);
 }
 
-// Joints change velocities by impulses that do not act again: their arms turn from sub-step to sub-step.
-template <class Solve>
-void solve_joints(Simulation& simulation, Solve&& solve_all) {
-    const std::vector<std::uint32_t>& joined = simulation.scratch->joined_bodies;
-    std::vector<BodyVelocity>& without_contacts = simulation.scratch->without_contacts;
-    const std::span<const SolverBody> bodies = simulation.bodies.solver_bodies;
-    for (const std::uint32_t body : joined) without_contacts[body] -= velocity_of(bodies[body]);
-    solve_all();
-    for (const std::uint32_t body : joined) without_contacts[body] += velocity_of(bodies[body]);
-}
-
-// Restitution at the end of the step adds up the work of each contact, so that each must be warm started.
-bool warm_starts_bodies(const Simulation& simulation) {
-    return simulation.settings.orders_impacts();
-}
-
-void run_substep(Simulation& simulation, bool is_first) {
+void run_substep(Simulation& simulation) {
     TUMBLE_CHECK(simulation.settings.substeps >= 1);
     const JointContext context = joint_context(simulation);
-    const SpeedLimits limits = speed_limits(simulation);
     const std::span<SolverBody> bodies = simulation.bodies.solver_bodies;
-    std::vector<BodyVelocity>& without_contacts = simulation.scratch->without_contacts;
     ContactSolver& contacts = simulation.scratch->contact_solver;
     Crew& crew = simulation.crew;
-    const bool by_body = !is_first && warm_starts_bodies(simulation);
-    integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, limits, without_contacts, by_body,
-                         crew);
+    integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation), crew);
     JointSystem* system = context.iterates_equalities ? nullptr : &simulation.scratch->joint_system;
     if (system) system->start_substep();
-    solve_joints(simulation, [&] { simulation.joints.warm_start(bodies); });
-    if (!by_body) contacts.warm_start(bodies, crew);
-    solve_joints(simulation, [&] {
-        simulation.joints.solve(context, true, bodies);
-        if (system) system->solve_chord(simulation.joints, bodies);
-    });
+    simulation.joints.warm_start(bodies);
+    contacts.warm_start(bodies, crew);
+    simulation.joints.solve(context, true, bodies);
+    if (system) system->solve_chord(simulation.joints, bodies);
     contacts.solve(bodies, context.inv_h, simulation.settings.tuning.push_out_speed, crew);
-    integrate_positions(simulation.bodies, context.h, limits, without_contacts, crew);
-    solve_joints(simulation, [&] {
-        simulation.joints.solve(context, false, bodies);
-        if (system) system->project_velocities(simulation.joints, bodies);
-    });
+    integrate_positions(simulation.bodies, context.h, speed_limits(simulation), crew);
+    simulation.joints.solve(context, false, bodies);
+    if (system) system->project_velocities(simulation.joints, bodies);
     contacts.relax(bodies, context.inv_h, friction_bound(simulation), crew);
 }
 

@@ -20,7 +20,7 @@ void end_contacts(Simulation& simulation);
 void collide_pairs(Simulation& simulation);
 void collide_woken(Simulation& simulation);
 void prepare_constraints(Simulation& simulation);
-void run_substep(Simulation& simulation, bool is_first);
+void run_substep(Simulation& simulation);
 void bounce(Simulation& simulation);
 void store_results(Simulation& simulation);
 void forget_clamped_impulses(Simulation& simulation);

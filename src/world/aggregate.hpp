@@ -33,11 +33,11 @@ constexpr std::size_t count_fields() {
 
 }  // namespace detail
 
-// Calls visit(fields...) with all fields of an aggregate, in order. At most 17.
+// Calls visit(fields...) with all fields of an aggregate, in order. At most 15.
 template <class T, class Visitor>
 void visit_fields_of(T& value, Visitor&& visit) {
     constexpr std::size_t kCount = detail::count_fields<std::remove_const_t<T>>();
-    static_assert(kCount >= 1 && kCount <= 17);
+    static_assert(kCount >= 1 && kCount <= 15);
     // clang-format off
     if constexpr (kCount == 1) { auto& [a] = value; visit(a); }
     if constexpr (kCount == 2) { auto& [a, b] = value; visit(a, b); }
@@ -54,8 +54,6 @@ void visit_fields_of(T& value, Visitor&& visit) {
     if constexpr (kCount == 13) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = value; visit(a, b, c, d, e, f, g, h, i, j, k, l, m); }
     if constexpr (kCount == 14) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = value; visit(a, b, c, d, e, f, g, h, i, j, k, l, m, n); }
     if constexpr (kCount == 15) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = value; visit(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o); }
-    if constexpr (kCount == 16) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = value; visit(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p); }
-    if constexpr (kCount == 17) { auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = value; visit(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q); }
     // clang-format on
 }
 

@@ -21,15 +21,8 @@ float spin_limit_within_step(const SolverBody& body, const BodyStore& bodies, st
     return is_joined ? spin_limit(body, limits) : limits.fast_spin;
 }
 
-// Few bodies are that fast, and all are asked twice in a sub-step. True for a velocity that is not a number.
-bool exceeds_limits(const SolverBody& body, const SpeedLimits& limits) {
-    return !(length_sq(body.velocity) <= limits.speed * limits.speed) ||
-           !(std::abs(body.angular_velocity) <= limits.spin);
-}
-
 void clamp_within_step(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) {
     SolverBody& body = bodies.solver_bodies[i];
-    if (!exceeds_limits(body, limits)) return;
     clamp_speed(body, limits, spin_limit_within_step(body, bodies, i, limits));
 }
 
@@ -52,37 +45,22 @@ void integrate_position(SolverBody& body, float h, const SpeedLimits& limits) {
 
 }  // namespace
 
-void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits,
-                          std::span<BodyVelocity> without_contacts, bool warm_starts, Crew& crew) {
+void integrate_velocities(BodyStore& bodies, Vec2 gravity, float h, const SpeedLimits& limits, Crew& crew) {
     TUMBLE_CHECK(bodies.moving.size() == bodies.solver_bodies.size());
-    TUMBLE_CHECK(without_contacts.size() == bodies.solver_bodies.size());
     TUMBLE_CHECK(h > 0.0f);
     crew.for_each(bodies.solver_bodies.size(), kLeastIntegrated, [&](std::size_t i) {
         SolverBody& body = bodies.solver_bodies[i];
         if (!(body.flags & kDynamicBody)) return;
-        BodyVelocity contacts_did = velocity_of(body);
-        contacts_did -= without_contacts[i];
         integrate_velocity(body, bodies.moving[i], gravity, h);
         clamp_within_step(bodies, i, limits);
-        without_contacts[i] = velocity_of(body);
-        if (!warm_starts) return;
-        body.velocity += contacts_did.linear;
-        body.angular_velocity += contacts_did.angular;
     });
 }
 
-void integrate_positions(BodyStore& bodies, float h, const SpeedLimits& limits,
-                         std::span<BodyVelocity> without_contacts, Crew& crew) {
-    TUMBLE_CHECK(without_contacts.size() == bodies.solver_bodies.size());
+void integrate_positions(BodyStore& bodies, float h, const SpeedLimits& limits, Crew& crew) {
     crew.for_each(bodies.solver_bodies.size(), kLeastIntegrated, [&](std::size_t i) {
-        SolverBody& body = bodies.solver_bodies[i];
         if (i == kStaticSolverBody) return;
-        if ((body.flags & kDynamicBody) && exceeds_limits(body, limits)) {
-            without_contacts[i] -= velocity_of(body);
-            clamp_within_step(bodies, i, limits);
-            without_contacts[i] += velocity_of(body);
-        }
-        integrate_position(body, h, limits);
+        if (bodies.solver_bodies[i].flags & kDynamicBody) clamp_within_step(bodies, i, limits);
+        integrate_position(bodies.solver_bodies[i], h, limits);
     });
 }
 

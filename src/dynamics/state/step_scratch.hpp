@@ -8,7 +8,6 @@
 #include "broad/pair_set.hpp"
 #include "broad/tree.hpp"
 #include "dynamics/bodies/body_store.hpp"
-#include "dynamics/bodies/integrate.hpp"
 #include "dynamics/contacts/contact.hpp"
 #include "dynamics/contacts/contact_solver.hpp"
 #include "dynamics/direct/joint_system.hpp"
@@ -28,7 +27,7 @@ struct Sleeper {
     friend constexpr auto operator<=>(Sleeper, Sleeper) = default;
 };
 
-// A contact with a manifold between a dynamic shape and a shape of a static or kinematic body.
+// A contact between a dynamic shape and a shape of a static or kinematic body that is not part of a chain.
 struct GroundContact {
     std::uint32_t moving_shape = 0;  // index
     std::uint32_t contact = 0;       // index
@@ -110,9 +109,7 @@ struct StepScratch {
     // Constraints.
     ContactSolver contact_solver;
     JointSystem joint_system;
-    std::vector<BodyVelocity> without_contacts;  // by solver body: see integrate_velocities()
-    std::vector<std::uint32_t> joined_bodies;    // dynamic solver bodies with awake joints, sorted
-    std::vector<GroundContact> ground_contacts;  // valid until the bodies have moved
+    std::vector<GroundContact> ground_contacts;  // of seams
 
     // Falling asleep.
     IslandFinder islands;
