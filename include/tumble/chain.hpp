@@ -1,5 +1,5 @@
 // Chains: ground made of segments that store the points beside them, so that shapes slide over their joints smoothly.
-// The contacts of a segment are in chain_manifold.hpp.
+// The contacts of a segment are in manifold.hpp.
 #pragma once
 
 #include <span>

@@ -69,15 +69,12 @@ const std::map<std::string, std::set<std::string>> kPublicHeaders = {
     {"math", {"math.hpp"}},
     {"simd", {"math.hpp", "instruction_set.hpp"}},
     {"shape", {"math.hpp", "shape.hpp", "outline.hpp"}},
-    {"narrow",
-     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
-      "chain_manifold.hpp"}},
+    {"narrow", {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp"}},
     {"tasks", {"threads.hpp"}},
     {"broad", {"math.hpp", "threads.hpp"}},
     {"dynamics",
-     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp",
-      "chain_manifold.hpp", "id.hpp", "body.hpp", "joint.hpp", "world_def.hpp", "events.hpp", "counters.hpp",
-      "threads.hpp"}},
+     {"math.hpp", "shape.hpp", "distance.hpp", "cast.hpp", "compound.hpp", "manifold.hpp", "chain.hpp", "id.hpp",
+      "body.hpp", "joint.hpp", "world_def.hpp", "events.hpp", "counters.hpp", "threads.hpp"}},
 };
 
 // Third-party headers by their first folder or whole name, and the rooms that may include them.

@@ -6,7 +6,7 @@
 
 #include "reference/query/random.hpp"
 #include "support/near.hpp"
-#include "tumble/chain_manifold.hpp"
+#include "tumble/manifold.hpp"
 
 using namespace tumble;
 using namespace tumble::test;

@@ -109,7 +109,7 @@ TEST_CASE("a run does not depend on how many runs there are, nor on other parame
     CHECK(choose_run(plan, 41).seed != before.seed);
 }
 
-TEST_CASE("a plan has at most 60 shards of 5 to 2000 runs unless it states how many runs a shard has") {
+TEST_CASE("a plan has at most 60 shards of at most 2000 runs unless it states how many runs a shard has") {
     const auto sizes_of = [](std::uint64_t runs, std::uint64_t stated = 0) {
         Plan plan;
         plan.runs = runs;
@@ -117,8 +117,8 @@ TEST_CASE("a plan has at most 60 shards of 5 to 2000 runs unless it states how m
         return std::pair(runs_in_shard(plan), shard_count(plan));
     };
     using Sizes = std::pair<std::uint64_t, std::uint64_t>;
-    CHECK(sizes_of(3) == Sizes{5, 1});
-    CHECK(sizes_of(40) == Sizes{5, 8});
+    CHECK(sizes_of(3) == Sizes{1, 3});
+    CHECK(sizes_of(40) == Sizes{1, 40});
     CHECK(sizes_of(300) == Sizes{5, 60});
     CHECK(sizes_of(600) == Sizes{10, 60});
     CHECK(sizes_of(1'000'000) == Sizes{2000, 500});

@@ -21,8 +21,15 @@ float spin_limit_within_step(const SolverBody& body, const BodyStore& bodies, st
     return is_joined ? spin_limit(body, limits) : limits.fast_spin;
 }
 
+// Few bodies are that fast, and all are asked twice in a sub-step. True for a velocity that is not a number.
+bool exceeds_limits(const SolverBody& body, const SpeedLimits& limits) {
+    return !(length_sq(body.velocity) <= limits.speed * limits.speed) ||
+           !(std::abs(body.angular_velocity) <= limits.spin);
+}
+
 void clamp_within_step(BodyStore& bodies, std::size_t i, const SpeedLimits& limits) {
     SolverBody& body = bodies.solver_bodies[i];
+    if (!exceeds_limits(body, limits)) return;
     clamp_speed(body, limits, spin_limit_within_step(body, bodies, i, limits));
 }
 

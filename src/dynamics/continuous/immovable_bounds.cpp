@@ -10,7 +10,7 @@
 #include "dynamics/continuous/shape_core.hpp"
 #include "dynamics/continuous/swept_bodies.hpp"
 #include "dynamics/state/collision_rules.hpp"
-#include "tumble/chain_manifold.hpp"
+#include "tumble/manifold.hpp"
 #include "tumble/distance.hpp"
 
 namespace tumble {

@@ -7,7 +7,7 @@
 #include "debug/check.hpp"
 #include "dynamics/bodies/constants.hpp"
 #include "dynamics/continuous/shape_core.hpp"
-#include "tumble/chain_manifold.hpp"
+#include "tumble/manifold.hpp"
 
 namespace tumble {
 

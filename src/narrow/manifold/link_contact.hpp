@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "tumble/chain_manifold.hpp"
+#include "tumble/manifold.hpp"
 
 namespace tumble {
 
