@@ -5,6 +5,6 @@
 // functions out of line.
 #define TUMBLE_LANE_FUNCTION [[gnu::always_inline]] inline
 
-// A function that the others are inlined into, those of Eigen too: the compilers' estimate leaves some of them out of line,
-// and lanes then pass through memory.
+// A function that the others are inlined into, those of Eigen too: the compilers' estimate leaves some of them out of
+// line, and lanes then pass through memory.
 #define TUMBLE_LANE_KERNEL [[gnu::flatten]]

@@ -19,8 +19,8 @@ public:
         std::filesystem::create_directories(folder_);
         const std::string size = "size=" + std::to_string(kilobytes) + "k";
         if (mount("tmpfs", folder_.c_str(), "tmpfs", MS_NOSUID | MS_NODEV, size.c_str()) != 0)
-            FAIL("this user may not mount a small file system: " << std::strerror(errno)
-                 << "; run the test as root, or with unshare --map-root-user --mount");
+            FAIL("this user may not mount a small file system: "
+                 << std::strerror(errno) << "; run the test as root, or with unshare --map-root-user --mount");
     }
     ~SmallDisk() { umount(folder_.c_str()); }
     SmallDisk(const SmallDisk&) = delete;

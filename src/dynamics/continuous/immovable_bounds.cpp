@@ -10,8 +10,8 @@
 #include "dynamics/continuous/shape_core.hpp"
 #include "dynamics/continuous/swept_bodies.hpp"
 #include "dynamics/state/collision_rules.hpp"
-#include "tumble/manifold.hpp"
 #include "tumble/distance.hpp"
+#include "tumble/manifold.hpp"
 
 namespace tumble {
 

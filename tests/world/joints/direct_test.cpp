@@ -1,5 +1,5 @@
-// Joints solved directly, and pendulums with each of the solvers, against the exact mechanics of pendulums and chains, at
-// 60 Hz and 4 sub-steps.
+// Joints solved directly, and pendulums with each of the solvers, against the exact mechanics of pendulums and chains,
+// at 60 Hz and 4 sub-steps.
 #include <doctest/doctest.h>
 
 #include <algorithm>
