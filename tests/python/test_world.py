@@ -51,7 +51,7 @@ def test_properties_of_a_body_can_be_read_and_set():
     assert (body.gravity_scale, body.linear_damping, body.angular_damping) == (0.5, 0.25, 0.75)
     body.type = "kinematic"
     assert body.mass == 0
-    assert repr(body) == "<Body 0, kinematic, at (7, 8) m, 1 shapes>"
+    assert repr(body) == "<Body 0, kinematic, at (7, 8) m, 1 shape>"
     assert world.body(body.id) == body
     assert {body: 1}[world.bodies[0]] == 1
 

@@ -33,9 +33,6 @@ const Colors& colors_of(Theme theme);
 // As scenes write it: "high_contrast".
 std::string_view name_of(Theme theme);
 
-// As scenes write it: "high_contrast".
-std::string_view name_of(Theme theme);
-
 // How a frame is drawn: a style with its colours.
 struct Look {
     explicit Look(const SceneStyle& style = {});
