@@ -5,6 +5,6 @@
 // functions out of line.
 #define TUMBLE_LANE_FUNCTION [[gnu::always_inline]] inline
 
-// A function that the others are inlined into, those of Eigen too: the compilers' estimate leaves some of them out of
-// line, and lanes then pass through memory.
+// A kernel: every function that it calls is inlined, those of Eigen too. By their own estimate the compilers leave some
+// out of line, and lanes are then passed in memory.
 #define TUMBLE_LANE_KERNEL [[gnu::flatten]]

@@ -269,10 +269,13 @@ TEST_CASE("compare finds a missing ffmpeg before it simulates") {
 
 TEST_CASE("the frames of both runs have the theme of A") {
     const Folder folder;
-    const std::string a = folder.write("a.json", kFall), frames = (folder / "frames").string();
-    REQUIRE(run_tumble({"compare", a, a, "--frames", frames, "--fps", "1", "--size", "400x100", "--theme",
-                        "high_contrast", "--hide", "grid"})
-                .code == 0);
+    json bright = json::parse(kFall);
+    bright["camera"]["style"]["theme"] = "high_contrast";
+    const std::string a = folder.write("a.json", bright.dump()), b = folder.write("b.json", kFall);
+    const std::string frames = (folder / "frames").string();
+    REQUIRE(
+        run_tumble({"compare", a, b, "--frames", frames, "--fps", "1", "--size", "400x100", "--hide", "grid"}).code ==
+        0);
     const tumble::Image image = tumble::read_png(folder / "frames/frame_000000.png");
     for (const int column : {1, 403 + 1 + 1}) {  // 400 pixels, a gap of 4, and the other
         const std::size_t at = 4 * (static_cast<std::size_t>(image.width) * 1 + static_cast<std::size_t>(column));

@@ -62,16 +62,26 @@ TEST_CASE("--theme replaces the theme of the scene, in a shot and in frames") {
     CHECK(color_at(read_png(folder / "frames/frames/frame_000000.png"), 2, 177) == std::array<int, 3>{20, 25, 29});
 }
 
-TEST_CASE("a replay opens in the theme of --theme or of the scene, else in that of the reader's system") {
+TEST_CASE("a replay has the colours of all themes, and opens in that of --theme") {
     const Folder folder;
     const std::string plain = folder.write("plain.json", sliding_puck("{}"));
-    const std::string page = (folder / "page.html").string();
-    REQUIRE(
-        run_tumble({"run", plain, "-o", (folder / "out").string(), "--no-frames", "--replay", page, "--theme", "print"})
-            .code == 0);
+    const auto page = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> command{
+            "run", plain, "-o", (folder / "out").string(), "--no-frames", "--replay", "-", "--force", "--quiet"};
+        command.insert(command.end(), options.begin(), options.end());
+        const Answer answer = run_tumble(command);
+        REQUIRE_MESSAGE(answer.code == 0, answer.err);
+        return answer.out;
+    };
+    const std::string plain_page = page({});
     for (const ThemeName& theme : kThemes)
-        CHECK(read_text(page).find(":root[data-theme=\"" + std::string(theme.name) + "\"] { --ground: #") !=
+        CHECK(plain_page.find(":root[data-theme=\"" + std::string(theme.name) + "\"] { --ground: #") !=
               std::string::npos);
+    // Only the packed states, which name the theme, differ.
+    const std::string light = page({"--theme", "light"}), dark = page({"--theme", "dark"});
+    CHECK(page({}) == plain_page);
+    CHECK(light != plain_page);
+    CHECK(dark != light);
 }
 
 TEST_CASE("--plot puts plots below the frames, with a line at the time of each frame") {

@@ -37,7 +37,7 @@ void write_loop(const Scene& scene, std::uint64_t first, const GalleryOptions& o
     if (!is_interrupted()) video.finish();
 }
 
-// "03-bridge.gif": scenes may have equal names.
+// "3-bridge.gif": the number separates scenes with equal names.
 std::filesystem::path loop_name(const GalleryEntry& entry, std::size_t number) {
     return std::to_string(number + 1) + "-" + entry.check.name + ".gif";
 }

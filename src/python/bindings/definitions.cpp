@@ -191,7 +191,14 @@ static_assert(kKinds.size() == std::variant_size_v<JointDef>);
 
 void set_joint_members(JointDef& joint, const py::dict& members, const std::vector<std::string>& also) {
     const std::string what = kind_of(joint) + " joint";
-    std::visit([&](auto& def) { set_members(def, members, what.c_str(), also); }, joint);
+    std::visit(
+        [&](auto& def) {
+            if constexpr (requires { def.anchor_a; })
+                set_members(def, members, what.c_str(), also);
+            else  // `anchor` stands for both anchors, which this kind does not have
+                set_members(def, members, what.c_str());
+        },
+        joint);
 }
 
 template <std::size_t... index>

@@ -14,7 +14,8 @@ struct Colors {
     Color static_fill, kinematic_fill;
     std::array<Color, 8> bodies;  // fills of dynamic bodies, in the order in which their names occur
 
-    bool keeps_materials;  // false: colours of materials are left out, which the theme cannot answer for
+    bool keeps_materials;  // false: the colours of materials are not used, as they could break the contrasts of the
+                           // theme
 
     // An outline is its fill mixed with `shade`, or with `tint` if the fill has a luma below `least_luma` (0 to 1).
     Color shade, tint;

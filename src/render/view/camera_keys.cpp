@@ -1,8 +1,8 @@
-// The key frames of a camera: the view of each at the present time, and what lies between two of them.
+// The key frames of a camera: the view of each key frame, and the interpolation between two of them.
 //
-// Between the times of two key frames the view is a mix of theirs: of the share u of the time between them that is
-// over, s = 3 u^2 - 2 u^3 is the share of the later one, in the centre and in the height. The view is smooth in time,
-// and at rest at each key frame.
+// Let u be the fraction of the time between two key frames that has passed. Centre and height are those of the earlier
+// key frame plus s = 3 u^2 - 2 u^3 times the difference. The velocity of the view is continuous, and 0 at each key
+// frame.
 #include <algorithm>
 #include <iterator>
 #include <span>
