@@ -12,7 +12,6 @@
 using namespace tumble;
 using tumble::test::Answer;
 using tumble::test::Folder;
-using tumble::test::read_text;
 using tumble::test::run_tumble;
 
 namespace {
