@@ -25,9 +25,9 @@ namespace tumble {
 // How a world solves the equality constraints of its joints: coinciding anchors, rods, rails, rigid welds, ropes over
 // pulleys, gears. Limits, motors and springs are iterated in both cases.
 enum class JointSolver : std::uint8_t {
-    // One after the other, once or twice in a sub-step, with a softness of 60 Hz. O(joints). Joints open under load,
-    // and the more, the heavier the bodies at the end of a chain; mechanisms lose energy. A hinge or rod that is the
-    // only joint of its dynamic bodies is solved exactly: pendulums keep period and amplitude.
+    // One after the other, with a softness of 60 Hz: O(joints), but joints open under load, and mechanisms lose energy.
+    // Exact are a hinge or rod that is alone, up to 4 joints that hang from a static or kinematic body, and up to 64 if
+    // one of their bodies has 10 times the mass of another: see the README beside this file.
     iterative,
 
     // All at once, by a sparse factorization in each sub-step. Joints do not open, and pendulums and chains keep their

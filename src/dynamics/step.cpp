@@ -59,8 +59,7 @@ FrictionBound friction_bound(const Simulation& simulation) {
 
 JointContext joint_context(const Simulation& simulation) {
     const float h = simulation.settings.substep_duration();
-    const bool is_direct = simulation.settings.joints == JointSolver::direct;
-    return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h), !is_direct};
+    return {h, 1.0f / h, joint_softness(simulation.settings.tuning, h)};
 }
 
 StepAhead step_ahead(const Simulation& simulation) {
@@ -154,7 +153,7 @@ void begin_step(Simulation& simulation, StageClock& clock) {
 void solve(Simulation& simulation, StageClock& clock) {
     StageTimes& ms = simulation.report.times;
     prepare_constraints(simulation);
-    simulation.report.colors = simulation.scratch->contact_solver.color_count();
+    simulation.report.colors = simulation.scratch->contact_solver.graph().color_count();
     clock.stop(ms.prepare);
     if (simulation.settings.orders_impacts()) begin_flight(simulation);
     for (int i = 0; i < simulation.settings.substeps; ++i) run_substep(simulation);
@@ -267,8 +266,9 @@ void prepare_constraints(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
     simulation.scratch->contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
                                                settings.gravity, settings.substep_duration(), simulation.crew);
-    simulation.joints.prepare(simulation.bodies, simulation.crew);
-    if (settings.joints == JointSolver::direct)
+    simulation.joints.prepare(simulation.bodies, simulation.scratch->contact_solver.graph(), settings.joints,
+                              simulation.crew);
+    if (simulation.joints.has_direct())
         simulation.scratch->joint_system.prepare(simulation.joints, simulation.bodies.solver_bodies,
                                                  settings.substep_duration(), settings.tuning.push_out_speed);
 }
@@ -280,7 +280,7 @@ void run_substep(Simulation& simulation) {
     ContactSolver& contacts = simulation.scratch->contact_solver;
     Crew& crew = simulation.crew;
     integrate_velocities(simulation.bodies, simulation.settings.gravity, context.h, speed_limits(simulation), crew);
-    JointSystem* system = context.iterates_equalities ? nullptr : &simulation.scratch->joint_system;
+    JointSystem* system = simulation.joints.has_direct() ? &simulation.scratch->joint_system : nullptr;
     if (system) system->start_substep();
     simulation.joints.warm_start(bodies);
     contacts.warm_start(bodies, crew);

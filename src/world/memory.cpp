@@ -57,6 +57,12 @@ std::size_t bytes_of(const BroadPhase& broad) {
     return counter.bytes() + broad.spare_bytes();
 }
 
+std::size_t bytes_of(const JointStore& joints) {
+    MemoryCounter counter;
+    visit_value(counter, joints);
+    return counter.bytes() + joints.group_bytes();
+}
+
 // Members of the scratch memory are vectors of plain values, or count themselves.
 template <class T>
 std::size_t scratch_bytes(const std::vector<T>& values) {

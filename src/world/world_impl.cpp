@@ -42,6 +42,7 @@ void World::Impl::update_mass(BodyId id) {
     const BodyRecord& record = bodies.records[id.index];
     const std::vector<ShapeId>& shapes = record.shapes;
     BodyMass mass;
+    if (!record.joints.empty()) simulation.joints.forget_groups();
     // A static body needs neither mass nor reach. Without this line, adding n shapes to it one by one would be O(n^2).
     if (bodies.frames[id.index].type == BodyType::static_body) return bodies.set_mass(id, mass, 0.0f, 0.0f);
     if (bodies.is_dynamic(id.index)) mass = record.own_mass ? *record.own_mass : body_mass(shapes, simulation.shapes);

@@ -36,7 +36,7 @@ public:
     void apply_restitution(std::span<SolverBody> bodies, float threshold, float h, Crew& crew);
     void store_impulses(std::span<Contact> contacts, std::span<SolverBody> bodies, Crew& crew) const;
 
-    int color_count() const { return graph_.color_count(); }
+    const ConstraintGraph& graph() const { return graph_; }
     std::size_t bytes() const;
 
     // Throws std::logic_error if the blocks are not those of the graph, or if a block moves a body twice.

@@ -36,20 +36,14 @@ Hold hold_of(const RowEnd& end) {
 
 }  // namespace
 
-bool JointSystem::has_same_couplings(JointStore& joints, std::span<const SolverBody> bodies) {
-    std::size_t count = 0;
-    bool is_same = true;
-    joints.visit_equalities(bodies, [&](const EqualityRow& row) {
-        if (count == pattern_.couplings.size()) {
-            pattern_.couplings.emplace_back();
-            is_same = false;
-        }
-        const RowCoupling now = coupling(row);
-        is_same &= pattern_.couplings[count] == now;
-        pattern_.couplings[count++] = now;
-    });
-    is_same &= count == pattern_.couplings.size();
-    pattern_.couplings.resize(count);
+bool JointSystem::has_same_couplings() {
+    bool is_same = pattern_.couplings.size() == listed_.size();
+    pattern_.couplings.resize(listed_.size());
+    for (std::size_t i = 0; i < listed_.size(); ++i) {
+        const RowCoupling now = coupling(listed_[i]);
+        is_same &= pattern_.couplings[i] == now;
+        pattern_.couplings[i] = now;
+    }
     return is_same;
 }
 
@@ -58,7 +52,8 @@ void JointSystem::prepare(JointStore& joints, std::span<const SolverBody> bodies
     TUMBLE_CHECK(correction_speed >= 0.0f);
     h_ = h;
     largest_correction_ = double{h} * double{correction_speed};
-    if (!has_same_couplings(joints, bodies)) {
+    list_rows(joints, bodies);
+    if (!has_same_couplings()) {
         pattern_.analyze();
         factor_.analyze(pattern_.lower);
         rows_.assign(pattern_.couplings.size(), {});
@@ -70,26 +65,30 @@ void JointSystem::prepare(JointStore& joints, std::span<const SolverBody> bodies
     loads_.resize(bodies.size());
     changes_.resize(bodies.size());
     predicted_.resize(bodies.size());
-    measure_loads(joints, bodies);
-    hold_components(joints, bodies);
-    list_rows(joints, bodies);
+    measure_loads();
+    hold_components();
+    make_rows();
     factorize();
+}
+
+void JointSystem::list_rows(JointStore& joints, std::span<const SolverBody> bodies) {
+    listed_.clear();
+    joints.visit_equalities(bodies, [&](const EqualityRow& row) { listed_.push_back(row); });
 }
 
 // Tension turns a link back into line, like a spring on the rotation. Where that spring is too stiff for the sub-step,
 // the joints see a greater inertia (JOINT_SYSTEM.md, steps 9 to 13). It does not change what a chain weighs or where it
 // hangs.
-void JointSystem::measure_loads(JointStore& joints, std::span<const SolverBody> bodies) {
+void JointSystem::measure_loads() {
     for (const std::uint32_t body : pattern_.bodies) {
         TUMBLE_CHECK(body < loads_.size());
         loads_[body] = {};
     }
     const auto for_each_linear_end = [&](auto&& visit) {
-        joints.visit_equalities(bodies, [&](const EqualityRow& row) {
+        for (const EqualityRow& row : listed_)
             for (std::uint32_t i = 0; i < row.end_count; ++i)
                 if (is_moved(row.ends[i]) && row.ends[i].axis != Vec2{})
                     visit(loads_[row.ends[i].body], row.ends[i], *row.impulse);
-        });
     };
     for_each_linear_end([](Load& load, const RowEnd& end, float) {
         load.anchors += end.arm;
@@ -104,20 +103,21 @@ void JointSystem::measure_loads(JointStore& joints, std::span<const SolverBody> 
         loads_[body].least_inertia = std::max(0.0, double{h_} * loads_[body].stiffness / kStiffRotation);
 }
 
-void JointSystem::hold_components(JointStore& joints, std::span<const SolverBody> bodies) {
+void JointSystem::hold_components() {
     TUMBLE_CHECK(guarded_.size() == pattern_.bodies.size());
     guard_.reset(pattern_.component_count);
+    driven_.clear();
     for (std::size_t i = 0; i < guarded_.size(); ++i) {
         guarded_[i].body = pattern_.bodies[i];
         guarded_[i].component = pattern_.components[i];
     }
-    std::size_t index = 0;
-    joints.visit_equalities(bodies, [&](const EqualityRow& row) {
-        TUMBLE_CHECK(index < pattern_.positions.size());
-        const std::uint32_t component = pattern_.row_component[pattern_.positions[index++]];
+    for (std::size_t index = 0; index < listed_.size(); ++index) {
+        const std::uint32_t component = pattern_.row_component[pattern_.positions[index]];
         TUMBLE_CHECK(component <= pattern_.component_count);
-        for (std::uint32_t i = 0; i < row.end_count && component < pattern_.component_count; ++i) {
-            const RowEnd& end = row.ends[i];
+        for (std::uint32_t i = 0; i < listed_[index].end_count; ++i) {
+            const RowEnd& end = listed_[index].ends[i];
+            if (hold_of(end) == Hold::driven) driven_.push_back(end.body);
+            if (component == pattern_.component_count) continue;
             guard_.hold(component, hold_of(end));
             if (!is_moved(end)) continue;
             const auto at = std::lower_bound(pattern_.bodies.begin(), pattern_.bodies.end(), end.body);
@@ -129,7 +129,7 @@ void JointSystem::hold_components(JointStore& joints, std::span<const SolverBody
             guarded.inertia =
                 end.inv_inertia > 0.0f ? std::max(inverse(end.inv_inertia), loads_[end.body].least_inertia) : 0.0;
         }
-    });
+    }
 }
 
 JointSystem::End JointSystem::make_end(const RowEnd& end) const {
@@ -140,18 +140,17 @@ JointSystem::End JointSystem::make_end(const RowEnd& end) const {
     return {end.body, {x, y, angular}, {end.inv_mass.x * x, end.inv_mass.y * y, inv_inertia * angular}};
 }
 
-void JointSystem::list_rows(JointStore& joints, std::span<const SolverBody> bodies) {
-    std::size_t index = 0;
-    joints.visit_equalities(bodies, [&](const EqualityRow& listed) {
-        TUMBLE_CHECK(index < pattern_.positions.size());
-        Row& row = rows_[pattern_.positions[index++]];
+void JointSystem::make_rows() {
+    TUMBLE_CHECK(listed_.size() == rows_.size());
+    for (std::size_t index = 0; index < listed_.size(); ++index) {
+        const EqualityRow& listed = listed_[index];
+        Row& row = rows_[pattern_.positions[index]];
         TUMBLE_CHECK(listed.impulse != nullptr);
         row.end_count = listed.end_count;
         row.error = listed.error;
         row.impulse = listed.impulse;
         for (std::uint32_t i = 0; i < listed.end_count; ++i) row.ends[i] = make_end(listed.ends[i]);
-    });
-    TUMBLE_CHECK(index == rows_.size());
+    }
 }
 
 void JointSystem::factorize() {
@@ -178,9 +177,9 @@ void JointSystem::start_substep() {
     for (const Row& row : rows_) *row.impulse = 0.0f;
 }
 
-void JointSystem::predict(std::span<const SolverBody> bodies) {
+void JointSystem::predict(std::span<const std::uint32_t> chosen, std::span<const SolverBody> bodies) {
     TUMBLE_CHECK(bodies.size() == predicted_.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const std::uint32_t i : chosen) {
         predicted_[i] = bodies[i];
         predicted_[i].delta_position += h_ * bodies[i].velocity;
         predicted_[i].delta_rotation =
@@ -192,7 +191,8 @@ void JointSystem::solve_chord(JointStore& joints, std::span<SolverBody> bodies) 
     if (rows_.empty()) return;
     project(bodies);
     guard_.before_chord(guarded_, bodies);
-    predict(bodies);
+    predict(pattern_.bodies, bodies);
+    predict(driven_, bodies);
     std::size_t index = 0;
     joints.visit_equalities(predicted_, [&](const EqualityRow& row) {
         const std::uint32_t position = pattern_.positions[index++];
@@ -208,6 +208,7 @@ void JointSystem::solve_chord(JointStore& joints, std::span<SolverBody> bodies) 
 void JointSystem::project_velocities(JointStore& joints, std::span<SolverBody> bodies) {
     if (rows_.empty()) return;
     list_rows(joints, bodies);
+    make_rows();
     factorize();
     guard_.before_projection(guarded_, bodies);
     project(bodies);
@@ -250,6 +251,7 @@ void JointSystem::apply(std::span<SolverBody> bodies) {
 std::size_t JointSystem::bytes() const {
     return pattern_.bytes() + factor_.bytes() + guard_.bytes() + rows_.capacity() * sizeof(Row) +
            loads_.capacity() * sizeof(Load) + changes_.capacity() * sizeof(Motion) +
+           listed_.capacity() * sizeof(EqualityRow) + driven_.capacity() * sizeof(std::uint32_t) +
            guarded_.capacity() * sizeof(GuardedBody) + predicted_.capacity() * sizeof(SolverBody) +
            (entries_.capacity() + diagonal_.capacity() + solution_.capacity()) * sizeof(double);
 }

@@ -1,4 +1,5 @@
-// The direct solver of joints: all equality constraints of the awake joints as one linear system, solved exactly.
+// The direct solver of joints: the equality constraints of all joints that it takes as one linear system, solved
+// exactly. It takes all joints, or those of joints/joint_groups.hpp.
 //
 // In a sub-step of length h, C are the errors of the rows, J their Jacobian, M the masses, and A = J M^-1 J^T:
 //   before the bodies move   1. A P = -J v: the velocities, with what gravity and forces have added, satisfy the rows
@@ -60,27 +61,30 @@ private:
         double least_inertia = 0.0;  // kg m^2
     };
 
-    bool has_same_couplings(JointStore& joints, std::span<const SolverBody> bodies);
-    void measure_loads(JointStore& joints, std::span<const SolverBody> bodies);
-    void hold_components(JointStore& joints, std::span<const SolverBody> bodies);
-    End make_end(const RowEnd& end) const;
     void list_rows(JointStore& joints, std::span<const SolverBody> bodies);
+    bool has_same_couplings();
+    void measure_loads();
+    void hold_components();
+    End make_end(const RowEnd& end) const;
+    void make_rows();
     void factorize();
-    void predict(std::span<const SolverBody> bodies);
+    void predict(std::span<const std::uint32_t> chosen, std::span<const SolverBody> bodies);
     void project(std::span<SolverBody> bodies);
     void apply(std::span<SolverBody> bodies);
 
     float h_ = 0.0f;
     double largest_correction_ = 0.0;  // in a sub-step, m or rad
     SystemPattern pattern_;
-    std::vector<Row> rows_;        // by position
-    std::vector<Load> loads_;      // by solver body
-    std::vector<Motion> changes_;  // by solver body: of the velocity
+    std::vector<EqualityRow> listed_;  // as the joints list them
+    std::vector<Row> rows_;            // by position
+    std::vector<Load> loads_;          // by solver body
+    std::vector<Motion> changes_;      // by solver body: of the velocity
     std::vector<GuardedBody> guarded_;
     EnergyGuard guard_;
     std::vector<double> entries_, diagonal_, solution_;
     SparseLdlt factor_;
-    std::vector<SolverBody> predicted_;  // at the end of the sub-step with the present velocities
+    std::vector<std::uint32_t> driven_;  // kinematic solver bodies of the rows, some more than once
+    std::vector<SolverBody> predicted_;  // those of the rows at the end of the sub-step with the present velocities
 };
 
 }  // namespace tumble

@@ -115,6 +115,7 @@ void JointStore::redefine(JointId id, const JointDef& def) {
     TUMBLE_CHECK(def.index() == records_[id.index].def.index());
     records_[id.index].def = def;
     loads_[id.index].strength = joint_strength(def);
+    has_groups_ = false;
     visit_list_of(*this, id, [&](auto& list, const auto& kind) {
         TUMBLE_CHECK(records_[id.index].slot < list.joints.size());
         auto& joint = list.joints[records_[id.index].slot];
@@ -139,6 +140,7 @@ void JointStore::wake(JointId id) {
     if (record.is_awake) return;
     record.is_awake = true;
     is_unsorted_ = true;
+    has_groups_ = false;
     visit_list_of(*this, id, [&](auto& list, const auto&) { list.awake.push_back({id.index, record.slot}); });
 }
 
@@ -147,12 +149,24 @@ void JointStore::put_to_sleep(std::span<const JointId> sleepers) {
         TUMBLE_CHECK(ids.is_live(id));
         records_[id.index].is_awake = false;
     }
+    has_groups_ &= sleepers.empty();
     for_each_list(*this, [&](auto& list) {
         std::erase_if(list.awake, [&](AwakeJoint awake) { return !records_[awake.joint].is_awake; });
     });
 }
 
-void JointStore::prepare(const BodyStore& bodies, Crew& crew) {
+void JointStore::find_groups(const BodyStore& bodies, JointSolver solver) {
+    std::vector<bool> has_equalities(records_.size());
+    for_each_list(*this, [&](auto& list) {
+        for (const AwakeJoint& awake : list.awake)
+            list.joints[awake.slot].visit_equalities(bodies.solver_bodies,
+                                                     [&](const EqualityRow&) { has_equalities[awake.joint] = true; });
+    });
+    groups_.find(solver, has_equalities, *this, bodies);
+    has_groups_ = true;
+}
+
+void JointStore::prepare(const BodyStore& bodies, const ConstraintGraph& contacts, JointSolver solver, Crew& crew) {
     constexpr std::size_t kLeastJoints = 128;  // in a chunk: about 3 us of work
     if (is_unsorted_) for_each_list(*this, [](auto& list) { std::sort(list.awake.begin(), list.awake.end()); });
     is_unsorted_ = false;
@@ -164,6 +178,8 @@ void JointStore::prepare(const BodyStore& bodies, Crew& crew) {
         crew.for_each(list.awake.size(), kLeastJoints,
                       [&](std::size_t i) { list.joints[list.awake[i].slot].prepare(bodies); });
     });
+    if (!has_groups_) find_groups(bodies, solver);
+    groups_.choose(bodies, contacts);
 }
 
 void JointStore::warm_start(std::span<SolverBody> bodies) const {
@@ -174,7 +190,14 @@ void JointStore::warm_start(std::span<SolverBody> bodies) const {
 void JointStore::solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies) {
     TUMBLE_CHECK(context.h > 0.0f);
     TUMBLE_CHECK(bodies.size() > kStaticSolverBody);
-    for_each_awake(*this, [&](auto& joint) { joint.solve(context, use_bias, bodies); });
+    if (!has_direct()) return for_each_awake(*this, [&](auto& joint) { joint.solve(context, use_bias, bodies); });
+    JointContext without_equalities = context;
+    without_equalities.iterates_equalities = false;
+    for_each_list(*this, [&](auto& list) {
+        for (const AwakeJoint& awake : list.awake)
+            list.joints[awake.slot].solve(groups_.is_direct(awake.joint) ? without_equalities : context, use_bias,
+                                          bodies);
+    });
 }
 
 void JointStore::store(const JointContext& context) {

@@ -17,6 +17,7 @@
 #include "dynamics/joints/distance_joint.hpp"
 #include "dynamics/joints/filter_joint.hpp"
 #include "dynamics/joints/gear_joint.hpp"
+#include "dynamics/joints/joint_groups.hpp"
 #include "dynamics/joints/motor_joint.hpp"
 #include "dynamics/joints/mouse_joint.hpp"
 #include "dynamics/joints/prismatic_joint.hpp"
@@ -87,14 +88,24 @@ public:
     void wake(JointId id);
     void put_to_sleep(std::span<const JointId> ids);
 
-    void prepare(const BodyStore& bodies, Crew& crew);
+    // After the contacts of the step: joint_groups.hpp decides by them which joints the direct solver takes.
+    void prepare(const BodyStore& bodies, const ConstraintGraph& contacts, JointSolver solver, Crew& crew);
+
+    // To be called after a change of the type or mass of a body with joints.
+    void forget_groups() { has_groups_ = false; }
+
+    bool has_direct() const { return groups_.has_direct(); }
     void warm_start(std::span<SolverBody> bodies) const;
     void solve(const JointContext& context, bool use_bias, std::span<SolverBody> bodies);
 
-    // Calls visit(EqualityRow) for each equality constraint of the awake joints, at the given deltas of the bodies.
+    // Calls visit(EqualityRow) for each equality constraint that the direct solver takes, at the given deltas of the
+    // bodies.
     template <class Visitor>
     void visit_equalities(std::span<const SolverBody> bodies, Visitor&& visit) {
-        for_each_awake(*this, [&](auto& joint) { joint.visit_equalities(bodies, visit); });
+        for_each_list(*this, [&](auto& list) {
+            for (const AwakeJoint& awake : list.awake)
+                if (groups_.is_direct(awake.joint)) list.joints[awake.slot].visit_equalities(bodies, visit);
+        });
     }
 
     // Stores the reactions of the awake joints, and lists those that break.
@@ -120,6 +131,8 @@ public:
         for_each_list(*this, [&](const auto& list) { count += list.awake.size(); });
         return count;
     }
+
+    std::size_t group_bytes() const { return groups_.bytes(); }
 
     // An invariant: each joint has its load.
     bool has_all_loads() const { return loads_.size() == records_.size(); }
@@ -182,11 +195,17 @@ private:
     template <class Self, class Visitor>
     static void visit_list_of(Self& self, JointId id, Visitor&& visit);
 
+    void find_groups(const BodyStore& bodies, JointSolver solver);
+
     std::vector<JointRecord> records_;  // by joint index
     std::vector<JointLoad> loads_;      // by joint index
     KindList lists_;
     std::vector<JointId> broken_;
     bool is_unsorted_ = false;  // an awake list got joints since the last prepare()
+
+    // Derived from the joints and their bodies; a snapshot does not contain them.
+    JointGroups groups_;
+    bool has_groups_ = false;
 };
 
 }  // namespace tumble
