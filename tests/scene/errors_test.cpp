@@ -98,6 +98,23 @@ TEST_CASE("syntax errors state the location, and some of them a hint") {
     }
 }
 
+TEST_CASE("zeros at the end of the text are judged by the text alone") {
+    const auto hint_of = [](const std::string& text) {
+        const std::vector<char> bytes(text.begin(), text.end());  // nothing ends it
+        try {
+            parse_scene(std::string_view(bytes.data(), bytes.size()), "zeros.json");
+        } catch (const SceneError& error) {
+            return error.diagnostics.at(0).hint;
+        }
+        return std::string();
+    };
+    const std::string before = R"({"format": )";
+    CHECK(hint_of(before + "0") == "the last '{' is not closed");
+    CHECK(hint_of(before + "1.0") == "the last '{' is not closed");
+    CHECK(hint_of(before + "00") == "a number has no zeros before it: 0");
+    CHECK(hint_of(before + "-01") == "a number has no zeros before it: 1");
+}
+
 TEST_CASE("a byte-order mark and both kinds of comment are allowed, and no column counts the mark") {
     CHECK(errors_of("\xEF\xBB\xBF{\"format\": 1} // end").empty());
     CHECK(errors_of("/* a\n \"b\": { */ {\"format\": 1 // 2\n}").empty());
@@ -305,6 +322,12 @@ TEST_CASE("hints write a value of another kind as this format does") {
               .starts_with("an expression in quotes"));
     CHECK(error_of(R"({"format": 1, "expect": [{"picture": "golden.jpg"}]})").message ==
           "must be the name of a .png file, got \"golden.jpg\"");
+    const auto picture = [&](std::size_t bytes) {  // whose name has so many bytes
+        const std::string name = std::string(bytes - 4, 'a') + ".png";
+        return parse_scene(R"({"format": 1, "expect": [{"picture": ")" + name + R"(", "at": 0}]})", "long.json");
+    };
+    CHECK_NOTHROW(picture(256));
+    CHECK_THROWS_WITH(picture(257), doctest::Contains("must be a name of 1 to 256 bytes"));
     const std::string joint = R"("bodies": ["a", "b"], "anchor": [0, 0], )";
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "limits": {"min": -10, "max": 10})")) == "[-10, 10]");
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "motor": true)")).starts_with("\"motor\": {"));
