@@ -347,6 +347,10 @@ def test_a_world_shows_itself():
     assert world.render(320, 180, overlay=["contacts", "aabbs"]).shape == pixels.shape
     with pytest.raises(ValueError, match="overlay 'contact'"):
         world.render(overlay=["contact"])
+    assert np.array_equal(pixels, world.render(320, 180, theme="light"))
+    assert world.render(320, 180, theme="dark").mean() < 0.6 * pixels.mean()
+    with pytest.raises(ValueError, match="theme must be one of light, dark, .*, got 'night'"):
+        world.render(theme="night")
     with pytest.raises(ValueError):
         world.render(3, 3)
     with pytest.raises(TypeError):
@@ -356,6 +360,17 @@ def test_a_world_shows_itself():
     with pytest.raises(tumble.FileError):
         tumble.write_png(pixels, "/no/such/folder/x.png")
     assert repr(world).startswith("<World at 0.000 s: 2 bodies")
+
+
+def test_a_body_that_is_very_far_away_does_not_hide_the_others():
+    world = make_world()
+    ball = world.add_body(shapes=[tumble.circle(0.5)], position=(0, 2))
+    near = world.render(320, 180)
+    world.add_body(shapes=[tumble.circle(0.5)], position=(1e7, 0))
+    world.add_body(shapes=[tumble.circle(0.5)], position=(0, -1e7))
+    assert np.array_equal(near, world.render(320, 180))
+    (center, height) = tumble.fitted_camera(world)
+    assert abs(center[0] - ball.position[0]) < height and height < 20
 
 
 def test_a_circle_larger_than_all_frames_fills_the_frame():
