@@ -211,7 +211,8 @@ TEST_CASE("the trace has every iteration of the search for a better proof") {
             const DistanceTrace trace = trace_distance(query.a, query.pose_a, query.b, query.pose_b, by);
             REQUIRE(!trace.result.reached_cap);
             CHECK(trace.steps.size() + 1 == trace.result.iterations);
-            CHECK(trace.steps.back().lower >= trace.result.lower);  // of the cores: the shapes are no farther apart
+            // One proof, of which each of the two subtracts the error bound. The loop alone proves 3e-9 m less.
+            CHECK(trace.steps.back().lower >= trace.result.lower - core_error_bound(query));
             for (std::size_t i = 1; i < trace.steps.size(); ++i)
                 CHECK(trace.steps[i].upper <= trace.steps[i - 1].upper);
         }
