@@ -98,23 +98,6 @@ TEST_CASE("syntax errors state the location, and some of them a hint") {
     }
 }
 
-TEST_CASE("zeros at the end of the text are judged by the text alone") {
-    const auto hint_of = [](const std::string& text) {
-        const std::vector<char> bytes(text.begin(), text.end());  // nothing ends it
-        try {
-            parse_scene(std::string_view(bytes.data(), bytes.size()), "zeros.json");
-        } catch (const SceneError& error) {
-            return error.diagnostics.at(0).hint;
-        }
-        return std::string();
-    };
-    const std::string before = R"({"format": )";
-    CHECK(hint_of(before + "0") == "the last '{' is not closed");
-    CHECK(hint_of(before + "1.0") == "the last '{' is not closed");
-    CHECK(hint_of(before + "00") == "a number has no zeros before it: 0");
-    CHECK(hint_of(before + "-01") == "a number has no zeros before it: 1");
-}
-
 TEST_CASE("a byte-order mark and both kinds of comment are allowed, and no column counts the mark") {
     CHECK(errors_of("\xEF\xBB\xBF{\"format\": 1} // end").empty());
     CHECK(errors_of("/* a\n \"b\": { */ {\"format\": 1 // 2\n}").empty());
