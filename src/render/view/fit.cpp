@@ -28,7 +28,8 @@ constexpr double kMostExtent = 2000.0;
 constexpr double kGrowthForStatics = 1.75;  // at most, to show all static shapes
 constexpr double kGrowthForMotion = 3.0;    // at most, to show the motions, from the frame fitted to the start
 
-// The position of a body in the middle of some: the nearest to the medians of x and y. After a divergence some have none.
+// The position of a body in the middle of some: the nearest to the medians of x and y. After a divergence some have
+// none.
 DVec2 middle_position(const World& world, const std::vector<BodyId>& bodies) {
     std::vector<DVec2> positions;
     for (const BodyId body : bodies)
