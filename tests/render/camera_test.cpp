@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "render/hand_made_scene.hpp"
@@ -320,7 +321,8 @@ TEST_CASE("in an import the camera follows what drives away") {
             {"name": "box", "type": 2, "awake": true, "position": {"x": 0, "y": 0.5}, "linearVelocity": {"x": 12, "y": 0},
              "fixture": [{"density": 1, "polygon": {"vertices": {"x": [-0.5, 0.5, 0.5, -0.5], "y": [-0.5, -0.5, 0.5, 0.5]}}}]}]})",
         "level.json");
-    for (const auto& [imported, name] : {std::pair{drawing, "ball"}, {level, "box"}}) {
+    for (const auto& [imported, driven] : {std::pair{drawing, "ball"}, {level, "box"}}) {
+        const std::string name = driven;
         CAPTURE(name);
         SceneRun run(imported.scene);
         const auto body = std::ranges::find(run.built().bodies, name, &SceneInstance::name);
