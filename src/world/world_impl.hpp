@@ -77,8 +77,8 @@ private:
         const std::string numbers =
             " (index " + std::to_string(id.index) + ", generation " + std::to_string(id.generation) + ")";
         if (pool.was_live(id)) throw std::invalid_argument(text + "stale: the " + object + " was destroyed" + numbers);
-        throw std::invalid_argument(text + "foreign: no " + object + " of this world ever had it" + numbers +
-                                    "; it is probably of another world");
+        throw std::invalid_argument(text + "unknown: no " + object + " of this world has had it so far" + numbers +
+                                    "; it is of another world, or of a time after the snapshot that was restored");
     }
 };
 

@@ -245,7 +245,8 @@ class Fuzzer:
     def draw(self):
         what = self.pick([*self.worlds, *self.runs])
         self.kept.append(tumble.render(what, self.pick([32, 32, 3, -1, 10**9, "x"]), 32, center=self.vector(),
-                                       view_height=self.number(), overlay=self.pick([(), ["contacts"], ["x"], "x"])))  # fmt: skip
+                                       view_height=self.number(), overlay=self.pick([(), ["contacts"], ["x"], "x"]),
+                                       theme=self.pick([None, "dark", "x", 3])))  # fmt: skip
 
     def call(self, draws):
         calls = [(self.create, 12), (self.attach, 3), (self.chain, 2), (self.join, 4), (self.step, 6), (self.ask, 5),

@@ -59,6 +59,7 @@ CALLS = [
     (lambda: WORLD.add_joint("mouse", GROUND, BALL), TypeError, "a mouse joint needs max_force"),
     (lambda: WORLD.add_joint("motor", GROUND, BALL), TypeError, "a motor joint needs max_force .* or max_torque"),
     (lambda: WORLD.render("640"), TypeError, "width must be a whole number from 16 to 8192, got '640'"),
+    (lambda: WORLD.render(theme=3), TypeError, "theme must be a string, got 3"),
     (lambda: setattr(WORLD, "threads", 1.5), TypeError, "threads must be a whole number"),
     (lambda: setattr(BALL, "awake", "no"), TypeError, "awake must be True or False, got 'no'"),
     (lambda: BALL.lock(x="a"), TypeError, "x must be True or False"),

@@ -127,6 +127,7 @@ def test_a_run_is_drawn_with_the_camera_of_its_scene():
     assert not np.array_equal(first, run.render(320, 180))
     center, height = tumble.fitted_camera(run)
     assert height > 0
+    assert run.render(320, 180, theme="dark").mean() < 0.6 * run.render(320, 180).mean()
     assert run._repr_png_().startswith(b"\x89PNG")
     for wrong in [float("nan"), float("inf"), 0, -1]:
         with pytest.raises(ValueError, match=f"aspect_ratio must be finite and above 0, got {wrong}"):

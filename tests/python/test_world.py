@@ -335,38 +335,6 @@ def test_motions_can_be_locked_and_filters_changed():
     assert repr(tumble.circle(0.5)) == "<Shape of 1 vertex, radius 0.5 m, 1 x 1 m>"
 
 
-def test_a_world_shows_itself():
-    world = make_world()
-    world.add_body(shapes=[tumble.circle(0.5)], position=(0, 2))
-    pixels = world.render(320, 180)
-    assert pixels.shape == (180, 320, 4) and pixels.dtype == np.uint8
-    assert (pixels[..., 3] == 255).all() and pixels[..., :3].std() > 5
-    assert np.array_equal(pixels, world.render(320, 180))
-    assert world._repr_png_().startswith(b"\x89PNG")
-    assert not np.array_equal(pixels, tumble.render(world, 320, 180, center=(10, 0), view_height=3))
-    assert world.render(320, 180, overlay=["contacts", "aabbs"]).shape == pixels.shape
-    with pytest.raises(ValueError, match="overlay 'contact'"):
-        world.render(overlay=["contact"])
-    with pytest.raises(ValueError):
-        world.render(3, 3)
-    with pytest.raises(TypeError):
-        tumble.write_png(np.zeros((4, 4, 4)), "x.png")
-    with pytest.raises(ValueError):
-        tumble.write_png(np.zeros((4, 4), np.uint8), "x.png")
-    with pytest.raises(tumble.FileError):
-        tumble.write_png(pixels, "/no/such/folder/x.png")
-    assert repr(world).startswith("<World at 0.000 s: 2 bodies")
-
-
-def test_a_circle_larger_than_all_frames_fills_the_frame():
-    def pixels(radius):
-        world = tumble.World(gravity=(0, 0))
-        world.add_body(shapes=[tumble.circle(radius)])
-        return world.render(64, 48, center=(0, 0), view_height=4)
-
-    assert np.array_equal(pixels(1e5), pixels(1e16))
-
-
 def test_points_of_a_body_are_turned_and_moved():
     body = tumble.World().add_body(shapes=[tumble.circle(1)], position=(3, 1), angle=np.pi / 2)
     assert body.local_to_world((2, 0)) == pytest.approx((3, 3), abs=1e-6)  # rotations are float

@@ -87,6 +87,16 @@ TEST_CASE("without a height, the bodies that a key frame follows are in view, wi
     CHECK(near(shown_at(one, 1.0).height, 5.0, absolute(1e-5)));
 }
 
+TEST_CASE("a key frame that follows a body without shapes keeps the height of the camera") {
+    Scene scene = pucks(R"([{"time": 0, "follow": ["a"]}])");
+    scene.bodies.at(0).shapes.clear();
+    scene.bodies.at(0).position = {7.0, -2.0};
+    const SceneRun run(scene);
+    const Camera camera = apply_camera_keys(make_camera(scene, run.built(), kAspect), scene, run.built(), kAspect);
+    CHECK(camera.center == DVec2{7.0, -2.0});
+    CHECK(camera.height == 8.0);
+}
+
 TEST_CASE("a key frame whose bodies do not exist has the view of the camera") {
     const Scene scene = pucks(R"([{"time": 0, "follow": ["a"], "height": 3}])");
     SceneRun run(scene);

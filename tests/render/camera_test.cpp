@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "render/hand_made_scene.hpp"
@@ -243,6 +244,34 @@ TEST_CASE("a frame that follows a body is five times as high as it, from the sta
     CHECK(make_camera(s.scene, s.built, kAspect).height == 6.0);
 }
 
+TEST_CASE("a body so far away that no body could be seen with it does not enlarge the frame of a world") {
+    HandMadeScene s = pyramid({});
+    const Camera before = make_camera(s.built.world, kAspect);
+    for (const DVec2 position : {DVec2{1e7, 0.0}, DVec2{0.0, -1e7}, DVec2{-3000.0, 5000.0}}) {
+        HandMadeScene far = pyramid({});
+        far.add_dynamic("far", position, make_circle(0.5f));
+        const Camera camera = make_camera(far.built.world, kAspect);
+        CHECK(camera.center == before.center);
+        CHECK(camera.height == before.height);
+    }
+    s.add_dynamic("near", {1500.0, 0.0}, make_circle(0.5f));
+    CHECK(Framing(make_camera(s.built.world, kAspect), kAspect).contains({-5.0, 0.0}, {1500.5, 10.0}));
+    HandMadeScene two;  // as far from each other, at other heights
+    two.add_dynamic("a", {0.0, 1e5}, make_circle(0.5f));
+    two.add_dynamic("b", {1e5, 0.0}, make_circle(0.5f));
+    // Bounds are floats: at 1e5 m each is rounded by up to 2^-7 m, outwards.
+    CHECK(near(make_camera(two.built.world, kAspect).height, 1.14, absolute(1.14 * 2.0 * 0x1p-7)));
+}
+
+TEST_CASE("a frame that follows a body without shapes is 10 m high") {
+    HandMadeScene s = pyramid({});
+    s.add("point", BodyType::dynamic_body, {30.0, 4.0}, {});
+    s.scene.camera.follow = "point";
+    const Camera camera = make_camera(s.scene, s.built, kAspect);
+    CHECK(camera.center == DVec2{30.0, 4.0});
+    CHECK(camera.height == 10.0);
+}
+
 TEST_CASE("a frame grows to contain what is marked, unless that is too far away") {
     HandMadeScene s;
     const BodyId near = s.add_dynamic("near", {9.0, 0.0}, make_circle(0.5f));
@@ -292,7 +321,8 @@ TEST_CASE("in an import the camera follows what drives away") {
             {"name": "box", "type": 2, "awake": true, "position": {"x": 0, "y": 0.5}, "linearVelocity": {"x": 12, "y": 0},
              "fixture": [{"density": 1, "polygon": {"vertices": {"x": [-0.5, 0.5, 0.5, -0.5], "y": [-0.5, -0.5, 0.5, 0.5]}}}]}]})",
         "level.json");
-    for (const auto& [imported, name] : {std::pair{drawing, "ball"}, {level, "box"}}) {
+    for (const auto& [imported, driven] : {std::pair{drawing, "ball"}, {level, "box"}}) {
+        const std::string name = driven;
         CAPTURE(name);
         SceneRun run(imported.scene);
         const auto body = std::ranges::find(run.built().bodies, name, &SceneInstance::name);

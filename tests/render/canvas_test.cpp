@@ -175,6 +175,24 @@ TEST_CASE("text has its colour and position, and the same pixels wherever its gl
     CHECK(other.draw(layer).rgba == first.rgba);
 }
 
+TEST_CASE("the atlas of glyphs grows until it holds all letters of a text, however large they are") {
+    std::string letters;
+    for (char c = 'A'; c <= 'Z'; ++c) letters += std::string{c, static_cast<char>(c + 'a' - 'A')};
+    GlyphAtlas atlas;
+    Layer layer;
+    for (const double size : {16.0, 96.0, 192.0})  // of labels, and of titles at 2160 and at 4320 rows
+        atlas.layout(letters, size, 10.0, 200, 7680, 4320, kWhite, layer.glyphs);
+    CHECK(layer.glyphs.size() == 3 * 52);
+    CHECK(atlas.height() > GlyphAtlas::kFirstHeight);
+    for (const GlyphInstance& glyph : layer.glyphs) {
+        CHECK(glyph.atlas_x + glyph.width <= GlyphAtlas::kWidth);
+        CHECK(glyph.atlas_y + glyph.height <= static_cast<float>(atlas.height()));
+    }
+    layer.glyphs.clear();
+    atlas.layout("A", 4000.0, 10.0, 200, 7680, 4320, kWhite, layer.glyphs);  // wider than the atlas
+    CHECK(layer.glyphs.empty());
+}
+
 TEST_CASE("a character that no font has is a box, and signs without a shape take no room") {
     const std::filesystem::path font = find_font(font_candidates());
     GlyphAtlas atlas(font, {});

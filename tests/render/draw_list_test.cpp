@@ -247,6 +247,12 @@ TEST_CASE("grid lines lie on whole pixels at round coordinates, also far from th
     }
 }
 
+TEST_CASE("where doubles are farther apart than grid lines, there are none") {
+    Layer layer;
+    add_grid(layer, {{1e6, 1e6}, 1e13, 1280, 720});  // neighbours are 1e-10 m apart, a thousand pixels
+    CHECK(layer.boxes.empty());
+}
+
 TEST_CASE("a round length is the least of 1, 2 or 5 times a power of ten that is long enough") {
     CHECK(round_length_from(1.0).metres() == 1.0);
     CHECK(round_length_from(1.01).metres() == 2.0);

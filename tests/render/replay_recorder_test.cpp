@@ -73,6 +73,22 @@ TEST_CASE("a replay states the theme of its settings or of its scene, and has th
     CHECK(header(Theme::light)["theme"] == "light");
 }
 
+TEST_CASE("a replay has the notes of its scene, whose text is no markup in the page") {
+    const std::string text = "</script><b onclick='x'>\"quoted\" \\ \xe2\x80\xa8 next\nline";
+    HandMadeScene made;
+    made.scene.camera.notes = {{.text = text, .position = DVec2{1.5, 2.0}, .from = 0.5, .until = 2.0},
+                               {.text = "over it", .above = "puck"}};
+    made.add_dynamic("puck", {0.0, 0.0}, make_circle(0.5f));
+    ReplayRecorder recorder(made.scene, {});
+    recorder.record(made.built, {});
+    const std::string page = recorder.page({}, true);
+    CHECK(page.find("onclick") == std::string::npos);
+    const nlohmann::json notes = header_of(page)["notes"];
+    CHECK(notes ==
+          nlohmann::json::array({{{"text", text}, {"from", 0.5}, {"until", 2.0}, {"position", {1.5, 2.0}}},
+                                 {{"text", "over it"}, {"from", 0.0}, {"until", nullptr}, {"above", "puck"}}}));
+}
+
 TEST_CASE("events are marked at the first state that shows their effect") {
     Scene scene;
     SceneEvent push;

@@ -73,6 +73,21 @@ TEST_CASE("hatching stays with the world when the view moves") {
         CHECK(near(after.boxes[i].x, before.boxes[i].x - 3.0f, absolute(1e-3f)));
 }
 
+// 1e16 and 1e19 pixels from the origin the neighbours of a double are 2 and 2048 pixels away.
+TEST_CASE("hatching a million metres from the origin is as even as at it, however large a metre is") {
+    for (const double scale : {1e10, 1e13}) {
+        Layer layer;
+        const View view{{1e6, 0.0}, scale, 1280, 720};
+        add_hatching(layer, view, make_box({1.0f, 1.0f}), {view.center, {}}, {});
+        // The frame is 1280 + 720 pixels wide in x - y, and a line is 12 sqrt(2) after the last.
+        CHECK(near(static_cast<double>(layer.boxes.size()), 2000.0 / (12.0 * std::sqrt(2.0)), absolute(1.0)));
+        for (std::size_t i = 1; i < layer.boxes.size(); ++i) {
+            const auto at = [&](std::size_t line) { return double{layer.boxes[line].x} - double{layer.boxes[line].y}; };
+            REQUIRE(near((at(i) - at(i - 1)) / std::sqrt(2.0), 12.0, absolute(1e-3)));
+        }
+    }
+}
+
 TEST_CASE("shapes without area and shapes out of view have no hatching") {
     Layer layer;
     add_hatching(layer, kView, make_segment({-5.0f, 0.0f}, {5.0f, 0.0f}), {}, {});

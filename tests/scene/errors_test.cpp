@@ -305,6 +305,12 @@ TEST_CASE("hints write a value of another kind as this format does") {
               .starts_with("an expression in quotes"));
     CHECK(error_of(R"({"format": 1, "expect": [{"picture": "golden.jpg"}]})").message ==
           "must be the name of a .png file, got \"golden.jpg\"");
+    const auto picture = [&](std::size_t bytes) {  // whose name has so many bytes
+        const std::string name = std::string(bytes - 4, 'a') + ".png";
+        return parse_scene(R"({"format": 1, "expect": [{"picture": ")" + name + R"(", "at": 0}]})", "long.json");
+    };
+    CHECK_NOTHROW(picture(256));
+    CHECK_THROWS_WITH(picture(257), doctest::Contains("must be a name of 1 to 256 bytes"));
     const std::string joint = R"("bodies": ["a", "b"], "anchor": [0, 0], )";
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "limits": {"min": -10, "max": 10})")) == "[-10, 10]");
     CHECK(hint_of(test::with_joint(joint + R"("type": "revolute", "motor": true)")).starts_with("\"motor\": {"));

@@ -208,8 +208,14 @@ TEST_CASE("functions about copies go through the copies of a joint that exist") 
     const Expression all("all(hinge.gap < 0.25)", scene);
     CHECK(all.shortfall(whole) == 0.125);
     CHECK(all.finding(whole) == "all(hinge.gap < 0.25) is false, of 'hinge[2]' hinge.gap is 0.25");
+    const auto finding = [&](const SceneWorld& built) {
+        return Expression("max(sqrt(-1 - hinge.gap)) > 0", scene).finding(built);
+    };
+    CHECK(finding(whole) == "max(sqrt(-1 - hinge.gap)) is unknown");  // the joints exist, the root does not
     run.step();
     CHECK(Expression("count(hinge.exists)", scene).value(run.built()) == 3.0);
+    while (!run.world().joints().empty()) run.world().destroy_joint(run.world().joints().front());
+    CHECK(finding(run.built()) == "'hinge' does not exist");
     const auto hint_of = [&](const char* text) {
         try {
             const Expression refused(text, scene);
@@ -219,10 +225,14 @@ TEST_CASE("functions about copies go through the copies of a joint that exist") 
         return std::string();
     };
     CHECK(hint_of("hinge.gap < 1") ==
-          "'hinge' stands for several copies; name one, hinge[0], or all of them: all(hinge.force < 100), "
-          "any(hinge.force < 100), max(hinge.force)");
+          "'hinge' stands for several copies; name one, hinge[0], or all of them: all(hinge.gap > 0), any(hinge.gap > "
+          "0), "
+          "max(hinge.gap)");
+    CHECK(hint_of("hinge.exists") ==
+          "'hinge' stands for several copies; name one, hinge[0], or all of them: all(hinge.exists), "
+          "any(hinge.exists), count(hinge.exists)");
     CHECK(hint_of("max(hinge.gap, 1) < 1") ==
-          "'hinge' stands for several copies; max(hinge.force) with one argument is that of all copies");
+          "'hinge' stands for several copies; max(hinge.gap) with one argument is that of all copies");
     CHECK(hint_of("all(hinge.gap < 1 and ball.x > 1)") ==
           "a function about copies takes the copies of one body or joint: 'hinge' and 'ball' are two; ");
     CHECK(hint_of("all(hinge)") == "the joint 'hinge' alone is no value; ask for a property: hinge.force");
@@ -287,6 +297,8 @@ TEST_CASE("an error has its place in the text, a reason and a hint") {
     CHECK(refused("a > 1").hint == "ask for a property: a.x");
     CHECK(refused("car.x > 1").hint == "a name with other signs than letters, digits and _ is quoted: 'car/wheel'");
     CHECK(refused("crate.x > 1").message == "'crate' stands for several copies");
+    CHECK(refused("crate.x > 1").hint ==
+          "name one, crate[0], or all of them: all(crate.x > 0), any(crate.x > 0), max(crate.x)");
     CHECK(refused("a.x && b.x").hint == "write 'and'");
     CHECK(refused("a.x = 1").hint == "a comparison is written ==");
     CHECK(refused("a.x and true").hint == "compare it: a.x > 0");
@@ -302,6 +314,8 @@ TEST_CASE("an error has its place in the text, a reason and a hint") {
     CHECK(refused("t > 1").hint == "did you mean 'time'?");
     CHECK(refused("all(any(crate.x > 1))").offset == 4);
     CHECK(refused("max(crate.x, 1)").message == "'crate' stands for several copies");
+    CHECK(refused("max(crate.x, 1)").hint == "max(crate.x) with one argument is that of all copies");
+    CHECK(refused("max(1, distance(crate, a))").hint == "max(...) with one argument is that of all copies");
     CHECK(refused("2 ^ 0.5").hint == "sqrt(a) is the square root");
     CHECK(refused("1 +").message == "expected a value, got the end");
     CHECK(refused("(1 + 2").message == "expected ')', got the end");

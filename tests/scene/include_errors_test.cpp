@@ -156,6 +156,33 @@ TEST_CASE("includes that are nested too deep, or give too many bodies, are refus
     CHECK(too_many[0].message.find("to more than 1000000") != std::string::npos);
 }
 
+TEST_CASE("the file after 10 000 included ones is refused, and the same file counts once") {
+    std::string entries = R"({"file": "again.json"}, {"file": "again.json"})";
+    for (int i = 2; i < 10000; ++i) entries += ", {\"file\": \"" + std::to_string(i) + ".json\"}";
+    LoadOptions options;
+    std::string with_more;  // includes a file of its own
+    options.read_included = [&](const std::filesystem::path& file) {
+        return file == "more.json" || file != with_more ? scene_text("") : includes(R"({"file": "more.json"})");
+    };
+    const auto errors = [&] {
+        try {
+            parse_scene(includes(entries), "main.json", options);
+        } catch (const SceneError& error) {
+            return error.diagnostics;
+        }
+        return std::vector<Diagnostic>();
+    };
+    CHECK(errors().empty());  // 9999 files
+    with_more = "2.json";
+    CHECK(errors().empty());  // 10 000
+    with_more = "again.json";
+    entries.replace(entries.rfind("again"), 5, "other");
+    const std::vector<Diagnostic> refused = errors();
+    REQUIRE(refused.size() == 1);
+    CHECK(refused[0].pointer == "/include/9999/file");
+    CHECK(refused[0].message.find("is one of more than 10000 included files") != std::string::npos);
+}
+
 TEST_CASE("a scene that is not read from a file includes nothing") {
     CHECK_THROWS_WITH_AS(parse_scene(includes(R"({"file": "a.json"})"), "text"),
                          doctest::Contains("only scenes that are read from files"), SceneError);

@@ -52,7 +52,7 @@ TEST_CASE("a mass of a body that is not dynamic causes a warning") {
     CHECK(with_mass("dynamic").empty());
 }
 
-TEST_CASE("an angle that is a multiple of pi / 12 causes a warning, one that is meant in degrees does not") {
+TEST_CASE("an angle that people often write in radians causes a warning, one that is meant in degrees does not") {
     const auto turned = [](const char* angle) {
         return warnings_of(std::string(R"({"position": [0, 5], "angle": )") + angle +
                            R"(, "shapes": [{"box": {"size": [2, 1]}}]})");
@@ -64,7 +64,8 @@ TEST_CASE("an angle that is a multiple of pi / 12 causes a warning, one that is 
         CHECK(says(turned(radians)[0], "looks like one in radians"));
     }
     CHECK(turned("-1.57")[0].hint == "if it is meant in radians, write -90");
-    for (const char* const degrees : {"0", "1.5", "1.6", "3", "5.5", "11", "45", "90", "1.5712345678"})
+    for (const char* const degrees :
+         {"0", "0.2618", "1.309", "1.5", "1.6", "3", "5.5", "11", "45", "90", "1.5712345678"})
         CHECK(turned(degrees).empty());
 }
 
@@ -97,6 +98,17 @@ TEST_CASE("images without their files cause a warning, one for each file") {
     REQUIRE(warnings.size() == 1);
     CHECK(warnings[0].pointer == "/bodies/0/images/1/file");
     CHECK(says(warnings[0], "gone.png\": frames show the outline"));
+}
+
+TEST_CASE("an image that exists and cannot be read causes another warning than one that does not") {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("loop.png", folder.path / "loop.png");  // fails for every user, as root too
+    std::ofstream(folder.path / "scene.json")
+        << R"({"format": 1, "bodies": [{"images": [{"file": "loop.png", "height": 1}]}]})";
+    std::vector<Diagnostic> warnings;
+    load_scene(folder.path / "scene.json", {.overrides = {}, .seed = {}, .lint = true}, &warnings);
+    REQUIRE(warnings.size() == 1);
+    CHECK(says(warnings[0], "loop.png\" cannot be read: Too many levels of symbolic links"));
 }
 
 TEST_CASE("a chain with a body on its solid side causes a warning, one with a body on its open side does not") {

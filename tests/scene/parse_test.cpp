@@ -1,5 +1,9 @@
-// Reading: an accepted file becomes exactly the scene that it states.
+// Reading: an accepted file becomes exactly the scene that it states, and only the text itself counts.
 #include <doctest/doctest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "scene/example.hpp"
 #include "tumble/scene.hpp"
@@ -44,4 +48,21 @@ TEST_CASE("a camera may follow a body that the timeline spawns, or a copy of one
     CHECK(follows("late").camera.follow == "late");
     CHECK(follows("drop[3]").camera.follow == "drop[3]");
     CHECK_THROWS_AS(follows("missing"), SceneError);
+}
+
+TEST_CASE("zeros at the end of the text are judged by the text alone") {
+    const auto hint_of = [](const std::string& text) {
+        const std::vector<char> bytes(text.begin(), text.end());  // nothing ends it
+        try {
+            parse_scene(std::string_view(bytes.data(), bytes.size()), "zeros.json");
+        } catch (const SceneError& error) {
+            return error.diagnostics.at(0).hint;
+        }
+        return std::string();
+    };
+    const std::string before = R"({"format": )";
+    CHECK(hint_of(before + "0") == "the last '{' is not closed");
+    CHECK(hint_of(before + "1.0") == "the last '{' is not closed");
+    CHECK(hint_of(before + "00") == "a number has no zeros before it: 0");
+    CHECK(hint_of(before + "-01") == "a number has no zeros before it: 1");
 }

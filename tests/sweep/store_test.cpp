@@ -75,18 +75,25 @@ TEST_CASE("a manifest keeps what whole lines say, in the order of the shards") {
     append_shard(folder.path, {.shard = 2,
                                .outcomes = {{"ok", 5}},
                                .table = {"shard-000002.csv", 3, 4},
-                               .files = {{"shard-000002.tar", 5, 6}}});
+                               .files = {{"shard-000002.tar", 5, 6}},
+                               .copies = {{"plan/b.json", 7, 8}, {"plan/a.json", 9, 10}}});
     std::ofstream(manifest_file(folder.path), std::ios::app) << R"({"shard": 7, "outc)";  // cut off
     append_shard(folder.path, {.shard = 0, .table = {"shard-000000.csv", 1, 0xffffffffffffffff}});
-    const Manifest manifest = read_manifest(folder.path);
+    Manifest manifest = read_manifest(folder.path);
     CHECK(manifest.header == header);
     CHECK(manifest.damaged_lines == 1);
     REQUIRE(manifest.shards.size() == 2);
     CHECK(manifest.shards.begin()->second.table.hash == 0xffffffffffffffff);
     CHECK(manifest.shards.at(2).outcomes.at("ok") == 5);
     CHECK(manifest.shards.at(2).files[0].bytes == 5);
+    REQUIRE(manifest.copies.size() == 2);
+    CHECK(manifest.copies[0].name == "plan/a.json");
+    CHECK(manifest.copies[0].hash == 10);
+    manifest.table = StoredFile{"runs.csv", 1, 2};
     write_manifest(folder.path, manifest);
     CHECK(read_manifest(folder.path).damaged_lines == 0);
+    CHECK(read_manifest(folder.path).copies.size() == 2);
+    CHECK(read_manifest(folder.path).shards.at(2).copies.empty());  // those of the sweep have a line of their own
     const std::string text = tumble::read_file(manifest_file(folder.path));
     CHECK(text.find("\"shard\":0") < text.find("\"shard\":2"));
     append_header(folder.path, {2, 25, 10, "0.2.0", "run\n"});
@@ -104,6 +111,8 @@ TEST_CASE("a manifest from elsewhere names files of its own folder only, and pos
              R"({"complete":{"name":"..",)" + hash + "}}",
              R"({"complete":{"name":"runs.csv",)" + hash + R"(},"copies":[{"name":"/tmp/a",)" + hash + "}]}",
              R"({"complete":{"name":"runs.csv",)" + hash + R"(},"copies":[{"name":"plan/../../a",)" + hash + "}]}",
+             R"({"shard":1,"outcomes":{},"table":)" + sound + R"(,"files":[],"copies":[{"name":"plan/../a",)" + hash +
+                 "}]}",
              R"({"shard":1e300,"outcomes":{},"table":{},"files":[]})",
              R"({"shard":1,"outcomes":{"ok":-1},"table":)" + sound + R"(,"files":[]})",
              R"({"shard":3,"outcomes":{},"table":{"name":"shard-000003.csv",)" + hash + R"(},"files":[]})"}) {

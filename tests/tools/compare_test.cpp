@@ -281,5 +281,6 @@ TEST_CASE("the frames of both runs have the theme of A") {
         const std::size_t at = 4 * (static_cast<std::size_t>(image.width) * 1 + static_cast<std::size_t>(column));
         CHECK(int{image.rgba.at(at)} == 0);
     }
-    CHECK(int{image.rgba.at(4 * (static_cast<std::size_t>(image.width) * 105 + 1))} == 0x14);  // the dark plots
+    for (const std::size_t at : {std::size_t{402}, static_cast<std::size_t>(image.width) * 105 + 1})
+        CHECK(int{image.rgba.at(4 * at)} == 0x14);  // the gap of a dark theme, and the dark plots
 }

@@ -81,6 +81,12 @@ TEST_CASE("--loop writes a GIF of each scene, which the page shows") {
     CHECK(page.find("data:image/png") == std::string::npos);
     CHECK(run_tumble(command).code == 4);
     CHECK(run_tumble({"gallery", one, "-o", out, "--loop", "0.01"}).code == 2);
+    const std::string none = (folder / "none").string();
+    const Answer large = run_tumble({"gallery", one, two, "-o", none, "--size", "1920x1080", "--loop", "60"});
+    CHECK(large.code == 2);
+    CHECK(large.err.find("--loop: a GIF of this length and size needs 10 GB of memory") != std::string::npos);
+    CHECK(large.err.find("one.json") == std::string::npos);  // refused before any scene, not by each
+    CHECK_FALSE(std::filesystem::exists(none));
 }
 
 TEST_CASE("a gallery shows what fails, and text of scenes is no markup") {

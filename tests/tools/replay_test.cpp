@@ -118,6 +118,36 @@ TEST_CASE("names of a scene are text in its page") {
     CHECK(found[5].get<std::string>().find("onerror") != std::string::npos);
 }
 
+TEST_CASE("a page draws the notes of its scene as text, while and where frames have them") {
+    const Folder folder;
+    const std::string text = "</script><img src=x>\"'&amp;\xe2\x80\xa8x\nsecond line";
+    json scene = json::parse(tumble::test::small_scene());
+    scene["camera"]["notes"] = json::array(
+        {{{"text", text}, {"position", {1, 2}}, {"from", 0.1}, {"until", 0.2}}, {{"text", "top"}, {"above", "ball"}}});
+    const std::string page = make_page(folder, folder.write("notes.json", scene.dump()));
+    const std::string drawn = R"({ const p = replay.player, context = p.painter.context, texts = [];
+        context.fillText = (text) => texts.push(text);
+        for (const step of [0, 6, 11, 12]) { p.seek(step); p.draw(); texts.push(step); }
+        p.on.notes = false;
+        p.draw();
+        delete context.fillText;
+        return texts; })";
+    const std::vector<json> found =
+        browse({"ask", page, drawn, "{ return document.querySelectorAll('script, img').length; }",
+                R"({ const run = replay.player.run, pose = run.pose(1, 7), [x, y] = run.notePoint(run.notes[1], 7);
+              return [x - pose.x, y - pose.y]; })",
+                "{ return document.getElementById('overlay-notes').disabled; }"});
+    const std::string first = text.substr(0, text.find('\n'));
+    CHECK(found[0] ==
+          json::array({"top", 0, first, "second line", "top", 6, first, "second line", "top", 11, "top", 12}));
+    CHECK(found[1] == 3);
+    CHECK(near(found[2][0].get<double>(), 0.0, absolute(1e-9)));
+    CHECK(near(found[2][1].get<double>(), 0.5, absolute(1e-9)));  // the radius of the ball
+    CHECK(found[3] == false);
+    const std::string without = make_page(folder, folder.write("none.json", tumble::test::small_scene()));
+    CHECK(browse({"ask", without, "{ return document.getElementById('overlay-notes').disabled; }"})[0] == true);
+}
+
 TEST_CASE("a page seeks, plays, finds bodies, and marks claims and events") {
     const Folder folder;
     json scene = json::parse(tumble::test::small_scene());

@@ -122,6 +122,11 @@ TEST_CASE("--resume refuses another scene, other options, a damaged checkpoint a
     CHECK(run({"--resume", "--fps", "30"}).code == 2);
     CHECK(run({"--resume", "--no-frames"}).code == 2);
     CHECK(run({"--resume", "--theme", "dark"}).code == 2);
+    for (const std::string change : {"theme=\"dark\"", "outlines=false", "hatching=true", "shadows=true"}) {
+        const Answer styled = run({"--resume", "--set", "/camera/style/" + change});
+        CHECK(styled.code == 2);
+        CHECK(styled.err.find(change.substr(0, 5)) != std::string::npos);
+    }
     const Answer slow = run({"--resume", "--slow", "1:2:0.5"});
     CHECK(slow.code == 2);
     CHECK(slow.err.find("slow 1:2:0.5") != std::string::npos);

@@ -65,11 +65,12 @@ TEST_CASE("definitions out of range throw with the value") {
           "joint needs two bodies, got body 0 twice");
     CHECK(refusal([&] { world.create_joint(RevoluteJointDef{.body_a = body}); }) ==
           "body id is the default one, which is of no body");
-    CHECK(refusal([&] {
-              world.state({9, 0});
-          }) ==
-          "body id is foreign: no body of this world ever had it (index 9, generation 0); it is probably of another "
-          "world");
+    CHECK(
+        refusal([&] {
+            world.state({9, 0});
+        }) ==
+        "body id is unknown: no body of this world has had it so far (index 9, generation 0); it is of another world, "
+        "or of a time after the snapshot that was restored");
 
     CHECK(world.state_hash() == before);
     CHECK(world.bodies().size() == 2);

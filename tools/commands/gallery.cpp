@@ -61,8 +61,9 @@ ExitCode gallery_code(const std::vector<GalleryEntry>& entries) {
 }
 
 // Before anything is simulated.
-void require_loops(const std::filesystem::path& folder, bool force) {
-    require_encoder();
+void require_loops(const GalleryOptions& settings, bool force) {
+    require_loop(settings);
+    const std::filesystem::path& folder = settings.loops;
     std::error_code ignored;
     if (!force && !std::filesystem::is_empty(folder, ignored) && !ignored)
         throw FileError(folder, "is not empty; choose another --output, or replace its loops with --force");
@@ -73,7 +74,7 @@ ExitCode show(const Command& command, const GalleryArguments& options) {
     for (const std::filesystem::path& file : {page, sheet}) refuse_to_overwrite(file, options.force);
     GalleryOptions settings = options.gallery;
     settings.loops = options.folder / kLoopFolder;
-    if (settings.loop) require_loops(settings.loops, options.force);
+    if (settings.loop) require_loops(settings, options.force);
     catch_interrupts();
     const std::vector<GalleryEntry> entries = make_gallery(without_schemas(options.files), settings);
     if (is_interrupted()) return interruption_code();

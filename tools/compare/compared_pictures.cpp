@@ -5,6 +5,7 @@
 
 #include "tools/cli/interrupt.hpp"
 #include "tools/output/image_grid.hpp"
+#include "tools/output/plot_colors.hpp"
 
 namespace tumble::tools {
 
@@ -20,13 +21,15 @@ public:
           pictures_(pictures),
           overlay_(pictures.overlay),
           renderer_(pictures.size.width, pictures.size.height, pictures.renderer) {
-        overlay_.theme = theme_of(*sources.a->scene(), pictures);
+        const Theme theme = theme_of(*sources.a->scene(), pictures);
+        overlay_.theme = theme;
+        behind_ = color_of(kPageColor, is_dark(theme));
     }
 
     Image draw(const Camera& camera, double time) {
         const std::array<Image, 2> images{draw_one(*sources_.a, sources_.name_a, camera, time),
                                           draw_one(*sources_.b, sources_.name_b, camera, time)};
-        return pictures_.is_overlaid ? mean_of(images[0], images[1]) : image_grid(images, 2, kPairGap);
+        return pictures_.is_overlaid ? mean_of(images[0], images[1]) : image_grid(images, 2, kPairGap, behind_);
     }
 
 private:
@@ -40,6 +43,7 @@ private:
     const ComparedSources& sources_;
     const PairPictures& pictures_;
     Overlay overlay_;
+    Color behind_;
     Renderer renderer_;
 };
 

@@ -24,13 +24,18 @@ constexpr int kSheetGap = 4;  // px
 
 constexpr double kLoopRate = 20.0;  // frames per second
 
+VideoSettings loop_settings(const GalleryOptions& options) {
+    return {.format = VideoFormat::gif,
+            .width = options.size.width,
+            .height = options.size.height,
+            .frames_per_second = kLoopRate};
+}
+
 // Draws the frames of a loop, which begins at that step.
 void write_loop(const Scene& scene, std::uint64_t first, const GalleryOptions& options,
                 const std::filesystem::path& file) {
     const FrameSchedule schedule{*options.loop, kLoopRate, scene.world.steps_per_second};
-    const VideoSettings settings = video_settings(file, options.size, kLoopRate);
-    require_memory(settings, schedule.frame_count());
-    VideoWriter video = start_video(file, settings);
+    VideoWriter video = start_video(file, loop_settings(options));
     SceneFrames frames(scene, {options.size, options.overlay, options.check.renderer});
     for (std::uint64_t frame = 0; frame < schedule.frame_count() && !is_interrupted(); ++frame)
         video.write(frames.at(first + schedule.step_of_frame(frame)));
@@ -65,6 +70,12 @@ void draw(GalleryEntry& entry, std::size_t number, const GalleryOptions& options
 
 }  // namespace
 
+void require_loop(const GalleryOptions& options) {
+    require_encoder();
+    const FrameSchedule schedule{*options.loop, kLoopRate, kLoopRate};
+    require_memory(loop_settings(options), schedule.frame_count(), "--loop", "lower --size, or shorten the loops");
+}
+
 std::vector<GalleryEntry> make_gallery(const std::vector<std::string>& files, const GalleryOptions& options) {
     std::vector<GalleryEntry> entries;
     for (SceneCheck& check : check_scene_files(files, options.check)) {
@@ -95,7 +106,7 @@ std::optional<Image> contact_sheet(const std::vector<GalleryEntry>& entries, int
     const int across = std::clamp((kLargestFrame + kSheetGap) / (pictures.front().width + kSheetGap), 1, columns);
     const int rows = std::max(1, (kLargestFrame + kSheetGap) / (pictures.front().height + kSheetGap));
     pictures.resize(std::min(pictures.size(), static_cast<std::size_t>(across) * static_cast<std::size_t>(rows)));
-    return image_grid(pictures, across, kSheetGap);
+    return image_grid(pictures, across, kSheetGap, {255, 255, 255});
 }
 
 }  // namespace tumble::tools

@@ -33,6 +33,10 @@ struct GalleryEntry {
     std::string picture_error;   // why there is none, if the scene itself has no error
 };
 
+// Throws RenderError without an encoder, and CLI::ValidationError if a loop would need too much memory. To be called
+// once before make_gallery(), if there are loops.
+void require_loop(const GalleryOptions& options);
+
 // Checks and draws each scene, and writes its loop. Errors of a scene are part of its entry. The entries are in the
 // order of the files.
 std::vector<GalleryEntry> make_gallery(const std::vector<std::string>& files, const GalleryOptions& options);

@@ -9,13 +9,19 @@ namespace tumble::tools {
 
 namespace {
 
+constexpr Color kWhite{255, 255, 255};
+
 std::size_t offset_of(const Image& image, int x, int y) {
     return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
 }
 
-Image blank(int width, int height) {
-    return {width, height,
-            std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255)};
+Image filled(int width, int height, Color color) {
+    Image image{width, height, {}};
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    image.rgba.reserve(4 * pixels);
+    for (std::size_t i = 0; i < pixels; ++i)
+        for (const std::uint8_t channel : {color.r, color.g, color.b, color.a}) image.rgba.push_back(channel);
+    return image;
 }
 
 void paste(Image& target, const Image& image, int left, int top) {
@@ -28,7 +34,7 @@ void paste(Image& target, const Image& image, int left, int top) {
 
 }  // namespace
 
-Image image_grid(std::span<const Image> images, int columns, int gap) {
+Image image_grid(std::span<const Image> images, int columns, int gap, Color behind) {
     const int count = static_cast<int>(images.size());
     const int across = std::min(columns, count), rows = (count + columns - 1) / columns;
     int width = 0, height = 0;
@@ -36,14 +42,14 @@ Image image_grid(std::span<const Image> images, int columns, int gap) {
         width = std::max(width, image.width);
         height = std::max(height, image.height);
     }
-    Image grid = blank(across * width + (across - 1) * gap, rows * height + (rows - 1) * gap);
+    Image grid = filled(across * width + (across - 1) * gap, rows * height + (rows - 1) * gap, behind);
     for (int i = 0; i < count; ++i)
         paste(grid, images[static_cast<std::size_t>(i)], i % columns * (width + gap), i / columns * (height + gap));
     return grid;
 }
 
 Image stacked(const Image& above, const Image& below) {
-    Image whole = blank(std::max(above.width, below.width), above.height + below.height);
+    Image whole = filled(std::max(above.width, below.width), above.height + below.height, kWhite);
     paste(whole, above, 0, 0);
     paste(whole, below, 0, above.height);
     return whole;

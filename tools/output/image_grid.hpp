@@ -7,9 +7,9 @@
 
 namespace tumble::tools {
 
-// The images row by row, `columns` of them in a row, each in a cell of the size of the largest, with white gaps (px)
-// between the cells. At least one image.
-Image image_grid(std::span<const Image> images, int columns, int gap);
+// The images row by row, `columns` of them in a row, each in a cell of the size of the largest, with gaps (px) between
+// the cells. `behind` is the colour of what the images do not cover. At least one image.
+Image image_grid(std::span<const Image> images, int columns, int gap, Color behind);
 
 // One image above another, from the left.
 Image stacked(const Image& above, const Image& below);

@@ -14,6 +14,7 @@ PlotStrip::PlotStrip(std::vector<Plot> plots, int columns, bool is_dark, RenderB
     : plots_(std::move(plots)),
       left_(common_left(plots_)),
       columns_(columns),
+      page_color_(color_of(kPageColor, is_dark)),
       time_color_(color_of(plot_color(Ink::limit), is_dark)) {
     for (const Plot& plot : plots_)
         images_.push_back(
@@ -28,7 +29,7 @@ Image PlotStrip::at(double time) const {
         for (const int column : {x, x + 1})
             paint_column(images[i], column, static_cast<int>(layout.top), static_cast<int>(layout.bottom), time_color_);
     }
-    return image_grid(images, columns_, 0);
+    return image_grid(images, columns_, 0, page_color_);
 }
 
 }  // namespace tumble::tools

@@ -21,7 +21,7 @@ private:
     std::vector<Image> images_;
     double left_;
     int columns_;
-    Color time_color_;
+    Color page_color_, time_color_;
 };
 
 }  // namespace tumble::tools

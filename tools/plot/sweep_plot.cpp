@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
+#include <istream>
+#include <memory>
 #include <set>
 #include <vector>
 
 #include "tools/output/csv_columns.hpp"
-#include "tools/output/csv_file.hpp"
+#include "tools/output/input_error.hpp"
 #include "tools/output/number_text.hpp"
 #include "tools/output/plot.hpp"
+#include "tools/output/standard_input.hpp"
 
 namespace tumble::tools {
 
@@ -35,37 +37,27 @@ struct Range {
     }
 };
 
-double number_or_nan(const char* text) { return number_of(text).value_or(std::nan("")); }
-
-// The lines with a number in each of the columns; the last one is the value.
-template <unsigned Columns, class... Names>
-std::vector<Sample> read_columns(const std::filesystem::path& table, Names... names) {
-    CsvFile<Columns> csv(table, io::ignore_extra_column, names...);
+// The lines with a number in each of the columns; y is 0 without a column of it.
+std::vector<Sample> read_samples(const std::filesystem::path& table, const SweepPlot& plot) {
+    const std::unique_ptr<std::istream> stream = open_input(table);
+    std::string line;
+    std::getline(*stream, line);
+    const std::vector<std::string> columns = cells_of(line);
+    const bool has_y = !plot.y.empty();
+    const std::size_t x = column_of(columns, plot.x, table), y = has_y ? column_of(columns, plot.y, table) : x,
+                      value = column_of(columns, plot.value, table);
     std::vector<Sample> samples;
-    for (std::array<char*, Columns> fields{}; csv.read(fields);) {
-        const Sample sample{number_or_nan(fields[0]), Columns == 3 ? number_or_nan(fields[1]) : 0.0,
-                            number_or_nan(fields[Columns - 1])};
+    for (int number = 2; std::getline(*stream, line); ++number) {
+        const std::vector<std::string> cells = cells_of(line);
+        if (cells.size() != columns.size())
+            throw InputError(table.string() + ":" + std::to_string(number) + ": has not all columns");
+        const auto number_in = [&](std::size_t column) { return number_of(cells[column]).value_or(std::nan("")); };
+        const Sample sample{number_in(x), has_y ? number_in(y) : 0.0, number_in(value)};
         if (std::isfinite(sample.x) && std::isfinite(sample.y) && std::isfinite(sample.value))
             samples.push_back(sample);
     }
     if (samples.empty()) throw InputError(table.string() + ": no line has a number in each of the columns");
     return samples;
-}
-
-// The reader of CSV names a missing column, but not those that the table has.
-void require_columns(const std::filesystem::path& table, const SweepPlot& plot) {
-    std::ifstream stream(table);
-    std::string header;
-    if (!std::getline(stream, header)) return;
-    const std::vector<std::string> columns = cells_of(header);
-    for (const std::string& name : {plot.x, plot.y, plot.value})
-        if (!name.empty()) column_of(columns, name, table);
-}
-
-std::vector<Sample> read_samples(const std::filesystem::path& table, const SweepPlot& plot) {
-    require_columns(table, plot);
-    return plot.y.empty() ? read_columns<2>(table, plot.x, plot.value)
-                          : read_columns<3>(table, plot.x, plot.y, plot.value);
 }
 
 Range range_of(const std::vector<Sample>& samples, double Sample::*member) {

@@ -160,8 +160,8 @@ Checkpoint read_checkpoint(const fs::path& folder, const std::string& settings) 
         }
     }();
     if (checkpoint.settings != settings)
-        throw CLI::ValidationError(
-            "--resume", "the run was begun with other options: " + checkpoint.settings + "; now they are: " + settings);
+        throw CLI::ValidationError("--resume", "the run was begun with other settings: " + checkpoint.settings +
+                                                   "; now they are: " + settings);
     return checkpoint;
 }
 
@@ -173,7 +173,7 @@ std::vector<TableName> tables_of(const RunOptions& options) {
     return tables;
 }
 
-std::string settings_of(const RunOptions& options) {
+std::string settings_of(const Scene& scene, const RunOptions& options) {
     std::string text = "no frames";
     if (!options.no_frames) {
         append_number(text = "frames ", options.frames_per_second);
@@ -187,8 +187,12 @@ std::string settings_of(const RunOptions& options) {
             if (options.overlay.*part.member) text += " " + std::string(part.name);
         for (const OverlayPart& part : kFrameParts)
             if (!(options.overlay.*part.member)) text += " without " + std::string(part.name);
+        const SceneStyle& style = scene.camera.style;
         for (const ThemeName& theme : kThemes)
-            if (options.overlay.theme == theme.theme) text += " theme " + std::string(theme.name);
+            if (options.overlay.theme.value_or(style.theme) == theme.theme) text += " theme " + std::string(theme.name);
+        if (!style.outlines) text += " without outlines";
+        if (style.hatching) text += " hatching";
+        if (style.shadows) text += " shadows";
     }
     for (const TableName& table : tables_of(options)) text += ", " + table.kind + " " + table.file.filename().string();
     return text;

@@ -53,9 +53,9 @@ Checkpoint parse_checkpoint(std::string_view text);
 // begun with other settings.
 Checkpoint read_checkpoint(const std::filesystem::path& folder, const std::string& settings);
 
-// The options that a run and its continuation must have in common: "frames 60/s 1280x720, trajectory t.csv". Of tables
-// it has the names without their folders.
-std::string settings_of(const RunOptions& options);
+// The options, and the style of the scene's frames, that a run and its continuation must have in common: "frames 60/s
+// 1280x720 theme light, trajectory t.csv". Of tables it has the names without their folders.
+std::string settings_of(const Scene& scene, const RunOptions& options);
 
 // Throws InputError if the checkpoint is damaged or belongs to another scene, SceneError as SceneRun does.
 SceneRun load_run(const Scene& scene, const Checkpoint& saved, const std::filesystem::path& folder);

@@ -157,7 +157,7 @@ Simulation::Simulation(const Scene& scene, const RunOptions& options)
     const bool force = options.force || options.resume;
     std::optional<SceneRun> loaded;
     if (options.resume) {
-        resumed_ = read_checkpoint(options.folder, settings_of(options));
+        resumed_ = read_checkpoint(options.folder, settings_of(scene, options));
         loaded = load_run(scene, *resumed_, options.folder);
         require_time_left(*loaded, schedule_);
     }
@@ -204,7 +204,7 @@ std::vector<OpenTable> Simulation::open_tables() {
 
 void Simulation::save_checkpoint() {
     Checkpoint checkpoint;
-    checkpoint.settings = settings_of(options_);
+    checkpoint.settings = settings_of(scene_, options_);
     if (frames_) {
         checkpoint.frame_bytes = frames_->finish_frames().bytes;
         checkpoint.frames = frames_->drawn();

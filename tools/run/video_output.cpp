@@ -33,12 +33,12 @@ VideoSettings video_settings(const std::filesystem::path& file, FrameSize size, 
     return {.format = format, .width = size.width, .height = size.height, .frames_per_second = frames_per_second};
 }
 
-void require_memory(const VideoSettings& settings, std::uint64_t frames) {
+void require_memory(const VideoSettings& settings, std::uint64_t frames, const std::string& option,
+                    const std::string& remedy) {
     const double bytes = 4.0 * settings.width * settings.height * static_cast<double>(frames);
     if (settings.format == VideoFormat::gif && bytes > kMostGifBytes)
-        throw CLI::ValidationError("--video", "a GIF of this length and size needs " + gigabytes(bytes) +
-                                                  " of memory, more than " + gigabytes(kMostGifBytes) +
-                                                  ": lower --size, --fps or --duration, or write an .mp4");
+        throw CLI::ValidationError(option, "a GIF of this length and size needs " + gigabytes(bytes) +
+                                               " of memory, more than " + gigabytes(kMostGifBytes) + ": " + remedy);
 }
 
 VideoWriter start_video(const std::filesystem::path& file, const VideoSettings& settings) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "tools/run/run_options.hpp"
 #include "tumble/recording.hpp"
@@ -16,8 +17,10 @@ VideoSettings video_settings(const std::filesystem::path& file, FrameSize size, 
 // ffmpeg keeps all frames of a GIF until it knows the colours of the last one, at four bytes a pixel.
 inline constexpr double kMostGifBytes = 4e9;
 
-// Throws CLI::ValidationError if a GIF would need more memory than kMostGifBytes.
-void require_memory(const VideoSettings& settings, std::uint64_t frames);
+// Throws CLI::ValidationError if a GIF would need more memory than kMostGifBytes. `option` and `remedy` are named in
+// its message.
+void require_memory(const VideoSettings& settings, std::uint64_t frames, const std::string& option = "--video",
+                    const std::string& remedy = "lower --size, --fps or --duration, or write an .mp4");
 
 // Creates the folder of the file and starts the encoder. Throws RenderError and FileError.
 VideoWriter start_video(const std::filesystem::path& file, const VideoSettings& settings);

@@ -14,8 +14,8 @@ struct SweepEstimate {
     std::uint64_t sampled = 0;
     std::map<std::string, std::uint64_t> outcomes{};  // of the sample
     double seconds_per_run = 0.0;                     // on one thread
-    double seconds = 0.0;                             // of all runs, on `jobs` threads
-    double bytes = 0.0;                               // of all files
+    double seconds = 0.0;                             // of all runs, on `jobs` threads, without storing files
+    double bytes = 0.0;                               // of all files, without the metadata of HDF5
     std::uint64_t files = 0;                          // at the end
 };
 

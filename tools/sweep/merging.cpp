@@ -1,6 +1,8 @@
 #include "tools/sweep/merging.hpp"
 
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "sweep/store/durable.hpp"
 #include "sweep/store/stored_file.hpp"
@@ -47,8 +49,10 @@ void add_part(const fs::path& folder, const fs::path& from, sweep::Manifest& man
     }
     if (!(*manifest.header == *part.header)) throw FileError(from, "is of another sweep than " + folder.string());
     merge_copies(from, part.copies, folder);
-    for (const auto& [shard, entry] : part.shards) {
+    std::vector<sweep::StoredFile> copies = part.copies;
+    for (auto [shard, entry] : part.shards) {
         if (is_stored(folder, manifest, shard) || !is_stored(from, part, shard)) continue;
+        entry.copies = std::exchange(copies, {});  // of all its shards
         for (const sweep::StoredFile& file : entry.files) copy_file(from, folder, file);
         copy_lines(from, part, folder, entry);
         sweep::make_durable(folder);  // the names of the shard's files

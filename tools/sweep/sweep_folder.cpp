@@ -36,16 +36,6 @@ void write_table(const fs::path& folder, sweep::Manifest& manifest) {
     manifest.table = table.commit();
 }
 
-// Those that the manifest has stay: they may be damaged since.
-void add_copies(const fs::path& folder, sweep::Manifest& manifest) {
-    std::vector<sweep::StoredFile> all = manifest.copies;
-    for (const sweep::StoredFile& copy : stored_copies(folder))
-        if (std::ranges::find(manifest.copies, copy.name, &sweep::StoredFile::name) == manifest.copies.end())
-            all.push_back(copy);
-    std::ranges::sort(all, {}, &sweep::StoredFile::name);
-    manifest.copies = std::move(all);
-}
-
 // What killed processes have left in the folder and in the copies of the scenes.
 void remove_leftovers(const fs::path& folder) {
     std::vector<fs::path> folders{folder};
@@ -105,7 +95,6 @@ void complete_folder(const fs::path& folder) {
     sweep::Manifest manifest = sweep::read_manifest(folder);
     if (!is_complete(folder, manifest)) write_table(folder, manifest);
     remove_leftovers(folder);
-    add_copies(folder, manifest);
     sweep::write_manifest(folder, manifest);
     for (const auto& [shard, entry] : manifest.shards) fs::remove(folder / entry.table.name);
 }

@@ -113,9 +113,10 @@ std::string to_json(const SweepReport& report) {
 std::string to_text(const sweep::Plan& plan, const SweepEstimate& estimate) {
     return plan.name + ": " + counted(estimate.runs, "run") + " in " + counted(estimate.shards, "shard") + " of " +
            std::to_string(estimate.shard_runs) + "\nabout " + duration_text(estimate.seconds) + ", " +
-           three_digits(estimate.seconds_per_run * 1e3, "ms") + " for a run\nabout " + bytes_text(estimate.bytes) +
-           " in " + counted(estimate.files, "file") + "\nof " + counted(estimate.sampled, "sampled run") + ": " +
-           outcomes_text(estimate.outcomes) + "\n";
+           three_digits(estimate.seconds_per_run * 1e3, "ms") +
+           " for a run, not counting the time to store files\nabout " + bytes_text(estimate.bytes) + " in " +
+           counted(estimate.files, "file") + ", not counting the metadata of HDF5\nof " +
+           counted(estimate.sampled, "sampled run") + ": " + outcomes_text(estimate.outcomes) + "\n";
 }
 
 std::string to_json(const SweepEstimate& estimate) {

@@ -110,7 +110,7 @@ private:
     void work();
     std::optional<std::uint64_t> take();
     bool wait_for_others(std::chrono::milliseconds& wait);
-    void append(const sweep::ShardEntry& entry);
+    void append(sweep::ShardEntry entry);
     void count_run();
 
     const sweep::Plan& plan_;
@@ -176,13 +176,14 @@ bool Work::wait_for_others(std::chrono::milliseconds& wait) {
 }
 
 // Under a lease, because on NFS processes of two hosts that append at once overwrite each other. With mutex_.
-void Work::append(const sweep::ShardEntry& entry) {
+void Work::append(sweep::ShardEntry entry) {
     while (!leases_.take(kAppend)) {
         if (!leases_.has_folder()) return;  // another process has done it all, and removed the leases
         if (is_interrupted()) throw Interrupted{};
         std::this_thread::sleep_for(kShortestWait / 10);
     }
     sweep::make_durable(options_.folder);  // the names of the shard's files
+    entry.copies = texts_.take_made();
     append_shard(options_.folder, entry);
     leases_.release(kAppend);
 }

@@ -164,7 +164,7 @@ GjkResult exhaustive_search(const CorePair& pair, GjkResult stopped) {
     result.simplex = nearest_simplex(pair);
     result.closest = VoronoiRegions::reduce(pair, result.simplex);
     result.height = std::numeric_limits<double>::infinity();  // nothing is proved yet
-    return with_better_proof<VoronoiRegions>(pair, result, result.simplex, result.closest);
+    return with_better_proof<VoronoiRegions>(pair, result, result.simplex, result.closest, kUnobserved);
 }
 
 }  // namespace tumble

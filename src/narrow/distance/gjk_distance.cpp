@@ -30,14 +30,15 @@ public:
         step.support_vertex = support.vertex.w;
         lower_ = std::max(lower_, -support.height / length_of_direction - error_bound(pair_));
         step.lower = lower_;
-        step.upper = closest.toward / length_of_direction + error_bound(pair_);
+        upper_ = std::min(upper_, closest.toward / length_of_direction + error_bound(pair_));
+        step.upper = upper_;
         steps_.push_back(step);
     }
 
 private:
     const CorePair& pair_;
     std::vector<TraceStep>& steps_;
-    double lower_ = -std::numeric_limits<double>::infinity();
+    double upper_ = std::numeric_limits<double>::infinity(), lower_ = -upper_;
 };
 
 // Chooses the subalgorithm once, outside the loop.

@@ -56,14 +56,16 @@ struct GjkResult {
 // If rounding hides that a simplex is nearer than the best one, its direction may still prove a higher lower bound: the
 // nearest points of both lie within rounding of each other, but the directions may differ by much more. While the bound
 // rises, support vertices that stand out along the new direction are added; the cap bounds the time. By value: an
-// address would keep the loop's simplex out of registers, 20 of 115 ns.
-template <typename Reducer>
-[[gnu::noinline]] GjkResult with_better_proof(const CorePair& pair, GjkResult best, Simplex simplex, Closest closest) {
+// address would keep the loop's simplex out of registers, 20 of 115 ns. `observe` as in run_gjk().
+template <typename Reducer, typename Observer>
+[[gnu::noinline]] GjkResult with_better_proof(const CorePair& pair, GjkResult best, Simplex simplex, Closest closest,
+                                              Observer&& observe) {
     const int cap = iteration_cap(pair);
     for (int round = 0; round < cap && !closest.contains_origin; ++round) {
         TUMBLE_CHECK(!best.closest.contains_origin);
         const MinkowskiSupport found = support(pair, closest.direction, simplex.vertices[0].pair());
         ++best.iterations;
+        observe(simplex, closest, found);
         if (!(found.height * length(best.closest.direction) < best.height * length(closest.direction))) break;
         best.simplex = simplex;
         best.closest = closest;
@@ -88,7 +90,7 @@ template <typename Reducer, typename Observer>
     for (;;) {
         const Closest closest = Reducer::reduce(pair, simplex);
         if (!(closest.distance_sq < best.closest.distance_sq))
-            return with_better_proof<Reducer>(pair, best, simplex, closest);
+            return with_better_proof<Reducer>(pair, best, simplex, closest, observe);
         best.simplex = simplex;
         best.closest = closest;
         if (closest.contains_origin) return best;

@@ -10,13 +10,24 @@
 #include "python/bindings/renderers.hpp"
 #include "python/bindings/world_box.hpp"
 #include "tumble/recording.hpp"
+#include "tumble/suggest.hpp"
 
 namespace tumble::python {
 
 namespace {
 
-Overlay to_overlay(const std::vector<std::string>& names) {
+Theme to_theme(const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const ThemeName& theme : kThemes) {
+        if (theme.name == name) return theme.theme;
+        names.push_back(theme.name);
+    }
+    throw std::invalid_argument("theme must be one of " + join_words(names) + ", got '" + name + "'");
+}
+
+Overlay to_overlay(const std::vector<std::string>& names, const std::optional<std::string>& theme) {
     Overlay overlay;
+    if (theme) overlay.theme = to_theme(*theme);
     for (const std::string& name : names) {
         bool is_known = false;
         for (const OverlayPart& part : kOverlayParts)
@@ -45,7 +56,8 @@ Camera fitted_camera(WorldBox& box, bool has_scene, double aspect_ratio) {
 }
 
 py::array_t<std::uint8_t> render(WorldBox& box, bool has_scene, int width, int height, std::optional<Pair> center,
-                                 std::optional<double> view_height, const std::vector<std::string>& overlay) {
+                                 std::optional<double> view_height, const std::vector<std::string>& overlay,
+                                 const std::optional<std::string>& theme) {
     Image image;
     Renderer& renderer = tool_of_size<Renderer>(width, height);
     const World& world = box.world();
@@ -54,10 +66,11 @@ py::array_t<std::uint8_t> render(WorldBox& box, bool has_scene, int width, int h
     if (!center || !view_height) camera = fitted_camera(box, has_scene, aspect_ratio);
     if (center) camera.center = to_dvec2(*center);
     if (view_height) camera.height = *view_height;
+    const Overlay shown = to_overlay(overlay, theme);
     if (has_scene)
-        renderer.draw(box.run().scene, box.run().run.built(), camera, world.time(), image, to_overlay(overlay));
+        renderer.draw(box.run().scene, box.run().run.built(), camera, world.time(), image, shown);
     else
-        renderer.draw(world, camera, image, to_overlay(overlay));
+        renderer.draw(world, camera, image, shown);
     return pixels_of(image);
 }
 

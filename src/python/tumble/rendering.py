@@ -35,13 +35,16 @@ def render(
     center: Vector | None = None,
     view_height: float | None = None,
     overlay: Sequence[str] = (),
+    theme: str | None = None,
 ) -> npt.NDArray[np.uint8]:
     """Draws the present state as an array [height, width, 4] of red, green, blue and alpha, top row first.
 
     The camera has its middle at `center` (world, m) and shows `view_height` m. Pass both to keep it still from frame to
     frame. What is left out is fitted, as by `fitted_camera`: to the bodies that are not static and the ground below them,
-    and to all static shapes if these do not make the frame much larger. `overlay` names what to show over the bodies:
-    contacts, normals, aabbs, islands, velocity, joints, forces. Width and height are 16 to 8192 pixels. The same state
+    and to all static shapes if these do not make the frame much larger. Bodies of a world that are more than 1000 times
+    the size of its largest one away from the middle one are left out if the frame would be 2000 times that size. `overlay`
+    names what to show over the bodies: contacts, normals, aabbs, islands, velocity, joints, forces. `theme` is light, dark,
+    print, high_contrast or color_blind; without it that of the scene, or light. Width and height are 16 to 8192 pixels. The same state
     gives the same pixels on one machine.
     """
     world = world_of(what)
@@ -50,7 +53,9 @@ def render(
         raise TypeError("overlay must be a list of names, not a string")
     middle = None if center is None else vector(center, "center")
     shown = None if view_height is None else number(view_height, "view_height")
-    return _tumble.render(world._box, world._has_scene, *size, middle, shown, list(overlay))
+    if theme is not None and not isinstance(theme, str):
+        raise TypeError(f"theme must be a string, got {theme!r}")
+    return _tumble.render(world._box, world._has_scene, *size, middle, shown, list(overlay), theme)
 
 
 def fitted_camera(what: World | Run, aspect_ratio: float = 16.0 / 9.0) -> tuple[tuple[float, float], float]:

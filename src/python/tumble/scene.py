@@ -255,9 +255,10 @@ class Run:
         return Run.load, (self.save(),)
 
     def render(self, width: int = 640, height: int = 360, *, center: Vector | None = None,
-               view_height: float | None = None, overlay: Sequence[str] = ()) -> npt.NDArray[np.uint8]:  # fmt: skip
+               view_height: float | None = None, overlay: Sequence[str] = (),
+               theme: str | None = None) -> npt.NDArray[np.uint8]:  # fmt: skip
         """A frame as an array [height, width, 4]: see `tumble.render`."""
-        return self.world.render(width, height, center=center, view_height=view_height, overlay=overlay)
+        return self.world.render(width, height, center=center, view_height=view_height, overlay=overlay, theme=theme)
 
     def _repr_png_(self) -> bytes:
         return self.world._repr_png_()

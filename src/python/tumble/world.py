@@ -346,11 +346,12 @@ class World(Queries):
     # ---- Pictures ----
 
     def render(self, width: int = 640, height: int = 360, *, center: Vector | None = None,
-               view_height: float | None = None, overlay: Sequence[str] = ()) -> npt.NDArray[np.uint8]:  # fmt: skip
+               view_height: float | None = None, overlay: Sequence[str] = (),
+               theme: str | None = None) -> npt.NDArray[np.uint8]:  # fmt: skip
         """A frame as an array [height, width, 4] of red, green, blue and alpha, top row first: see `tumble.render`."""
         from tumble.rendering import render
 
-        return render(self, width, height, center=center, view_height=view_height, overlay=overlay)
+        return render(self, width, height, center=center, view_height=view_height, overlay=overlay, theme=theme)
 
     def _repr_png_(self) -> bytes:
         from tumble.rendering import png_bytes

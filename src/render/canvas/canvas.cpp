@@ -214,8 +214,7 @@ void Canvas::forget_images() {
 
 void Canvas::update_atlas(const GlyphAtlas& atlas) {
     if (atlas.revision() == atlas_revision_) return;
-    TUMBLE_CHECK(atlas.texels().size() == std::size_t{GlyphAtlas::kSize} * GlyphAtlas::kSize);
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, GlyphAtlas::kSize, GlyphAtlas::kSize, 0, GL_RED, GL_UNSIGNED_BYTE,
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, GlyphAtlas::kWidth, atlas.height(), 0, GL_RED, GL_UNSIGNED_BYTE,
                    atlas.texels().data());
     atlas_revision_ = atlas.revision();
 }

@@ -101,7 +101,7 @@ struct GlyphAtlas::Fonts {
     }
 };
 
-GlyphAtlas::GlyphAtlas() : fonts_(std::make_unique<Fonts>()), texels_(static_cast<std::size_t>(kSize) * kSize) {
+GlyphAtlas::GlyphAtlas() : fonts_(std::make_unique<Fonts>()), texels_(std::size_t{kFirstHeight} * kWidth) {
     const std::span<const std::filesystem::path> wide_fonts = wide_font_candidates();
     fonts_->wide_files.assign(wide_fonts.begin(), wide_fonts.end());
 }
@@ -191,25 +191,30 @@ const GlyphAtlas::Glyph& GlyphAtlas::find_or_draw(bool is_wide, int index, doubl
     glyph.height = bottom - glyph.offset_y;
     if (glyph.width <= 0 || glyph.height <= 0) return glyph;  // a space
 
-    // Glyphs are packed in rows, each as high as its highest glyph. Texts use few sizes, so that little is wasted.
-    if (shelf_x_ + glyph.width > kSize) {
+    if (!find_room(glyph)) return glyph;
+    unsigned char* const corner = texels_.data() + std::ptrdiff_t{glyph.y} * kWidth + glyph.x;
+    stbtt_MakeGlyphBitmapSubpixel(&font.info, corner, glyph.width, glyph.height, kWidth, scale, scale, shift, 0.0f,
+                                  index);
+    ++revision_;
+    return glyph;
+}
+
+// Glyphs are packed in rows, each as high as its highest glyph. Texts use few sizes, so that little is wasted.
+bool GlyphAtlas::find_room(Glyph& glyph) {
+    if (glyph.width > kWidth) return false;
+    if (shelf_x_ + glyph.width > kWidth) {
         shelf_x_ = 0;
         shelf_y_ += shelf_height_;
         shelf_height_ = 0;
     }
-    if (shelf_x_ + glyph.width > kSize || shelf_y_ + glyph.height > kSize) return glyph;
+    if (shelf_y_ + glyph.height > kMostHeight) return false;
+    while (shelf_y_ + glyph.height > height()) texels_.resize(2 * texels_.size());
     glyph.x = shelf_x_;
     glyph.y = shelf_y_;
     glyph.stored = true;
-    TUMBLE_CHECK(glyph.x + glyph.width <= kSize);
-    TUMBLE_CHECK(glyph.y + glyph.height <= kSize);
     shelf_x_ += glyph.width;
     shelf_height_ = std::max(shelf_height_, glyph.height);
-    unsigned char* const corner = texels_.data() + std::ptrdiff_t{glyph.y} * kSize + glyph.x;
-    stbtt_MakeGlyphBitmapSubpixel(&font.info, corner, glyph.width, glyph.height, kSize, scale, scale, shift, 0.0f,
-                                  index);
-    ++revision_;
-    return glyph;
+    return true;
 }
 
 }  // namespace tumble::render

@@ -28,7 +28,9 @@ std::span<const std::filesystem::path> wide_font_candidates();
 
 class GlyphAtlas {
 public:
-    static constexpr int kSize = 512;  // texels a side
+    // Texels. The height doubles when the atlas is full: of a title of a frame with 4320 rows, whose em is 192 pixels,
+    // it holds some 300 glyphs.
+    static constexpr int kWidth = 1024, kFirstHeight = 256, kMostHeight = 8192;
 
     // The first of font_candidates() that exists, which is read for the first text: without one, that throws
     // RenderError.
@@ -50,8 +52,9 @@ public:
     void layout(std::string_view utf8, double size, double left, int baseline, int frame_width, int frame_height,
                 Color color, std::vector<GlyphInstance>& out);
 
-    const std::vector<std::uint8_t>& texels() const { return texels_; }  // [kSize][kSize], coverage
-    std::uint64_t revision() const { return revision_; }                 // grows whenever the texels change
+    const std::vector<std::uint8_t>& texels() const { return texels_; }  // [height()][kWidth], coverage
+    int height() const { return static_cast<int>(texels_.size() / kWidth); }
+    std::uint64_t revision() const { return revision_; }  // grows whenever the texels change
 
 private:
     struct Font;
@@ -65,6 +68,7 @@ private:
 
     Fonts& fonts() const;
     const Glyph& find_or_draw(bool is_wide, int index, double size, int quarter);
+    bool find_room(Glyph& glyph);
 
     std::unique_ptr<Fonts> fonts_;
     std::map<Key, Glyph> glyphs_;

@@ -9,6 +9,7 @@
 #include "render/replay/event_marks.hpp"
 #include "render/replay/header_json.hpp"
 #include "render/replay/joint_tracks.hpp"
+#include "render/replay/notes_json.hpp"
 #include "render/replay/pair_json.hpp"
 #include "render/replay/replay_page.hpp"
 #include "render/style/theme.hpp"
@@ -28,6 +29,7 @@ struct ReplayRecorder::Impl {
           steps_per_second(scene.world.steps_per_second),
           timeline(render::timeline_marks(scene)),
           conditions(scene),
+          notes(render::notes_json(scene.camera.notes)),
           theme(settings_.theme.value_or(scene.camera.style.theme)),
           is_theme_stated(settings_.theme || theme != Theme::light),
           settings(settings_),
@@ -103,6 +105,7 @@ struct ReplayRecorder::Impl {
                                     {"shapes", bodies.shapes_json()},
                                     {"bodies", bodies.bodies_json()},
                                     {"joints", joints.to_json()},
+                                    {"notes", notes},
                                     {"events", event_json()},
                                     {"claims", nlohmann::ordered_json::array()}};
         for (const Color color : fill_colors().bodies) json["island_colors"].push_back(render::to_hex(color));
@@ -122,6 +125,7 @@ struct ReplayRecorder::Impl {
     double steps_per_second;
     std::vector<render::EventMark> timeline;
     render::ConditionMarks conditions;
+    nlohmann::ordered_json notes;
     Theme theme;
     bool is_theme_stated;
     ReplaySettings settings;

@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t kLeastLikeness = 2;  // letters
 
-std::string in_expression(const std::string& name) { return is_plain_name(name) ? name : quoted_name(name); }
-
 // A name with signs in it, of which the word is the beginning: 'car1/wheel' for car1.
 std::string hint_for_quotes(const std::string& word, const Scene& scene) {
     if (word.size() < kLeastLikeness) return {};
@@ -92,14 +90,15 @@ BodyRef NameLookup::common(const std::string& name) const {
 }
 
 // The function around a common name goes through its copies, and through no others.
-void NameLookup::go_through_copies(const Token& name, bool are_joints) {
+void NameLookup::go_through_copies(const Token& name, bool are_joints, const std::string& property) {
     std::optional<Copies>& copies = around_copies().copies;
     if (!copies && are_joints) {
         const NamedCopy first = *find_joint(name.text);
-        copies = Copies{
-            add(JointRef{.name = name.text, .built = known_->joints.built_index(first), .count = first.count}), true};
+        copies =
+            Copies{add(JointRef{.name = name.text, .built = known_->joints.built_index(first), .count = first.count}),
+                   true, property};
     } else if (!copies) {
-        copies = Copies{add(common(name.text)), false};
+        copies = Copies{add(common(name.text)), false, property};
     }
     if (copies->are_joints != are_joints || name_of(*copies) != name.text)
         throw ExpressionError(name.begin, "a function about copies takes the copies of one body or joint: '" +
@@ -107,22 +106,24 @@ void NameLookup::go_through_copies(const Token& name, bool are_joints) {
 }
 
 // Without a function around it, a common name has no property.
-void NameLookup::refuse_common(const Token& name, const std::string& condition, const std::string& value) const {
-    const std::string shown = in_expression(name.text);
+void NameLookup::refuse_common(const Token& name, const Property& property) const {
+    const std::string value = in_expression(name.text) + "." + property.text;
+    const bool is_number = property.kind == kNumber;
+    const std::string condition = value + (is_number ? " > 0" : "");
     throw ExpressionError(name.begin, "'" + name.text + "' stands for several copies",
-                          "name one, " + in_expression(copy_name(name.text, 0)) + ", or all of them: all(" + shown +
-                              condition + "), any(" + shown + condition + "), max(" + shown + value + ")");
+                          "name one, " + in_expression(copy_name(name.text, 0)) + ", or all of them: all(" + condition +
+                              "), any(" + condition + "), " + (is_number ? "max(" : "count(") + value + ")");
 }
 
-std::size_t NameLookup::body(const Token& name, Use use) {
+std::size_t NameLookup::body(const Token& name, const std::optional<Property>& property) {
     program_.spans.push_back({name.begin, name.end, name.text});
     if (is_unchecked()) return add(BodyRef{.name = name.text});
     if (const std::optional<std::size_t> built = known_->bodies.find(name.text))
         return add(BodyRef{.name = name.text, .built = built});
     if (known_->bodies.is_shared(name.text)) {
-        if (around_.empty() && use == Use::as_argument) return add(common(name.text));
-        if (around_.empty()) refuse_common(name, ".y > 0", ".y");
-        go_through_copies(name, false);
+        if (around_.empty() && !property) return add(common(name.text));
+        if (around_.empty()) refuse_common(name, *property);
+        go_through_copies(name, false, property ? property->text : "");
         return add(BodyRef{.name = name.text, .is_current = true});
     }
     if (known_->bodies.is_spawned(name.text)) return add(BodyRef{.name = name.text});
@@ -144,13 +145,13 @@ Node NameLookup::property(const Token& name, const Token& word) {
                               suggestion(word.text, words));
     }
     if (of_body == nullptr) {
-        body(name, Use::of_property);
+        body(name, Property{word.text, of_joint->kind});
         return {.op = Op::joint_value, .kind = of_joint->kind};
     }
     return {.op = Op::body_value,
             .kind = of_body->kind,
             .code = static_cast<int>(of_body->code),
-            .names = {body(name, Use::of_property)}};
+            .names = {body(name, Property{word.text, of_body->kind})}};
 }
 
 Node NameLookup::joint_property(const Token& name, const NamedCopy& joint, const Token& word) {
@@ -165,8 +166,8 @@ Node NameLookup::joint_property(const Token& name, const NamedCopy& joint, const
     }
     program_.spans.push_back({name.begin, name.end, name.text});
     const bool is_common = known_->joints.is_shared(name.text);
-    if (is_common && around_.empty()) refuse_common(name, ".force < 100", ".force");
-    if (is_common) go_through_copies(name, true);
+    if (is_common && around_.empty()) refuse_common(name, {word.text, found.kind});
+    if (is_common) go_through_copies(name, true, word.text);
     return {
         .op = Op::joint_value,
         .kind = found.kind,

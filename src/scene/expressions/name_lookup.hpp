@@ -18,10 +18,8 @@ public:
 
     bool is_unchecked() const { return known_ == nullptr; }
 
-    enum class Use { of_property, as_argument };
-
-    // The index in Program::bodies.
-    std::size_t body(const Token& name, Use use);
+    // The index in Program::bodies, of a body that is an argument itself.
+    std::size_t body(const Token& name) { return body(name, std::nullopt); }
 
     // The node of "body.property" or "joint.property", without its place in the text.
     Node property(const Token& name, const Token& word);
@@ -32,10 +30,12 @@ public:
     // To be called for a name without a property, which is no value of the world.
     [[noreturn]] void refuse_alone(const Token& name) const;
 
-    // The copies of a body or joint: the index in Program::bodies or Program::joints.
+    // The copies of a body or joint: the index in Program::bodies or Program::joints, and the property that the text
+    // asks of them first, empty if they are an argument themselves.
     struct Copies {
         std::size_t index = 0;
         bool are_joints = false;
+        std::string property;
     };
     const std::string& name_of(const Copies& copies) const;
 
@@ -51,13 +51,20 @@ private:
         std::optional<Copies> copies{};
     };
 
+    // A property as written.
+    struct Property {
+        std::string text;
+        ValueKind kind = kNumber;
+    };
+
+    std::size_t body(const Token& name, const std::optional<Property>& property);
     Node joint_property(const Token& name, const NamedCopy& joint, const Token& word);
     std::optional<NamedCopy> find_joint(const std::string& name) const;
     bool is_known_body(const std::string& name) const;
     Around& around_copies();
-    void go_through_copies(const Token& name, bool are_joints);
+    void go_through_copies(const Token& name, bool are_joints, const std::string& property);
     BodyRef common(const std::string& name) const;
-    [[noreturn]] void refuse_common(const Token& name, const std::string& condition, const std::string& value) const;
+    [[noreturn]] void refuse_common(const Token& name, const Property& property) const;
     [[noreturn]] void refuse_unknown(const Token& name, const std::string& what) const;
     std::size_t add(BodyRef body);
     std::size_t add(JointRef joint);

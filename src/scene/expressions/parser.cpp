@@ -272,7 +272,7 @@ private:
         const char wanted = word.takes[repeats ? 0 : index];
         if (wanted == 'b') {
             if (now().kind != Token::Kind::name) unexpected("the name of a body: " + std::string(word.form));
-            node.names.push_back(lookup_.body(take(), NameLookup::Use::as_argument));
+            node.names.push_back(lookup_.body(take()));
             return;
         }
         node.operands.push_back(expression(kOr));
@@ -282,11 +282,7 @@ private:
     void leave(const FunctionWord& word, std::size_t arguments, Node& node) {
         const std::optional<NameLookup::Copies> copies = lookup_.leave();
         if (!is_about_copies(word.code, arguments)) {
-            if (copies)
-                throw ExpressionError(node.begin, "'" + lookup_.name_of(*copies) + "' stands for several copies",
-                                      std::string(word.name) + "(" + lookup_.name_of(*copies) +
-                                          (copies->are_joints ? ".force" : ".y") +
-                                          ") with one argument is that of all copies");
+            if (copies) refuse_copies(word, *copies, node);
             return;
         }
         if (copies) {
@@ -299,6 +295,15 @@ private:
                 node.begin, "'" + std::string(word.name) + "' needs the common name of copies",
                 std::string("a body or joint without a \"repeat\" has no copies: ") +
                     (word.code == Function::count ? "write if(condition, 1, 0)" : "leave the function out"));
+    }
+
+    // min and max with several arguments are of these, and not of copies.
+    [[noreturn]] void refuse_copies(const FunctionWord& word, const NameLookup::Copies& copies,
+                                    const Node& node) const {
+        const std::string& name = lookup_.name_of(copies);
+        const std::string argument = copies.property.empty() ? "..." : in_expression(name) + "." + copies.property;
+        throw ExpressionError(node.begin, "'" + name + "' stands for several copies",
+                              std::string(word.name) + "(" + argument + ") with one argument is that of all copies");
     }
 
     std::string_view text_;
@@ -345,7 +350,7 @@ std::string with_prefix(std::string_view text, std::string_view prefix) {
     for (const NameSpan& span : compile(text, nullptr).spans) {
         const std::string name = std::string(prefix) + span.name;
         result += text.substr(done, span.begin - done);
-        result += is_plain_name(name) ? name : quoted_name(name);
+        result += in_expression(name);
         done = span.end;
     }
     return result + std::string(text.substr(done));

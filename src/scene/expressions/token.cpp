@@ -133,4 +133,6 @@ std::string quoted_name(std::string_view name) {
     return text + "'";
 }
 
+std::string in_expression(const std::string& name) { return is_plain_name(name) ? name : quoted_name(name); }
+
 }  // namespace tumble::scene

@@ -32,4 +32,7 @@ bool is_plain_name(std::string_view name);
 // 'car1/wheel', with two quotes for each in the name.
 std::string quoted_name(std::string_view name);
 
+// The name as an expression has it: in quotes if it needs them.
+std::string in_expression(const std::string& name);
+
 }  // namespace tumble::scene

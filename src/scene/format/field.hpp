@@ -51,7 +51,7 @@ inline constexpr std::size_t kMaxNameBytes = 256;         // bytes
 inline constexpr std::size_t kMaxExpressionBytes = 2000;  // bytes
 inline constexpr std::size_t kMaxCaptionBytes = 2000;     // bytes
 
-// What a text may contain. `hash` is 16 digits 0-9 and a-f, `png_file` a path that ends with .png.
+// What a text may contain. `hash` is 16 digits 0-9 and a-f, `png_file` a name that ends with .png.
 enum class Text { any, name, color, expression, caption, hash, png_file };
 
 struct Field {

@@ -65,8 +65,9 @@ public:
     void read(const Json& value, const Location& location, const Field& field, std::string& out) {
         if (!value.is_string()) return wrong(location, "a string", value);
         out = value.get<std::string>();
-        if (field.text == Text::name && (out.empty() || out.size() > kMaxNameBytes))
-            wrong(location, "a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes", value);
+        const bool is_name = field.text == Text::name || field.text == Text::png_file;
+        if (is_name && (out.empty() || out.size() > kMaxNameBytes))
+            return wrong(location, "a name of 1 to " + std::to_string(kMaxNameBytes) + " bytes", value);
         if (field.text == Text::expression && (out.empty() || out.size() > kMaxExpressionBytes))
             wrong(location, "an expression of 1 to " + std::to_string(kMaxExpressionBytes) + " bytes", value);
         if (field.text == Text::hash && !is_hash(out)) wrong(location, "16 digits 0-9 and a-f", value);

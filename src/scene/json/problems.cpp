@@ -30,11 +30,16 @@ constexpr ProblemPage kPages[] = {
      R"({"format": 1, "bodies": [{"type": "static", "mass": {"mass": 3, "inertia": 1}, "shapes": [{"box": {"size": [2, 1]}}]}]})",
      R"(Leave "mass" out, or make the body dynamic.)"},
     {kWarning, codes::missing_image, "an image without its file",
-     "The body has an image whose file does not exist. Frames show the outline of the image instead.",
+     "The body has an image whose file does not exist or cannot be read. Without a file, frames show the outline of "
+     "the "
+     "image instead.",
      R"({"format": 1, "bodies": [{"shapes": [{"circle": {"radius": 0.5}}], "images": [{"file": "no.png", "height": 1}]}]})",
-     "Correct the path, which is relative to the folder of the scene's file, or add the file."},
+     "Correct the path, which is relative to the folder of the scene's file, or add the file. If it exists, allow its "
+     "reading."},
     {kWarning, codes::radians, "an angle that seems to be in radians",
-     "Angles in scene files are in degrees. The number is a multiple of pi / 12, as angles in radians often are.",
+     "Angles in scene files are in degrees. The number is 30, 45, 60, 90, 120, 135, 150, 180, 270 or 360 degrees in "
+     "radians, "
+     "up to a factor of 1.0006 if it has at most four decimals, and of 1.000001 if it has more.",
      R"({"format": 1, "bodies": [{"angle": 1.5708, "shapes": [{"box": {"size": [2, 1]}}]}]})",
      "Write the degrees: 90 in place of 1.5708. If the number is meant in degrees, ignore the warning."},
     {kWarning, codes::outside_limits, "a joint that starts outside of its limits",

@@ -1,9 +1,12 @@
 // Lints of single bodies: slivers, sizes, weight, velocities and masses without effect, angles, images.
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <set>
 #include <string>
-#include <system_error>
 
 #include "scene/json/json_text.hpp"
 #include "scene/json/problem_codes.hpp"
@@ -68,11 +71,17 @@ public:
     void lint_images(const SceneBody& body, const std::string& pointer) {
         for (std::size_t i = 0; i < body.images.size(); ++i) {
             const std::filesystem::path& path = body.images[i].path;
-            std::error_code ignored;
-            if (path.empty() || std::filesystem::exists(path, ignored) || !missing_.insert(path).second) continue;
-            diagnostics_.warning(codes::missing_image, pointer + "/images/" + std::to_string(i) + "/file",
-                                 "there is no file " + quoted(path.string()) + ": frames show the outline of the image",
-                                 "paths are relative to the folder of the scene's file");
+            if (path.empty() || access(path.c_str(), R_OK) == 0) continue;
+            const int error = errno;
+            if (!unreadable_.insert(path).second) continue;
+            const std::string where = pointer + "/images/" + std::to_string(i) + "/file", name = quoted(path.string());
+            if (error == ENOENT || error == ENOTDIR)
+                diagnostics_.warning(codes::missing_image, where,
+                                     "there is no file " + name + ": frames show the outline of the image",
+                                     "paths are relative to the folder of the scene's file");
+            else
+                diagnostics_.warning(codes::missing_image, where,
+                                     "the file " + name + " cannot be read: " + std::strerror(error), "");
         }
     }
 
@@ -93,7 +102,7 @@ private:
 
     const Scene& scene_;
     Diagnostics& diagnostics_;
-    std::set<std::filesystem::path> missing_;
+    std::set<std::filesystem::path> unreadable_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -80,18 +81,37 @@ LineJson to_json(const std::vector<StoredFile>& files) {
     return array;
 }
 
+LineJson to_json(const ShardEntry& entry) {
+    return {{"shard", entry.shard},
+            {"outcomes", entry.outcomes},
+            {"table", to_json(entry.table)},
+            {"files", to_json(entry.files)}};
+}
+
 std::string line_of(const ShardEntry& entry) {
-    return LineJson{{"shard", entry.shard},
-                    {"outcomes", entry.outcomes},
-                    {"table", to_json(entry.table)},
-                    {"files", to_json(entry.files)}}
-        .dump();
+    LineJson json = to_json(entry);
+    if (!entry.copies.empty()) json["copies"] = to_json(entry.copies);
+    return json.dump();
 }
 
 std::string line_of(const StoredFile& table, const std::vector<StoredFile>& copies) {
     LineJson json{{"complete", to_json(table)}};
     if (!copies.empty()) json["copies"] = to_json(copies);
     return json.dump();
+}
+
+std::vector<StoredFile> copies_in(const LineJson& line) {
+    std::vector<StoredFile> copies;
+    for (const LineJson& copy : line.value("copies", LineJson::array())) copies.push_back(to_copy(copy));
+    return copies;
+}
+
+// The first checksum of a copy stays: it may be damaged since.
+void add_copies(Manifest& manifest, const std::vector<StoredFile>& copies) {
+    for (const StoredFile& copy : copies) {
+        const auto place = std::ranges::lower_bound(manifest.copies, copy.name, {}, &StoredFile::name);
+        if (place == manifest.copies.end() || place->name != copy.name) manifest.copies.insert(place, copy);
+    }
 }
 
 // Reads one line; throws an exception of the JSON library or std::invalid_argument if it is none of a manifest.
@@ -118,12 +138,13 @@ void read_line(const std::string& line, Manifest& manifest, const fs::path& file
         for (const LineJson& stored : json.at("files"))
             entry.files.push_back(
                 to_file(stored, {shard_file_name(entry.shard, ".tar"), shard_file_name(entry.shard, ".h5")}));
+        entry.copies = copies_in(json);
+        add_copies(manifest, entry.copies);
         manifest.shards.insert_or_assign(entry.shard, entry);
     } else {
-        std::vector<StoredFile> copies;
-        for (const LineJson& copy : json.value("copies", LineJson::array())) copies.push_back(to_copy(copy));
+        const std::vector<StoredFile> copies = copies_in(json);
         manifest.table = to_file(json.at("complete"), {table_file({}).string()});
-        manifest.copies = std::move(copies);
+        add_copies(manifest, copies);
     }
 }
 
@@ -185,7 +206,7 @@ void append_shard(const fs::path& folder, const ShardEntry& entry) { append_line
 void write_manifest(const fs::path& folder, const Manifest& manifest) {
     OutputFile file(manifest_file(folder));
     if (manifest.header) file.write(line_of(*manifest.header) + "\n");
-    for (const auto& [shard, entry] : manifest.shards) file.write(line_of(entry) + "\n");
+    for (const auto& [shard, entry] : manifest.shards) file.write(to_json(entry).dump() + "\n");
     if (manifest.table) file.write(line_of(*manifest.table, manifest.copies) + "\n");
     file.save_so_far();
     make_durable(file.temporary());

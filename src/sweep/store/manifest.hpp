@@ -41,13 +41,14 @@ struct ShardEntry {
     std::map<std::string, std::uint64_t> outcomes{};  // how many runs ended so
     StoredFile table{};                               // its lines of runs.csv: a file until the sweep is complete
     std::vector<StoredFile> files{};
+    std::vector<StoredFile> copies{};  // that its process has made since its last entry; until the sweep is complete
 };
 
 struct Manifest {
     std::optional<SweepHeader> header{};
     std::map<std::uint64_t, ShardEntry> shards{};
     std::optional<StoredFile> table{};  // runs.csv of a complete sweep
-    std::vector<StoredFile> copies{};   // of the plan, its scenes and images, in a complete sweep: by their names
+    std::vector<StoredFile> copies{};   // of the plan, its scenes and images, by their names
     std::size_t damaged_lines = 0;      // cut off, or not those of a manifest
 };
 

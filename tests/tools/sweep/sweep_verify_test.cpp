@@ -170,6 +170,21 @@ TEST_CASE("verify finds damaged copies of the plan and its scenes, and --check m
     }
 }
 
+TEST_CASE("files beside the copies of a sweep are not of it: no checksum, no merge, no fault when they are gone") {
+    const Sweeps sweeps;
+    REQUIRE(sweeps.sweep("part", {"--runs", "20", "--shard", "0/2"}).code == 0);
+    REQUIRE(sweeps.sweep("whole", {"--runs", "20"}).code == 0);
+    sweeps.folder.write("part/plan/notes.txt", "mine");
+    REQUIRE(run_tumble({"sweep", "merge", sweeps.at("merged"), sweeps.at("part")}).code == 7);  // half of the shards
+    CHECK_FALSE(fs::exists(sweeps.folder / "merged/plan/notes.txt"));
+    CHECK(fs::exists(sweeps.folder / "merged/plan/scene.json"));
+    REQUIRE(sweeps.sweep("part", {"--runs", "20"}).code == 0);
+    CHECK(read_text(sweeps.folder / "part/manifest.jsonl") == read_text(sweeps.folder / "whole/manifest.jsonl"));
+    fs::remove(sweeps.folder / "part/plan/notes.txt");
+    CHECK(run_tumble({"sweep", "verify", sweeps.at("part")}).code == 0);
+    CHECK(sweeps.sweep("part", {"--runs", "20"}).code == 0);
+}
+
 TEST_CASE("a complete sweep without the first line of its manifest is refused with a remedy, which works") {
     const Sweeps sweeps;
     REQUIRE(sweeps.sweep("out", {"--runs", "20"}).code == 0);

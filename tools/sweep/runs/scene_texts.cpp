@@ -1,7 +1,7 @@
 #include "tools/sweep/runs/scene_texts.hpp"
 
-#include <algorithm>
 #include <system_error>
+#include <utility>
 
 #include "sweep/store/durable.hpp"
 #include "sweep/store/stored_file.hpp"
@@ -74,6 +74,11 @@ void SceneTexts::copy_new() {
         if (const auto text = texts_.find(new_.back()); text != texts_.end()) copy(text->first, text->second);
 }
 
+std::vector<sweep::StoredFile> SceneTexts::take_made() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(made_, {});
+}
+
 void SceneTexts::restore(const std::vector<sweep::StoredFile>& copies) {
     if (sweep_folder_.empty()) return;
     for (const sweep::StoredFile& copy : copies) {
@@ -87,9 +92,10 @@ void SceneTexts::restore(const std::vector<sweep::StoredFile>& copies) {
 }
 
 // Two processes that copy a file at once write the same.
-void SceneTexts::copy(const fs::path& file, const std::string& text) const {
+void SceneTexts::copy(const fs::path& file, const std::string& text) {
     if (sweep_folder_.empty()) return;
     const fs::path name = kCopies / plain_path(file).lexically_relative(folder_);
+    made_.push_back({name.generic_string(), text.size(), sweep::hash_of(text)});
     if (const fs::path to = sweep_folder_ / name; fs::exists(to)) {
         if (read_file(to) != text)
             throw FileError(file, "has changed since the sweep began: " + to.string() + " is its copy");
@@ -98,28 +104,15 @@ void SceneTexts::copy(const fs::path& file, const std::string& text) const {
     write_copy(sweep_folder_, name, text);
 }
 
-std::vector<sweep::StoredFile> stored_copies(const fs::path& sweep_folder) {
-    std::vector<sweep::StoredFile> copies;
-    if (!has_copies(sweep_folder)) return copies;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copies_in(sweep_folder)))
-        if (entry.is_regular_file() && !entry.is_symlink())
-            copies.push_back(
-                sweep::read_stored_file(sweep_folder, entry.path().lexically_relative(sweep_folder).generic_string()));
-    std::ranges::sort(copies, {}, &sweep::StoredFile::name);
-    return copies;
-}
-
-void merge_copies(const fs::path& from_sweep, const std::vector<sweep::StoredFile>& checksums,
-                  const fs::path& to_sweep) {
-    if (!has_copies(from_sweep)) return;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(copies_in(from_sweep))) {
-        const std::string name = entry.path().lexically_relative(from_sweep).generic_string();
-        if (!entry.is_regular_file() || entry.is_symlink() || fs::exists(to_sweep / name)) continue;
-        const std::string text = read_within_limit(entry.path());
-        const auto known = std::ranges::find(checksums, name, &sweep::StoredFile::name);
-        if (known != checksums.end() && known->hash != sweep::hash_of(text))
-            throw InputError(entry.path().string() + ": the checksum of its bytes is not that of its manifest");
-        write_copy(to_sweep, name, text);
+void merge_copies(const fs::path& from_sweep, const std::vector<sweep::StoredFile>& copies, const fs::path& to_sweep) {
+    for (const sweep::StoredFile& copy : copies) {
+        const fs::path from = from_sweep / copy.name;
+        const bool is_there = !is_behind_link(from_sweep, copy.name) && fs::is_regular_file(fs::symlink_status(from));
+        if (!is_there || fs::exists(to_sweep / copy.name)) continue;
+        const std::string text = read_within_limit(from);
+        if (sweep::hash_of(text) != copy.hash)
+            throw InputError(from.string() + ": the checksum of its bytes is not that of its manifest");
+        write_copy(to_sweep, copy.name, text);
     }
 }
 

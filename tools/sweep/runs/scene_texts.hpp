@@ -32,6 +32,9 @@ public:
     // Copies the plan to DIR/plan. Of a plan that may read files of other folders nothing is copied. Throws FileError.
     SceneTexts(const sweep::Plan& plan, const std::filesystem::path& sweep_folder);
 
+    // The copies that were made since the last call, or that were there already.
+    std::vector<sweep::StoredFile> take_made();
+
     // Makes those of these copies that are missing or have another size, from the files that they are copies of. Throws
     // FileError, also if such a file has changed.
     void restore(const std::vector<sweep::StoredFile>& copies);
@@ -43,20 +46,18 @@ public:
     void copy_new();
 
 private:
-    void copy(const std::filesystem::path& file, const std::string& text) const;
+    void copy(const std::filesystem::path& file, const std::string& text);
 
     std::filesystem::path folder_{}, sweep_folder_{};  // of the plan, and DIR; empty: nothing is copied
     std::mutex mutex_;
     std::map<std::filesystem::path, std::string> texts_;
     std::vector<std::filesystem::path> new_;  // read, and not yet copied
+    std::vector<sweep::StoredFile> made_;
 };
 
-// The files in DIR/plan with their checksums, by their names. Throws FileError.
-std::vector<sweep::StoredFile> stored_copies(const std::filesystem::path& sweep_folder);
-
-// Copies to DIR/plan of one sweep what that of another has more. `checksums` are those that the manifest of the other
-// has. Throws FileError, and InputError if a checksum is another.
-void merge_copies(const std::filesystem::path& from_sweep, const std::vector<sweep::StoredFile>& checksums,
+// Copies to DIR/plan of one sweep those of these copies of another that it does not have; other files of the other's
+// DIR/plan stay there. Throws FileError, and InputError if a checksum is another.
+void merge_copies(const std::filesystem::path& from_sweep, const std::vector<sweep::StoredFile>& copies,
                   const std::filesystem::path& to_sweep);
 
 }  // namespace tumble::tools

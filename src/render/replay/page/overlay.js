@@ -8,6 +8,7 @@ const OVERLAYS = [
   { id: "velocities", key: "v", text: "Velocities, as far as in 0.1 s", color: "velocity" },
   { id: "trails", key: "t", text: "Trails of the last 2 s", color: "trail" },
   { id: "islands", key: "i", text: "Islands, a colour each", needsContacts: true },
+  { id: "notes", key: "o", text: "Notes of the scene", needsNotes: true, on: true },
   { id: "sleeping", key: "s", text: "Sleeping bodies dimmed", on: true },
 ];
 
@@ -135,6 +136,30 @@ class OverlayPainter {
       for (let k = Math.max(body.from, whole - steps); k <= whole; k++) points.push(this.run.center(number, k));
       this.line(points, this.painter.theme.trail, chosen >= 0 ? 2 : 1);
     });
+  }
+
+  // As in frames, a note is above its point, and is moved into the canvas at its edge.
+  notes(step) {
+    for (const note of this.run.notes) {
+      const point = this.run.notePoint(note, step), [px, py] = point ? this.camera.pixels(...point) : [-1, -1];
+      if (px >= 0 && py >= 0 && px <= this.camera.width && py <= this.camera.height) this.plate(note.text, px, py - 7);
+    }
+  }
+
+  plate(text, middle, bottom) {
+    const context = this.context, lines = text.split("\n").slice(0, 40), height = 18, pad = 5, edge = 6;
+    context.font = '14px system-ui, "DejaVu Sans", Verdana, sans-serif';
+    const wide = Math.max(...lines.map((line) => context.measureText(line).width)) + 2 * pad, high = lines.length * height + 2 * pad;
+    const left = Math.max(edge, Math.min(middle - wide / 2, this.camera.width - edge - wide));
+    const top = Math.max(edge, Math.min(bottom - high, this.camera.height - edge - high));
+    context.globalAlpha = 0.82;
+    context.fillStyle = this.painter.theme.ground;
+    context.fillRect(left, top, wide, high);
+    context.globalAlpha = 1;
+    context.fillStyle = this.painter.theme.text;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    lines.forEach((line, i) => context.fillText(line, left + wide / 2, top + pad + (i + 0.5) * height));
   }
 
   claim(claim, step) {

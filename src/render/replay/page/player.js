@@ -51,17 +51,23 @@ class Player extends Playback {
 
   makeOverlay(overlay) {
     const label = element("label"), box = element("input"), swatch = element("i", "swatch");
-    const missing = overlay.needsContacts === true && byId("contacts").textContent === "";
+    const missing = this.lackOf(overlay);
     box.type = "checkbox";
     box.id = `overlay-${overlay.id}`;
     box.checked = this.on[overlay.id];
-    box.disabled = missing;
+    box.disabled = missing !== "";
     box.addEventListener("change", () => { this.on[overlay.id] = box.checked; this.redraw(); });
     swatch.style.background = overlay.color ? `var(--${overlay.color})` : "transparent";
     label.append(box, swatch, element("span", "", overlay.text), element("kbd", "", overlay.key.toUpperCase()));
-    label.classList.toggle("off", missing);
-    if (missing) label.title = "The replay was made without contacts.";
+    label.classList.toggle("off", missing !== "");
+    label.title = missing;
     byId("overlay-list").append(label);
+  }
+
+  // Why an overlay would show nothing; empty if it has something to show.
+  lackOf(overlay) {
+    if (overlay.needsContacts && byId("contacts").textContent === "") return "The replay was made without contacts.";
+    return overlay.needsNotes && this.run.notes.length === 0 ? "The scene has no notes." : "";
   }
 
   setTheme(name) {
@@ -166,6 +172,8 @@ class Player extends Playback {
     if (this.on.velocities) this.overlays.velocities(this.step);
     if (this.run.contacts && (this.on.contacts || this.on.normals)) this.overlays.contacts(this.step, this.on);
     if (this.claim) this.overlays.claim(this.claim, this.step);
+    this.painter.usePixels();
+    if (this.on.notes) this.overlays.notes(this.step);
   }
 
   drawTexts() {

@@ -28,6 +28,18 @@ class Run {
     return worldPoint(pose, this.bodies[number].center);
   }
 
+  // The point that a note is above at a step: its own, or the top of its body; null when the note is not shown.
+  notePoint({ from, until, position, above }, step) {
+    const time = step / this.steps_per_second, whole = Math.floor(step);
+    if (time < from || time >= (until ?? Infinity)) return null;
+    if (position) return position;
+    const number = this.bodies.findIndex((body, i) => body.name === above && this.exists(i, whole));
+    if (number < 0 || this.bodies[number].shapes.length === 0) return null;
+    const pose = this.pose(number, step), boxes = this.bodies[number].shapes.map(([shape]) => boundsOf(this.shapes[shape], pose));
+    const left = Math.min(...boxes.map((box) => box[0])), right = Math.max(...boxes.map((box) => box[2]));
+    return [(left + right) / 2, Math.max(...boxes.map((box) => box[3]))];
+  }
+
   // What the frame of a step shows: its center and its height, m, and whether it follows a body.
   frame(step) {
     const whole = Math.floor(step), [, follows, x, y, height] = this.views.findLast(([from]) => from <= whole);
