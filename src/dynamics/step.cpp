@@ -266,8 +266,10 @@ void prepare_constraints(Simulation& simulation) {
     const StepSettings& settings = simulation.settings;
     simulation.scratch->contact_solver.prepare(simulation.contacts.all(), simulation.bodies, settings.tuning,
                                                settings.gravity, settings.substep_duration(), simulation.crew);
-    simulation.joints.prepare(simulation.bodies, simulation.scratch->contact_solver.graph(), settings.joints,
-                              simulation.crew);
+    simulation.joints.prepare(simulation.bodies, settings.joints, simulation.crew);
+    simulation.joints.choose_direct(simulation.bodies, [&](std::uint32_t solver_body) {
+        return simulation.scratch->contact_solver.graph().touches_dynamic(solver_body);
+    });
     if (simulation.joints.has_direct())
         simulation.scratch->joint_system.prepare(simulation.joints, simulation.bodies.solver_bodies,
                                                  settings.substep_duration(), settings.tuning.push_out_speed);

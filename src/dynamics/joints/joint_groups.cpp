@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-
-#include "debug/check.hpp"
-#include "dynamics/joints/joint_store.hpp"
+#include <utility>
 
 namespace tumble {
 
@@ -18,10 +16,9 @@ constexpr float kHeavyBody = 10.0f;
 
 }  // namespace
 
-JointGroups::Group JointGroups::take_group(std::uint32_t first, std::vector<bool>& candidates, const JointStore& joints,
-                                           const BodyStore& bodies) {
+JointGroups::Group JointGroups::take_group(std::uint32_t first, std::vector<bool>& left,
+                                           const std::vector<JoinedBodies>& joined, const BodyStore& bodies) {
     Group group;
-    std::vector<bool>& left = candidates;
     const auto take = [&](std::uint32_t joint) {
         if (!left[joint]) return;
         left[joint] = false;
@@ -29,7 +26,7 @@ JointGroups::Group JointGroups::take_group(std::uint32_t first, std::vector<bool
     };
     take(first);
     for (std::size_t i = 0; i < group.joints.size(); ++i)
-        for (const BodyId body : joints.bodies(joints.ids.at(group.joints[i]))) {
+        for (const BodyId body : joined[group.joints[i]]) {
             group.is_held |= !bodies.is_dynamic(body.index);
             if (!bodies.is_dynamic(body.index)) continue;
             group.bodies.push_back(body.index);
@@ -49,32 +46,21 @@ bool JointGroups::suits(const Group& group, const BodyStore& bodies) {
     return group.joints.size() <= kSmallGroup || heaviest >= kHeavyBody * lightest;
 }
 
-void JointGroups::find(JointSolver solver, const std::vector<bool>& is_candidate, const JointStore& joints,
-                       const BodyStore& bodies) {
+void JointGroups::find(JointSolver solver, const std::vector<JoinedBodies>& joined, const BodyStore& bodies) {
     solver_ = solver;
     groups_.clear();
-    is_direct_ = is_candidate;
-    has_direct_ = std::find(is_candidate.begin(), is_candidate.end(), true) != is_candidate.end();
-    if (solver == JointSolver::direct) return;
-    std::vector<bool> left = is_candidate;
-    for (std::uint32_t joint = 0; joint < left.size(); ++joint) {
-        if (!left[joint]) continue;
-        Group group = take_group(joint, left, joints, bodies);
-        if (suits(group, bodies)) groups_.push_back(std::move(group));
+    std::vector<bool> left(joined.size());
+    for (std::size_t joint = 0; joint < joined.size(); ++joint) left[joint] = !joined[joint].empty();
+    if (solver == JointSolver::direct) {
+        is_direct_ = left;
+        has_direct_ = std::find(left.begin(), left.end(), true) != left.end();
+        return;
     }
-    is_direct_.assign(is_candidate.size(), false);
-}
-
-void JointGroups::choose(const BodyStore& bodies, const ConstraintGraph& contacts) {
-    if (solver_ == JointSolver::direct) return;
-    has_direct_ = false;
-    for (const Group& group : groups_) {
-        const bool is_direct = std::none_of(group.bodies.begin(), group.bodies.end(), [&](std::uint32_t body) {
-            TUMBLE_CHECK(bodies.is_dynamic(body));
-            return contacts.touches_dynamic(bodies.frames[body].solver_body);
-        });
-        has_direct_ |= is_direct;
-        for (const std::uint32_t joint : group.joints) is_direct_[joint] = is_direct;
+    is_direct_.assign(joined.size(), false);
+    for (std::uint32_t joint = 0; joint < joined.size(); ++joint) {
+        if (!left[joint]) continue;
+        Group group = take_group(joint, left, joined, bodies);
+        if (suits(group, bodies)) groups_.push_back(std::move(group));
     }
 }
 

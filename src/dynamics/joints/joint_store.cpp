@@ -156,17 +156,18 @@ void JointStore::put_to_sleep(std::span<const JointId> sleepers) {
 }
 
 void JointStore::find_groups(const BodyStore& bodies, JointSolver solver) {
-    std::vector<bool> has_equalities(records_.size());
+    std::vector<JoinedBodies> joined(records_.size());
     for_each_list(*this, [&](auto& list) {
         for (const AwakeJoint& awake : list.awake)
-            list.joints[awake.slot].visit_equalities(bodies.solver_bodies,
-                                                     [&](const EqualityRow&) { has_equalities[awake.joint] = true; });
+            list.joints[awake.slot].visit_equalities(bodies.solver_bodies, [&](const EqualityRow&) {
+                if (joined[awake.joint].empty()) joined[awake.joint] = this->bodies(ids.at(awake.joint));
+            });
     });
-    groups_.find(solver, has_equalities, *this, bodies);
+    groups_.find(solver, joined, bodies);
     has_groups_ = true;
 }
 
-void JointStore::prepare(const BodyStore& bodies, const ConstraintGraph& contacts, JointSolver solver, Crew& crew) {
+void JointStore::prepare(const BodyStore& bodies, JointSolver solver, Crew& crew) {
     constexpr std::size_t kLeastJoints = 128;  // in a chunk: about 3 us of work
     if (is_unsorted_) for_each_list(*this, [](auto& list) { std::sort(list.awake.begin(), list.awake.end()); });
     is_unsorted_ = false;
@@ -179,7 +180,6 @@ void JointStore::prepare(const BodyStore& bodies, const ConstraintGraph& contact
                       [&](std::size_t i) { list.joints[list.awake[i].slot].prepare(bodies); });
     });
     if (!has_groups_) find_groups(bodies, solver);
-    groups_.choose(bodies, contacts);
 }
 
 void JointStore::warm_start(std::span<SolverBody> bodies) const {

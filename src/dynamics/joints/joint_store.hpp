@@ -5,8 +5,6 @@
 // order of their ids, and a step visits only these: a sleeping joint costs nothing.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -17,6 +15,7 @@
 #include "dynamics/joints/distance_joint.hpp"
 #include "dynamics/joints/filter_joint.hpp"
 #include "dynamics/joints/gear_joint.hpp"
+#include "dynamics/joints/joined_bodies.hpp"
 #include "dynamics/joints/joint_groups.hpp"
 #include "dynamics/joints/motor_joint.hpp"
 #include "dynamics/joints/mouse_joint.hpp"
@@ -32,29 +31,6 @@ namespace tumble {
 
 // True if the shapes of the two bodies may collide.
 bool collides_connected(const JointDef& def);
-
-// The two to four bodies that a joint acts on, each once.
-class JoinedBodies {
-public:
-    void add(BodyId body) {
-        if (std::find(begin(), end(), body) != end()) return;
-        TUMBLE_CHECK(count_ < bodies_.size());
-        bodies_[count_++] = body;
-    }
-    const BodyId* begin() const { return bodies_.data(); }
-    const BodyId* end() const { return bodies_.data() + count_; }
-
-    // Calls visit(body, other), by index, for each two of them.
-    template <class Visitor>
-    void for_each_pair(Visitor&& visit) const {
-        for (const BodyId* body = begin(); body != end(); ++body)
-            for (const BodyId* other = body + 1; other != end(); ++other) visit(body->index, other->index);
-    }
-
-private:
-    std::array<BodyId, 4> bodies_;
-    std::size_t count_ = 0;
-};
 
 // The reaction beyond which a joint breaks.
 struct JointStrength {
@@ -88,8 +64,13 @@ public:
     void wake(JointId id);
     void put_to_sleep(std::span<const JointId> ids);
 
-    // After the contacts of the step: joint_groups.hpp decides by them which joints the direct solver takes.
-    void prepare(const BodyStore& bodies, const ConstraintGraph& contacts, JointSolver solver, Crew& crew);
+    void prepare(const BodyStore& bodies, JointSolver solver, Crew& crew);
+
+    // After prepare(), and after the contacts of the step are known: decides which joints the direct solver takes.
+    template <class TouchesDynamic>
+    void choose_direct(const BodyStore& bodies, TouchesDynamic&& touches_dynamic) {
+        groups_.choose(bodies, touches_dynamic);
+    }
 
     // To be called after a change of the type or mass of a body with joints.
     void forget_groups() { has_groups_ = false; }
