@@ -185,8 +185,7 @@ TEST_CASE("a chain that is pulled by a thousand times its links' weight opens by
     World world = sleepless();
     const BodyId hook = world.create_body({.type = BodyType::static_body});
     std::vector<BodyId> chain = add_links(world, hook, {}, {0.0f, -1.0f}, 5);
-    const BodyId ball =
-        add_dynamic(world, {0.0, -6.0}, make_circle(1.0f), {.density = 1.0f / static_cast<float>(kPi)});
+    const BodyId ball = add_dynamic(world, {0.0, -6.0}, make_circle(1.0f), {.density = 1.0f / static_cast<float>(kPi)});
     world.create_joint(
         RevoluteJointDef{.body_a = chain.back(), .body_b = ball, .anchor_a = {0.0f, -0.5f}, .anchor_b = {0.0f, 1.0f}});
     chain.push_back(ball);
