@@ -27,7 +27,7 @@ inline std::string four_digits(double number) {
 
 // "1 body", "3 bodies", "0 runs".
 std::string counted(std::integral auto count, std::string_view noun) {
-    const std::string text = std::to_string(count) + " " + std::string(noun);
+    std::string text = std::to_string(count) + " " + std::string(noun);
     if (count == 1) return text;
     return text.ends_with("body") ? text.substr(0, text.size() - 1) + "ies" : text + "s";
 }

@@ -66,7 +66,7 @@ void NameLookup::enter(const Token& function) {
 }
 
 std::optional<NameLookup::Copies> NameLookup::leave() {
-    const std::optional<Copies> copies = around_.back().copies;
+    std::optional<Copies> copies = around_.back().copies;
     around_.pop_back();
     return copies;
 }
