@@ -144,7 +144,7 @@ struct DistanceTrace {
 };
 
 // gjk_distance() with every iteration of GJK recorded. The first support, towards the other shape, is the simplex of
-// the first step; the result counts it too, and the search that answers in place of a loop that stops early. Allocates.
+// the first step, and counts. The iterations of an exhaustive search, if one answers, count but are no steps. Allocates.
 DistanceTrace trace_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                              SubAlgorithm sub_algorithm = SubAlgorithm::voronoi);
 

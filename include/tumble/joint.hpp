@@ -26,8 +26,8 @@ namespace tumble {
 // pulleys, gears. Limits, motors and springs are iterated in both cases.
 enum class JointSolver : std::uint8_t {
     // One after the other, with a softness of 60 Hz: O(joints), but joints open under load, and mechanisms lose energy.
-    // Exact are a hinge or rod that is alone, up to 4 joints that hang from a static or kinematic body, and up to 64 if
-    // one of their bodies has 10 times the mass of another: see the README beside this file.
+    // The joints of pendulums and small linkages are exact while nothing touches their bodies: see the README beside
+    // this file.
     iterative,
 
     // All at once, by a sparse factorization in each sub-step. Joints do not open, and pendulums and chains keep their

@@ -268,7 +268,7 @@ void prepare_constraints(Simulation& simulation) {
                                                settings.gravity, settings.substep_duration(), simulation.crew);
     simulation.joints.prepare(simulation.bodies, settings.joints, simulation.crew);
     simulation.joints.choose_direct(simulation.bodies, [&](std::uint32_t solver_body) {
-        return simulation.scratch->contact_solver.graph().touches_dynamic(solver_body);
+        return simulation.scratch->contact_solver.graph().has_contact(solver_body);
     });
     if (simulation.joints.has_direct())
         simulation.scratch->joint_system.prepare(simulation.joints, simulation.bodies.solver_bodies,

@@ -35,7 +35,7 @@ inline std::string chain_bodies(const std::string& last) {
            ", " + last;
 }
 inline const std::string kChainJoints =
-    R"("joints": [{"type": "distance", "name": "top", "bodies": ["hook", "link[0]"], "anchors": [[0, 10], [0, 0.25]], "limits": [0, 0.2]},
+    R"("joints": [{"type": "revolute", "name": "top", "bodies": ["hook", "link[0]"], "anchor": [0, 10]},
        {"type": "revolute", "name": "hinge", "bodies": ["link[0]", "link[1]"], "anchors": [[0, -0.25], [0, 0.25]], "repeat": {"columns": 9}},
        {"type": "revolute", "name": "last", "bodies": ["link[9]", "weight"], "anchors": [[0, -0.25], [0, 0.5]]}])";
 

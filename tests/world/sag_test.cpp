@@ -180,20 +180,17 @@ TEST_CASE("the openings of its hinges determine how low a taut bridge hangs") {
     }
 }
 
-// The direct solver takes a chain with such a ball. A force of that size leaves it to the iteration.
-TEST_CASE("a chain that is pulled by a thousand times its links' weight opens by 2 F / (m w^2) at each") {
+TEST_CASE("a chain with a ball of a thousand times its links' mass opens by 2 F / (m w^2) at each") {
     World world = sleepless();
     const BodyId hook = world.create_body({.type = BodyType::static_body});
     std::vector<BodyId> chain = add_links(world, hook, {}, {0.0f, -1.0f}, 5);
-    const BodyId ball = add_dynamic(world, {0.0, -6.0}, make_circle(1.0f), {.density = 1.0f / static_cast<float>(kPi)});
+    const BodyId ball =
+        add_dynamic(world, {0.0, -6.0}, make_circle(1.0f), {.density = 1000.0f / static_cast<float>(kPi)});
     world.create_joint(
         RevoluteJointDef{.body_a = chain.back(), .body_b = ball, .anchor_a = {0.0f, -0.5f}, .anchor_b = {0.0f, 1.0f}});
     chain.push_back(ball);
     damp(world, chain, 1.0f);
-    for (int step = 0; step < 1200; ++step) {
-        world.apply_force(ball, {0.0f, -9990.0f});
-        world.step();
-    }
+    run(world, 1200);
     for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
         const double pull = (1000.0 + static_cast<double>(chain.size() - 1 - i)) * kDampedGravity;
         const double gap = 2.0 * pull / (kJointOmega * kJointOmega);

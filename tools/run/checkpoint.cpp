@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint64_t kVersion = 3;
+constexpr std::uint64_t kVersion = 4;
 
 void write_view_state(JsonWriter& json, const FrameOutput::State& state) {
     json.key("trails").open_array();

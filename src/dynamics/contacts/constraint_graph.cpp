@@ -7,6 +7,13 @@
 
 namespace tumble {
 
+namespace {
+
+constexpr std::uint32_t kDynamicMask = (1u << kDynamicColors) - 1u;
+constexpr std::uint32_t kStaticMask = ((1u << kStaticColors) - 1u) << kDynamicColors;
+
+}  // namespace
+
 // The lowest colour that neither dynamic body has. Static and kinematic bodies may have several contacts of a colour.
 std::uint8_t ConstraintGraph::choose_color(const Contact& contact, const BodyStore& bodies) {
     const bool dynamic_a = bodies.is_dynamic(contact.body_a), dynamic_b = bodies.is_dynamic(contact.body_b);
@@ -15,19 +22,11 @@ std::uint8_t ConstraintGraph::choose_color(const Contact& contact, const BodySto
     TUMBLE_CHECK((!dynamic_b || bodies.frames[contact.body_b].solver_body != kStaticSolverBody));
     std::uint32_t* const used_a = &used_colors_[bodies.frames[contact.body_a].solver_body];
     std::uint32_t* const used_b = &used_colors_[bodies.frames[contact.body_b].solver_body];
-    const bool is_dynamic_pair = dynamic_a && dynamic_b;
-    std::uint32_t free = is_dynamic_pair ? kDynamicMask : kStaticMask;
+    std::uint32_t free = dynamic_a && dynamic_b ? kDynamicMask : kStaticMask;
     if (dynamic_a) free &= ~*used_a;
     if (dynamic_b) free &= ~*used_b;
-    if (free == 0) {
-        if (is_dynamic_pair) {
-            *used_a |= kUncoloredPair;
-            *used_b |= kUncoloredPair;
-        }
-        return kNoColor;
-    }
-    const int color = std::countr_zero(free);
-    TUMBLE_CHECK(color < kColors);
+    const int color = free == 0 ? kNoColor : std::countr_zero(free);
+    TUMBLE_CHECK(color <= kColors);
     if (dynamic_a) *used_a |= 1u << color;
     if (dynamic_b) *used_b |= 1u << color;
     return static_cast<std::uint8_t>(color);

@@ -44,10 +44,10 @@ public:
     // In the order of solving: the contacts without a colour, then the colours that have contacts.
     std::span<const Color> colors() const { return colors_; }
 
-    // True if a dynamic solver body touches another dynamic body.
-    bool touches_dynamic(std::uint32_t solver_body) const {
+    // True if the blocks contain a contact of the dynamic solver body.
+    bool has_contact(std::uint32_t solver_body) const {
         TUMBLE_CHECK(solver_body < used_colors_.size());
-        return (used_colors_[solver_body] & kDynamicPair) != 0;
+        return used_colors_[solver_body] != 0;
     }
 
     std::size_t bytes() const {
@@ -59,14 +59,10 @@ private:
     static constexpr int kColors = kDynamicColors + kStaticColors;
     static constexpr std::uint8_t kNoColor = kColors;
     static constexpr std::uint8_t kNotTouching = kColors + 1;
-    static constexpr std::uint32_t kDynamicMask = (1u << kDynamicColors) - 1u;
-    static constexpr std::uint32_t kStaticMask = ((1u << kStaticColors) - 1u) << kDynamicColors;
-    static constexpr std::uint32_t kUncoloredPair = 1u << kColors;  // of dynamic bodies
-    static constexpr std::uint32_t kDynamicPair = kDynamicMask | kUncoloredPair;
 
     std::uint8_t choose_color(const Contact& contact, const BodyStore& bodies);
 
-    std::vector<std::uint32_t> used_colors_;    // by solver body, a bit for each colour, and kUncoloredPair
+    std::vector<std::uint32_t> used_colors_;    // by solver body, a bit for each colour, and for kNoColor
     std::vector<std::uint8_t> contact_colors_;  // by contact
     std::vector<std::uint32_t> lanes_;          // index of a contact, or kNoContact
     std::vector<Color> colors_;

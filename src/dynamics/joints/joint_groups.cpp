@@ -8,11 +8,13 @@ namespace tumble {
 
 namespace {
 
-// The most joints of a group that the direct solver takes: of any group, and of one with a heavy body.
-constexpr std::size_t kSmallGroup = 4;
-constexpr std::size_t kLargestGroup = 64;
-// A heavy body has at least this many times the mass of the lightest body of its group.
-constexpr float kHeavyBody = 10.0f;
+// The most joints of a group. Each costs some 2500 instructions in a sub-step. Lower: linkages of four bars lose
+// energy.
+constexpr std::size_t kMostJoints = 4;
+
+// The most that a body may have of the mass of the lightest one of its group. Higher: a contact, which leaves the group
+// to the iteration, lets it sag by more than 6 cm, and it jumps back when the contact ends.
+constexpr float kLargestMassRatio = 100.0f;
 
 }  // namespace
 
@@ -32,18 +34,22 @@ JointGroups::Group JointGroups::take_group(std::uint32_t first, std::vector<bool
             group.bodies.push_back(body.index);
             for (const JointId joint : bodies.records[body.index].joints) take(joint.index);
         }
+    std::sort(group.bodies.begin(), group.bodies.end());
+    group.bodies.erase(std::unique(group.bodies.begin(), group.bodies.end()), group.bodies.end());
     return group;
 }
 
 bool JointGroups::suits(const Group& group, const BodyStore& bodies) {
-    // A joint alone has an exact solution of its own (rows/lone_joint.hpp).
-    if (!group.is_held || group.joints.size() < 2 || group.joints.size() > kLargestGroup) return false;
+    if (!group.is_held || group.joints.size() > kMostJoints) return false;
     float lightest = std::numeric_limits<float>::infinity(), heaviest = 0.0f;
+    bool has_others = group.joints.size() > 1;
     for (const std::uint32_t body : group.bodies) {
         lightest = std::min(lightest, bodies.records[body].mass.mass);
         heaviest = std::max(heaviest, bodies.records[body].mass.mass);
+        has_others |= bodies.records[body].joints.size() > 1;
     }
-    return group.joints.size() <= kSmallGroup || heaviest >= kHeavyBody * lightest;
+    // The only joint of its bodies has a solution of its own (rows/lone_joint.hpp).
+    return has_others && heaviest <= kLargestMassRatio * lightest;
 }
 
 void JointGroups::find(JointSolver solver, const std::vector<JoinedBodies>& joined, const BodyStore& bodies) {

@@ -30,6 +30,17 @@ struct CollidesConnected {
     bool operator()(const auto& def) const { return def.collide_connected; }
 };
 
+// True if a joint has rows that the direct solver may take.
+struct HasEqualities {
+    bool operator()(const MouseJointDef&) const { return false; }
+    bool operator()(const MotorJointDef&) const { return false; }
+    bool operator()(const FilterJointDef&) const { return false; }
+    bool operator()(const DistanceJointDef& def) const { return !def.spring && !def.limits; }  // a rod
+    bool operator()(const WeldJointDef& def) const { return !def.linear_spring || !def.angular_spring; }
+    bool operator()(const auto&) const { return true; }
+};
+bool has_equalities(const JointDef& def) { return std::visit(HasEqualities{}, def); }
+
 }  // namespace
 
 bool collides_connected(const JointDef& def) { return std::visit(CollidesConnected{}, def); }
@@ -113,9 +124,9 @@ float JointStore::position(JointId id) const {
 void JointStore::redefine(JointId id, const JointDef& def) {
     TUMBLE_CHECK(ids.is_live(id));
     TUMBLE_CHECK(def.index() == records_[id.index].def.index());
+    has_groups_ &= has_equalities(def) == has_equalities(records_[id.index].def);
     records_[id.index].def = def;
     loads_[id.index].strength = joint_strength(def);
-    has_groups_ = false;
     visit_list_of(*this, id, [&](auto& list, const auto& kind) {
         TUMBLE_CHECK(records_[id.index].slot < list.joints.size());
         auto& joint = list.joints[records_[id.index].slot];
@@ -159,9 +170,7 @@ void JointStore::find_groups(const BodyStore& bodies, JointSolver solver) {
     std::vector<JoinedBodies> joined(records_.size());
     for_each_list(*this, [&](auto& list) {
         for (const AwakeJoint& awake : list.awake)
-            list.joints[awake.slot].visit_equalities(bodies.solver_bodies, [&](const EqualityRow&) {
-                if (joined[awake.joint].empty()) joined[awake.joint] = this->bodies(ids.at(awake.joint));
-            });
+            if (has_equalities(records_[awake.joint].def)) joined[awake.joint] = this->bodies(ids.at(awake.joint));
     });
     groups_.find(solver, joined, bodies);
     has_groups_ = true;

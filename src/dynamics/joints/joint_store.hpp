@@ -66,10 +66,10 @@ public:
 
     void prepare(const BodyStore& bodies, JointSolver solver, Crew& crew);
 
-    // After prepare(), and after the contacts of the step are known: decides which joints the direct solver takes.
-    template <class TouchesDynamic>
-    void choose_direct(const BodyStore& bodies, TouchesDynamic&& touches_dynamic) {
-        groups_.choose(bodies, touches_dynamic);
+    // After prepare(), when the contacts of the step are known: decides which joints the direct solver takes.
+    template <class HasContact>
+    void choose_direct(const BodyStore& bodies, HasContact&& has_contact) {
+        groups_.choose(bodies, has_contact);
     }
 
     // To be called after a change of the type or mass of a body with joints.

@@ -41,11 +41,10 @@ def render(
 
     The camera has its middle at `center` (world, m) and shows `view_height` m. Pass both to keep it still from frame to
     frame. What is left out is fitted, as by `fitted_camera`: to the bodies that are not static and the ground below them,
-    and to all static shapes if these do not make the frame much larger. Bodies of a world that are more than 1000 times
-    the size of its largest one away from the middle one are left out if the frame would be 2000 times that size. `overlay`
-    names what to show over the bodies: contacts, normals, aabbs, islands, velocity, joints, forces. `theme` is light, dark,
-    print, high_contrast or color_blind; without it that of the scene, or light. Width and height are 16 to 8192 pixels. The same state
-    gives the same pixels on one machine.
+    and to all static shapes if these do not make the frame much larger. `overlay` names what to show over the bodies:
+    contacts, normals, aabbs, islands, velocity, joints, forces. `theme` is light, dark, print, high_contrast or
+    color_blind; without it that of the scene, or light. Width and height are 16 to 8192 pixels. The same state gives the
+    same pixels on one machine.
     """
     world = world_of(what)
     size = whole(width, "width", 16, 8192), whole(height, "height", 16, 8192)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -20,69 +19,29 @@ constexpr double kSunk = 0.02;          // a body may overlap its ground or its 
 constexpr double kFarthestFall = 40.0;  // ground is searched this far below
 constexpr double kLargestRoom = 24.0;   // a static body of at most this size is a room for what stays in its box
 
-// Of a box around all that moves, in sizes of its largest body: in a frame of 720 rows that body has a third of a
-// pixel.
-constexpr double kMostExtent = 2000.0;
-
 // Factors on the height of the frame.
 constexpr double kGrowthForStatics = 1.75;  // at most, to show all static shapes
 constexpr double kGrowthForMotion = 3.0;    // at most, to show the motions, from the frame fitted to the start
 
-// The position of a body in the middle of some: the nearest to the medians of x and y. After a divergence some have
-// none.
-DVec2 middle_position(const World& world, const std::vector<BodyId>& bodies) {
-    std::vector<DVec2> positions;
-    for (const BodyId body : bodies)
-        if (const DVec2 position = world.state(body).pose.position; is_finite(position)) positions.push_back(position);
-    if (positions.empty()) return {};
-    const auto median = [&](double DVec2::*axis) {
-        const auto middle = positions.begin() + static_cast<std::ptrdiff_t>((positions.size() - 1) / 2);
-        std::ranges::nth_element(positions, middle, {}, axis);
-        return *middle.*axis;
-    };
-    const DVec2 medians{median(&DVec2::x), median(&DVec2::y)};
-    return *std::ranges::min_element(positions, {}, [&](DVec2 position) { return length(position - medians); });
-}
-
-// All bodies that are not static, sorted; if they are too far apart to be seen in one frame, those near the middle one.
-std::vector<BodyId> moving_bodies(const World& world) {
-    std::vector<BodyId> moving;
-    Box all;
-    double largest = 0.0;
-    for (const BodyId body : world.bodies()) {
-        if (world.type(body) == BodyType::static_body) continue;
-        moving.push_back(body);
-        const Box box = box_of(world, body);
-        all.add(box);
-        if (!box.is_empty()) largest = std::max(largest, box.larger_side());
-    }
-    if (largest == 0.0 || all.larger_side() <= kMostExtent * largest) return moving;
-    const DVec2 middle = middle_position(world, moving);
-    std::erase_if(moving, [&](BodyId body) {
-        return length(world.state(body).pose.position - middle) > 0.5 * kMostExtent * largest;
-    });
-    return moving;
-}
-
 Box moving_box(const World& world) {
     Box box;
-    const std::vector<BodyId> moving = moving_bodies(world);
-    const auto moves = [&](BodyId body) { return std::ranges::binary_search(moving, body); };
-    for (const BodyId body : moving) {
+    for (const BodyId body : world.bodies()) {
+        if (world.type(body) == BodyType::static_body) continue;
         box.add(box_of(world, body));
         if (world.state(body).angular_velocity != 0.0f) box.add(swept_box(world, body, world.mass(body).center));
     }
     // Hinged bodies turn about their hinges, and the ropes of pulleys run up to their wheels.
     for (const JointId id : world.joints()) {
-        const auto* pulley = std::get_if<PulleyJointDef>(&world.joint(id));
-        if (pulley && (moves(pulley->body_a) || moves(pulley->body_b))) {
+        if (const auto* pulley = std::get_if<PulleyJointDef>(&world.joint(id))) {
             box.add({pulley->ground_anchor_a, pulley->ground_anchor_a});
             box.add({pulley->ground_anchor_b, pulley->ground_anchor_b});
         }
         const auto* hinge = std::get_if<RevoluteJointDef>(&world.joint(id));
         if (!hinge) continue;
-        if (moves(hinge->body_a)) box.add(swept_box(world, hinge->body_a, hinge->anchor_a));
-        if (moves(hinge->body_b)) box.add(swept_box(world, hinge->body_b, hinge->anchor_b));
+        if (world.type(hinge->body_a) != BodyType::static_body)
+            box.add(swept_box(world, hinge->body_a, hinge->anchor_a));
+        if (world.type(hinge->body_b) != BodyType::static_body)
+            box.add(swept_box(world, hinge->body_b, hinge->anchor_b));
     }
     return box;
 }

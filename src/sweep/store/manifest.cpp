@@ -106,12 +106,15 @@ std::vector<StoredFile> copies_in(const LineJson& line) {
     return copies;
 }
 
-// The first checksum of a copy stays: it may be damaged since.
 void add_copies(Manifest& manifest, const std::vector<StoredFile>& copies) {
-    for (const StoredFile& copy : copies) {
-        const auto place = std::ranges::lower_bound(manifest.copies, copy.name, {}, &StoredFile::name);
-        if (place == manifest.copies.end() || place->name != copy.name) manifest.copies.insert(place, copy);
-    }
+    manifest.copies.insert(manifest.copies.end(), copies.begin(), copies.end());
+}
+
+// The first checksum of a copy stays: it may be damaged since.
+void drop_repeated(std::vector<StoredFile>& copies) {
+    std::ranges::stable_sort(copies, {}, &StoredFile::name);
+    const auto repeated = std::ranges::unique(copies, {}, &StoredFile::name);
+    copies.erase(repeated.begin(), repeated.end());
 }
 
 // Reads one line; throws an exception of the JSON library or std::invalid_argument if it is none of a manifest.
@@ -195,6 +198,7 @@ Manifest read_manifest(const fs::path& folder) {
             ++manifest.damaged_lines;
         }
     }
+    drop_repeated(manifest.copies);
     const std::uint64_t shards = manifest.header ? manifest.header->shards() : 0;
     manifest.damaged_lines += std::erase_if(manifest.shards, [&](const auto& entry) { return entry.first >= shards; });
     return manifest;

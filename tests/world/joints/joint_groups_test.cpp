@@ -62,11 +62,13 @@ struct Bars {
     }
 
     // Gives the last bar a mass, as a multiple of that of the first one.
-    void weigh_down(float ratio) {
+    void weigh_down(float ratio) { world.set_mass(bars.back(), heavy_mass(ratio)); }
+
+    BodyMass heavy_mass(float ratio) const {
         BodyMass mass = world.mass(bars.front());
         mass.mass *= ratio;
         mass.inertia *= ratio;
-        world.set_mass(bars.back(), mass);
+        return mass;
     }
 };
 
@@ -104,21 +106,23 @@ TEST_CASE("two joints that hang from a kinematic body are solved directly, those
     }
 }
 
-TEST_CASE("a chain with a weight of ten times the mass of a link is solved directly, up to 64 joints") {
-    struct Case {
-        int count;
-        float ratio;
-        bool is_direct;
-    };
-    for (const Case& one :
-         {Case{20, 9.0f, false}, Case{20, 10.0f, true}, Case{64, 10.0f, true}, Case{65, 10.0f, false}}) {
-        CAPTURE(one.count);
-        CAPTURE(one.ratio);
-        Bars bars(JointSolver::iterative, one.count), direct(JointSolver::direct, one.count);
-        bars.weigh_down(one.ratio);
-        direct.weigh_down(one.ratio);
-        CHECK(moves_alike(bars, direct) == one.is_direct);
+TEST_CASE("joints of bodies of very different masses are iterated") {
+    for (const float ratio : {100.0f, 101.0f}) {
+        CAPTURE(ratio);
+        Bars bars(JointSolver::iterative, 3), direct(JointSolver::direct, 3);
+        bars.weigh_down(ratio);
+        direct.weigh_down(ratio);
+        CHECK(moves_alike(bars, direct) == (ratio <= 100.0f));
     }
+}
+
+TEST_CASE("a hinge is solved directly if its body has a joint without rows, too") {
+    Bars bars(JointSolver::iterative, 1), direct(JointSolver::direct, 1);
+    for (Bars* one : {&bars, &direct}) {
+        const BodyId far = one->world.create_body({.pose = {{100.0, 0.0}, {}}});
+        one->world.create_joint(FilterJointDef{.body_a = one->bars[0], .body_b = far});
+    }
+    CHECK(moves_alike(bars, direct));
 }
 
 // Joints of bars that hang at rest open by rounding alone if they are solved directly, and by at least g / w^2 = 0.07
@@ -126,24 +130,25 @@ TEST_CASE("a chain with a weight of ten times the mass of a link is solved direc
 constexpr double kOpen = 5e-5;  // m
 
 TEST_CASE("a change of masses, types or joints changes which joints are solved directly") {
-    Bars bars(JointSolver::iterative, 6, BodyType::static_body, false);
+    Bars bars(JointSolver::iterative, 5, BodyType::static_body, false);
     const auto gap_at_rest = [&] {
         run(bars.world, 5 * kSecond);
         return bars.widest_gap();
     };
-    CHECK(gap_at_rest() > kOpen);
-    bars.weigh_down(10.0f);
+    bars.world.set_type(bars.bars[1], BodyType::static_body);  // two joints hang from the support, three from this bar
     CHECK(gap_at_rest() < kOpen);
-    bars.weigh_down(1.0f);
+    bars.world.set_type(bars.bars[1], BodyType::dynamic_body);
     CHECK(gap_at_rest() > kOpen);
     bars.world.destroy_joint(bars.joints[4]);
-    bars.joints.resize(4);
+    bars.joints.pop_back();
     CHECK(gap_at_rest() < kOpen);
-    bars.world.set_type(bars.support, BodyType::kinematic_body);
+    bars.weigh_down(1000.0f);  // a bar that no longer hangs there
     CHECK(gap_at_rest() < kOpen);
+    bars.world.set_mass(bars.bars[3], bars.heavy_mass(1000.0f));
+    CHECK(gap_at_rest() > kOpen);
 }
 
-TEST_CASE("a group is iterated while it touches another dynamic body") {
+TEST_CASE("a group is iterated while something touches one of its bodies") {
     Bars bars(JointSolver::iterative, 2);
     // It presses on the bar near the hinge, where the bar falls more slowly than a free body.
     const BodyId crate = add_dynamic(bars.world, {0.25, 0.3}, make_box({0.5f, 0.5f}));

@@ -95,13 +95,11 @@ void SceneTexts::restore(const std::vector<sweep::StoredFile>& copies) {
 void SceneTexts::copy(const fs::path& file, const std::string& text) {
     if (sweep_folder_.empty()) return;
     const fs::path name = kCopies / plain_path(file).lexically_relative(folder_);
+    if (const fs::path to = sweep_folder_ / name; !fs::exists(to))
+        write_copy(sweep_folder_, name, text);
+    else if (read_file(to) != text)
+        throw FileError(file, "has changed since the sweep began: " + to.string() + " is its copy");
     made_.push_back({name.generic_string(), text.size(), sweep::hash_of(text)});
-    if (const fs::path to = sweep_folder_ / name; fs::exists(to)) {
-        if (read_file(to) != text)
-            throw FileError(file, "has changed since the sweep began: " + to.string() + " is its copy");
-        return;
-    }
-    write_copy(sweep_folder_, name, text);
 }
 
 void merge_copies(const fs::path& from_sweep, const std::vector<sweep::StoredFile>& copies, const fs::path& to_sweep) {

@@ -146,9 +146,19 @@ class OverlayPainter {
     }
   }
 
+  // A line that is too wide is cut and ends with an ellipsis.
+  fitted(line, room) {
+    if (this.context.measureText(line).width <= room) return line;
+    const letters = Array.from(line);
+    while (letters.length > 0 && this.context.measureText(letters.join("") + "\u2026").width > room) letters.pop();
+    return letters.join("") + "\u2026";
+  }
+
   plate(text, middle, bottom) {
-    const context = this.context, lines = text.split("\n").slice(0, 40), height = 18, pad = 5, edge = 6;
+    const context = this.context, height = 18, pad = 5, edge = 6;
     context.font = '14px system-ui, "DejaVu Sans", Verdana, sans-serif';
+    const room = this.camera.width - 2 * (edge + pad);
+    const lines = text.split("\n").slice(0, 40).map((line) => this.fitted(line, room));
     const wide = Math.max(...lines.map((line) => context.measureText(line).width)) + 2 * pad, high = lines.length * height + 2 * pad;
     const left = Math.max(edge, Math.min(middle - wide / 2, this.camera.width - edge - wide));
     const top = Math.max(edge, Math.min(bottom - high, this.camera.height - edge - high));
