@@ -143,8 +143,8 @@ struct DistanceTrace {
     DistanceResult result;
 };
 
-// gjk_distance() with every iteration of GJK recorded. The first support, towards the other shape, is the simplex of
-// the first step, and counts. The iterations of an exhaustive search, if one answers, count but are no steps. Allocates.
+// gjk_distance() with every iteration of GJK recorded; allocates. The first support, towards the other shape, is the
+// simplex of the first step, and counts. Iterations of an exhaustive search, if one answers, count but are no steps.
 DistanceTrace trace_distance(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                              SubAlgorithm sub_algorithm = SubAlgorithm::voronoi);
 

@@ -27,7 +27,8 @@ namespace tumble {
 class JointSystem {
 public:
     // Lists and factorizes the rows at the start of a step. Allocates only if their bodies are others than in the last
-    // step, or if other joints are solved directly. `h` is the sub-step, s; errors are corrected at no more than `correction_speed`, m/s or rad/s.
+    // step, or if other joints are solved directly. `h` is the sub-step, s; errors are corrected at no more than
+    // `correction_speed`, m/s or rad/s.
     void prepare(JointStore& joints, std::span<const SolverBody> bodies, float h, float correction_speed);
 
     // Clears the impulses of the rows: each sub-step finds them anew, and needs no warm start.
