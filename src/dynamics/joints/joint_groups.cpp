@@ -19,7 +19,7 @@ constexpr float kLargestMassRatio = 100.0f;
 }  // namespace
 
 JointGroups::Group JointGroups::take_group(std::uint32_t first, std::vector<bool>& left,
-                                           const std::vector<JoinedBodies>& joined, const BodyStore& bodies) {
+                                           const std::vector<GroupedJoint>& joints, const BodyStore& bodies) {
     Group group;
     const auto take = [&](std::uint32_t joint) {
         if (!left[joint]) return;
@@ -27,20 +27,23 @@ JointGroups::Group JointGroups::take_group(std::uint32_t first, std::vector<bool
         group.joints.push_back(joint);
     };
     take(first);
-    for (std::size_t i = 0; i < group.joints.size(); ++i)
-        for (const BodyId body : joined[group.joints[i]]) {
+    for (std::size_t i = 0; i < group.joints.size(); ++i) {
+        const GroupedJoint& joint = joints[group.joints[i]];
+        group.is_rigid &= joint.rows == JointRows::rigid;
+        for (const BodyId body : joint.bodies) {
             group.is_held |= !bodies.is_dynamic(body.index);
             if (!bodies.is_dynamic(body.index)) continue;
             group.bodies.push_back(body.index);
-            for (const JointId joint : bodies.records[body.index].joints) take(joint.index);
+            for (const JointId other : bodies.records[body.index].joints) take(other.index);
         }
+    }
     std::sort(group.bodies.begin(), group.bodies.end());
     group.bodies.erase(std::unique(group.bodies.begin(), group.bodies.end()), group.bodies.end());
     return group;
 }
 
 bool JointGroups::suits(const Group& group, const BodyStore& bodies) {
-    if (!group.is_held || group.joints.size() > kMostJoints) return false;
+    if (!group.is_held || !group.is_rigid || group.joints.size() > kMostJoints) return false;
     float lightest = std::numeric_limits<float>::infinity(), heaviest = 0.0f;
     bool has_others = group.joints.size() > 1;
     for (const std::uint32_t body : group.bodies) {
@@ -52,20 +55,17 @@ bool JointGroups::suits(const Group& group, const BodyStore& bodies) {
     return has_others && heaviest <= kLargestMassRatio * lightest;
 }
 
-void JointGroups::find(JointSolver solver, const std::vector<JoinedBodies>& joined, const BodyStore& bodies) {
+void JointGroups::find(JointSolver solver, const std::vector<GroupedJoint>& joints, const BodyStore& bodies) {
     solver_ = solver;
     groups_.clear();
-    std::vector<bool> left(joined.size());
-    for (std::size_t joint = 0; joint < joined.size(); ++joint) left[joint] = !joined[joint].empty();
-    if (solver == JointSolver::direct) {
-        is_direct_ = left;
-        has_direct_ = std::find(left.begin(), left.end(), true) != left.end();
-        return;
-    }
-    is_direct_.assign(joined.size(), false);
-    for (std::uint32_t joint = 0; joint < joined.size(); ++joint) {
+    is_direct_.assign(joints.size(), solver == JointSolver::direct);
+    has_direct_ = solver == JointSolver::direct;
+    if (solver == JointSolver::direct) return;
+    std::vector<bool> left(joints.size());
+    for (std::size_t joint = 0; joint < joints.size(); ++joint) left[joint] = joints[joint].rows != JointRows::none;
+    for (std::uint32_t joint = 0; joint < joints.size(); ++joint) {
         if (!left[joint]) continue;
-        Group group = take_group(joint, left, joined, bodies);
+        Group group = take_group(joint, left, joints, bodies);
         if (suits(group, bodies)) groups_.push_back(std::move(group));
     }
 }

@@ -1,10 +1,9 @@
 // Which joints the direct solver takes.
 //
 // With JointSolver::direct it takes all. With JointSolver::iterative it takes those of small mechanisms, such as a
-// double pendulum or a four-bar linkage: groups of few joints that a static or kinematic body holds, while none of
-// their bodies has a contact. A group is a set of joints with equality constraints that are connected through dynamic
-// bodies.
-// ../SOFTNESS.md, steps 15 to 17, says why no others.
+// double pendulum or a four-bar linkage: groups of few rigid joints that a static or kinematic body holds, while none
+// of their bodies has a contact. A group is a set of joints that are connected through dynamic bodies. A rigid joint
+// has no limits, motors and springs. ../SOFTNESS.md, steps 15 to 17, says why no others.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +17,19 @@
 
 namespace tumble {
 
+// What the rows of a joint are: none (of a filter joint), equality constraints alone, or others too.
+enum class JointRows : std::uint8_t { none, rigid, other };
+
+struct GroupedJoint {
+    JointRows rows = JointRows::none;  // also of a joint that sleeps
+    JoinedBodies bodies;
+};
+
 class JointGroups {
 public:
-    // Finds the groups anew: after a change of the awake joints and of which of them have equality constraints, or of
-    // the type or mass of a joined body. `joined`, by joint index: the bodies of the awake joints with equality
-    // constraints; empty for all others.
-    void find(JointSolver solver, const std::vector<JoinedBodies>& joined, const BodyStore& bodies);
+    // Finds the groups anew: after a change of the awake joints, of their rows, or of the type or mass of a joined
+    // body. `joints` by joint index.
+    void find(JointSolver solver, const std::vector<GroupedJoint>& joints, const BodyStore& bodies);
 
     // Decides for this step. has_contact(solver_body) is true if the solver presses on a dynamic body in this step.
     template <class HasContact>
@@ -53,9 +59,10 @@ private:
         std::vector<std::uint32_t> joints;  // indices
         std::vector<std::uint32_t> bodies;  // indices of those that are dynamic, ascending
         bool is_held = false;
+        bool is_rigid = true;
     };
     // The group of a joint. Removes its joints from those that are left, by joint index.
-    static Group take_group(std::uint32_t first, std::vector<bool>& left, const std::vector<JoinedBodies>& joined,
+    static Group take_group(std::uint32_t first, std::vector<bool>& left, const std::vector<GroupedJoint>& joints,
                             const BodyStore& bodies);
     static bool suits(const Group& group, const BodyStore& bodies);
 

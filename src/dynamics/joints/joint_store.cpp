@@ -30,16 +30,19 @@ struct CollidesConnected {
     bool operator()(const auto& def) const { return def.collide_connected; }
 };
 
-// True if a joint has rows that the direct solver may take.
-struct HasEqualities {
-    bool operator()(const MouseJointDef&) const { return false; }
-    bool operator()(const MotorJointDef&) const { return false; }
-    bool operator()(const FilterJointDef&) const { return false; }
-    bool operator()(const DistanceJointDef& def) const { return !def.spring && !def.limits; }  // a rod
-    bool operator()(const WeldJointDef& def) const { return !def.linear_spring || !def.angular_spring; }
-    bool operator()(const auto&) const { return true; }
+JointRows rows_if(bool is_rigid) { return is_rigid ? JointRows::rigid : JointRows::other; }
+
+struct Rows {
+    JointRows operator()(const FilterJointDef&) const { return JointRows::none; }
+    JointRows operator()(const MouseJointDef&) const { return JointRows::other; }
+    JointRows operator()(const MotorJointDef&) const { return JointRows::other; }
+    JointRows operator()(const WheelJointDef&) const { return JointRows::other; }
+    JointRows operator()(const PulleyJointDef&) const { return JointRows::rigid; }
+    JointRows operator()(const GearJointDef&) const { return JointRows::rigid; }
+    JointRows operator()(const WeldJointDef& def) const { return rows_if(!def.linear_spring && !def.angular_spring); }
+    JointRows operator()(const auto& def) const { return rows_if(!def.limits && !def.motor && !def.spring); }
 };
-bool has_equalities(const JointDef& def) { return std::visit(HasEqualities{}, def); }
+JointRows rows_of(const JointDef& def) { return std::visit(Rows{}, def); }
 
 }  // namespace
 
@@ -124,7 +127,7 @@ float JointStore::position(JointId id) const {
 void JointStore::redefine(JointId id, const JointDef& def) {
     TUMBLE_CHECK(ids.is_live(id));
     TUMBLE_CHECK(def.index() == records_[id.index].def.index());
-    has_groups_ &= has_equalities(def) == has_equalities(records_[id.index].def);
+    has_groups_ &= rows_of(def) == rows_of(records_[id.index].def);
     records_[id.index].def = def;
     loads_[id.index].strength = joint_strength(def);
     visit_list_of(*this, id, [&](auto& list, const auto& kind) {
@@ -167,12 +170,12 @@ void JointStore::put_to_sleep(std::span<const JointId> sleepers) {
 }
 
 void JointStore::find_groups(const BodyStore& bodies, JointSolver solver) {
-    std::vector<JoinedBodies> joined(records_.size());
+    std::vector<GroupedJoint> joints(records_.size());
     for_each_list(*this, [&](auto& list) {
         for (const AwakeJoint& awake : list.awake)
-            if (has_equalities(records_[awake.joint].def)) joined[awake.joint] = this->bodies(ids.at(awake.joint));
+            joints[awake.joint] = {rows_of(records_[awake.joint].def), this->bodies(ids.at(awake.joint))};
     });
-    groups_.find(solver, joined, bodies);
+    groups_.find(solver, joints, bodies);
     has_groups_ = true;
 }
 
