@@ -183,8 +183,9 @@ void Work::append(sweep::ShardEntry entry) {
         std::this_thread::sleep_for(kShortestWait / 10);
     }
     sweep::make_durable(options_.folder);  // the names of the shard's files
-    entry.copies = texts_.take_made();
+    entry.copies = texts_.unstated();
     append_shard(options_.folder, entry);
+    texts_.note_stated(entry.copies.size());
     leases_.release(kAppend);
 }
 

@@ -126,3 +126,14 @@ TEST_CASE("merge refuses a damaged copy of a scene of a complete part") {
     CHECK(answer.err.find(sweeps.at("part/plan/scene.json") + ": the checksum") != std::string::npos);
     CHECK_FALSE(fs::exists(sweeps.folder / "whole/plan/scene.json"));
 }
+
+TEST_CASE("merge refuses a part without the copy of its scene, unless the whole has it") {
+    const Sweeps sweeps;
+    REQUIRE(sweeps.sweep("part", {"--runs", "20"}).code == 0);
+    REQUIRE(run_tumble({"sweep", "merge", sweeps.at("whole"), sweeps.at("part")}).code == 0);
+    fs::remove(sweeps.folder / "part/plan/scene.json");
+    CHECK(run_tumble({"sweep", "merge", sweeps.at("whole"), sweeps.at("part")}).code == 0);
+    const Answer answer = run_tumble({"sweep", "merge", sweeps.at("other"), sweeps.at("part")});
+    CHECK(answer.code == 4);
+    CHECK_MESSAGE(answer.err.find(sweeps.at("part/plan/scene.json") + ": is missing") != std::string::npos, answer.err);
+}

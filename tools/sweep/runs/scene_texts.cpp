@@ -74,9 +74,14 @@ void SceneTexts::copy_new() {
         if (const auto text = texts_.find(new_.back()); text != texts_.end()) copy(text->first, text->second);
 }
 
-std::vector<sweep::StoredFile> SceneTexts::take_made() {
+std::vector<sweep::StoredFile> SceneTexts::unstated() {
     const std::lock_guard lock(mutex_);
-    return std::exchange(made_, {});
+    return unstated_;
+}
+
+void SceneTexts::note_stated(std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    unstated_.erase(unstated_.begin(), unstated_.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 void SceneTexts::restore(const std::vector<sweep::StoredFile>& copies) {
@@ -99,14 +104,16 @@ void SceneTexts::copy(const fs::path& file, const std::string& text) {
         write_copy(sweep_folder_, name, text);
     else if (read_file(to) != text)
         throw FileError(file, "has changed since the sweep began: " + to.string() + " is its copy");
-    made_.push_back({name.generic_string(), text.size(), sweep::hash_of(text)});
+    unstated_.push_back({name.generic_string(), text.size(), sweep::hash_of(text)});
 }
 
 void merge_copies(const fs::path& from_sweep, const std::vector<sweep::StoredFile>& copies, const fs::path& to_sweep) {
     for (const sweep::StoredFile& copy : copies) {
+        if (fs::exists(to_sweep / copy.name)) continue;
         const fs::path from = from_sweep / copy.name;
-        const bool is_there = !is_behind_link(from_sweep, copy.name) && fs::is_regular_file(fs::symlink_status(from));
-        if (!is_there || fs::exists(to_sweep / copy.name)) continue;
+        if (is_behind_link(from_sweep, copy.name) || !fs::is_regular_file(fs::symlink_status(from)))
+            throw FileError(from, "is missing, or is no file of this folder; `tumble sweep PLAN -o " +
+                                      from_sweep.string() + " --check` makes it again");
         const std::string text = read_within_limit(from);
         if (sweep::hash_of(text) != copy.hash)
             throw InputError(from.string() + ": the checksum of its bytes is not that of its manifest");

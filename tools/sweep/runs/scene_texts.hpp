@@ -32,8 +32,11 @@ public:
     // Copies the plan to DIR/plan. Of a plan that may read files of other folders nothing is copied. Throws FileError.
     SceneTexts(const sweep::Plan& plan, const std::filesystem::path& sweep_folder);
 
-    // The copies that were made since the last call, or that were there already.
-    std::vector<sweep::StoredFile> take_made();
+    // The copies of the files that were read, without the ones that are stated.
+    std::vector<sweep::StoredFile> unstated();
+
+    // The manifest states the first `count` of them.
+    void note_stated(std::size_t count);
 
     // Makes those of these copies that are missing or have another size, from the files that they are copies of. Throws
     // FileError, also if such a file has changed.
@@ -51,8 +54,8 @@ private:
     std::filesystem::path folder_{}, sweep_folder_{};  // of the plan, and DIR; empty: nothing is copied
     std::mutex mutex_;
     std::map<std::filesystem::path, std::string> texts_;
-    std::vector<std::filesystem::path> new_;  // read, and not yet copied
-    std::vector<sweep::StoredFile> made_;
+    std::vector<std::filesystem::path> new_;   // read, and not yet copied
+    std::vector<sweep::StoredFile> unstated_;  // copies that the manifest does not state yet
 };
 
 // Copies to DIR/plan of one sweep those of these copies of another that it does not have; other files of the other's
