@@ -17,7 +17,6 @@ public:
         TUMBLE_CHECK(count_ < bodies_.size());
         bodies_[count_++] = body;
     }
-    bool empty() const { return count_ == 0; }
     const BodyId* begin() const { return bodies_.data(); }
     const BodyId* end() const { return bodies_.data() + count_; }
 
