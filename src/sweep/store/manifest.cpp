@@ -113,8 +113,8 @@ void add_copies(Manifest& manifest, const std::vector<StoredFile>& copies) {
 // The first checksum of a copy stays: it may be damaged since.
 void drop_repeated(std::vector<StoredFile>& copies) {
     std::ranges::stable_sort(copies, {}, &StoredFile::name);
-    const auto repeated = std::ranges::unique(copies, {}, &StoredFile::name);
-    copies.erase(repeated.begin(), repeated.end());
+    const auto same_name = [](const StoredFile& a, const StoredFile& b) { return a.name == b.name; };
+    copies.erase(std::unique(copies.begin(), copies.end(), same_name), copies.end());
 }
 
 // Reads one line; throws an exception of the JSON library or std::invalid_argument if it is none of a manifest.
