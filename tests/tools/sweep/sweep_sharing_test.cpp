@@ -71,7 +71,7 @@ TEST_CASE("the lease of an unknown process is taken over after its term") {
 
 TEST_CASE("the lease of a process that has ended is taken over long before its term") {
     const Sweeps sweeps(R"({"format": 1, "scene": "scene.json", "runs": 8000, "shard_runs": 8000})");
-    const std::vector<std::string> arguments = sweeps.arguments("out", {"-j", "1", "--lease", "120"});
+    const std::vector<std::string> arguments = sweeps.arguments("out", {"-j", "1", "--lease", "3600"});
     Process killed(tumble_command(arguments));
     tumble::test::wait_for(sweeps.folder / "out/leases/shard-000000", killed);
     killed.send_signal(SIGKILL);
@@ -79,7 +79,7 @@ TEST_CASE("the lease of a process that has ended is taken over long before its t
     REQUIRE(fs::exists(sweeps.folder / "out/leases/shard-000000"));
     const auto start = std::chrono::steady_clock::now();
     CHECK(run_tumble(arguments).code == 0);
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(100));
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::minutes(30));
 }
 
 TEST_CASE("a process that is stopped beyond the term of its lease, and the one that takes over, lose no shard") {
