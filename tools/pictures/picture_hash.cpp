@@ -1,4 +1,4 @@
-#include "tools/scene/picture_hash.hpp"
+#include "tools/pictures/picture_hash.hpp"
 
 #ifndef __clang_analyzer__  // it assumes null pointers that a string of some size does not have
 #define XXH_INLINE_ALL
